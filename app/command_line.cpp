@@ -1,0 +1,111 @@
+#include "app/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <iterator>
+#include <sstream>
+
+#include "app/commands.hpp"
+#include "fit/user_error.hpp"
+#include "reports/results.hpp"
+
+namespace shadefit {
+namespace {
+
+Outcome usage_error(const std::string& message) {
+  std::string line = message.substr(0, message.find('\n'));
+  return {2, "", fmt::format("shadefit: {} (see 'shadefit --help')\n", line)};
+}
+
+/// CLI11 lists what it did not expect from the back; we name the first of it.
+std::string first_unexpected(const std::string& message, const std::vector<std::string>& arguments) {
+  std::istringstream words(message.substr(message.rfind(": ") + 1));
+  const std::vector<std::string> unexpected{std::istream_iterator<std::string>(words), {}};
+  const auto first =
+      std::find_first_of(arguments.begin(), arguments.end(), unexpected.begin(), unexpected.end());
+  return first == arguments.end() ? message : fmt::format("unexpected argument '{}'", *first);
+}
+
+/// CLI11 calls a mistyped command an unexpected argument; we name the nearest one.
+void require_known_command(const CLI::App& app, const std::vector<std::string>& arguments) {
+  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  require_known(arguments.front(), known, "command");
+}
+
+Outcome parse_and_run(const std::vector<std::string>& arguments) {
+  CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
+               "shadefit"};
+  app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION);
+  app.require_subcommand(1);
+  Outcome outcome;
+
+  auto* list = app.add_subcommand("list", "every constant: id, published value, source");
+  list->callback([&] { outcome = list_command(); });
+
+  RunOptions run_options;
+  bool no_plots = false;
+  auto* run = app.add_subcommand("run", "fit and check everything, write report.md and the tables");
+  run->add_option("--out", run_options.out, "directory to write")->capture_default_str()->type_name("DIR");
+  run->add_option("--only", run_options.only, "only these constants")->type_name("ID");
+  run->add_flag("--no-plots", no_plots, "leave plots out (this version draws none)");
+  run->callback([&] { outcome = run_command(run_options); });
+
+  FitOptions fit_options;
+  auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
+  fit->add_option("id", fit_options.id, "a family or a published constant, see 'shadefit list'")->required();
+  fit->add_option("--exponent", fit_options.exponent, "K or A:B:STEP, by commas; default: the record's own")
+      ->type_name("K");
+  fit->add_option("--measure", fit_options.measure, "cosine or angle")
+      ->capture_default_str()
+      ->type_name("NAME");
+  auto* json = fit->add_flag("--json", fit_options.json, "print JSON, every number to its last bit");
+  fit->add_flag("--csv", fit_options.csv, "print the columns of fits.csv, every number to its last bit")
+      ->excludes(json);
+  fit->callback([&] { outcome = fit_command(fit_options); });
+
+  CheckOptions check_options;
+  bool all = false;
+  auto* check =
+      app.add_subcommand("check", "recompute and compare with the committed tables; writes nothing");
+  check->add_option("--baseline", check_options.baseline, "directory of the tables")
+      ->capture_default_str()
+      ->type_name("DIR");
+  check->add_flag("--all", all, "the slow tables too (this version has none)");
+  check->callback([&] { outcome = check_command(check_options); });
+
+  try {
+    require_known_command(app, arguments);
+    std::vector<std::string> reversed(arguments.rbegin(),
+                                      arguments.rend());  // CLI11 takes them from the back
+    app.parse(reversed);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    return {0, (chosen.empty() ? app : *chosen.front()).help(), ""};
+  } catch (const CLI::CallForVersion& version) {
+    return {0, std::string(version.what()) + "\n", ""};
+  } catch (const CLI::ExtrasError& error) {
+    return usage_error(first_unexpected(error.what(), arguments));
+  } catch (const CLI::ParseError& error) {
+    return usage_error(error.what());
+  }
+  return outcome;
+}
+
+}  // namespace
+
+Outcome run_command_line(const std::vector<std::string>& arguments) {
+  try {
+    return parse_and_run(arguments);
+  } catch (const UserError& error) {
+    return {2, "", fmt::format("shadefit: {}\n", error.what())};
+  } catch (const std::exception& error) {
+    return {1, "", fmt::format("shadefit: internal error: {}\n", error.what())};
+  }
+}
+
+}  // namespace shadefit

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// The command `shadefit`: arguments in, texts and exit code out.
+namespace shadefit {
+
+struct Outcome {
+  int exit_code = 0;  ///< 0; 1 a check failed or a fit did not converge; 2 bad usage or bad input
+  std::string out;    ///< for standard output
+  std::string err;    ///< for standard error
+};
+
+/// Runs the command; `arguments` without the program's name. Reads and writes files as the subcommand says,
+/// never a standard stream. Does not throw.
+Outcome run_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace shadefit

@@ -1,0 +1,200 @@
+#include "app/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "approx/catalogue.hpp"
+#include "fit/sweep.hpp"
+#include "fit/user_error.hpp"
+#include "reports/baseline.hpp"
+#include "reports/fit_json.hpp"
+#include "reports/report.hpp"
+#include "reports/tables.hpp"
+#include "reports/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+Measure parse_measure(const std::string& text) {
+  std::vector<std::string> known;
+  for (const Measure measure : measures) {
+    if (text == name(measure)) return measure;
+    known.emplace_back(name(measure));
+  }
+  throw UserError(
+      fmt::format("--measure '{}' is unknown: it must be one of {}", text, fmt::join(known, ", ")));
+}
+
+const Published* find_published(const std::string& id) {
+  const auto found = std::find_if(published_constants.begin(), published_constants.end(),
+                                  [&](const Published& p) { return p.id == id; });
+  return found == published_constants.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> ids_with_a_fit() {
+  std::vector<std::string> ids = known_ids();
+  std::erase_if(
+      ids, [](const std::string& id) { return find_family(id) == nullptr && find_published(id) == nullptr; });
+  return ids;
+}
+
+std::vector<double> exponents_for(const FittableFamily& family, const Published* published,
+                                  const std::optional<std::string>& text) {
+  if (!family.has_exponent()) {
+    if (!text) return {};
+    throw UserError(fmt::format("--exponent '{}' does not apply: {} has no exponent", *text, family.info.id));
+  }
+  if (!text) return published != nullptr ? exponents_of(*published) : parse_sweep(family.info.sweep);
+  try {
+    return parse_sweep(*text);
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("--exponent {}: give K or A:B:STEP, by commas", error.what()));
+  }
+}
+
+std::string json_text(const nlohmann::ordered_json& json) {
+  return json.dump(2) + "\n";
+}
+
+/// A mean or a limit of fits, asked for by its own id.
+Outcome derived_command(const FittableFamily& family, const Published& published, const FitOptions& options) {
+  if (options.exponent) {
+    throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
+                                *options.exponent, published.id));
+  }
+  FitCache fits(family);
+  Refit refit{&family, {}, {assess(fits, published, {.measure = parse_measure(options.measure)})}};
+  if (options.json) return {0, json_text(write_derived_json(refit.derived.front())), ""};
+  const Table table = fits_table({refit}).table;
+  return {0, options.csv ? write_csv(table, Precision::full) : write_console(table, Precision::full), ""};
+}
+
+/// What a person wants to see of fits.
+Table console_table(const Refit& refit) {
+  Table table{{}, {}};
+  if (refit.family->has_exponent()) table.columns.emplace_back("exponent");
+  for (const auto parameter : refit.family->parameters) table.columns.emplace_back(parameter);
+  for (const char* column :
+       {"status", "digits", "rms error", "max abs error", "at c", "published", "verdict"}) {
+    table.columns.emplace_back(column);
+  }
+  for (const FitReport& report : refit.fits) {
+    const Fit& fit = report.fit;
+    const bool is_answer = fit.status == Status::converged;
+    std::vector<Cell> row;
+    if (fit.exponent) row.push_back(Number{*fit.exponent, 17});
+    for (const double p : fit.parameters) row.push_back(is_answer ? Cell(Number{p, 17}) : Cell());
+    std::vector<std::string> printed, verdicts;
+    for (const Assessment& a : report.assessments) {
+      printed.emplace_back(a.published->printed);
+      verdicts.emplace_back(name(a.judgement.verdict));
+    }
+    row.insert(row.end(),
+               {std::string(name(fit.status)), static_cast<long>(fit.digits),
+                is_answer ? Cell(Number{fit.rms_error, 4}) : Cell(),
+                is_answer ? Cell(Number{fit.max_abs_error.magnitude, 4}) : Cell(),
+                is_answer ? place(fit.max_abs_error.at.cos_theta) : Cell(),
+                fmt::format("{}", fmt::join(printed, ", ")), fmt::format("{}", fmt::join(verdicts, ", "))});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::string console_text(const Refit& refit, Measure measure) {
+  const Family& info = refit.family->info;
+  Table table = console_table(refit);
+  for (auto& row : table.rows) {
+    // Parameters to their last bit, errors to what a reader compares.
+    for (Cell& cell : row) {
+      if (auto* number = std::get_if<Number>(&cell)) {
+        cell = text(*number, number->digits == 17 ? Precision::full : Precision::report);
+      }
+    }
+  }
+  return fmt::format("{}: {} ~ {}, {} measure, least squares\n", info.id, info.target, info.form,
+                     name(measure)) +
+         write_console(table, Precision::report);
+}
+
+std::string fits_text(const Refit& refit, const FitOptions& options, Measure measure) {
+  if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
+  if (!options.json) return console_text(refit, measure);
+  if (refit.fits.size() == 1) return json_text(write_fit_json(*refit.family, refit.fits.front()));
+  auto array = nlohmann::ordered_json::array();
+  for (const FitReport& report : refit.fits) array.push_back(write_fit_json(*refit.family, report));
+  return json_text(array);
+}
+
+std::string not_converged_lines(const Refit& refit) {
+  std::string lines;
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::converged) continue;
+    lines += fmt::format("shadefit: {}{} did not converge: {}\n", refit.family->info.id,
+                         report.fit.exponent ? fmt::format(" at exponent {}", *report.fit.exponent) : "",
+                         name(report.fit.status));
+  }
+  return lines;
+}
+
+}  // namespace
+
+Outcome list_command() {
+  return {0, write_console(list_table(), Precision::report), ""};
+}
+
+Outcome run_command(const RunOptions& options) {
+  require_directory(options.out);
+  const Results results = compute_results(options.only);
+  write_files(options.out, report_files(results));
+  std::string out = write_console(summary_table(results), Precision::report);
+  out += fmt::format("\nReport: {}\n", (std::filesystem::path(options.out) / "report.md").string());
+  if (all_checks_passed(results)) return {0, out, ""};
+  std::string err;
+  for (const Refit& refit : results.refits) err += not_converged_lines(refit);
+  for (const auto& check : results.normalisations) {
+    if (check.verdict == Verdict::confirmed) continue;
+    err += fmt::format("shadefit: {} at exponent {} failed: closed form {}, integral {}\n", check.record->id,
+                       check.exponent.value_or(0), check.closed_form, check.integral);
+  }
+  return {1, out, err};
+}
+
+Outcome fit_command(const FitOptions& options) {
+  require_known(options.id, ids_with_a_fit(), "constant to fit");
+  const Published* published = find_family(options.id) == nullptr ? find_published(options.id) : nullptr;
+  const FittableFamily& family =
+      *find_family(published != nullptr ? published->family : std::string_view(options.id));
+  if (published != nullptr && published->statement != Statement::best_fit)
+    return derived_command(family, *published, options);
+
+  const Measure measure = parse_measure(options.measure);
+  FitCache fits(family);
+  const Refit refit{
+      &family,
+      fit_and_assess(fits, exponents_for(family, published, options.exponent), std::array{measure}),
+      {}};
+  const std::string err = not_converged_lines(refit);
+  return {err.empty() ? 0 : 1, fits_text(refit, options, measure), err};
+}
+
+Outcome check_command(const CheckOptions& options) {
+  const Baseline baseline = read_baseline(options.baseline);
+  const Results results = compute_results({});
+  const auto drifts = compare(baseline, results);
+  if (drifts.empty()) {
+    return {0, fmt::format("check passed: {} cells agree with {}\n", count_cells(results), options.baseline),
+            ""};
+  }
+  Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
+  for (const Drift& d : drifts) table.rows.push_back({d.file, d.row, d.column, d.before, d.after, d.effect});
+  return {1,
+          write_console(table, Precision::report) +
+              fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
+                          drifts.size() == 1 ? "difference" : "differences", options.baseline),
+          ""};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+
+/// The subcommands, once their arguments are parsed. Each throws UserError for input that is the user's to
+/// mend.
+namespace shadefit {
+
+struct RunOptions {
+  std::string out = "out";
+  std::vector<std::string> only;
+};
+
+struct FitOptions {
+  std::string id;
+  std::optional<std::string> exponent;  ///< empty: the record's own sweep
+  std::string measure = "cosine";
+  bool json = false;
+  bool csv = false;
+};
+
+struct CheckOptions {
+  std::string baseline = "reports/baseline";
+};
+
+Outcome list_command();
+Outcome run_command(const RunOptions& options);
+Outcome fit_command(const FitOptions& options);
+Outcome check_command(const CheckOptions& options);
+
+}  // namespace shadefit

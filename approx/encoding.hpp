@@ -1,0 +1,18 @@
+#pragma once
+
+#include "approx/scalar.hpp"
+
+/// Transfer functions between linear light and what a display or a texture stores.
+namespace shadefit {
+
+/// The sRGB encoding of a linear value in [0, 1]: 12.92 x up to 0.0031308, then 1.055 x^(1/2.4) - 0.055.
+/// Source: IEC 61966-2-1:1999, sRGB.
+template <class T>
+T srgb_encode(const T& linear) {
+  const T one = integer<T>(1);
+  const T straight = constant<T>("12.92") * linear;
+  const T curved = constant<T>("1.055") * power(linear, one / constant<T>("2.4")) - constant<T>("0.055");
+  return select(less(constant<T>("0.0031308"), linear), curved, straight);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+
+#include "approx/record.hpp"
+#include "approx/scalar.hpp"
+#include "approx/sources.hpp"
+
+/// Schlick's Fresnel term and its approximations by one exp2. c = cos of the angle between view (or light)
+/// and half vector, in [0, 1]; reflectances are linear, in [0, 1].
+namespace shadefit {
+
+/// (1 - c)^5: how far the reflectance has gone from f0 (c = 1) to 1 (c = 0).
+/// Source: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
+template <class T>
+T schlick_weight(const T& cos_theta) {
+  return power(integer<T>(1) - cos_theta, 5);
+}
+
+/// F = f0 + (1 - f0) weight; f0 the reflectance at normal incidence, weight by `schlick_weight` or a form of
+/// it.
+template <class T>
+T schlick_reflectance(const T& f0, const T& weight) {
+  return f0 + (integer<T>(1) - f0) * weight;
+}
+
+/// exp2(-A c), A > 0: one multiplication and one exp2.
+template <class T>
+T fresnel_one_term(const T& cos_theta, const T& sharpness) {
+  return exp2(-(sharpness * cos_theta));
+}
+
+/// exp2((a c + b) c): one multiply-add, one multiplication and one exp2.
+template <class T>
+T fresnel_quadratic(const T& cos_theta, const T& a, const T& b) {
+  return exp2((a * cos_theta + b) * cos_theta);
+}
+
+/// The A of `fresnel_one_term` for a spherical Gaussian of (1 - c)^5 with offset x: (5 + x) / ln 2.
+/// (1-c)^5 ~ exp((5+x)((1-c) - 1)) = exp2(-(5+x)/ln2 c). Under the cosine measure the best A is this of the
+/// best x, because c -> 1 - c maps one problem onto the other.
+template <class T>
+T one_term_sharpness(const T& offset) {
+  return (integer<T>(5) + offset) / ln2<T>();
+}
+
+/// 6/ln 2: the one-term form at offset x = 1, the concentration of the literature on the sphere.
+template <class T>
+T one_term_sharpness_at_offset_one() {
+  return one_term_sharpness(integer<T>(1));
+}
+
+/// The reflectance at normal incidence for which relative errors of a Fresnel form are stated: 4 %, that of
+/// glass and most plastics (index of refraction 1.5).
+inline constexpr std::string_view reference_f0 = "0.04";
+
+inline constexpr Family fresnel_one_term_family{
+    .id = "fresnel-one-term",
+    .title = "Fresnel by one exp2",
+    .target = "(1-c)^5",
+    .form = "exp2(-A c)",
+    .variables = "c = the cosine between view and half vector; A the sharpness in powers of two",
+    .sweep = ""};
+
+inline constexpr Family fresnel_quadratic_family{
+    .id = "fresnel-quadratic",
+    .title = "Fresnel by exp2 of a quadratic",
+    .target = "(1-c)^5",
+    .form = "exp2((a c + b) c)",
+    .variables = "c = the cosine between view and half vector; a, b the coefficients of the exponent",
+    .sweep = ""};
+
+inline constexpr std::array fresnel_quadratic_a_variants{
+    Variant{"-5.55437", "mrdoob/three.js#7028, mended in #7625"}};
+inline constexpr std::array fresnel_quadratic_b_variants{
+    Variant{"-6.983146", "boksajak/brdf, brdf.h, and copies of it"}};
+
+inline constexpr std::array fresnel_published{
+    Published{.id = "fresnel-one-term",
+              .family = "fresnel-one-term",
+              .parameter = "A",
+              .printed = "8.35",
+              .statement = Statement::best_fit,
+              .exponents = "",
+              .convention = {},
+              .source = sources::lagarde_2012,
+              .variants = {}},
+    Published{.id = "fresnel-offset-one",
+              .family = "fresnel-one-term",
+              .parameter = "A",
+              .printed = "8.656170",
+              .statement = Statement::best_fit,
+              .exponents = "",
+              .convention = {"offset x = 1", "6/ln 2", &one_term_sharpness_at_offset_one<double>},
+              .source = sources::lagarde_2011_adopting,
+              .variants = {}},
+    Published{.id = "fresnel-quadratic-a",
+              .family = "fresnel-quadratic",
+              .parameter = "a",
+              .printed = "-5.55473",
+              .statement = Statement::best_fit,
+              .exponents = "",
+              .convention = {},
+              .source = sources::lagarde_2012,
+              .variants = fresnel_quadratic_a_variants},
+    Published{.id = "fresnel-quadratic-b",
+              .family = "fresnel-quadratic",
+              .parameter = "b",
+              .printed = "-6.98316",
+              .statement = Statement::best_fit,
+              .exponents = "",
+              .convention = {},
+              .source = sources::lagarde_2012,
+              .variants = fresnel_quadratic_b_variants},
+};
+
+}  // namespace shadefit

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "approx/record.hpp"
+#include "approx/scalar.hpp"
+#include "approx/sources.hpp"
+
+/// The cosine lobe c^k and its spherical Gaussian. c = cos of the angle to the lobe's axis in [0, 1],
+/// k > 0 the specular exponent, x the offset added to it, y = 1 - c.
+namespace shadefit {
+
+/// The lobe c^k of Phong (c = r.v) and Blinn-Phong (c = n.h).
+template <class T>
+T power_lobe(const T& cos_theta, const T& exponent) {
+  return power(cos_theta, exponent);
+}
+
+/// The spherical Gaussian exp((k + x)(c - 1)): sharpness k + x, peak 1.
+/// Source: Wang, Ren, Gong, Snyder, Guo 2009, "All-Frequency Rendering of Dynamic, Spatially-Varying
+/// Reflectance".
+template <class T>
+T gaussian_lobe(const T& cos_theta, const T& exponent, const T& offset) {
+  return exp((exponent + offset) * (cos_theta - integer<T>(1)));
+}
+
+/// c^k from y = 1 - c: exp(k log1p(-y)). Near the peak c^k by `power` multiplies the rounding of c by k.
+template <class T>
+T power_lobe_near_peak(const T& one_minus_cos, const T& exponent) {
+  return exp(exponent * log1p(-one_minus_cos));
+}
+
+/// The spherical Gaussian from y = 1 - c: exp(-(k + x) y).
+template <class T>
+T gaussian_lobe_near_peak(const T& one_minus_cos, const T& exponent, const T& offset) {
+  return exp(-((exponent + offset) * one_minus_cos));
+}
+
+/// log of c^k over the plain Gaussian exp(k(c - 1)): k (log(c) + y) <= 0. Free of the offset. Near the peak
+/// log(c) is taken from y, where the sum would cancel; near c = 0 from c, which y = 1 - c has lost there.
+template <class T>
+T lobe_log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
+  const T near_peak = log1p_remainder(-one_minus_cos);
+  const T near_horizon = log(cos_theta) + one_minus_cos;
+  return exponent * select(less(cos_theta, one_minus_cos), near_horizon, near_peak);
+}
+
+/// gaussian_lobe - power_lobe without cancellation, from y and its `lobe_log_ratio` L.
+///   exp(-(k+x)y) - exp(-k y + L) = -exp(-(k+x)y) (exp(L + x y) - 1)
+/// The plain difference loses log10(k) digits; here the bracket is one expm1, whose argument is at most x y,
+/// so that nothing overflows, and L = -infinity (c = 0) gives the Gaussian itself.
+template <class T>
+T gaussian_lobe_error(const T& one_minus_cos, const T& exponent, const T& offset, const T& log_ratio) {
+  return -(gaussian_lobe_near_peak(one_minus_cos, exponent, offset) *
+           expm1(log_ratio + offset * one_minus_cos));
+}
+
+/// gaussian_lobe / power_lobe - 1 from y and its `lobe_log_ratio` L: expm1(-(L + x y)).
+template <class T>
+T gaussian_lobe_relative_error(const T& one_minus_cos, const T& offset, const T& log_ratio) {
+  return expm1(-(log_ratio + offset * one_minus_cos));
+}
+
+/// How the best offset approaches its limit: x(k) = limit + slope / k + O(1/k^2).
+template <class T>
+struct OffsetLaw {
+  T limit;
+  T slope;
+};
+
+/// The law of the least-squares offset under a measure that is y^(p-1) (1 + w y + ..) dy near the peak:
+/// p = 1, w = 0 for the cosine measure dc; p = 1/2, w = 1/4 for the angle, d theta = dy / sqrt(2y - y^2).
+///
+/// With t = k y the condition  integral of measure * (M - T) M y = 0  for M = exp(-t - x t/k) and
+/// T = exp(-t - t^2/(2k) - t^3/(3k^2) - ..) reads, g(n) = Gamma(n) / 2^n being the integral of t^(n-1)
+/// e^(-2t):
+///   order 1:    g(p+3)/2 - x0 g(p+2) = 0, so x0 = (p+2)/4;
+///   order 1/k:  x1 g(p+2) = x0^2/2 g(p+3) + g(p+4)/3 - g(p+5)/8 + (w - x0)(g(p+4)/2 - x0 g(p+3)).
+/// Below, a, b, d are g(p+3), g(p+4), g(p+5) over g(p+2). Cosine: 3/4 + 13/(64 k); angle: 5/8 + 185/(768 k).
+template <class T>
+OffsetLaw<T> offset_law(const T& p, const T& w) {
+  const T two = integer<T>(2);
+  const T a = (p + two) / two;
+  const T b = a * (p + integer<T>(3)) / two;
+  const T d = b * (p + integer<T>(4)) / two;
+  const T x0 = a / two;
+  const T x1 = x0 * x0 / two * a + b / integer<T>(3) - d / integer<T>(8) + (w - x0) * (b / two - x0 * a);
+  return {x0, x1};
+}
+
+inline constexpr Family sg_offset{
+    .id = "sg-offset",
+    .title = "Spherical Gaussian offset",
+    .target = "c^k",
+    .form = "exp((k+x)(c-1))",
+    .variables = "c = n.h or r.v, the cosine to the lobe's axis; k the specular exponent; x the offset",
+    .sweep = "1:15:1,25,50,100,1000,10000,1000000"};
+
+inline constexpr std::array sg_offset_published{
+    Published{.id = "sg-offset-mean",
+              .family = "sg-offset",
+              .parameter = "x",
+              .printed = "0.775",
+              .statement = Statement::mean_of_fits,
+              .exponents = "3:15:1",
+              .convention = {},
+              .source = sources::lagarde_2012,
+              .variants = {}},
+    Published{.id = "sg-offset-limit",
+              .family = "sg-offset",
+              .parameter = "x",
+              .printed = "0.75",
+              .statement = Statement::limit_of_fits,
+              .exponents = "",
+              .convention = {},
+              .source = sources::lagarde_2012,
+              .variants = {}},
+    Published{.id = "sg-offset-k5",
+              .family = "sg-offset",
+              .parameter = "x",
+              .printed = "0.788",
+              .statement = Statement::best_fit,
+              .exponents = "5",
+              .convention = {},
+              .source = sources::lagarde_2012,
+              .variants = {}},
+};
+
+}  // namespace shadefit

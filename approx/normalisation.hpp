@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+
+#include "approx/record.hpp"
+#include "approx/scalar.hpp"
+#include "approx/sources.hpp"
+
+/// Normalisation constants of BRDFs and of the microfacet distribution, with view and normal aligned (v = n).
+/// theta is the angle to the normal, y = 1 - cos(theta) in [0, 1], alpha > 0 the specular exponent. Each lobe
+/// is written over y, where it keeps its digits at alpha = 1e6; over the hemisphere d omega = 2 pi dy.
+///
+/// With v = n the reflected view vector is n itself, so r.v = cos(theta), and the half vector bisects, so
+/// n.h = cos(theta/2). A published constant is 1 over the lobe's integral.
+namespace shadefit {
+
+/// cos^a = exp(a log1p(-y)): c^alpha without amplifying the rounding of c.
+template <class T>
+T cosine_power(const T& one_minus_cos, const T& alpha) {
+  return exp(alpha * log1p(-one_minus_cos));
+}
+
+/// cos^a(theta/2) = ((1 + cos)/2)^(a/2) = exp(a/2 log1p(-y/2)).
+template <class T>
+T half_angle_cosine_power(const T& one_minus_cos, const T& alpha) {
+  const T two = integer<T>(2);
+  return exp(alpha / two * log1p(-(one_minus_cos / two)));
+}
+
+/// Lambert: n.l. alpha plays no part.
+struct LambertLobe {
+  template <class T>
+  static T lobe(const T& one_minus_cos, const T&) {
+    return integer<T>(1) - one_minus_cos;
+  }
+  template <class T>
+  static T constant(const T&) {
+    return integer<T>(1) / pi<T>();
+  }
+  static constexpr double sharpness = 0;  ///< the lobe falls at least as fast as exp(-sharpness alpha y)
+};
+
+/// Phong: (r.v)^a.
+struct PhongLobe {
+  template <class T>
+  static T lobe(const T& one_minus_cos, const T& alpha) {
+    return cosine_power(one_minus_cos, alpha);
+  }
+  template <class T>
+  static T constant(const T& alpha) {
+    return (alpha + integer<T>(1)) / (integer<T>(2) * pi<T>());
+  }
+  static constexpr double sharpness = 1;  ///< log(1-y) <= -y
+};
+
+/// Phong BRDF: (r.v)^a (n.l).
+struct PhongBrdfLobe {
+  template <class T>
+  static T lobe(const T& one_minus_cos, const T& alpha) {
+    return cosine_power(one_minus_cos, alpha) * (integer<T>(1) - one_minus_cos);
+  }
+  template <class T>
+  static T constant(const T& alpha) {
+    return (alpha + integer<T>(2)) / (integer<T>(2) * pi<T>());
+  }
+  static constexpr double sharpness = 1;
+};
+
+/// Blinn-Phong: (n.h)^a.
+struct BlinnPhongLobe {
+  template <class T>
+  static T lobe(const T& one_minus_cos, const T& alpha) {
+    return half_angle_cosine_power(one_minus_cos, alpha);
+  }
+  template <class T>
+  static T constant(const T& alpha) {
+    const T two = integer<T>(2);
+    return (alpha + two) / (integer<T>(4) * pi<T>() * (two - exp2(-(alpha / two))));
+  }
+  static constexpr double sharpness = 0.25;  ///< a/2 log(1-y/2) <= -a y/4
+};
+
+/// Blinn-Phong BRDF: (n.h)^a (n.l).
+struct BlinnPhongBrdfLobe {
+  template <class T>
+  static T lobe(const T& one_minus_cos, const T& alpha) {
+    return half_angle_cosine_power(one_minus_cos, alpha) * (integer<T>(1) - one_minus_cos);
+  }
+  template <class T>
+  static T constant(const T& alpha) {
+    const T two = integer<T>(2);
+    return (alpha + two) * (alpha + integer<T>(4)) /
+           (integer<T>(8) * pi<T>() * (exp2(-(alpha / two)) + alpha));
+  }
+  static constexpr double sharpness = 0.25;
+};
+
+/// The microfacet distribution's own condition, D(m) (n.m) with D = (n.m)^a: an integral over the sphere of
+/// microfacet normals, where D = 0 for n.m <= 0. The integrand is the Phong BRDF's, with m for l.
+using DistributionLobe = PhongBrdfLobe;
+
+inline constexpr std::array normalisations{
+    Normalisation{"norm-lambert", "n.l", "1/pi", false, sources::lagarde_2011_adopting},
+    Normalisation{"norm-phong", "(r.v)^a", "(a+1)/(2 pi)", true, sources::lagarde_2011_adopting},
+    Normalisation{"norm-phong-brdf", "(r.v)^a (n.l)", "(a+2)/(2 pi)", true, sources::lagarde_2011_adopting},
+    Normalisation{"norm-blinn-phong", "(n.h)^a", "(a+2)/(4 pi (2 - 2^(-a/2)))", true,
+                  sources::lagarde_2011_adopting},
+    Normalisation{"norm-blinn-phong-brdf", "(n.h)^a (n.l)", "(a+2)(a+4)/(8 pi (2^(-a/2) + a))", true,
+                  sources::lagarde_2011_adopting},
+    Normalisation{"norm-ndf", "D(m) (n.m), D = (n.m)^a", "(a+2)/(2 pi)", true,
+                  sources::lagarde_2011_adopting},
+};
+
+}  // namespace shadefit

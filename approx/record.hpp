@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+/// Records: what was published, where, and how it is meant. Records are data; formulas live beside them.
+namespace shadefit {
+
+/// Where a number was published. `title` is quoted as it stands there.
+struct Source {
+  std::string_view author;
+  int year;
+  std::string_view title;
+  std::string_view place;
+};
+
+/// A mistyped copy of a published number that is in circulation, and where it was seen.
+struct Variant {
+  std::string_view printed;
+  std::string_view seen_in;
+};
+
+/// How a published number is meant, that is: which computation has to give it.
+enum class Statement {
+  best_fit,       ///< the optimum of its family (at `exponents`, where the family has an exponent)
+  mean_of_fits,   ///< the arithmetic mean of the optima over the sweep `exponents`
+  limit_of_fits,  ///< the optimum as the exponent grows without bound
+};
+
+/// A closed form that a published number follows by convention instead of by a fit.
+struct Convention {
+  std::string_view name;     ///< empty: there is none
+  std::string_view formula;  ///< as text
+  double (*value)() = nullptr;
+};
+
+/// One published constant of a fitted family.
+struct Published {
+  std::string_view id;         ///< its name in the ledger, e.g. "sg-offset-k5"
+  std::string_view family;     ///< the family that refits it, e.g. "sg-offset"
+  std::string_view parameter;  ///< which parameter of that family
+  std::string_view printed;    ///< the digits as printed: their number matters
+  Statement statement;
+  std::string_view exponents;  ///< "5", or a sweep "3:15:1"; empty where the family has none
+  Convention convention;
+  Source source;
+  std::span<const Variant> variants;
+};
+
+/// What is approximated by what: the text of a family, for people. The formulas themselves are templates.
+struct Family {
+  std::string_view id;
+  std::string_view title;
+  std::string_view target;     ///< the exact function of c
+  std::string_view form;       ///< the approximation of it
+  std::string_view variables;  ///< what each letter means
+  std::string_view
+      sweep;  ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
+};
+
+/// One published normalisation constant: a closed form that numeric integration has to confirm.
+struct Normalisation {
+  std::string_view id;
+  std::string_view lobe;     ///< the function whose integral over the hemisphere is normalised
+  std::string_view printed;  ///< the closed form as printed, a = alpha
+  bool has_exponent;
+  Source source;
+};
+
+}  // namespace shadefit

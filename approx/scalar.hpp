@@ -1,0 +1,274 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+/// The vocabulary in which every formula of shadefit is written.
+///
+/// A formula is a function template over its scalar and says nothing but `+ - * /` and the names of this
+/// file. It then runs unchanged as float, double, long double, half precision, an automatic derivative, a
+/// 50-digit number or an interval: each scalar brings one specialisation of `Scalar`, its adapter. The
+/// standard types have theirs here; the others live in fit/ (jet, multiprecision, interval, half). A symbolic
+/// scalar is one more such specialisation.
+///
+/// The names are function objects, not functions: an object found by name lookup switches argument-dependent
+/// lookup off, so `exp(x)` in a formula can never reach an `exp` of another library that would leave the
+/// scalar.
+///
+/// Rules for a formula: no `if`, no comparison (use `select(less(a, b), x, y)`), no floating literal (use
+/// `integer<T>(5)`, `constant<T>("0.775")`, `pi<T>()`, `ln2<T>()`), every argument of the same type T, result
+/// T.
+namespace shadefit {
+
+/// The customisation point: what a type must offer to be a scalar. See `Scalar<std::floating_point T>`.
+template <class T>
+struct Scalar;
+
+namespace vocabulary {
+
+struct Exp {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::exp(x);
+  }
+};
+
+struct Exp2 {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::exp2(x);
+  }
+};
+
+struct Log {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::log(x);
+  }
+};
+
+struct Log2 {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::log2(x);
+  }
+};
+
+struct Expm1 {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::expm1(x);
+  }
+};
+
+struct Log1p {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::log1p(x);
+  }
+};
+
+struct Log1pRemainder {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::log1p_remainder(x);
+  }
+};
+
+struct Sqrt {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::sqrt(x);
+  }
+};
+
+struct Sin {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::sin(x);
+  }
+};
+
+struct Cos {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::cos(x);
+  }
+};
+
+struct Less {
+  template <class T>
+  auto operator()(const T& a, const T& b) const {
+    return Scalar<T>::less(a, b);
+  }
+};
+
+struct Select {
+  template <class Condition, class T>
+  T operator()(const Condition& condition, const T& a, const T& b) const {
+    return Scalar<T>::select(condition, a, b);
+  }
+};
+
+struct Min {
+  template <class T>
+  T operator()(const T& a, const T& b) const {
+    return Scalar<T>::min(a, b);
+  }
+};
+
+struct Max {
+  template <class T>
+  T operator()(const T& a, const T& b) const {
+    return Scalar<T>::max(a, b);
+  }
+};
+
+struct PositivePart {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::max(x, Scalar<T>::integer(0));
+  }
+};
+
+struct Power {
+  /// x^n by repeated squaring: the multiplications of a shader, in the same order in every arithmetic. A
+  /// scalar that can do better (an interval's square is never negative) brings its own `integer_power`.
+  template <class T>
+  T operator()(const T& x, int n) const {
+    if constexpr (requires { Scalar<T>::integer_power(x, n); }) {
+      return Scalar<T>::integer_power(x, n);
+    } else {
+      if (n < 0) return Scalar<T>::integer(1) / (*this)(x, -n);
+      if (n == 0) return Scalar<T>::integer(1);
+      const T half = (*this)(x, n / 2);
+      const T even = n < 2 ? Scalar<T>::integer(1) : half * half;
+      return n % 2 == 0 ? even : n == 1 ? x : even * x;
+    }
+  }
+
+  /// x^p for a real exponent; x >= 0, and 0^p = 0 for p > 0.
+  template <class T>
+  requires(!std::same_as<T, int>) T operator()(const T& x, const T& p) const {
+    return Scalar<T>::power(x, p);
+  }
+};
+
+}  // namespace vocabulary
+
+inline constexpr vocabulary::Exp exp{};
+inline constexpr vocabulary::Exp2 exp2{};
+inline constexpr vocabulary::Log log{};
+inline constexpr vocabulary::Log2 log2{};
+inline constexpr vocabulary::Expm1 expm1{};
+inline constexpr vocabulary::Log1p log1p{};
+/// log1p(x) - x without its cancellation for small x; x > -1 (x = -1 gives -infinity).
+inline constexpr vocabulary::Log1pRemainder log1p_remainder{};
+inline constexpr vocabulary::Sqrt sqrt{};
+inline constexpr vocabulary::Sin sin{};
+inline constexpr vocabulary::Cos cos{};
+/// a < b as the scalar's own kind of condition, for `select` alone.
+inline constexpr vocabulary::Less less{};
+/// condition ? a : b; where an interval cannot decide, the hull of both.
+inline constexpr vocabulary::Select select{};
+inline constexpr vocabulary::Min min{};
+inline constexpr vocabulary::Max max{};
+/// max(x, 0), the clamp that shaders write as saturate or max(dot, 0).
+inline constexpr vocabulary::PositivePart positive_part{};
+/// power(x, int) or power(x, real) for x >= 0.
+inline constexpr vocabulary::Power power{};
+
+/// A whole number as the scalar T. Exact in every scalar up to 2048 (half has 11 significant bits).
+template <class T>
+T integer(int n) {
+  return Scalar<T>::integer(n);
+}
+
+/// A published constant as the scalar T, converted from its decimal text (for an interval: enclosed).
+template <class T>
+T constant(std::string_view decimal) {
+  return Scalar<T>::from_decimal(decimal);
+}
+
+/// The circle constant, rounded (or enclosed) in T.
+template <class T>
+T pi() {
+  return Scalar<T>::pi();
+}
+
+/// The natural logarithm of 2, rounded (or enclosed) in T.
+template <class T>
+T ln2() {
+  return Scalar<T>::ln2();
+}
+
+namespace detail {
+
+/// Terms of log1p_remainder's series that a type of `digits` bits needs: each adds at least log2(9) bits.
+template <std::floating_point T>
+inline constexpr int remainder_terms = std::numeric_limits<T>::digits / 3 + 2;
+
+template <std::floating_point T>
+inline constexpr auto reciprocals_of_odd = [] {
+  std::array<T, remainder_terms<T>> r{};
+  for (int i = 0; i < remainder_terms<T>; ++i) r[static_cast<std::size_t>(i)] = T(1) / T(2 * i + 3);
+  return r;
+}();
+
+}  // namespace detail
+
+/// The adapter of float, double and long double: the C++ standard library.
+template <std::floating_point T>
+struct Scalar<T> {
+  static T exp(T x) { return std::exp(x); }
+  static T exp2(T x) { return std::exp2(x); }
+  static T log(T x) { return std::log(x); }
+  static T log2(T x) { return std::log2(x); }
+  static T expm1(T x) { return std::expm1(x); }
+  static T log1p(T x) { return std::log1p(x); }
+  static T sqrt(T x) { return std::sqrt(x); }
+  static T sin(T x) { return std::sin(x); }
+  static T cos(T x) { return std::cos(x); }
+  static T power(T x, T p) { return std::pow(x, p); }
+  static bool less(T a, T b) { return a < b; }
+  static T select(bool condition, T a, T b) { return condition ? a : b; }
+  static T min(T a, T b) { return b < a ? b : a; }
+  static T max(T a, T b) { return a < b ? b : a; }
+  static T integer(int n) { return static_cast<T>(n); }
+  static T pi() { return std::numbers::pi_v<T>; }
+  static T ln2() { return std::numbers::ln2_v<T>; }
+
+  /// With r = x/(2+x), log(1+x) = 2 atanh(r) = 2 r (1 + r^2/3 + r^4/5 + ..) and 2 r - x = -x r, so
+  ///   log1p(x) - x = r (2 r^2 (1/3 + r^2/5 + ..) - x).
+  /// For |x| <= 1/2 the first term in the bracket stays below |x|/2.5: no cancellation, and r^2 <= 1/9.
+  /// Beyond that, log1p(x) - x itself loses at most two bits.
+  static T log1p_remainder(T x) {
+    if (!(std::abs(x) <= T(1) / 2)) return std::log1p(x) - x;
+    const T r = x / (2 + x);
+    const T r2 = r * r;
+    T sum = 0;
+    for (auto i = detail::reciprocals_of_odd<T>.size(); i-- > 0;) {
+      sum = sum * r2 + detail::reciprocals_of_odd<T>[i];
+    }
+    return r * (2 * r2 * sum - x);
+  }
+
+  static T from_decimal(std::string_view decimal) {
+    T value{};
+    const char* end = decimal.data() + decimal.size();
+    const auto [stop, error] = std::from_chars(decimal.data(), end, value);
+    if (error != std::errc{} || stop != end) {
+      throw std::invalid_argument("not a decimal number: '" + std::string(decimal) + "'");
+    }
+    return value;
+  }
+};
+
+}  // namespace shadefit

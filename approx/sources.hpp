@@ -1,0 +1,15 @@
+#pragma once
+
+#include "approx/record.hpp"
+
+/// The publications that the records cite.
+namespace shadefit::sources {
+
+inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physically based shading model",
+                                              "seblagarde.wordpress.com/2011/08/17/hello-world"};
+
+inline constexpr Source lagarde_2012{
+    "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
+    "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
+
+}  // namespace shadefit::sources

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+
+#include "approx/cosine.hpp"
+#include "approx/fresnel.hpp"
+#include "approx/lobe.hpp"
+#include "fit/jet.hpp"
+#include "fit/metric.hpp"
+#include "fit/substitution.hpp"
+
+/// The families that can be fitted: each joins a target and a form of approx/ for the solver. A family brings
+/// - `info`: its texts; `parameters`: the names of its parameters; `starts`: three points spread over the box
+/// in
+///   which the optimum is looked for;
+/// - `Sample`: what of a place does not depend on the parameters, computed once; `sample`: the function that
+/// does;
+/// - `form`, `error` (form - target) and `relative_error` at a sample;
+/// - `shape`: what the substitution has to know; `relative_domain`: where a relative error has a meaning.
+namespace shadefit {
+
+/// c^k by exp((k+x)(c-1)).
+struct SgOffset {
+  static constexpr const Family& info = sg_offset;
+  static constexpr std::array<std::string_view, 1> parameters{"x"};
+  static constexpr std::string_view relative_to = "target >= 1/255";
+
+  double exponent;
+
+  /// For a small exponent the lobe is 1 + k log c + .., and its best offset is proportional to k.
+  std::array<std::array<double, 1>, 3> starts() const {
+    const double scale = std::min(1.0, exponent);
+    return {{{0.1 * scale}, {0.5 * scale}, {scale}}};
+  }
+
+  /// Errors carry a factor exp(-(k+x)y) and their square is twice as sharp; x > 0.
+  Shape shape() const { return {.concentration = 2 * exponent, .end_power = exponent}; }
+
+  template <class T>
+  struct Sample {
+    T one_minus_cos;
+    T log_ratio;
+  };
+
+  template <class T>
+  Sample<T> sample(const Cosine<T>& c) const {
+    return {c.one_minus_cos, lobe_log_ratio(c.cos_theta, c.one_minus_cos, lift<T>(exponent))};
+  }
+
+  template <class T, class P>
+  P form(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return gaussian_lobe_near_peak(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0]);
+  }
+
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return gaussian_lobe_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
+  }
+
+  template <class T, class P>
+  P relative_error(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return gaussian_lobe_relative_error(lift<P>(s.one_minus_cos), p[0], lift<P>(s.log_ratio));
+  }
+
+  /// c^k >= 1/255, one code of an 8-bit linear target: c >= exp(-log(255)/k).
+  Domain relative_domain(const Domain& domain) const {
+    return {std::max(domain.lower, std::exp(-std::log(255.0) / exponent)), domain.upper};
+  }
+};
+
+/// (1-c)^5 by a form of one exp2: what the two Fresnel families share.
+template <class Form, int N>
+struct FresnelFamily {
+  static constexpr std::string_view relative_to = "F = f0 + (1 - f0) f, f0 = 0.04";
+
+  Shape shape() const { return {}; }
+
+  template <class T>
+  struct Sample {
+    T cos_theta;
+    T target;
+  };
+
+  template <class T>
+  Sample<T> sample(const Cosine<T>& c) const {
+    return {c.cos_theta, schlick_weight(c.cos_theta)};
+  }
+
+  template <class T, class P>
+  P form(const Sample<T>& s, const std::array<P, N>& p) const {
+    return Form::evaluate(lift<P>(s.cos_theta), p);
+  }
+
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, N>& p) const {
+    return form(s, p) - lift<P>(s.target);
+  }
+
+  /// (Fhat - F)/F at the reference f0: what a shader's reader sees.
+  template <class T, class P>
+  P relative_error(const Sample<T>& s, const std::array<P, N>& p) const {
+    const P f0 = constant<P>(reference_f0);
+    const P exact = schlick_reflectance(f0, lift<P>(s.target));
+    return (schlick_reflectance(f0, form(s, p)) - exact) / exact;
+  }
+
+  Domain relative_domain(const Domain& domain) const { return domain; }
+};
+
+struct OneTermForm {
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_one_term(c, p[0]);
+  }
+};
+
+struct QuadraticForm {
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 2>& p) {
+    return fresnel_quadratic(c, p[0], p[1]);
+  }
+};
+
+/// (1-c)^5 by exp2(-A c).
+struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
+  static constexpr const Family& info = fresnel_one_term_family;
+  static constexpr std::array<std::string_view, 1> parameters{"A"};
+  static std::array<std::array<double, 1>, 3> starts() { return {{{2.0}, {8.0}, {16.0}}}; }
+};
+
+/// (1-c)^5 by exp2((a c + b) c).
+struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
+  static constexpr const Family& info = fresnel_quadratic_family;
+  static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
+  static std::array<std::array<double, 2>, 3> starts() {
+    return {{{-1.0, -12.0}, {-5.0, -5.0}, {-10.0, -2.0}}};
+  }
+};
+
+}  // namespace shadefit

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "approx/record.hpp"
+#include "fit/effect.hpp"
+#include "fit/extremum.hpp"
+#include "fit/least_squares.hpp"
+#include "fit/metric.hpp"
+
+/// One fit and its report, and the table of the families that can be fitted.
+namespace shadefit {
+
+/// What a fit found, how far it may be trusted, and how wrong the fitted curve is.
+struct Fit {
+  const Family* family;
+  std::optional<double> exponent;  ///< empty where the family has none
+  Metric metric;
+  std::vector<double>
+      parameters;  ///< in the order of the family's names; an answer only if `status` is converged
+  Status status;
+  int iterations;          ///< Ceres and Newton steps together
+  int digits;              ///< correct digits of the worst parameter, at most 14
+  double rms_error;        ///< sqrt(integral of measure * error^2 / integral of measure)
+  Extremum max_abs_error;  ///< of form - target
+  Extremum max_rel_error;  ///< of what `relative_to` says, over `relative_domain`
+  Domain relative_domain;
+  std::string_view relative_to;
+};
+
+/// A family behind plain functions. `exponent` is ignored where the family has none; parameters are in the
+/// order of `parameters`.
+struct FittableFamily {
+  const Family& info;
+  std::span<const std::string_view> parameters;
+  Fit (*fit)(double exponent, const Metric&);
+  Extremum (*max_abs_error)(double exponent, const Domain&, std::span<const double> parameters);
+  Effect (*effect)(double exponent, const Domain&, std::span<const double> from, std::span<const double> to);
+
+  bool has_exponent() const { return !info.sweep.empty(); }
+};
+
+/// Every family, in the order of the report.
+std::span<const FittableFamily> fittable_families();
+
+/// The family of that id, or null.
+const FittableFamily* find_family(std::string_view id);
+
+}  // namespace shadefit

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <mpfi.h>
+
+#include <boost/multiprecision/mpfi.hpp>
+#include <string>
+
+#include "approx/scalar.hpp"
+
+/// The adapter of MPFI intervals: the arithmetic of proof. Every result contains every true result.
+namespace shadefit {
+
+/// An interval with 50-digit ends, rounded outward by each operation. Expression templates are off.
+using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<50>,
+                                               boost::multiprecision::et_off>;
+
+/// What `less` of two intervals can know.
+enum class Certainty { no, yes, unknown };
+
+/// MPFI's own functions are called directly: Boost 1.74 lacks some, its comparisons end the process when they
+/// cannot be decided, and its pow throws at zero.
+template <>
+struct Scalar<Interval> {
+  static Interval exp(const Interval& x) { return apply(mpfi_exp, x); }
+  static Interval exp2(const Interval& x) { return apply(mpfi_exp2, x); }
+  static Interval log(const Interval& x) { return apply(mpfi_log, x); }
+  static Interval log2(const Interval& x) { return apply(mpfi_log2, x); }
+  static Interval expm1(const Interval& x) { return apply(mpfi_expm1, x); }
+  static Interval log1p(const Interval& x) { return apply(mpfi_log1p, x); }
+  static Interval sqrt(const Interval& x) { return apply(mpfi_sqrt, x); }
+  static Interval sin(const Interval& x) { return apply(mpfi_sin, x); }
+  static Interval cos(const Interval& x) { return apply(mpfi_cos, x); }
+
+  /// log1p(x) - x rises up to x = 0 and falls from there, so its ends lie at the ends of x, or at the top 0.
+  static Interval log1p_remainder(const Interval& x) {
+    const Interval low = lower(x), high = upper(x);
+    const Interval ends = hull(log1p(low) - low, log1p(high) - high);
+    return is_zero_inside(x) ? hull(ends, integer(0)) : ends;
+  }
+
+  /// x^n: an even power of an interval around zero is not negative.
+  static Interval integer_power(const Interval& x, int n) {
+    if (n < 0) return integer(1) / integer_power(x, -n);
+    if (n == 0) return integer(1);
+    const Interval root = integer_power(x, n / 2);
+    const Interval even = apply(mpfi_sqr, root);
+    return n % 2 == 0 ? even : n == 1 ? x : even * x;
+  }
+
+  /// x^p = exp(p log x), x >= 0; log 0 = -infinity gives 0 for p > 0.
+  static Interval power(const Interval& x, const Interval& p) { return exp(p * log(x)); }
+
+  static Certainty less(const Interval& a, const Interval& b) {
+    if (mpfi_cmp(a.backend().data(), b.backend().data()) < 0) return Certainty::yes;
+    const bool never = mpfr_cmp(&a.backend().data()->left, &b.backend().data()->right) >= 0;
+    return never ? Certainty::no : Certainty::unknown;
+  }
+  static Interval select(Certainty condition, const Interval& a, const Interval& b) {
+    return condition == Certainty::yes ? a : condition == Certainty::no ? b : hull(a, b);
+  }
+  static Interval min(const Interval& a, const Interval& b) { return -max(-a, -b); }
+  /// The ends of max(a, b) are the maxima of the ends.
+  static Interval max(const Interval& a, const Interval& b) {
+    Interval result;
+    auto* r = result.backend().data();
+    mpfr_max(&r->left, &a.backend().data()->left, &b.backend().data()->left, MPFR_RNDD);
+    mpfr_max(&r->right, &a.backend().data()->right, &b.backend().data()->right, MPFR_RNDU);
+    return result;
+  }
+
+  static Interval integer(int n) { return Interval(n); }
+  static Interval from_decimal(std::string_view decimal) {
+    Interval result;
+    if (mpfi_set_str(result.backend().data(), std::string(decimal).c_str(), 10) != 0) {
+      throw std::invalid_argument("not a decimal number: '" + std::string(decimal) + "'");
+    }
+    return result;
+  }
+  static Interval pi() {
+    Interval result;
+    mpfi_const_pi(result.backend().data());
+    return result;
+  }
+  static Interval ln2() {
+    Interval result;
+    mpfi_const_log2(result.backend().data());
+    return result;
+  }
+
+  /// The smallest interval that contains both.
+  static Interval hull(const Interval& a, const Interval& b) {
+    Interval result;
+    mpfi_union(result.backend().data(), a.backend().data(), b.backend().data());
+    return result;
+  }
+
+ private:
+  static Interval apply(int (*function)(mpfi_ptr, mpfi_srcptr), const Interval& x) {
+    Interval result;
+    function(result.backend().data(), x.backend().data());
+    return result;
+  }
+  static Interval lower(const Interval& x) {
+    Interval result;
+    mpfi_set_fr(result.backend().data(), &x.backend().data()->left);
+    return result;
+  }
+  static Interval upper(const Interval& x) {
+    Interval result;
+    mpfi_set_fr(result.backend().data(), &x.backend().data()->right);
+    return result;
+  }
+  static bool is_zero_inside(const Interval& x) { return mpfi_has_zero(x.backend().data()) > 0; }
+};
+
+}  // namespace shadefit

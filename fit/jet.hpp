@@ -1,0 +1,87 @@
+#pragma once
+
+#include <ceres/jet.h>
+
+#include <concepts>
+
+#include "approx/scalar.hpp"
+
+/// The adapter of ceres::Jet: a value and its derivatives. A Jet of Jets carries second derivatives.
+namespace shadefit {
+
+/// Each function of the vocabulary as its value and the chain rule, in the vocabulary of the Jet's own
+/// scalar, so that nested and wide Jets work alike (Ceres 2.1's pow does not compile over multiprecision).
+template <class T, int N>
+struct Scalar<ceres::Jet<T, N>> {
+  using Jet = ceres::Jet<T, N>;
+
+  static Jet exp(const Jet& x) {
+    const T value = shadefit::exp(x.a);
+    return Jet(value, value * x.v);
+  }
+  static Jet exp2(const Jet& x) {
+    const T value = shadefit::exp2(x.a);
+    return Jet(value, (value * shadefit::ln2<T>()) * x.v);
+  }
+  static Jet log(const Jet& x) { return Jet(shadefit::log(x.a), (one() / x.a) * x.v); }
+  static Jet log2(const Jet& x) {
+    return Jet(shadefit::log2(x.a), (one() / (x.a * shadefit::ln2<T>())) * x.v);
+  }
+  static Jet expm1(const Jet& x) { return Jet(shadefit::expm1(x.a), shadefit::exp(x.a) * x.v); }
+  static Jet log1p(const Jet& x) { return Jet(shadefit::log1p(x.a), (one() / (one() + x.a)) * x.v); }
+  /// d/dx (log1p(x) - x) = -x / (1 + x)
+  static Jet log1p_remainder(const Jet& x) {
+    return Jet(shadefit::log1p_remainder(x.a), (-x.a / (one() + x.a)) * x.v);
+  }
+  static Jet sqrt(const Jet& x) {
+    const T value = shadefit::sqrt(x.a);
+    return Jet(value, (one() / (value + value)) * x.v);
+  }
+  static Jet sin(const Jet& x) { return Jet(shadefit::sin(x.a), shadefit::cos(x.a) * x.v); }
+  static Jet cos(const Jet& x) { return Jet(shadefit::cos(x.a), -shadefit::sin(x.a) * x.v); }
+  /// d(x^p) = p x^(p-1) dx + x^p log(x) dp. The last term is left out where p is a constant, so that x = 0
+  /// has the derivative 0 for p > 1 instead of NaN; it is infinite there for p < 1, as it should be.
+  static Jet power(const Jet& x, const Jet& p) {
+    const T value = shadefit::power(x.a, p.a);
+    Jet result(value, (p.a * shadefit::power(x.a, T(p.a - one()))) * x.v);
+    if (!is_constant(p)) result.v += (value * shadefit::log(x.a)) * p.v;
+    return result;
+  }
+  static auto less(const Jet& a, const Jet& b) { return shadefit::less(a.a, b.a); }
+  template <class Condition>
+  static Jet select(const Condition& condition, const Jet& a, const Jet& b) {
+    Jet result(shadefit::select(condition, a.a, b.a));
+    for (int i = 0; i < N; ++i) result.v[i] = shadefit::select(condition, a.v[i], b.v[i]);
+    return result;
+  }
+  static Jet min(const Jet& a, const Jet& b) { return select(less(b, a), b, a); }
+  static Jet max(const Jet& a, const Jet& b) { return select(less(a, b), b, a); }
+  static Jet integer(int n) { return Jet(shadefit::integer<T>(n)); }
+  static Jet from_decimal(std::string_view decimal) { return Jet(shadefit::constant<T>(decimal)); }
+  static Jet pi() { return Jet(shadefit::pi<T>()); }
+  static Jet ln2() { return Jet(shadefit::ln2<T>()); }
+
+  static bool is_constant(const Jet& x) {
+    for (int i = 0; i < N; ++i) {
+      if (!(x.v[i] == shadefit::integer<T>(0))) return false;
+    }
+    return true;
+  }
+
+ private:
+  static T one() { return shadefit::integer<T>(1); }
+};
+
+/// A value as the scalar P: itself, or the constant Jet (of Jets) with that value.
+template <class P, class T>
+P lift(const T& value) {
+  if constexpr (std::same_as<P, T>) {
+    return value;
+  } else if constexpr (std::floating_point<P>) {
+    return static_cast<P>(value);
+  } else {
+    return P(lift<typename P::Scalar>(value));
+  }
+}
+
+}  // namespace shadefit

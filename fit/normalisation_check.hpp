@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "approx/record.hpp"
+#include "fit/verdict.hpp"
+
+/// Published normalisation constants against numeric integration over the hemisphere.
+namespace shadefit {
+
+struct NormalisationCheck {
+  const Normalisation* record;
+  std::optional<double> exponent;
+  double closed_form;          ///< the constant as published
+  double integral;             ///< 1 over the numerical integral
+  double relative_difference;  ///< |closed_form / integral - 1|
+  double
+      estimated_error;  ///< relative, of `integral`: both rules' estimates, their difference and the cut tail
+  Verdict verdict;
+};
+
+/// Largest relative difference that confirms a constant, and largest estimated error with which a check may
+/// speak: the integrands carry a few 1e-15, and 1e-12 is what is promised.
+inline constexpr double normalisation_tolerance = 1e-12;
+
+/// The exponents checked by default.
+inline constexpr double normalisation_exponents[] = {0.1, 1, 2, 8, 64, 2048, 1e5, 1e6};
+
+/// Checks the constant of that id at each exponent (once, without one, where the constant has none).
+std::vector<NormalisationCheck> check_normalisation(const Normalisation& record);
+
+/// The verdict on a closed form: confirmed where the integral agrees within the tolerance and is itself that
+/// good.
+Verdict judge_normalisation(double relative_difference, double estimated_error);
+
+}  // namespace shadefit

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "approx/record.hpp"
+#include "fit/fit.hpp"
+#include "fit/verdict.hpp"
+
+/// Refitting a family: its exponents under each measure, and what that says of the published numbers.
+namespace shadefit {
+
+/// A published number against what the fits give for it under one metric: a parameter, a mean or a limit.
+struct Assessment {
+  const Published* published;
+  Metric metric;
+  double computed;
+  Judgement judgement;
+  Effect effect;  ///< of replacing the printed number by the computed one, at the worst of its exponents
+};
+
+/// A fit and the published numbers that are meant for it.
+struct FitReport {
+  Fit fit;
+  std::vector<Assessment> assessments;
+};
+
+/// A family refitted over a sweep.
+struct Refit {
+  const FittableFamily* family;
+  std::vector<FitReport> fits;      ///< by measure, then by exponent
+  std::vector<Assessment> derived;  ///< the means and limits of fits, by published number, then by measure
+};
+
+/// The approach of a fitted parameter to its limit, x(k) = limit + slope / k + .., extrapolated from fits.
+struct Approach {
+  double limit;
+  double slope;
+};
+
+/// The fits of one family, each computed once. Not for use from several threads.
+class FitCache {
+ public:
+  explicit FitCache(const FittableFamily& family) : family_(family) {}
+  const FittableFamily& family() const { return family_; }
+  const Fit& at(double exponent, const Metric& metric);
+
+ private:
+  const FittableFamily& family_;
+  std::map<std::pair<Measure, double>, Fit> fits_;
+};
+
+/// Fits the family at each exponent (once, where it has none) under each of `under`, and judges the published
+/// numbers that are meant for those fits.
+std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>& exponents,
+                                      std::span<const Measure> under);
+
+/// The same, with the means and limits that were published for the family: all there is to say about it.
+Refit refit(const FittableFamily& family, const std::vector<double>& exponents,
+            std::span<const Measure> under);
+
+/// Judges one published number of the cache's family: the value under `metric`, against the other measures
+/// and the record's own convention. Throws std::runtime_error where a fit that it needs did not converge.
+Assessment assess(FitCache& fits, const Published& published, const Metric& metric);
+
+/// Quadratic extrapolation in 1/k to 1/k = 0 from the fits at k = 1e4, 1e5, 1e6: exact but for terms in
+/// 1/k^3.
+Approach extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
+
+/// The exponents that a published number speaks of; a limit is looked at from k = 1e6, no exponent stands as
+/// {0}.
+std::vector<double> exponents_of(const Published& published);
+
+}  // namespace shadefit

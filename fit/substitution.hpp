@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "approx/cosine.hpp"
+#include "approx/scalar.hpp"
+#include "fit/jet.hpp"
+#include "fit/metric.hpp"
+
+/// The change of variable under which an integrand over c is smooth, so that Gauss-Legendre converges on it.
+namespace shadefit {
+
+/// How a family behaves over c: what the substitution has to know.
+struct Shape {
+  /// The integrand falls at least as fast as exp(-concentration (1 - c)) from the peak; 0: it is not
+  /// concentrated.
+  double concentration = 0;
+  /// It behaves as c^end_power at c = 0; a whole number is smooth there.
+  double end_power = 0;
+};
+
+/// A map of s in [0, 1] onto the domain: s = 0 at its upper end (the peak), s = 1 at its lower end.
+///
+/// The variable is y = 1 - c for the cosine measure and theta for the angle: their own weights are 1.
+/// - A concentrated integrand is cut where it has fallen below exp(-decay).
+/// - A power c^k with k not whole is singular at c = 0. There c (or the angle from the horizon) becomes the
+/// q-th
+///   power of 1 - s with q (k + 1) >= 8, after which Gauss-Legendre of n nodes converges like n^-16.
+class Substitution {
+ public:
+  Substitution(const Metric& metric, const Shape& shape);
+
+  /// exp(-48) = 1.4e-21, below the rounding of a long double.
+  static constexpr double decay = 48;
+
+  template <class T>
+  struct Place {
+    Cosine<T> cosine;
+    T density;  ///< of the measure, per ds
+  };
+
+  /// The cosine at s; T may carry derivatives with respect to s.
+  template <class T>
+  Place<T> at(const T& s) const {
+    const T one = integer<T>(1);
+    const T u = one - s;
+    // 1 - u^q = s (1 + u + .. + u^(q-1)): the distance from the peak without cancellation
+    T sum = one;
+    for (int i = 1; i < power_; ++i) sum = sum * u + one;
+    const T from_peak = lift<T>(length_) * (s * sum);
+    const T from_end = lift<T>(length_) * power(u, power_);
+    const T density = lift<T>(length_) * integer<T>(power_) * power(u, power_ - 1);
+    const T y = lift<T>(near_) + from_peak;
+    const T rest = lift<T>(rest_) + from_end;
+    if (measure_ == Measure::cosine) return {{rest, y}, density};
+    const T half_sine = sin(y / integer<T>(2));
+    return {{sin(rest), integer<T>(2) * half_sine * half_sine}, density};
+  }
+
+  /// The measure of the whole domain, cut or not.
+  long double total() const { return total_; }
+
+ private:
+  Measure measure_;
+  int power_ = 1;           ///< q
+  long double near_ = 0;    ///< the variable at s = 0
+  long double length_ = 1;  ///< and from there to s = 1
+  long double rest_ = 0;    ///< from s = 1 to c = 0
+  long double total_ = 1;
+};
+
+inline Substitution::Substitution(const Metric& metric, const Shape& shape) : measure_(metric.measure) {
+  const long double top = 1.0L - static_cast<long double>(metric.domain.upper);
+  const long double bottom = 1.0L - static_cast<long double>(metric.domain.lower);
+  const long double cut =
+      shape.concentration > 0 ? top + static_cast<long double>(decay / shape.concentration) : bottom;
+  const bool is_cut = cut < bottom;
+  // theta = 2 asin(sqrt(y/2)), without cancellation near the peak
+  const auto variable = [&](long double y) {
+    return measure_ == Measure::cosine ? y : 2 * std::asin(std::sqrt(y / 2));
+  };
+  near_ = variable(top);
+  length_ = variable(is_cut ? cut : bottom) - near_;
+  rest_ = metric.domain.lower == 0 && !is_cut ? 0.0L : variable(1.0L) - near_ - length_;
+  total_ = variable(bottom) - near_;
+  const bool is_singular = shape.end_power != std::floor(shape.end_power);
+  if (is_singular && !is_cut && metric.domain.lower == 0) {
+    power_ = std::max(1, static_cast<int>(std::ceil(8 / (1 + shape.end_power))));
+  }
+}
+
+}  // namespace shadefit

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <stdexcept>
+
+/// The one kind of error that is the user's to mend.
+namespace shadefit {
+
+/// Bad usage or bad input. `what()` is one line that names the thing, its value and the rule that it broke;
+/// the command prints it and exits with 2.
+struct UserError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace shadefit

@@ -1,0 +1,153 @@
+#include "reports/baseline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "fit/sweep.hpp"
+#include "fit/user_error.hpp"
+#include "reports/csv.hpp"
+#include "reports/tables.hpp"
+#include "reports/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr const char* fits_file = "fits.csv";
+constexpr const char* normalisation_file = "normalization.csv";
+
+/// The columns whose words name a row; the n-th row of the same name is matched with the n-th.
+std::vector<std::string> keys_of(const CsvTable& table) {
+  std::vector<std::string> keys;
+  std::map<std::string, int> seen;
+  for (const auto& row : table.rows) {
+    std::string key;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const auto& column = table.columns[i];
+      const bool is_key =
+          column == "constant" || column == "parameter" || column == "exponent" || column == "measure";
+      if (is_key && !row[i].empty()) key += (key.empty() ? "" : " ") + row[i];
+    }
+    const int count = ++seen[key];
+    keys.push_back(count == 1 ? key : fmt::format("{} ({})", key, count));
+  }
+  return keys;
+}
+
+std::string plain_effect(const std::string& before, const std::string& after) {
+  const auto old_value = parse_number(before), new_value = parse_number(after);
+  if (!old_value || !new_value) return "another word";
+  if (*old_value == *new_value) return "the same number, written differently";
+  if (*old_value == 0) return fmt::format("from 0 by {:.2g}", *new_value);
+  return fmt::format("relative change {:.2g}", (*new_value - *old_value) / std::abs(*old_value));
+}
+
+/// The effect on the curve of a parameter that reads `before` in the baseline.
+std::optional<std::string> curve_effect(const FitRow& origin, const std::string& before) {
+  const auto value = parse_number(before);
+  if (origin.report == nullptr || origin.report->fit.status != Status::converged || !value)
+    return std::nullopt;
+  const Fit& fit = origin.report->fit;
+  auto from = fit.parameters;
+  from[origin.parameter] = *value;
+  return sentence(
+      origin.refit->family->effect(fit.exponent.value_or(0), fit.metric.domain, from, fit.parameters));
+}
+
+using EffectOf = std::function<std::string(std::size_t row, const std::string& column,
+                                           const std::string& before, const std::string& after)>;
+
+std::vector<Drift> compare_tables(const std::string& file, const CsvTable& before, const CsvTable& after,
+                                  const EffectOf& effect_of) {
+  std::vector<Drift> drifts;
+  const auto old_keys = keys_of(before), new_keys = keys_of(after);
+  for (std::size_t i = 0; i < after.rows.size(); ++i) {
+    const auto match = std::find(old_keys.begin(), old_keys.end(), new_keys[i]);
+    if (match == old_keys.end()) {
+      drifts.push_back({file, new_keys[i], "", "", "", "the baseline has no such row"});
+      continue;
+    }
+    const auto& old_row = before.rows[static_cast<std::size_t>(match - old_keys.begin())];
+    for (std::size_t j = 0; j < after.columns.size(); ++j) {
+      if (old_row[j] == after.rows[i][j]) continue;
+      drifts.push_back({file, new_keys[i], after.columns[j], old_row[j], after.rows[i][j],
+                        effect_of(i, after.columns[j], old_row[j], after.rows[i][j])});
+    }
+  }
+  for (const std::string& key : old_keys) {
+    if (std::find(new_keys.begin(), new_keys.end(), key) != new_keys.end()) continue;
+    drifts.push_back({file, key, "", "", "", "a row that is no longer computed"});
+  }
+  return drifts;
+}
+
+/// The computed table as a reader of its CSV sees it.
+CsvTable as_csv(const Table& table, const std::string& name) {
+  return parse_csv(write_csv(table, Precision::report), name);
+}
+
+CsvTable parse_checked(const Baseline& baseline, const std::string& name,
+                       const std::vector<std::string>& columns) {
+  const auto file = std::find_if(baseline.files.begin(), baseline.files.end(),
+                                 [&](const File& f) { return f.name == name; });
+  const std::string path = (baseline.directory / name).string();
+  const CsvTable table = parse_csv(file->content, path);
+  if (table.columns != columns) {
+    throw UserError(fmt::format("'{}' has other columns ({}): they must be {}", path,
+                                fmt::join(table.columns, ","), fmt::join(columns, ",")));
+  }
+  return table;
+}
+
+}  // namespace
+
+Baseline read_baseline(const std::filesystem::path& directory) {
+  std::error_code error;
+  if (!std::filesystem::exists(directory, error)) {
+    throw UserError(
+        fmt::format("baseline '{}' is missing: name the directory with --baseline, or make one with "
+                    "'shadefit run --out DIR'",
+                    directory.string()));
+  }
+  if (!std::filesystem::is_directory(directory, error)) {
+    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {} and {}",
+                                directory.string(), fits_file, normalisation_file));
+  }
+  Baseline baseline{directory, {}};
+  for (const char* name : {fits_file, normalisation_file})
+    baseline.files.push_back({name, read_file(directory / name)});
+  return baseline;
+}
+
+std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
+  const FitsTable fits = fits_table(results.refits);
+  const Table normalisation = normalisation_table(results.normalisations);
+  const CsvTable old_fits = parse_checked(baseline, fits_file, fits.table.columns);
+  const CsvTable old_normalisation = parse_checked(baseline, normalisation_file, normalisation.columns);
+
+  auto drifts = compare_tables(
+      fits_file, old_fits, as_csv(fits.table, fits_file),
+      [&](std::size_t row, const std::string& column, const std::string& before, const std::string& after) {
+        if (column == "fitted") {
+          if (const auto effect = curve_effect(fits.origins[row], before)) return *effect;
+        }
+        return plain_effect(before, after);
+      });
+  const auto others =
+      compare_tables(normalisation_file, old_normalisation, as_csv(normalisation, normalisation_file),
+                     [](std::size_t, const std::string&, const std::string& before,
+                        const std::string& after) { return plain_effect(before, after); });
+  drifts.insert(drifts.end(), others.begin(), others.end());
+  return drifts;
+}
+
+std::size_t count_cells(const Results& results) {
+  const auto cells = [](const Table& table) { return table.rows.size() * table.columns.size(); };
+  return cells(fits_table(results.refits).table) + cells(normalisation_table(results.normalisations));
+}
+
+}  // namespace shadefit

@@ -1,0 +1,260 @@
+#include "reports/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "approx/catalogue.hpp"
+#include "reports/tables.hpp"
+#include "reports/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+std::string number(double value) {
+  return text(converged(value), Precision::report);
+}
+
+std::string markdown(const Table& table) {
+  return write_markdown(table, Precision::report) + "\n";
+}
+
+std::vector<const Assessment*> assessments_of(const Refit& refit, const Published& published) {
+  std::vector<const Assessment*> found;
+  const auto collect = [&](const std::vector<Assessment>& assessments) {
+    for (const Assessment& a : assessments) {
+      if (a.published == &published) found.push_back(&a);
+    }
+  };
+  collect(refit.derived);
+  for (const FitReport& report : refit.fits) collect(report.assessments);
+  return found;
+}
+
+std::string statement_text(const Published& published) {
+  if (published.convention.value != nullptr) {
+    return fmt::format("{} by the convention {}", published.parameter, published.convention.name);
+  }
+  switch (published.statement) {
+    case Statement::mean_of_fits:
+      return fmt::format("the mean of the best {} over k = {}", published.parameter, published.exponents);
+    case Statement::limit_of_fits:
+      return fmt::format("the best {} as k grows", published.parameter);
+    case Statement::best_fit:
+      break;
+  }
+  return published.exponents.empty()
+             ? fmt::format("the best {}", published.parameter)
+             : fmt::format("the best {} at k = {}", published.parameter, published.exponents);
+}
+
+/// One published number in plain words: what it says, what comes out under each measure, and what follows.
+std::string published_paragraph(const Refit& refit, const Published& published) {
+  const auto found = assessments_of(refit, published);
+  if (found.empty()) return "";
+  std::string out =
+      fmt::format("- **`{}`** is printed as **{}**: {} ({} {}).", published.id, published.printed,
+                  statement_text(published), published.source.author, published.source.year);
+  out += " The fits give";
+  for (const Assessment* a : found) {
+    out += fmt::format("{} {} under the {} measure", a == found.front() ? "" : ",", number(a->computed),
+                       name(a->metric.measure));
+  }
+  const Judgement& judgement = found.front()->judgement;
+  out += fmt::format(". Verdict: **{}**", name(judgement.verdict));
+  if (judgement.verdict == Verdict::refuted) {
+    out += "; no metric tried here gives the printed digits";
+  } else if (judgement.objective == published.convention.name) {
+    out += fmt::format("; not a best fit: its digits are those of the convention {}, {} = {}",
+                       published.convention.name, published.convention.formula,
+                       number(published.convention.value()));
+  } else {
+    out += fmt::format("; the printed digits come out under the {} measure", judgement.objective);
+  }
+  return out +
+         fmt::format(". Effect of using the computed number instead: {}.\n", sentence(found.front()->effect));
+}
+
+std::string published_section(const Refit& refit) {
+  std::string out;
+  for (const Published& published : published_constants) {
+    if (published.family == refit.family->info.id) out += published_paragraph(refit, published);
+  }
+  return out + "\n";
+}
+
+/// One row per exponent, the measures side by side.
+Table sweep_overview(const Refit& refit) {
+  Table table{{"k"}, {}};
+  for (const Measure measure : measures) {
+    for (const std::string_view column : {refit.family->parameters[0], std::string_view("rms error"),
+                                          std::string_view("max abs error"), std::string_view("at c")}) {
+      table.columns.push_back(fmt::format("{} ({})", column, name(measure)));
+    }
+  }
+  const std::size_t count = refit.fits.size() / measures.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<Cell> row{Number{*refit.fits[i].fit.exponent, 10}};
+    for (std::size_t m = 0; m < measures.size(); ++m) {
+      const Fit& fit = refit.fits[m * count + i].fit;
+      row.insert(row.end(), {converged(fit.parameters[0]), Number{fit.rms_error, 4},
+                             Number{fit.max_abs_error.magnitude, 4}, place(fit.max_abs_error.at.cos_theta)});
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+/// One row per measure.
+Table single_overview(const Refit& refit) {
+  Table table{{"measure"}, {}};
+  for (const std::string_view parameter : refit.family->parameters) table.columns.emplace_back(parameter);
+  table.columns.insert(table.columns.end(), {"rms error", "max abs error", "max abs error at c",
+                                             "max rel error", "max rel error at c", "digits"});
+  for (const FitReport& report : refit.fits) {
+    const Fit& fit = report.fit;
+    std::vector<Cell> row{std::string(name(fit.metric.measure))};
+    for (const double p : fit.parameters) row.push_back(converged(p));
+    row.insert(row.end(), {Number{fit.rms_error, 4}, Number{fit.max_abs_error.magnitude, 4},
+                           place(fit.max_abs_error.at.cos_theta), Number{fit.max_rel_error.magnitude, 4},
+                           place(fit.max_rel_error.at.cos_theta), static_cast<long>(fit.digits)});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+/// Mistyped copies in circulation, and what each does to the curve.
+std::string variants_section(const Refit& refit) {
+  Table table{{"constant", "printed", "found as", "seen in", "effect"}, {}};
+  const auto& family = *refit.family;
+  const auto best = refit.fits.front().fit;
+  for (const Published& published : published_constants) {
+    if (published.family != family.info.id) continue;
+    const auto i = static_cast<std::size_t>(
+        std::find(family.parameters.begin(), family.parameters.end(), published.parameter) -
+        family.parameters.begin());
+    for (const Variant& variant : published.variants) {
+      auto from = best.parameters, to = from;
+      from[i] = constant<double>(published.printed);
+      to[i] = constant<double>(variant.printed);
+      table.rows.push_back(
+          {std::string(published.id), std::string(published.printed), std::string(variant.printed),
+           std::string(variant.seen_in),
+           sentence(family.effect(best.exponent.value_or(0), best.metric.domain, from, to))});
+    }
+  }
+  return table.rows.empty() ? "" : "Mistyped copies in circulation:\n\n" + markdown(table);
+}
+
+/// The derived law of the offset beside what the fits extrapolate to.
+std::string offset_law_section(const Refit& refit) {
+  Table table{{"measure", "limit derived", "limit fitted", "slope derived", "slope fitted"}, {}};
+  FitCache fits(*refit.family);
+  for (const Measure measure : measures) {
+    const auto expansion = peak_expansion(measure);
+    const auto law = offset_law(expansion.p, expansion.w);
+    const auto approach = extrapolate(fits, {.measure = measure}, 0);
+    // The extrapolated slope is a difference of offsets over 1e-4: 1e-16 of them is 1e-12, and the cubic term
+    // 1e-9.
+    table.rows.push_back({std::string(name(measure)), converged(law.limit), converged(approach.limit),
+                          converged(law.slope), Number{approach.slope, 6}});
+  }
+  return "For large k the best offset follows x(k) = limit + slope / k. Derived by asymptotic expansion "
+         "(approx/lobe.hpp), "
+         "and extrapolated from the fits at k = 1e4, 1e5, 1e6:\n\n" +
+         markdown(table);
+}
+
+std::string sweep_words(const Refit& refit) {
+  const FitReport* worst = &refit.fits.front();
+  const FitReport* last = worst;
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.metric.measure != measures.front()) break;
+    if (report.fit.max_abs_error.magnitude > worst->fit.max_abs_error.magnitude) worst = &report;
+    last = &report;
+  }
+  return fmt::format(
+      "The error of the best curve is largest at k = {}, {:.3g} at c = {:.3g} (peak 1), and falls with k: "
+      "{:.3g} at k = {}. "
+      "A single offset for all exponents is a compromise that costs little where the lobe is sharp.\n\n",
+      *worst->fit.exponent, worst->fit.max_abs_error.magnitude, worst->fit.max_abs_error.at.cos_theta,
+      last->fit.max_abs_error.magnitude, *last->fit.exponent);
+}
+
+std::string single_words(const Refit& refit) {
+  const Fit& fit = refit.fits.front().fit;
+  return fmt::format(
+      "Under the {} measure the best curve is off by at most {:.3g} at c = {:.3g}. What a shader shows is "
+      "{}: there the largest "
+      "relative error is {:.3g}, at c = {:.3g}.\n\n",
+      name(fit.metric.measure), fit.max_abs_error.magnitude, fit.max_abs_error.at.cos_theta, fit.relative_to,
+      fit.max_rel_error.magnitude, fit.max_rel_error.at.cos_theta);
+}
+
+std::string family_section(const Refit& refit) {
+  const Family& info = refit.family->info;
+  std::string out = fmt::format("## {} (`{}`)\n\n`{}` approximated by `{}`; {}.\n\n", info.title, info.id,
+                                info.target, info.form, info.variables);
+  const bool all_converged = std::all_of(refit.fits.begin(), refit.fits.end(), [](const FitReport& r) {
+    return r.fit.status == Status::converged;
+  });
+  if (!all_converged) return out + "Not every fit converged: see the verdicts in `fits.csv`.\n\n";
+  out += published_section(refit);
+  if (refit.family->has_exponent()) {
+    out += markdown(sweep_overview(refit)) + sweep_words(refit);
+  } else {
+    out += markdown(single_overview(refit)) + single_words(refit);
+  }
+  if (info.id == sg_offset.id) out += offset_law_section(refit);
+  return out + variants_section(refit);
+}
+
+std::string normalisation_section(const Results& results) {
+  std::string out =
+      "## Normalisation, with view and normal aligned\n\n"
+      "Each published constant against 1 over the integral of its lobe over the hemisphere, by two rules "
+      "that share nothing but "
+      "the lobe: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference below the "
+      "tolerance prints "
+      "as 0; the estimated error is the bound that both rules, their difference and the cut tail stay "
+      "below.\n\n";
+  Table lobes{{"constant", "lobe", "printed", "source"}, {}};
+  for (const Normalisation& record : normalisations) {
+    const bool is_checked = std::any_of(results.normalisations.begin(), results.normalisations.end(),
+                                        [&](const auto& check) { return check.record->id == record.id; });
+    if (!is_checked) continue;
+    lobes.rows.push_back({std::string(record.id), fmt::format("`{}`", record.lobe),
+                          fmt::format("`{}`", record.printed),
+                          fmt::format("{} {}", record.source.author, record.source.year)});
+  }
+  return out + markdown(lobes) + markdown(normalisation_table(results.normalisations));
+}
+
+}  // namespace
+
+std::string write_report(const Results& results) {
+  std::string out =
+      "# shadefit report\n\n"
+      "Constants of real-time shading, refitted and checked. A verdict compares the printed digits with the "
+      "computed number: "
+      "*confirmed*, all printed digits; *rounding*, the last one off by one; *other-objective*, another "
+      "named metric or "
+      "convention gives them; *refuted*, none does. `c` is a cosine in [0, 1]; the `cosine` measure dc "
+      "weighs solid angle evenly, "
+      "the `angle` measure dc/sqrt(1-c^2) the angle. Fits are continuous least squares of the absolute "
+      "error.\n\n"
+      "## Summary\n\n";
+  out += markdown(summary_table(results));
+  for (const Refit& refit : results.refits) out += family_section(refit);
+  if (!results.normalisations.empty()) out += normalisation_section(results);
+  out.pop_back();  // sections end in an empty line, the file does not
+  return out;
+}
+
+std::vector<File> report_files(const Results& results) {
+  return {{"report.md", write_report(results)},
+          {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
+          {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)}};
+}
+
+}  // namespace shadefit

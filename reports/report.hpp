@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/files.hpp"
+#include "reports/results.hpp"
+
+/// What a run leaves behind.
+namespace shadefit {
+
+/// report.md: a summary, then a section per family and one for the normalisations.
+std::string write_report(const Results& results);
+
+/// Everything that `shadefit run` writes: report.md, fits.csv, normalization.csv.
+std::vector<File> report_files(const Results& results);
+
+}  // namespace shadefit

@@ -1,0 +1,87 @@
+#include "reports/results.hpp"
+
+#include <algorithm>
+
+#include "approx/catalogue.hpp"
+#include "fit/sweep.hpp"
+#include "fit/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Levenshtein's distance: insertions, deletions and substitutions from a to b.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+bool is_wanted(const std::vector<std::string>& ids, std::string_view id) {
+  return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+bool is_family_wanted(const std::vector<std::string>& ids, const Family& family) {
+  return is_wanted(ids, family.id) ||
+         std::any_of(published_constants.begin(), published_constants.end(),
+                     [&](const Published& p) { return p.family == family.id && is_wanted(ids, p.id); });
+}
+
+}  // namespace
+
+std::vector<std::string> known_ids() {
+  std::vector<std::string> ids;
+  const auto add = [&](std::string_view id) {
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.emplace_back(id);
+  };
+  for (const auto& family : fittable_families()) {
+    add(family.info.id);
+    for (const Published& published : published_constants) {
+      if (published.family == family.info.id) add(published.id);
+    }
+  }
+  for (const Normalisation& record : normalisations) add(record.id);
+  return ids;
+}
+
+void require_known(const std::string& id, const std::vector<std::string>& known, const std::string& what) {
+  if (std::find(known.begin(), known.end(), id) != known.end()) return;
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
+    return edit_distance(id, a) < edit_distance(id, b);
+  });
+  throw UserError("unknown " + what + " '" + id + "': did you mean '" + *nearest + "'?");
+}
+
+Results compute_results(const std::vector<std::string>& ids) {
+  for (const std::string& id : ids) require_known(id, known_ids(), "constant");
+  Results results;
+  for (const FittableFamily& family : fittable_families()) {
+    if (!is_family_wanted(ids, family.info)) continue;
+    const auto exponents = family.has_exponent() ? parse_sweep(family.info.sweep) : std::vector<double>{};
+    results.refits.push_back(refit(family, exponents, measures));
+  }
+  for (const Normalisation& record : normalisations) {
+    if (!is_wanted(ids, record.id)) continue;
+    for (const auto& check : check_normalisation(record)) results.normalisations.push_back(check);
+  }
+  return results;
+}
+
+bool all_checks_passed(const Results& results) {
+  const bool converged = std::all_of(results.refits.begin(), results.refits.end(), [](const Refit& refit) {
+    return std::all_of(refit.fits.begin(), refit.fits.end(),
+                       [](const FitReport& report) { return report.fit.status == Status::converged; });
+  });
+  return converged && std::all_of(results.normalisations.begin(), results.normalisations.end(),
+                                  [](const auto& check) { return check.verdict == Verdict::confirmed; });
+}
+
+}  // namespace shadefit

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/normalisation_check.hpp"
+#include "fit/refit.hpp"
+
+/// Everything that a run computes, before it becomes rows.
+namespace shadefit {
+
+struct Results {
+  std::vector<Refit> refits;
+  std::vector<NormalisationCheck> normalisations;
+};
+
+/// The ids that name something: families, published constants, normalisations, in the order of the report.
+std::vector<std::string> known_ids();
+
+/// Computes what `ids` name, or everything where it is empty; a published constant stands for its family.
+/// Throws UserError for an id that names nothing.
+Results compute_results(const std::vector<std::string>& ids);
+
+/// Whether every fit converged and every normalisation was confirmed.
+bool all_checks_passed(const Results& results);
+
+/// Throws UserError, suggesting the nearest known id, unless `id` is one of `known`. `what` says what it
+/// should name.
+void require_known(const std::string& id, const std::vector<std::string>& known, const std::string& what);
+
+}  // namespace shadefit

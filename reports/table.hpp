@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The result record: one table, several writers.
+namespace shadefit {
+
+/// A number and the significant digits of it that mean something. A checked report never shows rounding
+/// noise.
+struct Number {
+  double value;
+  int digits;
+};
+
+/// Nothing, a word or sentence, a whole number, or a number.
+using Cell = std::variant<std::monostate, std::string, long, Number>;
+
+struct Table {
+  std::vector<std::string> columns;
+  std::vector<std::vector<Cell>> rows;
+};
+
+enum class Precision {
+  report,  ///< the digits that each number declares: the same bytes on every compiler and machine
+  full,    ///< the shortest decimal that reads back as the same double
+};
+
+/// The text of a cell; free of the locale. Negative zero prints as 0.
+std::string text(const Cell& cell, Precision precision);
+
+/// 10 digits: a converged parameter, or an error that was computed without cancellation.
+Cell converged(double value);
+
+/// 6 digits: the place of an extremum.
+Cell place(double value);
+
+/// A difference of `minuend` minus something, to the decimals that the ten digits of the minuend reach.
+Cell difference(double value, double minuend);
+
+/// `value` where it is at least `floor`, else 0: below its floor a difference is rounding.
+Cell above_floor(double value, double floor);
+
+}  // namespace shadefit

@@ -1,0 +1,199 @@
+#include "reports/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "approx/catalogue.hpp"
+
+namespace shadefit {
+namespace {
+
+Cell word(std::string_view s) {
+  return std::string(s);
+}
+
+std::string domain_text(const Domain& domain) {
+  return fmt::format("{}:{}", domain.lower, domain.upper);
+}
+
+/// The published number, what the fit gives, their difference and the verdict; empty where nothing was
+/// published.
+struct PublishedCells {
+  Cell published, deviation, verdict, max_abs_error, source;
+};
+
+PublishedCells published_cells(const Refit& refit, const FitReport* report, std::size_t parameter,
+                               const Assessment* assessment) {
+  if (assessment == nullptr) return {};
+  const double printed = constant<double>(assessment->published->printed);
+  PublishedCells cells{word(assessment->published->printed),
+                       difference(assessment->computed - printed, assessment->computed),
+                       word(name(assessment->judgement.verdict)),
+                       {},
+                       word(citation(assessment->published->source))};
+  if (report != nullptr) {
+    // The error of the curve as published: all its printed parameters together.
+    auto parameters = report->fit.parameters;
+    for (const Assessment& other : report->assessments) {
+      const auto& names = refit.family->parameters;
+      const auto i = static_cast<std::size_t>(
+          std::find(names.begin(), names.end(), other.published->parameter) - names.begin());
+      if (i != parameter) parameters[i] = constant<double>(other.published->printed);
+    }
+    parameters[parameter] = printed;
+    cells.max_abs_error = converged(
+        refit.family->max_abs_error(report->fit.exponent.value_or(0), report->fit.metric.domain, parameters)
+            .magnitude);
+  }
+  return cells;
+}
+
+std::vector<Cell> row_start(const Refit& refit, const std::string& parameter,
+                            std::optional<double> exponent) {
+  return {word(refit.family->info.id), parameter, exponent ? Cell(Number{*exponent, 10}) : Cell()};
+}
+
+void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
+  row.insert(row.end(), cells);
+}
+
+void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric) {
+  append(row, {word(refit.family->info.target), word(refit.family->info.form), domain_text(metric.domain),
+               word(name(metric.measure)), word(name(metric.norm))});
+}
+
+void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, std::size_t parameter,
+                 const Assessment* assessment) {
+  const Fit& fit = report.fit;
+  const bool is_answer = fit.status == Status::converged;
+  const auto cells = published_cells(refit, &report, parameter, assessment);
+  auto row = row_start(refit, std::string(refit.family->parameters[parameter]), fit.exponent);
+  append(row, {cells.published, is_answer ? converged(fit.parameters[parameter]) : Cell(), cells.deviation,
+               is_answer ? cells.verdict : word(name(fit.status))});
+  append_metric(row, refit, fit.metric);
+  if (is_answer) {
+    append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
+                 place(fit.max_abs_error.at.cos_theta), cells.max_abs_error, static_cast<long>(fit.digits)});
+  } else {
+    append(row, {{}, {}, {}, {}, static_cast<long>(fit.digits)});
+  }
+  row.push_back(cells.source);
+  out.table.rows.push_back(row);
+  out.origins.push_back({&refit, &report, parameter});
+}
+
+void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& assessment) {
+  const bool is_mean = assessment.published->statement == Statement::mean_of_fits;
+  const auto cells = published_cells(refit, nullptr, 0, &assessment);
+  auto row =
+      row_start(refit, std::string(assessment.published->parameter) + (is_mean ? "_mean" : "_limit"), {});
+  append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
+  append_metric(row, refit, assessment.metric);
+  append(row, {{}, {}, {}, {}, {}, cells.source});
+  out.table.rows.push_back(row);
+  out.origins.push_back({&refit, nullptr, 0});
+}
+
+}  // namespace
+
+FitsTable fits_table(const std::vector<Refit>& refits) {
+  FitsTable out;
+  out.table.columns = {"constant",  "parameter",     "exponent",         "published",
+                       "fitted",    "deviation",     "verdict",          "target",
+                       "form",      "domain",        "measure",          "norm",
+                       "rms_error", "max_abs_error", "max_abs_error_at", "published_max_abs_error",
+                       "digits",    "source"};
+  for (const Refit& refit : refits) {
+    for (const FitReport& report : refit.fits) {
+      for (std::size_t i = 0; i < refit.family->parameters.size(); ++i) {
+        bool is_published = false;
+        for (const Assessment& assessment : report.assessments) {
+          if (assessment.published->parameter != refit.family->parameters[i]) continue;
+          add_fit_row(out, refit, report, i, &assessment);
+          is_published = true;
+        }
+        if (!is_published) add_fit_row(out, refit, report, i, nullptr);
+      }
+    }
+    for (const Assessment& assessment : refit.derived) add_derived_row(out, refit, assessment);
+  }
+  return out;
+}
+
+Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
+  Table table{{"constant", "exponent", "closed_form", "integral", "relative_difference", "estimated_error",
+               "verdict"},
+              {}};
+  for (const auto& check : checks) {
+    const bool is_good = check.estimated_error <= normalisation_tolerance;
+    table.rows.push_back({word(check.record->id), check.exponent ? Cell(Number{*check.exponent, 10}) : Cell(),
+                          converged(check.closed_form), converged(check.integral),
+                          above_floor(check.relative_difference, normalisation_tolerance),
+                          Number{is_good ? normalisation_tolerance : check.estimated_error, 2},
+                          word(name(check.verdict))});
+  }
+  return table;
+}
+
+Table summary_table(const Results& results) {
+  Table table{{"constant", "printed", "computed", "verdict", "under", "digits of the fit"}, {}};
+  // A published number is judged under the first measure first; that assessment is its verdict.
+  const auto add = [&](const Assessment& assessment, Cell digits) {
+    if (assessment.metric.measure != measures.front()) return;
+    table.rows.push_back({word(assessment.published->id), word(assessment.published->printed),
+                          converged(assessment.computed), word(name(assessment.judgement.verdict)),
+                          word(assessment.judgement.objective), digits});
+  };
+  for (const Refit& refit : results.refits) {
+    for (const Assessment& assessment : refit.derived) add(assessment, {});
+    for (const FitReport& report : refit.fits) {
+      for (const Assessment& assessment : report.assessments)
+        add(assessment, static_cast<long>(report.fit.digits));
+    }
+  }
+  for (const Normalisation& record : normalisations) {
+    long confirmed = 0, all = 0;
+    for (const auto& check : results.normalisations) {
+      if (check.record->id != record.id) continue;
+      ++all;
+      confirmed += check.verdict == Verdict::confirmed;
+    }
+    if (all == 0) continue;
+    table.rows.push_back({word(record.id),
+                          word(record.printed),
+                          fmt::format("{} of {} integrals agree", confirmed, all),
+                          word(name(confirmed == all ? Verdict::confirmed : Verdict::refuted)),
+                          std::string("v = n"),
+                          {}});
+  }
+  return table;
+}
+
+Table list_table() {
+  Table table{{"id", "printed", "of", "source"}, {}};
+  for (const Published& published : published_constants) {
+    const Family& family = find_family(published.family)->info;
+    table.rows.push_back({word(published.id), word(published.printed),
+                          fmt::format("{} in {} ~ {}", published.parameter, family.target, family.form),
+                          word(citation(published.source))});
+  }
+  for (const Normalisation& record : normalisations) {
+    table.rows.push_back({word(record.id), word(record.printed), fmt::format("normalises {}", record.lobe),
+                          word(citation(record.source))});
+  }
+  return table;
+}
+
+std::string citation(const Source& source) {
+  return fmt::format("{} {}, {}, {}", source.author, source.year, source.title, source.place);
+}
+
+std::string sentence(const Effect& effect) {
+  if (effect.absolute.magnitude == 0) return "none";
+  return fmt::format("moves the curve by at most {:.2g} at c = {:.3g}, {:.2g} half ulps, {:.2g} sRGB codes",
+                     effect.absolute.magnitude, effect.absolute.at.cos_theta, effect.half_ulps,
+                     effect.srgb_codes);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "reports/results.hpp"
+#include "reports/table.hpp"
+
+/// From results to rows: the tables whose columns others rely on.
+namespace shadefit {
+
+/// Where a row of fits.csv comes from, so that a drift of a parameter can be turned into a drift of its
+/// curve.
+struct FitRow {
+  const Refit* refit;
+  const FitReport* report;  ///< null for a mean or limit of fits
+  std::size_t parameter;
+};
+
+struct FitsTable {
+  Table table;
+  std::vector<FitRow> origins;  ///< one a row; they point into the results
+};
+
+/// One row per fit, parameter and published number: fits.csv. Parameters that are means or limits of fits are
+/// named `x_mean`, `x_limit`. A fit that did not converge has empty cells and its status for a verdict.
+FitsTable fits_table(const std::vector<Refit>& refits);
+
+/// One row per constant and exponent: normalization.csv.
+Table normalisation_table(const std::vector<NormalisationCheck>& checks);
+
+/// Every published number and what becomes of it: the summary of the report and of the console.
+Table summary_table(const Results& results);
+
+/// Every record: id, printed value, what it is a value of, source.
+Table list_table();
+
+/// "author year, title, place"
+std::string citation(const Source& source);
+
+/// "moves the curve by at most 3.7e-06 at c = 0.28 (0.48 half ulps, 0.0017 sRGB codes)"
+std::string sentence(const Effect& effect);
+
+}  // namespace shadefit

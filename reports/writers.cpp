@@ -1,0 +1,126 @@
+#include "reports/writers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace shadefit {
+namespace {
+
+using Texts = std::vector<std::vector<std::string>>;
+
+Texts texts(const Table& table, Precision precision) {
+  Texts rows;
+  for (const auto& row : table.rows) {
+    auto& cells = rows.emplace_back();
+    for (const Cell& cell : row) cells.push_back(text(cell, precision));
+  }
+  return rows;
+}
+
+/// Code points, which is what a terminal shows one cell for in the texts of this project.
+std::size_t width(const std::string& s) {
+  return static_cast<std::size_t>(
+      std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::vector<std::size_t> widths(const Table& table, const Texts& rows, std::size_t least) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    std::size_t widest = std::max(least, width(table.columns[i]));
+    for (const auto& row : rows) widest = std::max(widest, width(row[i]));
+    result.push_back(widest);
+  }
+  return result;
+}
+
+bool is_numeric(const Table& table, std::size_t column) {
+  return std::none_of(table.rows.begin(), table.rows.end(),
+                      [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
+}
+
+std::string padded(const std::string& s, std::size_t to, bool right) {
+  const std::string space(to - width(s), ' ');
+  return right ? space + s : s + space;
+}
+
+std::string csv_cell(const std::string& s) {
+  if (s.find_first_of(",\"\n\r") == std::string::npos) return s;
+  std::string quoted = "\"";
+  for (const char c : s) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const auto& cell : cells) line += (&cell == &cells.front() ? "" : ",") + csv_cell(cell);
+  return line + '\n';
+}
+
+std::string without_pipes(std::string s) {
+  for (std::size_t i = 0; (i = s.find('|', i)) != std::string::npos; i += 2) s.insert(i, 1, '\\');
+  return s;
+}
+
+}  // namespace
+
+std::string write_csv(const Table& table, Precision precision) {
+  std::string out = csv_line(table.columns);
+  for (const auto& row : texts(table, precision)) out += csv_line(row);
+  return out;
+}
+
+std::string write_markdown(const Table& table, Precision precision) {
+  auto rows = texts(table, precision);
+  for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), without_pipes);
+  const auto width_of = widths(table, rows, 3);
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string out = "|";
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      out += " " + padded(cells[i], width_of[i], is_numeric(table, i)) + " |";
+    return out + "\n";
+  };
+  std::string out = line(table.columns) + "|";
+  for (std::size_t i = 0; i < width_of.size(); ++i) {
+    const std::string dashes(width_of[i] + 1, '-');
+    out += is_numeric(table, i) ? dashes + ":|" : ":" + dashes + "|";
+  }
+  out += "\n";
+  for (const auto& row : rows) out += line(row);
+  return out;
+}
+
+std::string write_console(const Table& table, Precision precision) {
+  const auto rows = texts(table, precision);
+  const auto width_of = widths(table, rows, 0);
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string out;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      out += (i == 0 ? "" : "  ") + padded(cells[i], width_of[i], is_numeric(table, i));
+    }
+    out.erase(out.find_last_not_of(' ') + 1);
+    return out + "\n";
+  };
+  std::string out = line(table.columns);
+  for (const auto& row : rows) out += line(row);
+  return out;
+}
+
+nlohmann::ordered_json write_json(const Table& table) {
+  auto array = nlohmann::ordered_json::array();
+  for (const auto& row : table.rows) {
+    auto& object = array.emplace_back(nlohmann::ordered_json::object());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      auto& value = object[table.columns[i]];
+      if (const auto* word = std::get_if<std::string>(&row[i])) value = *word;
+      if (const auto* whole = std::get_if<long>(&row[i])) value = *whole;
+      if (const auto* number = std::get_if<Number>(&row[i])) value = number->value;
+    }
+  }
+  return array;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,185 @@
+#include "app/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "reports/csv.hpp"
+#include "reports/files.hpp"
+#include "tests/accuracy.hpp"
+#include "tests/references.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::is_close;
+using testing::TemporaryDirectory;
+
+nlohmann::json fit_json(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "fit");
+  arguments.emplace_back("--json");
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  return nlohmann::json::parse(outcome.out);
+}
+
+// What a user reads is what was computed: 14 digits, through the command and its JSON.
+TEST(FitCommand, JsonHasFourteenDigitsOfEveryReference) {
+  for (const auto& reference : testing::read_references()) {
+    std::vector<std::string> arguments{reference.constant, "--measure", reference.measure};
+    if (reference.exponent)
+      arguments.insert(arguments.end(), {"--exponent", nlohmann::json(*reference.exponent).dump()});
+    const auto json = fit_json(arguments);
+    EXPECT_TRUE(is_close(reference.describe(), reference.value,
+                         json["parameters"][reference.parameter].get<double>(), 1e-14));
+    EXPECT_EQ(json["status"], "converged");
+    EXPECT_EQ(json["objective"]["measure"], reference.measure);
+  }
+}
+
+TEST(FitCommand, JsonHasTheFieldsOfItsSchema) {
+  const auto json = fit_json({"fresnel-quadratic"});
+  for (const char* field : {"schema", "constant", "exponent", "parameters", "published", "verdict",
+                            "rms_error", "max_abs_error", "max_abs_error_at", "max_rel_error",
+                            "relative_domain", "status", "iterations", "digits", "objective"}) {
+    EXPECT_TRUE(json.contains(field)) << field;
+  }
+  EXPECT_EQ(json["schema"], 1);
+  EXPECT_EQ(json["constant"], "fresnel-quadratic");
+  EXPECT_TRUE(json["exponent"].is_null());
+  EXPECT_EQ(json["published"], nlohmann::json::parse(R"({"a": -5.55473, "b": -6.98316})"));
+  EXPECT_EQ(json["verdict"], "confirmed");
+  EXPECT_EQ(json["digits"], 14);
+  EXPECT_EQ(
+      json["objective"],
+      nlohmann::json::parse(
+          R"({"measure": "cosine", "norm": "least-squares", "error": "absolute", "domain": [0.0, 1.0]})"));
+  EXPECT_TRUE(fit_json({"sg-offset", "--exponent", "4"})["published"].is_null());
+  EXPECT_TRUE(fit_json({"sg-offset", "--exponent", "4"})["verdict"].is_null());
+}
+
+TEST(FitCommand, ASweepIsAnArray) {
+  const auto sweep = fit_json({"sg-offset", "--exponent", "3:15:1"});
+  ASSERT_EQ(sweep.size(), 13U);
+  double mean = 0;
+  for (const auto& fit : sweep) mean += fit["parameters"]["x"].get<double>() / 13;
+  EXPECT_TRUE(is_close("mean", Decimal50("0.775364258522491148"), mean, 1e-14));
+  EXPECT_EQ(sweep[2]["exponent"], 5.0);
+  EXPECT_EQ(sweep[2]["published"]["x"], 0.788);
+  EXPECT_EQ(fit_json({"sg-offset"}).size(), 21U) << "the record's own sweep";
+}
+
+TEST(FitCommand, PublishedConstantsNameTheirOwnFit) {
+  EXPECT_EQ(fit_json({"sg-offset-k5"})["exponent"], 5.0);
+  EXPECT_EQ(fit_json({"fresnel-quadratic-b"})["constant"], "fresnel-quadratic");
+  const auto mean = fit_json({"sg-offset-mean"});
+  EXPECT_TRUE(
+      is_close("mean", Decimal50("0.775364258522491148"), mean["parameters"]["x"].get<double>(), 1e-14));
+  EXPECT_EQ(mean["verdict"], "confirmed");
+  const auto limit = fit_json({"sg-offset-limit", "--measure", "angle"});
+  EXPECT_NEAR(limit["parameters"]["x"].get<double>(), 0.625, 1e-14);
+  EXPECT_EQ(limit["verdict"], "other-objective");
+}
+
+TEST(FitCommand, CsvAndConsole) {
+  const Outcome csv = run_command_line({"fit", "fresnel-one-term", "--csv"});
+  EXPECT_EQ(csv.exit_code, 0);
+  const auto table = parse_csv(csv.out, "stdout");
+  ASSERT_EQ(table.rows.size(), 2U) << "two numbers were published for it";
+  EXPECT_EQ(table.columns[4], "fitted");
+  EXPECT_TRUE(is_close("A", Decimal50("8.3496619217284116641387127987659889163987122776482"),
+                       std::stod(table.rows[0][4]), 1e-14));
+
+  const Outcome console = run_command_line({"fit", "sg-offset", "--exponent", "5,6"});
+  EXPECT_EQ(console.exit_code, 0);
+  EXPECT_TRUE(console.out.starts_with("sg-offset: c^k ~ exp((k+x)(c-1)), cosine measure, least squares\n"));
+  EXPECT_NE(console.out.find("0.78754461967478"), std::string::npos);
+  EXPECT_NE(console.out.find("0.788"), std::string::npos);
+  EXPECT_NE(run_command_line({"fit", "sg-offset-mean"}).out.find("0.77536425852249"), std::string::npos);
+  EXPECT_NE(run_command_line({"fit", "sg-offset-mean", "--csv"}).out.find("x_mean"), std::string::npos);
+}
+
+TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
+  const Outcome outcome = run_command_line({"fit", "sg-offset", "--exponent", "5,1e160"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "shadefit: sg-offset at exponent 1e+160 did not converge: ambiguous\n");
+  EXPECT_NE(outcome.out.find("0.78754461967478"), std::string::npos) << "the others are still printed";
+}
+
+TEST(ListCommand, NamesEveryConstantOnce) {
+  const Outcome outcome = run_command_line({"list"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  for (const char* id :
+       {"sg-offset-mean", "sg-offset-limit", "sg-offset-k5", "fresnel-one-term", "fresnel-offset-one",
+        "fresnel-quadratic-a", "fresnel-quadratic-b", "norm-lambert", "norm-phong ", "norm-phong-brdf",
+        "norm-blinn-phong ", "norm-blinn-phong-brdf", "norm-ndf"}) {
+    EXPECT_NE(outcome.out.find(std::string("\n") + id), std::string::npos) << id;
+  }
+}
+
+TEST(RunCommand, WritesTheReportAndTheTables) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = run_command_line({"run", "--out", directory / "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.ends_with("\nReport: " + (directory / "out/report.md") + "\n"));
+  for (const char* name : {"report.md", "fits.csv", "normalization.csv"}) {
+    EXPECT_EQ(read_file(directory / (std::string("out/") + name)),
+              read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/" + std::string(name)))
+        << name;
+  }
+}
+
+TEST(RunCommand, OnlyWhatIsNamed) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = run_command_line(
+      {"run", "--out", directory / "out", "--only", "norm-lambert", "fresnel-one-term", "--no-plots"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(parse_csv(read_file(directory / "out/normalization.csv"), "n").rows.size(), 1U);
+  EXPECT_EQ(parse_csv(read_file(directory / "out/fits.csv"), "f").rows.size(), 4U);
+}
+
+TEST(CheckCommand, PassesOnTheCommittedBaselineAndFailsOnAChangedDigit) {
+  const std::string committed = SHADEFIT_SOURCE_DIR "/reports/baseline";
+  const Outcome good = run_command_line({"check", "--baseline", committed});
+  EXPECT_EQ(good.exit_code, 0) << good.out;
+  EXPECT_TRUE(good.out.starts_with("check passed: "));
+
+  const TemporaryDirectory directory;
+  auto fits = read_file(committed + "/fits.csv");
+  fits.replace(fits.find("0.7875446197"), 12, "0.7875446198");
+  directory.file("fits.csv", fits);
+  directory.file("normalization.csv", read_file(committed + "/normalization.csv"));
+  const Outcome bad = run_command_line({"check", "--baseline", directory.path().string(), "--all"});
+  EXPECT_EQ(bad.exit_code, 1);
+  EXPECT_NE(
+      bad.out.find(
+          "fits.csv  sg-offset x 5 cosine  fitted  0.7875446198  0.7875446197  moves the curve by at most"),
+      std::string::npos)
+      << bad.out;
+  EXPECT_TRUE(bad.out.ends_with("check failed: 1 difference from " + directory.path().string() + "\n"));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()),
+                          std::filesystem::directory_iterator()),
+            2)
+      << "a check writes nothing";
+}
+
+TEST(CommandLine, HelpAndVersion) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
+                                                    {"run", "--help"},
+                                                    {"fit", "--help"},
+                                                    {"check", "--help"},
+                                                    {"list", "--help"}}) {
+    const Outcome outcome = run_command_line(arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_FALSE(outcome.out.empty());
+    EXPECT_EQ(outcome.err, "");
+  }
+  EXPECT_NE(run_command_line({"fit", "--help"}).out.find("--exponent"), std::string::npos);
+  EXPECT_EQ(run_command_line({"--version"}).out, "shadefit 0.1.0\n");
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include "approx/encoding.hpp"
+#include "approx/fresnel.hpp"
+#include "approx/lobe.hpp"
+#include "approx/normalisation.hpp"
+#include "tests/accuracy.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::is_close;
+using testing::ulps_between;
+
+TEST(Ruler, CountsKnownPairs) {
+  EXPECT_EQ(ulps_between(1, 1), 0U);
+  EXPECT_EQ(ulps_between(0.0, -0.0), 0U);
+  EXPECT_EQ(ulps_between(1, std::nextafter(1.0, 2)), 1U);
+  EXPECT_EQ(ulps_between(1, std::nextafter(1.0, 0)), 1U) << "below a power of two the steps halve";
+  EXPECT_EQ(ulps_between(1, 1 - 0x1p-52), 2U);
+  EXPECT_EQ(ulps_between(-0x1p-1074, 0x1p-1074), 2U) << "across zero, in the subnormals";
+  EXPECT_EQ(ulps_between(1, 2), std::uint64_t{1} << 52);
+  EXPECT_EQ(ulps_between(2, 1), std::uint64_t{1} << 52);
+}
+
+TEST(Ruler, SeesOneTolerance) {
+  EXPECT_TRUE(is_close("", 1, Decimal50("1.0000000000000999"), 1e-13));
+  EXPECT_FALSE(is_close("", 1, Decimal50("1.0000000000001001"), 1e-13));
+  EXPECT_FALSE(is_close("", 0, Decimal50("1e-12"), 1e-13));
+}
+
+// The robust rearrangements are the plain formulas, in 50 digits, over the domain and beyond the useful
+// offsets.
+TEST(Lobe, RobustFormsAreThePlainOnes) {
+  for (const char* k : {"0.1", "1", "5", "37.5", "2048"}) {
+    for (const char* c : {"0.001", "0.3", "0.5", "0.50001", "0.9", "0.9999"}) {
+      for (const char* x : {"0", "0.775", "1"}) {
+        const Decimal100 K(k), C(c), X(x), Y = 1 - C;
+        const std::string where = std::string(k) + " " + c + " " + x;
+        const Decimal100 ratio = lobe_log_ratio(C, Y, K);
+        const Decimal100 difference = gaussian_lobe(C, K, X) - power_lobe(C, K);
+        const double tolerance = 1e-45;  // 100 digits less what the plain difference cancels at k = 2048
+        EXPECT_TRUE(
+            is_close(where, Decimal50(power_lobe(C, K)), Decimal50(power_lobe_near_peak(Y, K)), tolerance));
+        EXPECT_TRUE(is_close(where, Decimal50(gaussian_lobe(C, K, X)),
+                             Decimal50(gaussian_lobe_near_peak(Y, K, X)), tolerance));
+        EXPECT_TRUE(is_close(where, Decimal50(difference), Decimal50(gaussian_lobe_error(Y, K, X, ratio)),
+                             tolerance));
+        EXPECT_TRUE(is_close(where, Decimal50(difference / power_lobe(C, K)),
+                             Decimal50(gaussian_lobe_relative_error(Y, X, ratio)), tolerance));
+      }
+    }
+  }
+}
+
+// In double the robust error keeps its digits where the plain difference has lost log10(k) of them.
+TEST(Lobe, TheErrorKeepsItsDigitsAtTheSharpestLobes) {
+  for (const double k : {1e2, 1e4, 1e6}) {
+    for (const double t : {0.1, 0.5, 3.4, 20.0}) {
+      const double y = t / k;
+      const Decimal100 K(k), Y(y), C = 1 - Y;
+      const Decimal50 truth(gaussian_lobe_error(Y, K, Decimal100("0.75"), lobe_log_ratio(C, Y, K)));
+      const double computed = gaussian_lobe_error(y, k, 0.75, lobe_log_ratio(1 - y, y, k));
+      // exp(-t) multiplies the rounding of t by t <= 20, the bracket by at most 4 where t^2/2 and x t cancel
+      EXPECT_TRUE(
+          is_close(std::to_string(k) + " " + std::to_string(t), truth, Decimal50(computed), 64 * 0x1p-53));
+    }
+  }
+}
+
+TEST(Lobe, AtTheHorizonTheErrorIsTheGaussianItself) {
+  EXPECT_EQ(gaussian_lobe_error(1.0, 5.0, 0.5, lobe_log_ratio(0.0, 1.0, 5.0)), std::exp(-5.5));
+  EXPECT_EQ(gaussian_lobe(1.0, 8.0, 0.775), 1) << "the peak is 1";
+  EXPECT_EQ(power_lobe(1.0, 8.0), 1);
+}
+
+TEST(OffsetLaw, HasItsClosedForms) {
+  const auto cosine = offset_law<Decimal50>(1, 0);
+  EXPECT_EQ(cosine.limit, Decimal50(3) / 4);
+  EXPECT_EQ(cosine.slope, Decimal50(13) / 64);
+  const auto angle = offset_law<Decimal50>(Decimal50("0.5"), Decimal50("0.25"));
+  EXPECT_EQ(angle.limit, Decimal50(5) / 8);
+  EXPECT_TRUE(is_close("angle", Decimal50(185) / 768, angle.slope, 1e-48));
+  // c dc = (1 - y) dy: the law of the cosine-weighted measure
+  EXPECT_TRUE(is_close("cosine-weighted", Decimal50(-11) / 64, offset_law<Decimal50>(1, -1).slope, 1e-48));
+}
+
+TEST(Fresnel, Landmarks) {
+  EXPECT_EQ(schlick_weight(0.0), 1) << "grazing: everything is reflected";
+  EXPECT_EQ(schlick_weight(1.0), 0) << "normal incidence: f0";
+  EXPECT_EQ(schlick_weight(0.5), 1.0 / 32);
+  EXPECT_EQ(schlick_reflectance(0.04, 0.0), 0.04);
+  EXPECT_EQ(schlick_reflectance(0.04, 1.0), 1);
+  EXPECT_EQ(fresnel_one_term(0.0, 8.35), 1);
+  EXPECT_EQ(fresnel_quadratic(0.0, -5.55473, -6.98316), 1);
+  // Lagarde 2012: 0.003 and 0.000168 at c = 1
+  EXPECT_NEAR(fresnel_one_term(1.0, 8.35), 0.003, 0.0005);
+  EXPECT_NEAR(fresnel_quadratic(1.0, -5.55473, -6.98316), 0.000168, 0.0000005);
+  EXPECT_TRUE(
+      is_close("6/ln 2", 6 / log(Decimal50(2)), one_term_sharpness_at_offset_one<Decimal50>(), 1e-48));
+}
+
+TEST(Srgb, LandmarksOfTheStandard) {
+  EXPECT_EQ(srgb_encode(0.0), 0);
+  EXPECT_NEAR(srgb_encode(1.0), 1, 1e-15);
+  // IEC 61966-2-1: the two branches meet at 0.0031308, within the rounding of its published constants
+  const double below = srgb_encode(0.0031308), above = srgb_encode(std::nextafter(0.0031308, 1));
+  EXPECT_EQ(below, 12.92 * 0.0031308);
+  EXPECT_NEAR(below, above, 3e-8);
+  EXPECT_NE(below, above);
+  EXPECT_NEAR(255 * srgb_encode(0.5), 187.5, 0.05) << "linear middle grey is code 187 or 188";
+}
+
+TEST(Normalisation, ClosedFormsAtSimpleExponents) {
+  const Decimal50 p = pi<Decimal50>();
+  EXPECT_EQ(PhongLobe::constant(Decimal50(1)), 1 / p) << "Phong of exponent 1 is Lambert's lobe";
+  EXPECT_EQ(PhongBrdfLobe::constant(Decimal50(0)), 1 / p) << "alpha = 0 leaves n.l";
+  EXPECT_TRUE(is_close("a = 0", 1 / (2 * p), BlinnPhongLobe::constant(Decimal50(0)), 1e-48))
+      << "a constant over the hemisphere";
+  EXPECT_TRUE(is_close("a = 0", 1 / p, BlinnPhongBrdfLobe::constant(Decimal50(0)), 1e-48));
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,115 @@
+#include "fit/refit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "approx/catalogue.hpp"
+
+namespace shadefit {
+namespace {
+
+struct Expected {
+  const char* id;
+  Verdict cosine;
+  const char* cosine_objective;
+  Verdict angle;
+  const char* angle_objective;
+};
+
+TEST(Assess, PublishedNumbersUnderBothMeasures) {
+  const Expected expected[] = {
+      {"sg-offset-mean", Verdict::confirmed, "cosine", Verdict::other_objective, "cosine"},
+      {"sg-offset-limit", Verdict::confirmed, "cosine", Verdict::other_objective, "cosine"},
+      {"sg-offset-k5", Verdict::confirmed, "cosine", Verdict::other_objective, "cosine"},
+      {"fresnel-one-term", Verdict::confirmed, "cosine", Verdict::other_objective, "cosine"},
+      {"fresnel-offset-one", Verdict::other_objective, "offset x = 1", Verdict::other_objective,
+       "offset x = 1"},
+      {"fresnel-quadratic-a", Verdict::confirmed, "cosine", Verdict::other_objective, "cosine"},
+      {"fresnel-quadratic-b", Verdict::confirmed, "cosine", Verdict::other_objective, "cosine"},
+  };
+  ASSERT_EQ(std::size(expected), published_constants.size());
+  for (std::size_t i = 0; i < published_constants.size(); ++i) {
+    const Published& published = published_constants[i];
+    ASSERT_EQ(published.id, expected[i].id);
+    FitCache fits(*find_family(published.family));
+    const auto cosine = assess(fits, published, {.measure = Measure::cosine}).judgement;
+    const auto angle = assess(fits, published, {.measure = Measure::angle}).judgement;
+    EXPECT_EQ(cosine.verdict, expected[i].cosine) << published.id;
+    EXPECT_EQ(cosine.objective, expected[i].cosine_objective) << published.id;
+    EXPECT_EQ(angle.verdict, expected[i].angle) << published.id;
+    EXPECT_EQ(angle.objective, expected[i].angle_objective) << published.id;
+  }
+}
+
+// Every printed digit, changed to every other one, changes the verdict.
+TEST(Assess, EachPublishedDigitChangedChangesTheVerdict) {
+  int mutations = 0;
+  for (const Published& published : published_constants) {
+    FitCache fits(*find_family(published.family));
+    const Verdict original = assess(fits, published, {}).judgement.verdict;
+    for (std::size_t i = 0; i < published.printed.size(); ++i) {
+      if (published.printed[i] < '0' || published.printed[i] > '9') continue;
+      for (char digit = '0'; digit <= '9'; ++digit) {
+        if (digit == published.printed[i]) continue;
+        std::string printed(published.printed);
+        printed[i] = digit;
+        Published changed = published;
+        changed.printed = printed;
+        ++mutations;
+        EXPECT_NE(assess(fits, changed, {}).judgement.verdict, original)
+            << published.id << " printed as " << printed;
+      }
+    }
+  }
+  EXPECT_EQ(mutations, 9 * (4 + 3 + 4 + 3 + 7 + 6 + 6));
+}
+
+TEST(Assess, AnEffectIsComputedAndNoneWhereTheDigitsAgree) {
+  FitCache fits(*find_family("sg-offset"));
+  const auto assessment = [&](std::string_view id) {
+    const auto found = std::find_if(published_constants.begin(), published_constants.end(),
+                                    [&](const auto& p) { return p.id == id; });
+    return assess(fits, *found, {});
+  };
+  EXPECT_EQ(assessment("sg-offset-limit").effect.absolute.magnitude, 0);
+  // d/dx exp((k+x)(c-1)) is at most y exp(-k y) <= 1/(e k): at k = 5 and a step of 0.000455 that is 3.4e-5
+  const double step = assessment("sg-offset-k5").effect.absolute.magnitude;
+  EXPECT_GT(step, 2e-5);
+  EXPECT_LT(step, 3.4e-5);
+}
+
+TEST(Extrapolate, FindsLimitAndSlopeOfTheLaw) {
+  for (const Measure measure : measures) {
+    FitCache fits(*find_family("sg-offset"));
+    const auto expansion = peak_expansion(measure);
+    const auto law = offset_law(expansion.p, expansion.w);
+    const auto approach = extrapolate(fits, {.measure = measure}, 0);
+    // the cubic term over 1e4 1e5 1e6, and a few roundings of x
+    EXPECT_NEAR(approach.limit, law.limit, 1e-14);
+    // the same over 1e9, and the rounding of x over 1e-4
+    EXPECT_NEAR(approach.slope, law.slope, 1e-8);
+  }
+}
+
+TEST(Refit, OrdersByMeasureThenExponent) {
+  const auto result = refit(*find_family("sg-offset"), {3, 5}, measures);
+  ASSERT_EQ(result.fits.size(), 4U);
+  EXPECT_EQ(result.fits[1].fit.exponent, 5);
+  EXPECT_EQ(result.fits[1].fit.metric.measure, Measure::cosine);
+  EXPECT_EQ(result.fits[2].fit.metric.measure, Measure::angle);
+  EXPECT_TRUE(result.fits[0].assessments.empty()) << "nothing was published for k = 3";
+  ASSERT_EQ(result.fits[1].assessments.size(), 1U);
+  EXPECT_EQ(result.fits[1].assessments[0].published->id, "sg-offset-k5");
+  EXPECT_EQ(result.derived.size(), 4U) << "mean and limit, under two measures";
+}
+
+TEST(Refit, DoesNotJudgeByAFitThatFailed) {
+  const auto result = refit(*find_family("sg-offset"), {1e160}, measures);
+  EXPECT_NE(result.fits[0].fit.status, Status::converged);
+  EXPECT_TRUE(result.fits[0].assessments.empty());
+}
+
+}  // namespace
+}  // namespace shadefit

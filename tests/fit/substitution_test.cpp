@@ -1,0 +1,114 @@
+#include "fit/substitution.hpp"
+
+#include <gtest/gtest.h>
+
+#include "fit/gauss.hpp"
+#include "tests/accuracy.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::is_close;
+
+struct Case {
+  Metric metric;
+  Shape shape;
+};
+
+const Case cases[] = {
+    {{.measure = Measure::cosine}, {}},
+    {{.measure = Measure::angle}, {}},
+    {{.measure = Measure::cosine}, {.concentration = 0.2, .end_power = 0.1}},
+    {{.measure = Measure::angle}, {.concentration = 5, .end_power = 2.5}},
+    {{.measure = Measure::cosine}, {.concentration = 2e6, .end_power = 1e6}},
+    {{.measure = Measure::angle}, {.concentration = 2e6, .end_power = 1e6}},
+    {{.measure = Measure::cosine, .domain = {0.25, 0.75}}, {.end_power = 0.5}},
+    {{.measure = Measure::angle, .domain = {0.25, 0.75}}, {.end_power = 0.5}},
+};
+
+TEST(Substitution, CosineAndComplementBelongTogether) {
+  for (const auto& [metric, shape] : cases) {
+    const Substitution substitution(metric, shape);
+    for (const double s : {0.0, 1e-9, 0.1, 0.5, 0.9, 1.0}) {
+      const auto c = substitution.at(s).cosine;
+      EXPECT_NEAR(c.cos_theta + c.one_minus_cos, 1, 4e-16) << name(metric.measure) << " " << s;
+      EXPECT_GE(c.cos_theta, metric.domain.lower - 1e-16);
+      EXPECT_LE(c.cos_theta, metric.domain.upper + 1e-16);
+    }
+  }
+}
+
+TEST(Substitution, EndsAreTheEndsOfTheDomainOrTheCut) {
+  for (const auto& [metric, shape] : cases) {
+    const Substitution substitution(metric, shape);
+    const auto top = substitution.at(0.0).cosine, bottom = substitution.at(1.0).cosine;
+    EXPECT_NEAR(top.cos_theta, metric.domain.upper, 1e-16);
+    const double cut =
+        shape.concentration > 0 ? 1 - metric.domain.upper + Substitution::decay / shape.concentration : 1;
+    EXPECT_NEAR(bottom.one_minus_cos, std::min(cut, 1 - metric.domain.lower), 4e-16);
+  }
+  EXPECT_EQ(Substitution({.measure = Measure::cosine}, {}).at(1.0).cosine.cos_theta, 0);
+  EXPECT_EQ(Substitution({.measure = Measure::angle}, {}).at(1.0).cosine.cos_theta, 0);
+}
+
+// The density is the derivative of the measure: of c for the cosine, of theta for the angle (dc = sin
+// dtheta).
+TEST(Substitution, DensityIsThatOfTheMeasure) {
+  using Jet = ceres::Jet<double, 1>;
+  for (const auto& [metric, shape] : cases) {
+    const Substitution substitution(metric, shape);
+    for (const double s : {0.1, 0.5, 0.9}) {
+      const auto place = substitution.at(Jet(s, 0));
+      const double y = place.cosine.one_minus_cos.a;
+      const double sine = metric.measure == Measure::angle ? std::sqrt(y * (2 - y)) : 1;
+      // Each of c and 1 - c loses digits of its derivative at its far end, where the power map is flat.
+      EXPECT_NEAR(place.cosine.one_minus_cos.v[0] / (place.density.a * sine), 1, 1e-9);
+      EXPECT_NEAR(-place.cosine.cos_theta.v[0] / (place.density.a * sine), 1, 1e-9);
+    }
+  }
+}
+
+TEST(Substitution, TotalIsTheMeasureOfTheWholeDomain) {
+  EXPECT_EQ(Substitution({.measure = Measure::cosine}, {.concentration = 1e6}).total(), 1);
+  EXPECT_NEAR(static_cast<double>(Substitution({.measure = Measure::angle}, {.concentration = 1e6}).total()),
+              std::acos(0.0), 1e-16);
+  EXPECT_EQ(Substitution({.measure = Measure::cosine, .domain = {0.25, 0.75}}, {}).total(), 0.5);
+  EXPECT_NEAR(
+      static_cast<double>(Substitution({.measure = Measure::angle, .domain = {0.25, 0.75}}, {}).total()),
+      std::acos(0.25) - std::acos(0.75), 1e-15);
+}
+
+TEST(Gauss, RulesIntegratePolynomialsExactly) {
+  for (std::size_t rule = 0; rule < gauss_sizes.size(); ++rule) {
+    const auto nodes = gauss_nodes<long double>(rule);
+    ASSERT_EQ(nodes.size(), gauss_sizes[rule]);
+    EXPECT_TRUE(
+        std::is_sorted(nodes.begin(), nodes.end(), [](auto a, auto b) { return a.position < b.position; }));
+    for (const int degree : {0, 1, 2, static_cast<int>(2 * gauss_sizes[rule]) - 1}) {
+      long double sum = 0;
+      for (const auto& node : nodes) sum += node.weight * power(node.position, degree);
+      // a weighted mean of numbers below 1: rounding, times the degree for the power
+      EXPECT_NEAR(static_cast<double>(sum * (degree + 1)), 1, 1e-17 * (degree + 1))
+          << gauss_sizes[rule] << " " << degree;
+    }
+  }
+  EXPECT_THROW(gauss_nodes<double>(gauss_sizes.size()), std::out_of_range);
+}
+
+// The power map is what makes a fractional power converge: without it 36 nodes leave six digits of this one.
+TEST(Substitution, FractionalPowersConvergeFast) {
+  const auto integral = [](const Shape& shape) {
+    const Substitution substitution({}, shape);
+    long double sum = 0;
+    for (const auto& node : gauss_nodes<long double>(1)) {
+      const auto place = substitution.at(node.position);
+      sum += node.weight * place.density * std::pow(place.cosine.cos_theta, 0.1L);
+    }
+    return std::abs(static_cast<double>(sum * 1.1L - 1));
+  };
+  EXPECT_LT(integral({.end_power = 0.1}), 1e-15);
+  EXPECT_GT(integral({.end_power = 0}), 1e-6);
+}
+
+}  // namespace
+}  // namespace shadefit

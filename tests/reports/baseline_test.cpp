@@ -1,0 +1,157 @@
+#include "reports/baseline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fit/sweep.hpp"
+#include "fit/user_error.hpp"
+#include "reports/csv.hpp"
+#include "reports/report.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::TemporaryDirectory;
+
+const Results& all_results() {
+  static const Results results = compute_results({});
+  return results;
+}
+
+Baseline committed() {
+  return read_baseline(SHADEFIT_SOURCE_DIR "/reports/baseline");
+}
+
+std::string csv_of(const CsvTable& table) {
+  std::string out;
+  const auto line = [&](const std::vector<std::string>& cells) {
+    for (const auto& cell : cells) {
+      if (&cell != &cells.front()) out += ',';
+      out += cell.find(',') == std::string::npos ? cell : '"' + cell + '"';
+    }
+    out += '\n';
+  };
+  line(table.columns);
+  for (const auto& row : table.rows) line(row);
+  return out;
+}
+
+TEST(Baseline, IsWhatIsComputed) {
+  EXPECT_TRUE(compare(committed(), all_results()).empty());
+  EXPECT_GT(count_cells(all_results()), 900U);
+}
+
+TEST(Baseline, TheCommittedReportIsTheOneThatIsWritten) {
+  EXPECT_EQ(read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/report.md"), write_report(all_results()));
+}
+
+/// The number with its last significant digit changed by one.
+std::string mutated(const std::string& number) {
+  const auto mantissa_end = std::min(number.find('e'), number.size());
+  const auto digit = number.find_last_of("0123456789", mantissa_end - 1);
+  std::string changed = number;
+  changed[digit] = changed[digit] == '9' ? '8' : static_cast<char>(changed[digit] + 1);
+  return changed;
+}
+
+TEST(Baseline, EachNumberChangedIsCaught) {
+  const Baseline original = committed();
+  int numbers = 0;
+  for (std::size_t file = 0; file < original.files.size(); ++file) {
+    const CsvTable table = parse_csv(original.files[file].content, "baseline");
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        const std::string& cell = table.rows[row][column];
+        if (!parse_number(cell)) continue;
+        ++numbers;
+        CsvTable changed = table;
+        changed.rows[row][column] = mutated(cell);
+        Baseline baseline = original;
+        baseline.files[file].content = csv_of(changed);
+        const auto drifts = compare(baseline, all_results());
+        const bool is_named = std::any_of(drifts.begin(), drifts.end(), [&](const Drift& d) {
+          const bool is_key = d.column.empty();  // a changed exponent makes one row new and another one gone
+          return d.file == original.files[file].name &&
+                 (is_key ||
+                  (d.column == table.columns[column] && d.before == mutated(cell) && d.after == cell));
+        });
+        EXPECT_TRUE(is_named) << original.files[file].name << " row " << row << " " << table.columns[column];
+      }
+    }
+  }
+  EXPECT_GT(numbers, 400);
+}
+
+/// The committed baseline with one text replaced by another in fits.csv.
+std::vector<Drift> drifts_after(const std::string& from, const std::string& to) {
+  Baseline baseline = committed();
+  auto& content = baseline.files[0].content;
+  const auto at = content.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  content.replace(at, from.size(), to);
+  return compare(baseline, all_results());
+}
+
+TEST(Baseline, DriftsHaveTheEffectOnTheCurve) {
+  const auto drifts = drifts_after("-5.554727813", "-5.554367813");
+  ASSERT_EQ(drifts.size(), 1U);
+  EXPECT_EQ(drifts[0].row, "fresnel-quadratic a cosine");
+  EXPECT_EQ(drifts[0].column, "fitted");
+  EXPECT_EQ(drifts[0].before, "-5.554367813");
+  EXPECT_EQ(drifts[0].after, "-5.554727813");
+  EXPECT_EQ(drifts[0].effect,
+            "moves the curve by at most 3.7e-06 at c = 0.284, 0.48 half ulps, 0.0017 sRGB codes");
+}
+
+TEST(Baseline, DriftsOfOtherCells) {
+  EXPECT_EQ(drifts_after("0.08112825865", "0.08")[0].effect, "relative change 0.014");
+  EXPECT_EQ(drifts_after("0.08112825865", "0")[0].effect, "from 0 by 0.081");
+  EXPECT_EQ(drifts_after("0.08112825865", "0.081128258650")[0].effect,
+            "the same number, written differently");
+  EXPECT_EQ(drifts_after("confirmed", "refuted")[0].effect, "another word");
+}
+
+TEST(Baseline, RowsMissingOrNewAreDrifts) {
+  Baseline baseline = committed();
+  auto& content = baseline.files[1].content;
+  content.erase(content.find("norm-ndf,0.1"), content.find("norm-ndf,1,") - content.find("norm-ndf,0.1"));
+  auto drifts = compare(baseline, all_results());
+  ASSERT_EQ(drifts.size(), 1U);
+  EXPECT_EQ(drifts[0].row, "norm-ndf 0.1");
+  EXPECT_EQ(drifts[0].effect, "the baseline has no such row");
+
+  baseline = committed();
+  baseline.files[1].content += "norm-none,1,1,1,0,1e-12,confirmed\n";
+  drifts = compare(baseline, all_results());
+  ASSERT_EQ(drifts.size(), 1U);
+  EXPECT_EQ(drifts[0].effect, "a row that is no longer computed");
+}
+
+std::string refusal_of(const std::string& fits) {
+  try {
+    const TemporaryDirectory directory;
+    directory.file("fits.csv", fits);
+    directory.file("normalization.csv", committed().files[1].content);
+    compare(read_baseline(directory.path()), all_results());
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "taken";
+}
+
+TEST(Baseline, RefusesWhatIsTruncatedOrHasOtherColumns) {
+  const std::string content = committed().files[0].content;
+  EXPECT_EQ(refusal_of(content), "taken");
+  EXPECT_NE(refusal_of("").find("fits.csv' is empty: a table needs a header line"), std::string::npos);
+  EXPECT_NE(refusal_of(content.substr(0, content.size() / 2))
+                .find("fits.csv' is truncated: its last line has no end"),
+            std::string::npos);
+  EXPECT_NE(refusal_of("constant,value\nx,1\n")
+                .find("fits.csv' has other columns (constant,value): they must be constant,parameter,"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace shadefit

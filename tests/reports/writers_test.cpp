@@ -1,0 +1,161 @@
+#include "reports/writers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+
+#include "fit/user_error.hpp"
+#include "reports/csv.hpp"
+#include "reports/fit_json.hpp"
+#include "reports/report.hpp"
+#include "reports/tables.hpp"
+
+namespace shadefit {
+namespace {
+
+const Table sample{{"id", "value", "note"},
+                   {{std::string("a"), Number{0.125, 10}, std::string("plain")},
+                    {std::string("b|c"), Number{12, 10}, std::string("a \"quoted\", text")},
+                    {std::string("d"), {}, {}}}};
+
+TEST(Writers, Csv) {
+  EXPECT_EQ(write_csv(sample, Precision::report),
+            "id,value,note\na,0.125,plain\nb|c,12,\"a \"\"quoted\"\", text\"\nd,,\n");
+}
+
+TEST(Writers, Markdown) {
+  EXPECT_EQ(write_markdown(sample, Precision::report),
+            "| id   | value | note             |\n"
+            "|:-----|------:|:-----------------|\n"
+            "| a    | 0.125 | plain            |\n"
+            "| b\\|c |    12 | a \"quoted\", text |\n"
+            "| d    |       |                  |\n");
+}
+
+TEST(Writers, Console) {
+  EXPECT_EQ(write_console(sample, Precision::report),
+            "id   value  note\n"
+            "a    0.125  plain\n"
+            "b|c     12  a \"quoted\", text\n"
+            "d\n");
+}
+
+TEST(Writers, Json) {
+  EXPECT_EQ(
+      write_json(sample).dump(),
+      R"([{"id":"a","value":0.125,"note":"plain"},{"id":"b|c","value":12.0,"note":"a \"quoted\", text"},)"
+      R"({"id":"d","value":null,"note":null}])");
+}
+
+TEST(Writers, CsvReadsBack) {
+  const auto table = parse_csv(write_csv(sample, Precision::report), "sample");
+  EXPECT_EQ(table.columns, sample.columns);
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[1], (std::vector<std::string>{"b|c", "12", "a \"quoted\", text"}));
+}
+
+void expect_refusal(const std::string& content, const char* message) {
+  try {
+    parse_csv(content, "t.csv");
+    FAIL() << "taken: " << content;
+  } catch (const UserError& error) {
+    EXPECT_STREQ(error.what(), message);
+  }
+}
+
+TEST(Csv, RefusesWhatIsCutOffOrMalformed) {
+  expect_refusal("", "'t.csv' is empty: a table needs a header line");
+  expect_refusal("a,b\n1,2", "'t.csv' is truncated: its last line has no end");
+  expect_refusal("a,b\n1\n", "'t.csv' line 2 has 1 cells: the header has 2");
+  expect_refusal("a,b\n1,2\n1,2,3\n", "'t.csv' line 3 has 3 cells: the header has 2");
+  expect_refusal("a,b\n1,\"2\n", "'t.csv' is truncated: a quote opened and never closed");
+}
+
+TEST(FitsTable, HasTheColumnsThatOthersRelyOn) {
+  const auto table = fits_table({}).table;
+  EXPECT_EQ(write_csv(table, Precision::report),
+            "constant,parameter,exponent,published,fitted,deviation,verdict,target,form,domain,measure,norm,"
+            "rms_error,"
+            "max_abs_error,max_abs_error_at,published_max_abs_error,digits,source\n");
+  EXPECT_EQ(write_csv(normalisation_table({}), Precision::report),
+            "constant,exponent,closed_form,integral,relative_difference,estimated_error,verdict\n");
+}
+
+TEST(FitsTable, PublishedNumbersHaveDeviationVerdictAndTheirOwnError) {
+  const auto results = compute_results({"fresnel-quadratic"});
+  const auto csv = parse_csv(write_csv(fits_table(results.refits).table, Precision::report), "fits");
+  ASSERT_EQ(csv.rows.size(), 4U) << "two parameters, two measures";
+  EXPECT_EQ(csv.rows[0],
+            (std::vector<std::string>{
+                "fresnel-quadratic", "a", "", "-5.55473", "-5.554727813", "2.187e-06", "confirmed", "(1-c)^5",
+                "exp2((a c + b) c)", "0:1", "cosine", "least-squares", "0.002238390271", "0.003766385943",
+                "0.055357", "0.00376641274", "14",
+                "Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel, "
+                "seblagarde.wordpress.com/2012/06/03/"
+                "spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"}));
+  EXPECT_EQ(csv.rows[2][6], "other-objective")
+      << "the angle measure does not give the printed digits, the cosine does";
+}
+
+TEST(FitsTable, AFitThatFailedHasItsStatusAndNoNumbers) {
+  FitCache fits(*find_family("sg-offset"));
+  const Refit refit{&fits.family(), fit_and_assess(fits, {1e160}, std::array{Measure::cosine}), {}};
+  const auto csv = parse_csv(write_csv(fits_table({refit}).table, Precision::full), "fits");
+  ASSERT_EQ(csv.rows.size(), 1U);
+  EXPECT_EQ(csv.rows[0][4], "");
+  EXPECT_EQ(csv.rows[0][6], "ambiguous");
+  EXPECT_EQ(csv.rows[0][12], "");
+  const auto json = write_fit_json(fits.family(), refit.fits[0]);
+  EXPECT_TRUE(json["parameters"]["x"].is_null()) << "a start value never passes for an answer";
+  EXPECT_TRUE(json["rms_error"].is_null());
+  EXPECT_EQ(json["status"], "ambiguous");
+}
+
+TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
+  const auto results = compute_results({});
+  const std::string report = write_report(results);
+  for (const char* part :
+       {"**`sg-offset-mean`** is printed as **0.775**",
+        "The fits give 0.7753642585 under the cosine measure, 0.6577007134 under the angle",
+        "Verdict: **confirmed**; the printed digits come out under the cosine measure",
+        "Verdict: **other-objective**; not a best fit: its digits are those of the convention offset x = 1, "
+        "6/ln 2 = 8.656170245",
+        "| cosine  |          0.75 |         0.75 |      0.203125 |     0.203125 |", "5.55437",
+        "boksajak/brdf", "## Normalisation"}) {
+    EXPECT_NE(report.find(part), std::string::npos) << part;
+  }
+  EXPECT_TRUE(report.ends_with("|\n"));
+  EXPECT_FALSE(report.ends_with("\n\n"));
+  EXPECT_EQ(report.find('\r'), std::string::npos);
+}
+
+TEST(Report, DoesNotDependOnTheLocale) {
+  const std::string before = write_report(compute_results({"fresnel-one-term"}));
+  for (const char* locale : {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"}) {
+    std::setlocale(LC_ALL, locale);  // where it is not installed the call changes nothing
+    EXPECT_EQ(write_report(compute_results({"fresnel-one-term"})), before) << locale;
+  }
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST(Results, OnlyWhatIsNamedIsComputed) {
+  const auto only = compute_results({"norm-phong", "fresnel-quadratic-b"});
+  ASSERT_EQ(only.refits.size(), 1U);
+  EXPECT_EQ(only.refits[0].family->info.id, "fresnel-quadratic");
+  EXPECT_EQ(only.normalisations.size(), 8U);
+  EXPECT_TRUE(all_checks_passed(only));
+  EXPECT_THROW(compute_results({"norm-fong"}), UserError);
+}
+
+TEST(Results, AFailedCheckIsSeen) {
+  auto results = compute_results({"norm-lambert", "fresnel-one-term"});
+  results.normalisations[0].verdict = Verdict::refuted;
+  EXPECT_FALSE(all_checks_passed(results));
+  results.normalisations[0].verdict = Verdict::confirmed;
+  results.refits[0].fits[0].fit.status = Status::ambiguous;
+  EXPECT_FALSE(all_checks_passed(results));
+  EXPECT_NE(write_report(results).find("Not every fit converged"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shadefit
