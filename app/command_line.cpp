@@ -44,8 +44,10 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
   app.require_subcommand(1);
   Outcome outcome;
 
+  ListOptions list_options;
   auto* list = app.add_subcommand("list", "every constant: id, published value, source");
-  list->callback([&] { outcome = list_command(); });
+  list->add_flag("--json", list_options.json, "print JSON");
+  list->callback([&] { outcome = list_command(list_options); });
 
   RunOptions run_options;
   bool no_plots = false;

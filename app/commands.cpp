@@ -72,51 +72,11 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   return {0, options.csv ? write_csv(table, Precision::full) : write_console(table, Precision::full), ""};
 }
 
-/// What a person wants to see of fits.
-Table console_table(const Refit& refit) {
-  Table table{{}, {}};
-  if (refit.family->has_exponent()) table.columns.emplace_back("exponent");
-  for (const auto parameter : refit.family->parameters) table.columns.emplace_back(parameter);
-  for (const char* column :
-       {"status", "digits", "rms error", "max abs error", "at c", "published", "verdict"}) {
-    table.columns.emplace_back(column);
-  }
-  for (const FitReport& report : refit.fits) {
-    const Fit& fit = report.fit;
-    const bool is_answer = fit.status == Status::converged;
-    std::vector<Cell> row;
-    if (fit.exponent) row.push_back(Number{*fit.exponent, 17});
-    for (const double p : fit.parameters) row.push_back(is_answer ? Cell(Number{p, 17}) : Cell());
-    std::vector<std::string> printed, verdicts;
-    for (const Assessment& a : report.assessments) {
-      printed.emplace_back(a.published->printed);
-      verdicts.emplace_back(name(a.judgement.verdict));
-    }
-    row.insert(row.end(),
-               {std::string(name(fit.status)), static_cast<long>(fit.digits),
-                is_answer ? Cell(Number{fit.rms_error, 4}) : Cell(),
-                is_answer ? Cell(Number{fit.max_abs_error.magnitude, 4}) : Cell(),
-                is_answer ? place(fit.max_abs_error.at.cos_theta) : Cell(),
-                fmt::format("{}", fmt::join(printed, ", ")), fmt::format("{}", fmt::join(verdicts, ", "))});
-    table.rows.push_back(row);
-  }
-  return table;
-}
-
 std::string console_text(const Refit& refit, Measure measure) {
   const Family& info = refit.family->info;
-  Table table = console_table(refit);
-  for (auto& row : table.rows) {
-    // Parameters to their last bit, errors to what a reader compares.
-    for (Cell& cell : row) {
-      if (auto* number = std::get_if<Number>(&cell)) {
-        cell = text(*number, number->digits == 17 ? Precision::full : Precision::report);
-      }
-    }
-  }
   return fmt::format("{}: {} ~ {}, {} measure, least squares\n", info.id, info.target, info.form,
                      name(measure)) +
-         write_console(table, Precision::report);
+         write_console(fits_overview(refit), Precision::report);
 }
 
 std::string fits_text(const Refit& refit, const FitOptions& options, Measure measure) {
@@ -141,8 +101,9 @@ std::string not_converged_lines(const Refit& refit) {
 
 }  // namespace
 
-Outcome list_command() {
-  return {0, write_console(list_table(), Precision::report), ""};
+Outcome list_command(const ListOptions& options) {
+  if (!options.json) return {0, write_console(list_table(), Precision::report), ""};
+  return {0, json_text({{"schema", 1}, {"constants", write_json(list_table())}}), ""};
 }
 
 Outcome run_command(const RunOptions& options) {

@@ -10,6 +10,10 @@
 /// mend.
 namespace shadefit {
 
+struct ListOptions {
+  bool json = false;
+};
+
 struct RunOptions {
   std::string out = "out";
   std::vector<std::string> only;
@@ -27,7 +31,7 @@ struct CheckOptions {
   std::string baseline = "reports/baseline";
 };
 
-Outcome list_command();
+Outcome list_command(const ListOptions& options);
 Outcome run_command(const RunOptions& options);
 Outcome fit_command(const FitOptions& options);
 Outcome check_command(const CheckOptions& options);

@@ -23,8 +23,8 @@ std::string text(const Cell& cell, Precision precision) {
   if (const auto* whole = std::get_if<long>(&cell)) return fmt::format("{}", *whole);
   if (const auto* number = std::get_if<Number>(&cell)) {
     const double value = number->value == 0 ? 0 : number->value;
-    return precision == Precision::full ? fmt::format("{}", value)
-                                        : fmt::format("{:.{}g}", value, number->digits);
+    const bool is_shortest = precision == Precision::full || number->digits >= all_digits;
+    return is_shortest ? fmt::format("{}", value) : fmt::format("{:.{}g}", value, number->digits);
   }
   return "";
 }

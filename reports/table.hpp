@@ -14,6 +14,9 @@ struct Number {
   int digits;
 };
 
+/// For `Number::digits`: as many as the shortest decimal needs to read back as the same double.
+inline constexpr int all_digits = 17;
+
 /// Nothing, a word or sentence, a whole number, or a number.
 using Cell = std::variant<std::monostate, std::string, long, Number>;
 

@@ -25,6 +25,9 @@ struct FitsTable {
 /// named `x_mean`, `x_limit`. A fit that did not converge has empty cells and its status for a verdict.
 FitsTable fits_table(const std::vector<Refit>& refits);
 
+/// One row per fit, parameters to their last bit: what a person wants to see of it on a console.
+Table fits_overview(const Refit& refit);
+
 /// One row per constant and exponent: normalization.csv.
 Table normalisation_table(const std::vector<NormalisationCheck>& checks);
 

@@ -120,6 +120,13 @@ TEST(ListCommand, NamesEveryConstantOnce) {
   }
 }
 
+TEST(ListCommand, Json) {
+  const auto json = nlohmann::json::parse(run_command_line({"list", "--json"}).out);
+  EXPECT_EQ(json["schema"], 1);
+  EXPECT_EQ(json["constants"].size(), 13U);
+  EXPECT_EQ(json["constants"][4]["printed"], "8.656170") << "as printed, not as a number";
+}
+
 TEST(RunCommand, WritesTheReportAndTheTables) {
   const TemporaryDirectory directory;
   const Outcome outcome = run_command_line({"run", "--out", directory / "out"});
