@@ -15,9 +15,34 @@
 namespace shadefit {
 namespace {
 
+/// One line that a terminal can show: control characters as \xNN, the middle of a very long text left out.
+std::string one_line(const std::string& text) {
+  constexpr std::size_t longest = 600;
+  std::string line;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    line += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+  }
+  if (line.size() <= longest) return line;
+  return line.substr(0, longest / 2) + " .. " + line.substr(line.size() - longest / 2);
+}
+
 Outcome usage_error(const std::string& message) {
-  std::string line = message.substr(0, message.find('\n'));
-  return {2, "", fmt::format("shadefit: {} (see 'shadefit --help')\n", line)};
+  return {2, "", fmt::format("shadefit: {} (see 'shadefit --help')\n", one_line(message))};
+}
+
+/// CLI11 takes whatever follows an option for its value, the next option too.
+void require_values(const std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    const std::string option = arguments[i].substr(0, arguments[i].find('='));
+    const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
+    const bool takes_text =
+        option == "--out" || option == "--baseline" || option == "--measure" || option == "--only";
+    if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
+      throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
+                                  option, arguments[i + 1]));
+    }
+  }
 }
 
 /// CLI11 lists what it did not expect from the back; we name the first of it.
@@ -31,7 +56,11 @@ std::string first_unexpected(const std::string& message, const std::vector<std::
 
 /// CLI11 calls a mistyped command an unexpected argument; we name the nearest one.
 void require_known_command(const CLI::App& app, const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.front().starts_with('-')) return;
+  if (arguments.empty() || arguments.front() == "--help" || arguments.front() == "-h" ||
+      arguments.front() == "--version")
+    return;
+  if (arguments.front().starts_with('-'))
+    throw UserError(fmt::format("unexpected argument '{}' before a command", arguments.front()));
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
   require_known(arguments.front(), known, "command");
@@ -53,7 +82,9 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
   bool no_plots = false;
   auto* run = app.add_subcommand("run", "fit and check everything, write report.md and the tables");
   run->add_option("--out", run_options.out, "directory to write")->capture_default_str()->type_name("DIR");
-  run->add_option("--only", run_options.only, "only these constants")->type_name("ID");
+  run->add_option("--only", run_options.only,
+                  "only the families and normalisations of these ids, one or more")
+      ->type_name("ID");
   run->add_flag("--no-plots", no_plots, "leave plots out (this version draws none)");
   run->callback([&] { outcome = run_command(run_options); });
 
@@ -82,6 +113,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
 
   try {
     require_known_command(app, arguments);
+    require_values(arguments);
     std::vector<std::string> reversed(arguments.rbegin(),
                                       arguments.rend());  // CLI11 takes them from the back
     app.parse(reversed);
@@ -104,9 +136,9 @@ Outcome run_command_line(const std::vector<std::string>& arguments) {
   try {
     return parse_and_run(arguments);
   } catch (const UserError& error) {
-    return {2, "", fmt::format("shadefit: {}\n", error.what())};
+    return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
   } catch (const std::exception& error) {
-    return {1, "", fmt::format("shadefit: internal error: {}\n", error.what())};
+    return {1, "", fmt::format("shadefit: internal error: {}\n", one_line(error.what()))};
   }
 }
 

@@ -34,6 +34,7 @@ const Published* find_published(const std::string& id) {
   return found == published_constants.end() ? nullptr : &*found;
 }
 
+/// Ids that `fit` takes; a normalisation is named for what it is.
 std::vector<std::string> ids_with_a_fit() {
   std::vector<std::string> ids = known_ids();
   std::erase_if(
@@ -66,8 +67,11 @@ Outcome derived_command(const FittableFamily& family, const Published& published
                                 *options.exponent, published.id));
   }
   FitCache fits(family);
-  Refit refit{&family, {}, {assess(fits, published, {.measure = parse_measure(options.measure)})}};
-  if (options.json) return {0, json_text(write_derived_json(refit.derived.front())), ""};
+  const auto assessment = assess(fits, published, {.measure = parse_measure(options.measure)});
+  if (!assessment)
+    return {1, "", fmt::format("shadefit: {} rests on a fit that did not converge\n", published.id)};
+  const Refit refit{&family, {}, {*assessment}};
+  if (options.json) return {0, json_text(write_derived_json(*assessment)), ""};
   const Table table = fits_table({refit}).table;
   return {0, options.csv ? write_csv(table, Precision::full) : write_console(table, Precision::full), ""};
 }
@@ -117,13 +121,21 @@ Outcome run_command(const RunOptions& options) {
   for (const Refit& refit : results.refits) err += not_converged_lines(refit);
   for (const auto& check : results.normalisations) {
     if (check.verdict == Verdict::confirmed) continue;
-    err += fmt::format("shadefit: {} at exponent {} failed: closed form {}, integral {}\n", check.record->id,
-                       check.exponent.value_or(0), check.closed_form, check.integral);
+    err +=
+        fmt::format("shadefit: {} at exponent {} failed: closed form {}, integral {}, estimated error {}\n",
+                    check.record->id, check.exponent.value_or(0), check.closed_form, check.integral,
+                    check.estimated_error);
   }
   return {1, out, err};
 }
 
 Outcome fit_command(const FitOptions& options) {
+  const bool is_normalisation = std::any_of(normalisations.begin(), normalisations.end(),
+                                            [&](const Normalisation& n) { return n.id == options.id; });
+  if (is_normalisation) {
+    throw UserError(
+        fmt::format("'{0}' is integrated, not fitted: see 'shadefit run --only {0}'", options.id));
+  }
   require_known(options.id, ids_with_a_fit(), "constant to fit");
   const Published* published = find_family(options.id) == nullptr ? find_published(options.id) : nullptr;
   const FittableFamily& family =

@@ -1,13 +1,29 @@
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <string>
 
 #include "app/command_line.hpp"
 
+namespace {
+
+bool write(std::FILE* stream, const std::string& text) {
+  return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  // A file that may not grow further is then an error of that file, told like any other.
+  std::signal(SIGXFSZ, SIG_IGN);
   const auto outcome = shadefit::run_command_line({argv + 1, argv + argc});
-  const bool is_written = std::fputs(outcome.out.c_str(), stdout) >= 0 && std::fflush(stdout) == 0;
-  if (!is_written) std::fprintf(stderr, "shadefit: cannot write standard output: %s\n", std::strerror(errno));
-  std::fputs(outcome.err.c_str(), stderr);
-  return is_written ? outcome.exit_code : 2;
+  errno = 0;
+  const bool is_written = write(stdout, outcome.out);
+  if (!is_written) {
+    write(stderr, std::string("shadefit: cannot write standard output: ") + std::strerror(errno) + "\n");
+    return 2;
+  }
+  write(stderr, outcome.err);
+  return outcome.exit_code;
 }

@@ -22,7 +22,7 @@ struct Variant {
 
 /// How a published number is meant, that is: which computation has to give it.
 enum class Statement {
-  best_fit,       ///< the optimum of its family (at `exponents`, where the family has an exponent)
+  best_fit,       ///< the optimum of its family (at the one number in `exponents`, where it has an exponent)
   mean_of_fits,   ///< the arithmetic mean of the optima over the sweep `exponents`
   limit_of_fits,  ///< the optimum as the exponent grows without bound
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "approx/encoding.hpp"
 #include "fit/extremum.hpp"
@@ -26,8 +27,8 @@ inline double half_ulp(double value) {
   return std::ldexp(1.0, exponent - 10);
 }
 
-/// The effect of going from parameters `from` to `to`. Absolute: refined extremum; the others: the largest
-/// over 1025 places, spread as the family is concentrated.
+/// The effect of going from parameters `from` to `to`, each unit at its own worst place. Absolute: a refined
+/// extremum; the others: the largest over the `search_points` and both ends.
 template <class F, std::size_t N>
 Effect effect_of_change(const F& family, const Domain& domain, const std::array<double, N>& from,
                         const std::array<double, N>& to) {
@@ -44,9 +45,10 @@ Effect effect_of_change(const F& family, const Domain& domain, const std::array<
 
   Effect effect;
   effect.absolute = largest_magnitude(change, substitution);
-  constexpr int places = 1024;
-  for (int i = 0; i <= places; ++i) {
-    const auto sample = family.sample(substitution.at(static_cast<double>(i) / places).cosine);
+  std::vector<double> points = search_points();
+  points.insert(points.end(), {0.0, 1.0});
+  for (const double s : points) {
+    const auto sample = family.sample(substitution.at(s).cosine);
     const double before = family.form(sample, from), after = family.form(sample, to);
     const double step = std::abs(after - before);
     if (before >= visible) effect.relative = std::max(effect.relative, step / before);

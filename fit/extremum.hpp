@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -17,32 +18,40 @@ struct Extremum {
   Cosine<double> at{};
 };
 
-/// Magnitudes this close count as equal, relative; the extremum with the smallest c is then the one reported.
+/// Magnitudes this close to the largest count as equal to it, relative; the smallest c among them is the
+/// place reported.
 inline constexpr double equal_extrema = 1e-9;
 
+/// Where a sampled search looks: 256 even places inside (0, 1), and towards either end powers of two, so that
+/// a spike as narrow as 1e-12 of the domain is seen there.
+inline std::vector<double> search_points() {
+  constexpr int cells = 256;
+  constexpr int powers = 40;
+  std::vector<double> points;
+  for (int j = powers; j > 9; --j) points.push_back(std::ldexp(1.0, -j));
+  for (int i = 0; i < cells; ++i) points.push_back((i + 0.5) / cells);
+  for (int j = 10; j <= powers; ++j) points.push_back(1 - std::ldexp(1.0, -j));
+  return points;
+}
+
 /// The largest |f| over the domain of the substitution. Sampled: sign changes of f' are looked for between
-/// 258 points and refined to a root; both ends count. `f` maps a Cosine<T> to a T, for double and
+/// the `search_points` and refined to a root; both ends count. `f` maps a Cosine<T> to a T, for double and
 /// ceres::Jet<double, 1>.
 template <class F>
 Extremum largest_magnitude(const F& f, const Substitution& substitution) {
   using Jet = ceres::Jet<double, 1>;
   const auto slope = [&](double s) { return f(substitution.at(Jet(s, 0)).cosine).v[0]; };
 
-  Extremum best;
+  std::vector<Extremum> found;
   const auto consider = [&](double s) {
     const Cosine<double> at = substitution.at(s).cosine;
-    const double magnitude = std::abs(f(at));
-    const bool is_larger = magnitude > best.magnitude * (1 + equal_extrema);
-    const bool is_equal = magnitude >= best.magnitude * (1 - equal_extrema);
-    if (is_larger || (is_equal && at.cos_theta < best.at.cos_theta)) best = {magnitude, at};
+    found.push_back({std::abs(f(at)), at});
   };
 
-  constexpr int cells = 256;
-  constexpr double near_end = 1.0 / (1 << 20);
   consider(0);
-  double left = near_end, left_slope = slope(left);
-  for (int i = 0; i <= cells; ++i) {
-    const double right = i < cells ? (i + 0.5) / cells : 1 - near_end;
+  const std::vector<double> points = search_points();
+  double left = points.front(), left_slope = slope(left);
+  for (const double right : points) {
     const double right_slope = slope(right);
     if (left_slope * right_slope < 0) {
       // 53 bits: the root is then as exact as f' itself. Fifty steps bound what takes about ten.
@@ -57,7 +66,15 @@ Extremum largest_magnitude(const F& f, const Substitution& substitution) {
     left_slope = right_slope;
   }
   consider(1);
-  return best;
+
+  const auto by_magnitude = [](const Extremum& a, const Extremum& b) { return a.magnitude < b.magnitude; };
+  const double largest = std::max_element(found.begin(), found.end(), by_magnitude)->magnitude;
+  Extremum chosen{largest, {2, -1}};
+  for (const Extremum& candidate : found) {
+    const bool is_equal = candidate.magnitude >= largest * (1 - equal_extrema);
+    if (is_equal && candidate.at.cos_theta < chosen.at.cos_theta) chosen.at = candidate.at;
+  }
+  return chosen;
 }
 
 }  // namespace shadefit

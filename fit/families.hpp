@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <limits>
+#include <optional>
 #include <string_view>
 
 #include "approx/cosine.hpp"
@@ -20,7 +21,9 @@
 /// - `Sample`: what of a place does not depend on the parameters, computed once; `sample`: the function that
 /// does;
 /// - `form`, `error` (form - target) and `relative_error` at a sample;
-/// - `shape`: what the substitution has to know; `relative_domain`: where a relative error has a meaning.
+/// - `shape`: what the substitution has to know; `relative_end`: the smallest cosine at which a relative
+/// error has a
+///   meaning, empty where there is no such number; `relative_to`: relative to what, in words.
 namespace shadefit {
 
 /// c^k by exp((k+x)(c-1)).
@@ -31,10 +34,10 @@ struct SgOffset {
 
   double exponent;
 
-  /// For a small exponent the lobe is 1 + k log c + .., and its best offset is proportional to k.
+  /// The box is (0, 2). For a small exponent the lobe is 1 + k log c + .., and its best offset near 5/4 k.
   std::array<std::array<double, 1>, 3> starts() const {
     const double scale = std::min(1.0, exponent);
-    return {{{0.1 * scale}, {0.5 * scale}, {scale}}};
+    return {{{0.1 * scale}, {0.7 * scale}, {2 * scale}}};
   }
 
   /// Errors carry a factor exp(-(k+x)y) and their square is twice as sharp; x > 0.
@@ -66,9 +69,12 @@ struct SgOffset {
     return gaussian_lobe_relative_error(lift<P>(s.one_minus_cos), p[0], lift<P>(s.log_ratio));
   }
 
-  /// c^k >= 1/255, one code of an 8-bit linear target: c >= exp(-log(255)/k).
-  Domain relative_domain(const Domain& domain) const {
-    return {std::max(domain.lower, std::exp(-std::log(255.0) / exponent)), domain.upper};
+  /// c^k >= 1/255, one code of an 8-bit linear target: c >= exp(-log(255)/k). Below k = 0.0078 that is less
+  /// than any double.
+  std::optional<Cosine<double>> relative_end() const {
+    const double log_end = -std::log(255.0) / exponent;
+    if (std::exp(log_end) < std::numeric_limits<double>::min()) return std::nullopt;
+    return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
   }
 };
 
@@ -108,7 +114,7 @@ struct FresnelFamily {
     return (schlick_reflectance(f0, form(s, p)) - exact) / exact;
   }
 
-  Domain relative_domain(const Domain& domain) const { return domain; }
+  static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
 };
 
 struct OneTermForm {

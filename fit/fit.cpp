@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "fit/families.hpp"
 
@@ -45,13 +46,24 @@ Extremum max_abs_error(double exponent, const Domain& domain, std::span<const do
   return largest_magnitude(error, Substitution({.domain = domain}, family.shape()));
 }
 
+/// The relative error is looked for where it has a meaning, within the domain.
 template <class F>
-Extremum max_rel_error(double exponent, const Domain& domain, std::span<const double> parameters) {
-  const auto family = make_family<F>(exponent);
+void add_max_rel_error(Fit& fit, const F& family) {
+  const auto end = family.relative_end();
+  if (!end) {
+    fit.relative_to = "nothing: the target falls to 1/255 only below the smallest double";
+    return;
+  }
+  const Domain& domain = fit.metric.domain;
+  const Cosine<double> top{domain.upper, 1 - domain.upper};
+  const Cosine<double> bottom =
+      end->cos_theta >= domain.lower ? *end : Cosine<double>{domain.lower, 1 - domain.lower};
+  if (bottom.one_minus_cos <= top.one_minus_cos) return;
   const auto error = at_parameters(
-      family, parameter_array<F>(parameters),
+      family, parameter_array<F>(fit.parameters),
       [](const F& f, const auto& sample, const auto& p) { return f.relative_error(sample, p); });
-  return largest_magnitude(error, Substitution({.domain = family.relative_domain(domain)}, {}));
+  fit.max_rel_error = largest_magnitude(error, Substitution::between(top, bottom));
+  fit.relative_domain = {bottom.cos_theta, domain.upper};
 }
 
 template <class F>
@@ -67,12 +79,12 @@ Fit fit(double exponent, const Metric& metric) {
              .digits = optimum.digits,
              .rms_error = optimum.rms_error,
              .max_abs_error = {},
-             .max_rel_error = {},
-             .relative_domain = family.relative_domain(metric.domain),
+             .max_rel_error = std::nullopt,
+             .relative_domain = {},
              .relative_to = F::relative_to};
   if (result.status == Status::converged) {
     result.max_abs_error = max_abs_error<F>(exponent, metric.domain, result.parameters);
-    result.max_rel_error = max_rel_error<F>(exponent, metric.domain, result.parameters);
+    add_max_rel_error(result, family);
   }
   return result;
 }
@@ -91,6 +103,13 @@ constexpr FittableFamily entry{F::info, F::parameters, &fit<F>, &max_abs_error<F
 std::span<const FittableFamily> fittable_families() {
   static constexpr std::array all{entry<SgOffset>, entry<FresnelOneTerm>, entry<FresnelQuadratic>};
   return all;
+}
+
+std::size_t parameter_index(const FittableFamily& family, std::string_view name) {
+  const auto found = std::find(family.parameters.begin(), family.parameters.end(), name);
+  if (found == family.parameters.end())
+    throw std::logic_error("a record names a parameter that its family lacks");
+  return static_cast<std::size_t>(found - family.parameters.begin());
 }
 
 const FittableFamily* find_family(std::string_view id) {

@@ -22,12 +22,12 @@ struct Fit {
   std::vector<double>
       parameters;  ///< in the order of the family's names; an answer only if `status` is converged
   Status status;
-  int iterations;          ///< Ceres and Newton steps together
-  int digits;              ///< correct digits of the worst parameter, at most 14
-  double rms_error;        ///< sqrt(integral of measure * error^2 / integral of measure)
-  Extremum max_abs_error;  ///< of form - target
-  Extremum max_rel_error;  ///< of what `relative_to` says, over `relative_domain`
-  Domain relative_domain;
+  int iterations;                         ///< Ceres and Newton steps together
+  int digits;                             ///< correct digits of the worst parameter, at most 14
+  double rms_error;                       ///< sqrt(integral of measure * error^2 / integral of measure)
+  Extremum max_abs_error;                 ///< of form - target
+  std::optional<Extremum> max_rel_error;  ///< of what `relative_to` says; empty where that has no meaning
+  Domain relative_domain;                 ///< where it was looked for
   std::string_view relative_to;
 };
 
@@ -45,6 +45,10 @@ struct FittableFamily {
 
 /// Every family, in the order of the report.
 std::span<const FittableFamily> fittable_families();
+
+/// The place of a parameter among the family's. Throws std::logic_error where the family has none of that
+/// name.
+std::size_t parameter_index(const FittableFamily& family, std::string_view name);
 
 /// The family of that id, or null.
 const FittableFamily* find_family(std::string_view id);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
@@ -21,19 +22,38 @@ inline double rounding_of(double l1) {
 }
 }  // namespace detail
 
-/// Adaptive Gauss-Kronrod (15, 31) by Boost.Math. Up to 1.74 and later Boost returns the error as measured on
-/// [-1, 1], not scaled to [a, b] as value and L1 are: |K - G| on [a, b] is (b - a)/2 of it. `tolerance` is
-/// relative to the integral of |f|.
+/// Adaptive Gauss-Kronrod (15, 31) by Boost.Math, halving where |K - G| exceeds `tolerance` times the
+/// integral of |f| (shared out among the halves), at most fifteen times.
+///
+/// Boost (1.74 and later) returns the error of a panel as measured on [-1, 1], not scaled to [a, b] as its
+/// value and L1 are, and adds such errors up when it halves. So every panel is asked for alone, and its error
+/// scaled by (b - a)/2.
 template <class F>
 Integral gauss_kronrod(const F& f, double a, double b, double tolerance) {
-  double error = 0, l1 = 0;
-  const double value =
-      boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, a, b, 15, tolerance, &error, &l1);
-  return {value, error * (b - a) / 2 + detail::rounding_of(l1)};
+  using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
+  const auto panel = [&](double from, double to, double& l1) {
+    double error = 0;
+    const double value = Rule::integrate(f, from, to, 0, 0.0, &error, &l1);
+    return Integral{value, error * (to - from) / 2};
+  };
+  const auto halve = [&](const auto& self, double from, double to, double allowed, int depth) -> Integral {
+    double l1 = 0;
+    const Integral whole = panel(from, to, l1);
+    if (depth == 0 || whole.error <= std::max(allowed, detail::rounding_of(l1))) {
+      return {whole.value, whole.error + detail::rounding_of(l1)};
+    }
+    const double middle = from + (to - from) / 2;
+    const Integral left = self(self, from, middle, allowed / 2, depth - 1);
+    const Integral right = self(self, middle, to, allowed / 2, depth - 1);
+    return {left.value + right.value, left.error + right.error};
+  };
+  double l1 = 0;
+  panel(a, b, l1);
+  return halve(halve, a, b, tolerance * l1, 15);
 }
 
-/// tanh-sinh by Boost.Math: indifferent to singularities at the ends. f is not evaluated at a and b
-/// themselves.
+/// tanh-sinh by Boost.Math: indifferent to infinite slopes at the ends. f itself has to be finite there: it
+/// is given x, not the distance to b, which x has lost close to b.
 template <class F>
 Integral tanh_sinh(const F& f, double a, double b, double tolerance) {
   double error = 0, l1 = 0;

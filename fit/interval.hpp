@@ -18,7 +18,8 @@ using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float
 enum class Certainty { no, yes, unknown };
 
 /// MPFI's own functions are called directly: Boost 1.74 lacks some, its comparisons end the process when they
-/// cannot be decided, and its pow throws at zero.
+/// cannot be decided, and its pow throws at zero. An end that is not a number (a root of [-1, 4]) makes the
+/// whole result not a number: MPFR's max would drop it and MPFI's comparison call it equal.
 template <>
 struct Scalar<Interval> {
   static Interval exp(const Interval& x) { return apply(mpfi_exp, x); }
@@ -51,6 +52,7 @@ struct Scalar<Interval> {
   static Interval power(const Interval& x, const Interval& p) { return exp(p * log(x)); }
 
   static Certainty less(const Interval& a, const Interval& b) {
+    if (is_nan(a) || is_nan(b)) return Certainty::unknown;
     if (mpfi_cmp(a.backend().data(), b.backend().data()) < 0) return Certainty::yes;
     const bool never = mpfr_cmp(&a.backend().data()->left, &b.backend().data()->right) >= 0;
     return never ? Certainty::no : Certainty::unknown;
@@ -61,6 +63,7 @@ struct Scalar<Interval> {
   static Interval min(const Interval& a, const Interval& b) { return -max(-a, -b); }
   /// The ends of max(a, b) are the maxima of the ends.
   static Interval max(const Interval& a, const Interval& b) {
+    if (is_nan(a) || is_nan(b)) return nan();
     Interval result;
     auto* r = result.backend().data();
     mpfr_max(&r->left, &a.backend().data()->left, &b.backend().data()->left, MPFR_RNDD);
@@ -87,8 +90,9 @@ struct Scalar<Interval> {
     return result;
   }
 
-  /// The smallest interval that contains both.
+  /// The smallest interval that contains both; not a number where either is (a function left its domain).
   static Interval hull(const Interval& a, const Interval& b) {
+    if (is_nan(a) || is_nan(b)) return nan();
     Interval result;
     mpfi_union(result.backend().data(), a.backend().data(), b.backend().data());
     return result;
@@ -108,6 +112,13 @@ struct Scalar<Interval> {
   static Interval upper(const Interval& x) {
     Interval result;
     mpfi_set_fr(result.backend().data(), &x.backend().data()->right);
+    return result;
+  }
+  static bool is_nan(const Interval& x) { return mpfi_nan_p(x.backend().data()) != 0; }
+  static Interval nan() {
+    Interval result;
+    mpfr_set_nan(&result.backend().data()->left);
+    mpfr_set_nan(&result.backend().data()->right);
     return result;
   }
   static bool is_zero_inside(const Interval& x) { return mpfi_has_zero(x.backend().data()) > 0; }

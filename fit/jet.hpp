@@ -14,6 +14,7 @@ namespace shadefit {
 template <class T, int N>
 struct Scalar<ceres::Jet<T, N>> {
   using Jet = ceres::Jet<T, N>;
+  using Derivatives = Eigen::Matrix<T, N, 1>;
 
   static Jet exp(const Jet& x) {
     const T value = shadefit::exp(x.a);
@@ -23,28 +24,29 @@ struct Scalar<ceres::Jet<T, N>> {
     const T value = shadefit::exp2(x.a);
     return Jet(value, (value * shadefit::ln2<T>()) * x.v);
   }
-  static Jet log(const Jet& x) { return Jet(shadefit::log(x.a), (one() / x.a) * x.v); }
+  static Jet log(const Jet& x) { return Jet(shadefit::log(x.a), chain(one() / x.a, x.v)); }
   static Jet log2(const Jet& x) {
-    return Jet(shadefit::log2(x.a), (one() / (x.a * shadefit::ln2<T>())) * x.v);
+    return Jet(shadefit::log2(x.a), chain(one() / (x.a * shadefit::ln2<T>()), x.v));
   }
   static Jet expm1(const Jet& x) { return Jet(shadefit::expm1(x.a), shadefit::exp(x.a) * x.v); }
-  static Jet log1p(const Jet& x) { return Jet(shadefit::log1p(x.a), (one() / (one() + x.a)) * x.v); }
+  static Jet log1p(const Jet& x) { return Jet(shadefit::log1p(x.a), chain(one() / (one() + x.a), x.v)); }
   /// d/dx (log1p(x) - x) = -x / (1 + x)
   static Jet log1p_remainder(const Jet& x) {
-    return Jet(shadefit::log1p_remainder(x.a), (-x.a / (one() + x.a)) * x.v);
+    return Jet(shadefit::log1p_remainder(x.a), chain(-x.a / (one() + x.a), x.v));
   }
   static Jet sqrt(const Jet& x) {
     const T value = shadefit::sqrt(x.a);
-    return Jet(value, (one() / (value + value)) * x.v);
+    return Jet(value, chain(one() / (value + value), x.v));
   }
   static Jet sin(const Jet& x) { return Jet(shadefit::sin(x.a), shadefit::cos(x.a) * x.v); }
   static Jet cos(const Jet& x) { return Jet(shadefit::cos(x.a), -shadefit::sin(x.a) * x.v); }
-  /// d(x^p) = p x^(p-1) dx + x^p log(x) dp. The last term is left out where p is a constant, so that x = 0
-  /// has the derivative 0 for p > 1 instead of NaN; it is infinite there for p < 1, as it should be.
+  /// d(x^p) = p x^(p-1) dx + x^p log(x) dp. At x = 0 the first factor is 0 for p > 1 and infinite for p < 1,
+  /// and the second term is 0 for p > 0: neither 0 * infinity may make it NaN.
   static Jet power(const Jet& x, const Jet& p) {
     const T value = shadefit::power(x.a, p.a);
-    Jet result(value, (p.a * shadefit::power(x.a, T(p.a - one()))) * x.v);
-    if (!is_constant(p)) result.v += (value * shadefit::log(x.a)) * p.v;
+    Jet result(value);
+    if (!is_zero(p.a)) result.v += chain(p.a * shadefit::power(x.a, T(p.a - one())), x.v);
+    if (!is_zero(value)) result.v += chain(value * shadefit::log(x.a), p.v);
     return result;
   }
   static auto less(const Jet& a, const Jet& b) { return shadefit::less(a.a, b.a); }
@@ -61,15 +63,28 @@ struct Scalar<ceres::Jet<T, N>> {
   static Jet pi() { return Jet(shadefit::pi<T>()); }
   static Jet ln2() { return Jet(shadefit::ln2<T>()); }
 
-  static bool is_constant(const Jet& x) {
-    for (int i = 0; i < N; ++i) {
-      if (!(x.v[i] == shadefit::integer<T>(0))) return false;
-    }
-    return true;
-  }
-
  private:
   static T one() { return shadefit::integer<T>(1); }
+
+  /// Whether a value and all its derivatives are zero; ceres::Jet's own == looks at the value alone.
+  template <class U>
+  static bool is_zero(const U& x) {
+    return x == shadefit::integer<U>(0);
+  }
+  template <class U, int M>
+  static bool is_zero(const ceres::Jet<U, M>& x) {
+    for (int i = 0; i < M; ++i) {
+      if (!is_zero(x.v[i])) return false;
+    }
+    return is_zero(x.a);
+  }
+
+  /// slope * v, where what does not vary stays so: an infinite slope times a zero derivative is zero.
+  static Derivatives chain(const T& slope, const Derivatives& v) {
+    Derivatives result;
+    for (int i = 0; i < N; ++i) result[i] = is_zero(v[i]) ? shadefit::integer<T>(0) : T(slope * v[i]);
+    return result;
+  }
 };
 
 /// A value as the scalar P: itself, or the constant Jet (of Jets) with that value.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -146,7 +147,7 @@ NewtonStep<T, static_cast<int>(N)> newton_step(const Problem& problem, const std
   return result;
 }
 
-/// The largest |step / parameter|.
+/// The largest |step / parameter|. A parameter whose optimum is 0 has no relative digits and never settles.
 template <class T, std::size_t N>
 T relative_size(const std::array<T, N>& step, const std::array<T, N>& p) {
   T largest = 0;
@@ -154,6 +155,13 @@ T relative_size(const std::array<T, N>& step, const std::array<T, N>& p) {
     if (step[i] != 0) largest = std::max(largest, std::abs(step[i] / p[i]));
   }
   return largest;
+}
+
+/// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
+inline int correct_digits(long double relative_step) {
+  if (std::isnan(relative_step)) return 0;
+  const long double digits = std::floor(-std::log10(relative_step));  // infinite for a step of 0
+  return static_cast<int>(std::clamp(digits, 0.0L, static_cast<long double>(most_digits)));
 }
 
 namespace detail {
@@ -191,7 +199,7 @@ template <int N>
 struct Candidate {
   std::array<double, N> parameters;
   int iterations = 0;
-  bool is_usable = false;  ///< finite, and Newton's steps died out at a minimum
+  Status status = Status::not_converged;
 };
 
 /// Ceres into the basin, Newton in double to its bottom.
@@ -200,11 +208,12 @@ auto descend(const SampledProblem<F, double>& problem, const auto& start) {
   constexpr int N = SampledProblem<F, double>::N;
   Candidate<N> candidate{start};
   const double square = problem.derivatives(start).square;
-  if (!(square > 0) || !std::isfinite(square)) return candidate;
+  if (!std::isfinite(square)) candidate.status = Status::not_finite;
+  if (!(square > 0) || !std::isfinite(square)) return candidate;  // a square of 0 has underflowed
 
   const TinyFunction<F> function{problem, 1 / std::sqrt(square)};
   ceres::TinySolver<TinyFunction<F>> solver;
-  // Only the basin is wanted: a relative step of 1e-6 is well inside Newton's; cost tests are off.
+  // Only the basin is wanted: a step of 1e-6 (|x| + 1e-6) is well inside Newton's; cost tests are off.
   solver.options.parameter_tolerance = 1e-6;
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = 0;
@@ -217,12 +226,15 @@ auto descend(const SampledProblem<F, double>& problem, const auto& start) {
   // Quadratic convergence from 1e-6 takes two steps; twenty leave room for a start that Ceres gave up on.
   for (int i = 0; i < 20; ++i) {
     const auto newton = newton_step(problem, candidate.parameters);
-    if (!newton.is_finite) return candidate;
+    if (!newton.is_finite) {
+      candidate.status = Status::not_finite;
+      return candidate;
+    }
     for (std::size_t j = 0; j < N; ++j) candidate.parameters[j] += newton.step[j];
     ++candidate.iterations;
     // Steps below 1e-13 are the rounding of the sums, not progress.
     if (relative_size(newton.step, candidate.parameters) < 1e-13) {
-      candidate.is_usable = newton.is_minimum;
+      if (newton.is_minimum) candidate.status = Status::converged;
       return candidate;
     }
   }
@@ -241,18 +253,22 @@ auto solve_least_squares(const F& family, const Metric& metric) {
 
   const SampledProblem<F, double> first(family, substitution, 0);
   std::array<detail::Candidate<N>, 3> candidates;
-  bool all_usable = true, same = true;
+  Status status = Status::converged;
   for (std::size_t i = 0; i < 3; ++i) {
     candidates[i] = detail::descend(first, family.starts()[i]);
-    all_usable = all_usable && candidates[i].is_usable;
     std::array<double, N> gap;
     for (std::size_t j = 0; j < N; ++j) gap[j] = candidates[i].parameters[j] - candidates[0].parameters[j];
-    same = same && relative_size(gap, candidates[0].parameters) <= same_optimum;
+    const bool is_same = relative_size(gap, candidates[0].parameters) <= same_optimum;
+    if (candidates[i].status != Status::converged) {
+      status = candidates[i].status;
+    } else if (!is_same && status == Status::converged) {
+      status = Status::ambiguous;
+    }
   }
   optimum.parameters = candidates[0].parameters;
   optimum.iterations = candidates[0].iterations;
-  if (!all_usable || !same) {
-    optimum.status = Status::ambiguous;
+  if (status != Status::converged) {
+    optimum.status = status;
     return optimum;
   }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ enum class Error { absolute };
 struct Domain {
   double lower = 0;
   double upper = 1;
+  auto operator<=>(const Domain&) const = default;
 };
 
 struct Metric {
@@ -30,6 +32,7 @@ struct Metric {
   Norm norm = Norm::least_squares;
   Error error = Error::absolute;
   Domain domain = {};
+  auto operator<=>(const Metric&) const = default;
 };
 
 /// The measures in the order in which a published value is tried under them.

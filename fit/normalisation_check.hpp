@@ -18,7 +18,7 @@ struct NormalisationCheck {
   double relative_difference;  ///< |closed_form / integral - 1|
   double
       estimated_error;  ///< relative, of `integral`: both rules' estimates, their difference and the cut tail
-  Verdict verdict;
+  std::optional<Verdict> verdict;  ///< empty where the integral is not good enough to say
 };
 
 /// Largest relative difference that confirms a constant, and largest estimated error with which a check may
@@ -31,8 +31,8 @@ inline constexpr double normalisation_exponents[] = {0.1, 1, 2, 8, 64, 2048, 1e5
 /// Checks the constant of that id at each exponent (once, without one, where the constant has none).
 std::vector<NormalisationCheck> check_normalisation(const Normalisation& record);
 
-/// The verdict on a closed form: confirmed where the integral agrees within the tolerance and is itself that
-/// good.
-Verdict judge_normalisation(double relative_difference, double estimated_error);
+/// The verdict on a closed form: confirmed where the integral agrees within the tolerance, else refuted;
+/// empty where the estimated error of the integral exceeds the tolerance.
+std::optional<Verdict> judge_normalisation(double relative_difference, double estimated_error);
 
 }  // namespace shadefit

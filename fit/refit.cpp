@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "approx/catalogue.hpp"
@@ -14,29 +13,25 @@ namespace {
 
 constexpr std::array<double, 3> exponents_of_a_limit{1e4, 1e5, 1e6};
 
-std::size_t parameter_index(const FittableFamily& family, std::string_view name) {
-  const auto found = std::find(family.parameters.begin(), family.parameters.end(), name);
-  if (found == family.parameters.end())
-    throw std::logic_error("a record names a parameter that its family lacks");
-  return static_cast<std::size_t>(found - family.parameters.begin());
-}
-
-double fitted(FitCache& fits, double exponent, const Metric& metric, std::size_t parameter) {
+std::optional<double> fitted(FitCache& fits, double exponent, const Metric& metric, std::size_t parameter) {
   const Fit& fit = fits.at(exponent, metric);
-  if (fit.status != Status::converged) {
-    throw std::runtime_error("a published number rests on a fit of " + std::string(fit.family->id) +
-                             " that is " + std::string(name(fit.status)));
-  }
-  return fit.parameters[parameter];
+  return fit.status == Status::converged ? std::optional(fit.parameters[parameter]) : std::nullopt;
 }
 
 /// The value that a published number states, computed under a metric.
-double computed_value(FitCache& fits, const Published& published, const Metric& metric) {
+std::optional<double> computed_value(FitCache& fits, const Published& published, const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
-  if (published.statement == Statement::limit_of_fits) return extrapolate(fits, metric, parameter).limit;
+  if (published.statement == Statement::limit_of_fits) {
+    const auto law = extrapolate(fits, metric, parameter);
+    return law ? std::optional(law->limit) : std::nullopt;
+  }
   const auto exponents = exponents_of(published);
   double sum = 0;
-  for (const double exponent : exponents) sum += fitted(fits, exponent, metric, parameter);
+  for (const double exponent : exponents) {
+    const auto value = fitted(fits, exponent, metric, parameter);
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
   return sum / static_cast<double>(exponents.size());
 }
 
@@ -65,7 +60,7 @@ bool is_meant_for(const Published& published, const Fit& fit) {
 }  // namespace
 
 const Fit& FitCache::at(double exponent, const Metric& metric) {
-  const auto key = std::pair(metric.measure, exponent);
+  const auto key = std::pair(metric, exponent);
   const auto found = fits_.find(key);
   return found != fits_.end() ? found->second
                               : fits_.emplace(key, family_.fit(exponent, metric)).first->second;
@@ -77,20 +72,23 @@ std::vector<double> exponents_of(const Published& published) {
   return parse_sweep(published.exponents);
 }
 
-Assessment assess(FitCache& fits, const Published& published, const Metric& metric) {
-  const Alternative own{std::string(name(metric.measure)), computed_value(fits, published, metric)};
+std::optional<Assessment> assess(FitCache& fits, const Published& published, const Metric& metric) {
+  const auto computed = computed_value(fits, published, metric);
+  if (!computed) return std::nullopt;
   std::vector<Alternative> others;
   for (const Measure measure : measures) {
     if (measure == metric.measure) continue;
     Metric other = metric;
     other.measure = measure;
-    others.push_back({std::string(name(measure)), computed_value(fits, published, other)});
+    if (const auto value = computed_value(fits, published, other))
+      others.push_back({std::string(name(measure)), *value});
   }
   if (published.convention.value != nullptr) {
     others.push_back({std::string(published.convention.name), published.convention.value()});
   }
-  return {&published, metric, own.value, judge(published.printed, own, others),
-          effect_of_replacing(fits, published, metric, own.value)};
+  return Assessment{&published, metric, *computed,
+                    judge(published.printed, {std::string(name(metric.measure)), *computed}, others),
+                    effect_of_replacing(fits, published, metric, *computed)};
 }
 
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>& exponents,
@@ -101,9 +99,9 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>&
     for (const double exponent : fits.family().has_exponent() ? exponents : std::vector<double>{0}) {
       FitReport report{fits.at(exponent, metric), {}};
       for (const Published& published : published_constants) {
-        if (report.fit.status == Status::converged && is_meant_for(published, report.fit)) {
-          report.assessments.push_back(assess(fits, published, metric));
-        }
+        if (!is_meant_for(published, report.fit)) continue;
+        if (const auto assessment = assess(fits, published, metric))
+          report.assessments.push_back(*assessment);
       }
       reports.push_back(std::move(report));
     }
@@ -111,29 +109,40 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>&
   return reports;
 }
 
-Refit refit(const FittableFamily& family, const std::vector<double>& exponents,
-            std::span<const Measure> under) {
+Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Measure> under) {
+  // A number published for an exponent outside the sweep is fitted and judged too.
+  for (const Published& published : published_constants) {
+    const bool has_own = published.family == family.info.id && published.statement == Statement::best_fit;
+    if (has_own && family.has_exponent()) exponents.push_back(exponents_of(published).front());
+  }
+  std::sort(exponents.begin(), exponents.end());
+  exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
+
   FitCache fits(family);
   Refit result{&family, fit_and_assess(fits, exponents, under), {}};
   for (const Published& published : published_constants) {
     if (published.family != family.info.id || published.statement == Statement::best_fit) continue;
-    for (const Measure measure : under)
-      result.derived.push_back(assess(fits, published, {.measure = measure}));
+    for (const Measure measure : under) {
+      const auto assessment = assess(fits, published, {.measure = measure});
+      if (assessment) result.derived.push_back(*assessment);
+    }
   }
   return result;
 }
 
-Approach extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter) {
+std::optional<OffsetLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter) {
   std::array<double, 3> f, x;
   for (std::size_t i = 0; i < 3; ++i) {
     f[i] = 1 / exponents_of_a_limit[i];
-    x[i] = fitted(fits, exponents_of_a_limit[i], metric, parameter);
+    const auto value = fitted(fits, exponents_of_a_limit[i], metric, parameter);
+    if (!value) return std::nullopt;
+    x[i] = *value;
   }
   // Newton's divided differences: x(f) = x0 + d01 (f - f0) + d012 (f - f0)(f - f1), at f = 0
   const double d01 = (x[1] - x[0]) / (f[1] - f[0]);
   const double d12 = (x[2] - x[1]) / (f[2] - f[1]);
   const double d012 = (d12 - d01) / (f[2] - f[0]);
-  return {x[0] - d01 * f[0] + d012 * f[0] * f[1], d01 - d012 * (f[0] + f[1])};
+  return OffsetLaw<double>{x[0] - d01 * f[0] + d012 * f[0] * f[1], d01 - d012 * (f[0] + f[1])};
 }
 
 }  // namespace shadefit

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "approx/lobe.hpp"
 #include "approx/record.hpp"
 #include "fit/fit.hpp"
 #include "fit/verdict.hpp"
@@ -35,12 +37,6 @@ struct Refit {
   std::vector<Assessment> derived;  ///< the means and limits of fits, by published number, then by measure
 };
 
-/// The approach of a fitted parameter to its limit, x(k) = limit + slope / k + .., extrapolated from fits.
-struct Approach {
-  double limit;
-  double slope;
-};
-
 /// The fits of one family, each computed once. Not for use from several threads.
 class FitCache {
  public:
@@ -50,7 +46,7 @@ class FitCache {
 
  private:
   const FittableFamily& family_;
-  std::map<std::pair<Measure, double>, Fit> fits_;
+  std::map<std::pair<Metric, double>, Fit> fits_;
 };
 
 /// Fits the family at each exponent (once, where it has none) under each of `under`, and judges the published
@@ -58,17 +54,17 @@ class FitCache {
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>& exponents,
                                       std::span<const Measure> under);
 
-/// The same, with the means and limits that were published for the family: all there is to say about it.
-Refit refit(const FittableFamily& family, const std::vector<double>& exponents,
-            std::span<const Measure> under);
+/// All there is to say of a family: the exponents and those that numbers were published for, in rising order,
+/// and the means and limits of fits.
+Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Measure> under);
 
 /// Judges one published number of the cache's family: the value under `metric`, against the other measures
-/// and the record's own convention. Throws std::runtime_error where a fit that it needs did not converge.
-Assessment assess(FitCache& fits, const Published& published, const Metric& metric);
+/// and the record's own convention. Empty where a fit that the value needs did not converge.
+std::optional<Assessment> assess(FitCache& fits, const Published& published, const Metric& metric);
 
 /// Quadratic extrapolation in 1/k to 1/k = 0 from the fits at k = 1e4, 1e5, 1e6: exact but for terms in
-/// 1/k^3.
-Approach extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
+/// 1/k^3. Empty where one of them did not converge.
+std::optional<OffsetLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
 
 /// The exponents that a published number speaks of; a limit is looked at from k = 1e6, no exponent stands as
 /// {0}.

@@ -31,7 +31,11 @@ class Substitution {
  public:
   Substitution(const Metric& metric, const Shape& shape);
 
-  /// exp(-48) = 1.4e-21, below the rounding of a long double.
+  /// The cosine measure between two places that are known to full precision, uncut.
+  static Substitution between(const Cosine<double>& top, const Cosine<double>& bottom);
+
+  /// exp(-48) = 1.4e-21; with the t^3 that a gradient carries in t = k(1-c) the cut moves a fit by 2e-17 of
+  /// itself.
   static constexpr double decay = 48;
 
   template <class T>
@@ -69,6 +73,15 @@ class Substitution {
   long double rest_ = 0;    ///< from s = 1 to c = 0
   long double total_ = 1;
 };
+
+inline Substitution Substitution::between(const Cosine<double>& top, const Cosine<double>& bottom) {
+  Substitution result(Metric{}, Shape{});
+  result.near_ = top.one_minus_cos;
+  result.length_ = bottom.one_minus_cos - top.one_minus_cos;
+  result.rest_ = bottom.cos_theta;
+  result.total_ = result.length_;
+  return result;
+}
 
 inline Substitution::Substitution(const Metric& metric, const Shape& shape) : measure_(metric.measure) {
   const long double top = 1.0L - static_cast<long double>(metric.domain.upper);

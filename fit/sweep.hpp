@@ -11,9 +11,10 @@ namespace shadefit {
 /// text, NaN, infinities, numbers beyond double. Free of the locale.
 std::optional<double> parse_number(std::string_view text);
 
-/// Numbers and ranges A:B:STEP, by commas: "1:15:1,25,50". A range includes B within half a step. Every
-/// number has to be finite and greater than 0, a step greater than 0, B at least A, a range at most 100 000
-/// numbers. Throws UserError with one line that names the part, its value and the rule.
+/// Numbers and ranges A:B:STEP, by commas: "1:15:1,25,50". A range includes B where a step ends within half a
+/// step of it, and no number beyond B; its numbers are rounded to 15 digits. Every number has to be finite
+/// and greater than 0, B at least A, and all of them together at most 100 000. Throws UserError with one line
+/// that names the part, its value and the rule.
 std::vector<double> parse_sweep(std::string_view text);
 
 }  // namespace shadefit

@@ -21,12 +21,12 @@ long units_off(std::string_view printed, double computed) {
 
 Judgement judge(std::string_view printed, const Alternative& computed, std::span<const Alternative> others) {
   const long off = units_off(printed, computed.value);
-  if (off == 0) return {Verdict::confirmed, computed.objective};
-  if (off == 1) return {Verdict::rounding, computed.objective};
+  if (off == 0) return {Verdict::confirmed, computed.objective, computed.value};
+  if (off == 1) return {Verdict::rounding, computed.objective, computed.value};
   for (const Alternative& other : others) {
-    if (units_off(printed, other.value) == 0) return {Verdict::other_objective, other.objective};
+    if (units_off(printed, other.value) == 0) return {Verdict::other_objective, other.objective, other.value};
   }
-  return {Verdict::refuted, ""};
+  return {Verdict::refuted, "", computed.value};
 }
 
 }  // namespace shadefit

@@ -38,7 +38,8 @@ struct Alternative {
 
 struct Judgement {
   Verdict verdict;
-  std::string objective;  ///< under which the printed digits come out; empty for `refuted`
+  std::string objective;  ///< under which the printed digits come out, or come closest; empty for `refuted`
+  double value;           ///< computed under that objective; for `refuted` under the first
 };
 
 /// Judges a printed number against the value computed under one objective, then under the others in their

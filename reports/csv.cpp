@@ -6,44 +6,71 @@
 
 namespace shadefit {
 
-CsvTable parse_csv(const std::string& content, const std::string& name) {
+namespace {
+
+void require_plain_text(const std::string& content, const std::string& name) {
   if (content.empty()) throw UserError(fmt::format("'{}' is empty: a table needs a header line", name));
+  if (content.starts_with("\xEF\xBB\xBF"))
+    throw UserError(fmt::format("'{}' begins with a byte order mark: a table is plain UTF-8", name));
+  std::size_t line = 1;
+  for (const char c : content) {
+    if (c == '\r')
+      throw UserError(fmt::format("'{}' line {} has a carriage return: lines end in LF alone", name, line));
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < 0x20 && c != '\n') || byte == 0x7F) {
+      throw UserError(
+          fmt::format("'{}' line {} holds the byte 0x{:02x}: a table is plain text", name, line, byte));
+    }
+    line += c == '\n';
+  }
   if (content.back() != '\n')
     throw UserError(fmt::format("'{}' is truncated: its last line has no end", name));
-  CsvTable table;
-  std::vector<std::string> row(1);
-  std::size_t line = 1;
-  bool is_quoted = false;
-  for (std::size_t i = 0; i < content.size(); ++i) {
-    const char c = content[i];
-    if (is_quoted) {
-      if (c != '"') {
-        row.back() += c;
-      } else if (content[i + 1] == '"') {
-        row.back() += content[++i];
-      } else {
-        is_quoted = false;
+}
+
+/// The cells of one line; a quoted cell ends in its quote and doubles quotes inside.
+std::vector<std::string> parse_line(const std::string& text, const std::string& name, std::size_t line) {
+  const auto refuse = [&](const char* rule) {
+    throw UserError(fmt::format("'{}' line {} {}", name, line, rule));
+  };
+  std::vector<std::string> cells;
+  std::size_t i = 0;
+  do {
+    std::string& cell = cells.emplace_back();
+    if (i < text.size() && text[i] == '"') {
+      for (++i; i < text.size() && (text[i] != '"' || text.substr(i, 2) == "\"\""); ++i) {
+        cell += text[i];
+        i += text[i] == '"';
       }
-    } else if (c == '"' && row.back().empty()) {
-      is_quoted = true;
-    } else if (c == ',') {
-      row.emplace_back();
-    } else if (c == '\n') {
-      if (table.columns.empty()) {
-        table.columns = row;
-      } else if (row.size() == table.columns.size()) {
-        table.rows.push_back(row);
-      } else {
-        throw UserError(fmt::format("'{}' line {} has {} cells: the header has {}", name, line, row.size(),
-                                    table.columns.size()));
-      }
-      row.assign(1, "");
-      ++line;
+      if (i == text.size()) refuse("opens a quote and never closes it");
+      ++i;
+      if (i < text.size() && text[i] != ',') refuse("has text after a closing quote");
     } else {
-      row.back() += c;
+      for (; i < text.size() && text[i] != ','; ++i) cell += text[i];
+      if (cell.find('"') != std::string::npos) refuse("has a quote inside a cell that is not quoted");
+    }
+  } while (i++ < text.size());
+  return cells;
+}
+
+}  // namespace
+
+CsvTable parse_csv(const std::string& content, const std::string& name) {
+  require_plain_text(content, name);
+  CsvTable table;
+  std::size_t line = 1;
+  for (std::size_t begin = 0; begin < content.size(); ++line) {
+    const std::size_t end = content.find('\n', begin);
+    auto cells = parse_line(content.substr(begin, end - begin), name, line);
+    begin = end + 1;
+    if (table.columns.empty()) {
+      table.columns = std::move(cells);
+    } else if (cells.size() == table.columns.size()) {
+      table.rows.push_back(std::move(cells));
+    } else {
+      throw UserError(fmt::format("'{}' line {} has {} cells: the header has {}", name, line, cells.size(),
+                                  table.columns.size()));
     }
   }
-  if (is_quoted) throw UserError(fmt::format("'{}' is truncated: a quote opened and never closed", name));
   return table;
 }
 

@@ -8,11 +8,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json domain_json(const Domain& domain) {
+  return {domain.lower, domain.upper};
+}
+
 Json objective_json(const Metric& metric) {
   return {{"measure", name(metric.measure)},
           {"norm", name(metric.norm)},
           {"error", name(metric.error)},
-          {"domain", {metric.domain.lower, metric.domain.upper}}};
+          {"domain", domain_json(metric.domain)}};
 }
 
 Json assessment_json(const Assessment& assessment) {
@@ -65,9 +69,9 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"rms_error", answer(fit.rms_error)},
           {"max_abs_error", answer(fit.max_abs_error.magnitude)},
           {"max_abs_error_at", answer(fit.max_abs_error.at.cos_theta)},
-          {"max_rel_error", answer(fit.max_rel_error.magnitude)},
-          {"max_rel_error_at", answer(fit.max_rel_error.at.cos_theta)},
-          {"relative_domain", {fit.relative_domain.lower, fit.relative_domain.upper}},
+          {"max_rel_error", fit.max_rel_error ? Json(fit.max_rel_error->magnitude) : Json()},
+          {"max_rel_error_at", fit.max_rel_error ? Json(fit.max_rel_error->at.cos_theta) : Json()},
+          {"relative_domain", fit.max_rel_error ? domain_json(fit.relative_domain) : Json()},
           {"relative_to", fit.relative_to},
           {"status", name(fit.status)},
           {"iterations", fit.iterations},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "approx/catalogue.hpp"
 #include "reports/tables.hpp"
@@ -62,7 +63,9 @@ std::string published_paragraph(const Refit& refit, const Published& published) 
   }
   const Judgement& judgement = found.front()->judgement;
   out += fmt::format(". Verdict: **{}**", name(judgement.verdict));
-  if (judgement.verdict == Verdict::refuted) {
+  if (judgement.verdict == Verdict::rounding) {
+    out += fmt::format("; off by one in the last printed digit under the {} measure", judgement.objective);
+  } else if (judgement.verdict == Verdict::refuted) {
     out += "; no metric tried here gives the printed digits";
   } else if (judgement.objective == published.convention.name) {
     out += fmt::format("; not a best fit: its digits are those of the convention {}, {} = {}",
@@ -83,22 +86,40 @@ std::string published_section(const Refit& refit) {
   return out + "\n";
 }
 
-/// One row per exponent, the measures side by side.
+/// The number published as the mean over a sweep, to be used at every exponent; null where there is none.
+const Published* published_mean(const Refit& refit) {
+  const auto found =
+      std::find_if(published_constants.begin(), published_constants.end(), [&](const Published& p) {
+        return p.family == refit.family->info.id && p.statement == Statement::mean_of_fits;
+      });
+  return found == published_constants.end() ? nullptr : &*found;
+}
+
+/// One row per exponent, the measures side by side, and what the published mean costs there.
 Table sweep_overview(const Refit& refit) {
+  const std::string parameter(refit.family->parameters[0]);
+  const Published* mean = published_mean(refit);
   Table table{{"k"}, {}};
   for (const Measure measure : measures) {
-    for (const std::string_view column : {refit.family->parameters[0], std::string_view("rms error"),
-                                          std::string_view("max abs error"), std::string_view("at c")}) {
+    for (const std::string& column :
+         {parameter, std::string("rms error"), std::string("max abs error"), std::string("at c")}) {
       table.columns.push_back(fmt::format("{} ({})", column, name(measure)));
     }
   }
+  if (mean != nullptr)
+    table.columns.push_back(fmt::format("max abs error at {} = {}", parameter, mean->printed));
   const std::size_t count = refit.fits.size() / measures.size();
   for (std::size_t i = 0; i < count; ++i) {
-    std::vector<Cell> row{Number{*refit.fits[i].fit.exponent, 10}};
+    const double exponent = *refit.fits[i].fit.exponent;
+    std::vector<Cell> row{Number{exponent, 10}};
     for (std::size_t m = 0; m < measures.size(); ++m) {
       const Fit& fit = refit.fits[m * count + i].fit;
       row.insert(row.end(), {converged(fit.parameters[0]), Number{fit.rms_error, 4},
-                             Number{fit.max_abs_error.magnitude, 4}, place(fit.max_abs_error.at.cos_theta)});
+                             Number{fit.max_abs_error.magnitude, 4}, place(fit.max_abs_error.at)});
+    }
+    if (mean != nullptr) {
+      const std::array fixed{constant<double>(mean->printed)};
+      row.push_back(Number{refit.family->max_abs_error(exponent, {}, fixed).magnitude, 4});
     }
     table.rows.push_back(row);
   }
@@ -116,8 +137,8 @@ Table single_overview(const Refit& refit) {
     std::vector<Cell> row{std::string(name(fit.metric.measure))};
     for (const double p : fit.parameters) row.push_back(converged(p));
     row.insert(row.end(), {Number{fit.rms_error, 4}, Number{fit.max_abs_error.magnitude, 4},
-                           place(fit.max_abs_error.at.cos_theta), Number{fit.max_rel_error.magnitude, 4},
-                           place(fit.max_rel_error.at.cos_theta), static_cast<long>(fit.digits)});
+                           place(fit.max_abs_error.at), Number{fit.max_rel_error->magnitude, 4},
+                           place(fit.max_rel_error->at), static_cast<long>(fit.digits)});
     table.rows.push_back(row);
   }
   return table;
@@ -130,9 +151,7 @@ std::string variants_section(const Refit& refit) {
   const auto best = refit.fits.front().fit;
   for (const Published& published : published_constants) {
     if (published.family != family.info.id) continue;
-    const auto i = static_cast<std::size_t>(
-        std::find(family.parameters.begin(), family.parameters.end(), published.parameter) -
-        family.parameters.begin());
+    const auto i = parameter_index(family, published.parameter);
     for (const Variant& variant : published.variants) {
       auto from = best.parameters, to = from;
       from[i] = constant<double>(published.printed);
@@ -153,15 +172,15 @@ std::string offset_law_section(const Refit& refit) {
   for (const Measure measure : measures) {
     const auto expansion = peak_expansion(measure);
     const auto law = offset_law(expansion.p, expansion.w);
-    const auto approach = extrapolate(fits, {.measure = measure}, 0);
+    const auto fitted = extrapolate(fits, {.measure = measure}, 0);
+    if (!fitted) continue;
     // The extrapolated slope is a difference of offsets over 1e-4: 1e-16 of them is 1e-12, and the cubic term
     // 1e-9.
-    table.rows.push_back({std::string(name(measure)), converged(law.limit), converged(approach.limit),
-                          converged(law.slope), Number{approach.slope, 6}});
+    table.rows.push_back({std::string(name(measure)), converged(law.limit), converged(fitted->limit),
+                          converged(law.slope), Number{fitted->slope, 6}});
   }
   return "For large k the best offset follows x(k) = limit + slope / k. Derived by asymptotic expansion "
-         "(approx/lobe.hpp), "
-         "and extrapolated from the fits at k = 1e4, 1e5, 1e6:\n\n" +
+         "(approx/lobe.hpp), and extrapolated from the fits at k = 1e4, 1e5, 1e6:\n\n" +
          markdown(table);
 }
 
@@ -174,9 +193,9 @@ std::string sweep_words(const Refit& refit) {
     last = &report;
   }
   return fmt::format(
-      "The error of the best curve is largest at k = {}, {:.3g} at c = {:.3g} (peak 1), and falls with k: "
-      "{:.3g} at k = {}. "
-      "A single offset for all exponents is a compromise that costs little where the lobe is sharp.\n\n",
+      "The error of the best curve is largest at k = {}, {:.3g} at c = {:.3g} (the peak is 1), and falls "
+      "with k: {:.3g} "
+      "at k = {}. The last column is what one published number costs at every k.\n\n",
       *worst->fit.exponent, worst->fit.max_abs_error.magnitude, worst->fit.max_abs_error.at.cos_theta,
       last->fit.max_abs_error.magnitude, *last->fit.exponent);
 }
@@ -185,10 +204,10 @@ std::string single_words(const Refit& refit) {
   const Fit& fit = refit.fits.front().fit;
   return fmt::format(
       "Under the {} measure the best curve is off by at most {:.3g} at c = {:.3g}. What a shader shows is "
-      "{}: there the largest "
-      "relative error is {:.3g}, at c = {:.3g}.\n\n",
+      "{}: there "
+      "the largest relative error is {:.3g}, at c = {:.3g}.\n\n",
       name(fit.metric.measure), fit.max_abs_error.magnitude, fit.max_abs_error.at.cos_theta, fit.relative_to,
-      fit.max_rel_error.magnitude, fit.max_rel_error.at.cos_theta);
+      fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
 }
 
 std::string family_section(const Refit& refit) {
@@ -212,12 +231,13 @@ std::string family_section(const Refit& refit) {
 std::string normalisation_section(const Results& results) {
   std::string out =
       "## Normalisation, with view and normal aligned\n\n"
-      "Each published constant against 1 over the integral of its lobe over the hemisphere, by two rules "
-      "that share nothing but "
-      "the lobe: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference below the "
-      "tolerance prints "
-      "as 0; the estimated error is the bound that both rules, their difference and the cut tail stay "
-      "below.\n\n";
+      "Each published constant against 1 over the integral of its lobe over the hemisphere, by two rules in "
+      "two "
+      "variables: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference below "
+      "the tolerance "
+      "prints as 0; the estimated error prints as the bound that both rules, their difference and the cut "
+      "tail together "
+      "stay below.\n\n";
   Table lobes{{"constant", "lobe", "printed", "source"}, {}};
   for (const Normalisation& record : normalisations) {
     const bool is_checked = std::any_of(results.normalisations.begin(), results.normalisations.end(),
@@ -236,13 +256,14 @@ std::string write_report(const Results& results) {
   std::string out =
       "# shadefit report\n\n"
       "Constants of real-time shading, refitted and checked. A verdict compares the printed digits with the "
-      "computed number: "
-      "*confirmed*, all printed digits; *rounding*, the last one off by one; *other-objective*, another "
-      "named metric or "
-      "convention gives them; *refuted*, none does. `c` is a cosine in [0, 1]; the `cosine` measure dc "
-      "weighs solid angle evenly, "
-      "the `angle` measure dc/sqrt(1-c^2) the angle. Fits are continuous least squares of the absolute "
-      "error.\n\n"
+      "computed "
+      "number: *confirmed*, all printed digits; *rounding*, the last one off by one; *other-objective*, "
+      "another named "
+      "metric or convention gives them; *refuted*, none does. `c` is a cosine in [0, 1]; the `cosine` "
+      "measure dc weighs "
+      "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) the angle. Fits are continuous least squares "
+      "of the "
+      "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";
   out += markdown(summary_table(results));
   for (const Refit& refit : results.refits) out += family_section(refit);

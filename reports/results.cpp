@@ -1,5 +1,7 @@
 #include "reports/results.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "approx/catalogue.hpp"
@@ -57,7 +59,11 @@ void require_known(const std::string& id, const std::vector<std::string>& known,
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(id, a) < edit_distance(id, b);
   });
-  throw UserError("unknown " + what + " '" + id + "': did you mean '" + *nearest + "'?");
+  // A suggestion that shares less than half of its letters is none.
+  const bool is_near = 2 * edit_distance(id, *nearest) <= nearest->size();
+  throw UserError("unknown " + what + " '" + id + "': " +
+                  (is_near ? "did you mean '" + *nearest + "'?"
+                           : "it must be one of " + fmt::format("{}", fmt::join(known, ", "))));
 }
 
 Results compute_results(const std::vector<std::string>& ids) {

@@ -24,8 +24,8 @@ Results compute_results(const std::vector<std::string>& ids);
 /// Whether every fit converged and every normalisation was confirmed.
 bool all_checks_passed(const Results& results);
 
-/// Throws UserError, suggesting the nearest known id, unless `id` is one of `known`. `what` says what it
-/// should name.
+/// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of
+/// `known`. `what` says what it should name.
 void require_known(const std::string& id, const std::vector<std::string>& known, const std::string& what);
 
 }  // namespace shadefit

@@ -33,8 +33,9 @@ Cell converged(double value) {
   return Number{value, parameter_digits};
 }
 
-Cell place(double value) {
-  return Number{value, place_digits};
+Cell place(const Cosine<double>& at) {
+  const int zeros = at.one_minus_cos > 0 ? -1 - decimal_exponent(at.one_minus_cos) : 0;
+  return Number{at.cos_theta, std::max(place_digits, zeros + 3)};
 }
 
 Cell difference(double value, double minuend) {

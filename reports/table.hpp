@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "approx/cosine.hpp"
+
 /// The result record: one table, several writers.
 namespace shadefit {
 
@@ -36,8 +38,8 @@ std::string text(const Cell& cell, Precision precision);
 /// 10 digits: a converged parameter, or an error that was computed without cancellation.
 Cell converged(double value);
 
-/// 6 digits: the place of an extremum.
-Cell place(double value);
+/// The cosine of a place: 6 digits, or as many more as leave three of 1 - c, where sharp lobes have theirs.
+Cell place(const Cosine<double>& at);
 
 /// A difference of `minuend` minus something, to the decimals that the ten digits of the minuend reach.
 Cell difference(double value, double minuend);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "approx/catalogue.hpp"
 
@@ -33,13 +34,12 @@ PublishedCells published_cells(const Refit& refit, const FitReport* report, std:
                        {},
                        word(citation(assessment->published->source))};
   if (report != nullptr) {
-    // The error of the curve as published: all its printed parameters together.
+    // The error of the curve as published: all the parameters that the same source prints together.
     auto parameters = report->fit.parameters;
     for (const Assessment& other : report->assessments) {
-      const auto& names = refit.family->parameters;
-      const auto i = static_cast<std::size_t>(
-          std::find(names.begin(), names.end(), other.published->parameter) - names.begin());
-      if (i != parameter) parameters[i] = constant<double>(other.published->printed);
+      const auto i = parameter_index(*refit.family, other.published->parameter);
+      const bool is_same_source = other.published->source.place == assessment->published->source.place;
+      if (i != parameter && is_same_source) parameters[i] = constant<double>(other.published->printed);
     }
     parameters[parameter] = printed;
     cells.max_abs_error = converged(
@@ -74,7 +74,7 @@ void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, st
   append_metric(row, refit, fit.metric);
   if (is_answer) {
     append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
-                 place(fit.max_abs_error.at.cos_theta), cells.max_abs_error, static_cast<long>(fit.digits)});
+                 place(fit.max_abs_error.at), cells.max_abs_error, static_cast<long>(fit.digits)});
   } else {
     append(row, {{}, {}, {}, {}, static_cast<long>(fit.digits)});
   }
@@ -144,8 +144,8 @@ Table fits_overview(const Refit& refit) {
                {std::string(name(fit.status)), static_cast<long>(fit.digits),
                 is_answer ? Cell(Number{fit.rms_error, 4}) : Cell(),
                 is_answer ? Cell(Number{fit.max_abs_error.magnitude, 4}) : Cell(),
-                is_answer ? place(fit.max_abs_error.at.cos_theta) : Cell(),
-                fmt::format("{}", fmt::join(printed, ", ")), fmt::format("{}", fmt::join(verdicts, ", "))});
+                is_answer ? place(fit.max_abs_error.at) : Cell(), fmt::format("{}", fmt::join(printed, ", ")),
+                fmt::format("{}", fmt::join(verdicts, ", "))});
     table.rows.push_back(row);
   }
   return table;
@@ -161,7 +161,7 @@ Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
                           converged(check.closed_form), converged(check.integral),
                           above_floor(check.relative_difference, normalisation_tolerance),
                           Number{is_good ? normalisation_tolerance : check.estimated_error, 2},
-                          word(name(check.verdict))});
+                          word(check.verdict ? name(*check.verdict) : name(Status::not_converged))});
   }
   return table;
 }
@@ -172,7 +172,7 @@ Table summary_table(const Results& results) {
   const auto add = [&](const Assessment& assessment, Cell digits) {
     if (assessment.metric.measure != measures.front()) return;
     table.rows.push_back({word(assessment.published->id), word(assessment.published->printed),
-                          converged(assessment.computed), word(name(assessment.judgement.verdict)),
+                          converged(assessment.judgement.value), word(name(assessment.judgement.verdict)),
                           word(assessment.judgement.objective), digits});
   };
   for (const Refit& refit : results.refits) {
@@ -221,9 +221,13 @@ std::string citation(const Source& source) {
 
 std::string sentence(const Effect& effect) {
   if (effect.absolute.magnitude == 0) return "none";
-  return fmt::format("moves the curve by at most {:.2g} at c = {:.3g}, {:.2g} half ulps, {:.2g} sRGB codes",
-                     effect.absolute.magnitude, effect.absolute.at.cos_theta, effect.half_ulps,
-                     effect.srgb_codes);
+  if (!std::isfinite(effect.absolute.magnitude)) return "the curve leaves the range of a double";
+  return fmt::format(
+      "moves the curve by at most {:.2g} (at c = {:.3g}), {:.2g} of its value, {:.2g} ulps of a half float, "
+      "{:.2g} "
+      "8-bit sRGB codes, each at its own worst c",
+      effect.absolute.magnitude, effect.absolute.at.cos_theta, effect.relative, effect.half_ulps,
+      effect.srgb_codes);
 }
 
 }  // namespace shadefit

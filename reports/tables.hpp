@@ -40,7 +40,7 @@ Table list_table();
 /// "author year, title, place"
 std::string citation(const Source& source);
 
-/// "moves the curve by at most 3.7e-06 at c = 0.28 (0.48 half ulps, 0.0017 sRGB codes)"
+/// "moves the curve by at most 3.7e-06 (at c = 0.284), 0.00013 of its value, ..", or "none".
 std::string sentence(const Effect& effect);
 
 }  // namespace shadefit

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/command_line.hpp"
@@ -24,6 +25,11 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
                  "unknown constant to fit 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
   expect_refusal({"fit", "sg-ofset"}, "unknown constant to fit 'sg-ofset': did you mean 'sg-offset'?");
   expect_refusal({"run", "--only", "norm-fong"}, "unknown constant 'norm-fong': did you mean 'norm-phong'?");
+  expect_refusal({"fit", "norm-phong"},
+                 "'norm-phong' is integrated, not fitted: see 'shadefit run --only norm-phong'");
+  expect_refusal({"plot"}, "unknown command 'plot': it must be one of list, run, fit, check");
+  expect_refusal({"fit", "sg\n-offset"},
+                 "unknown constant to fit 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");
 }
 
@@ -32,10 +38,12 @@ TEST(BadInput, Exponents) {
   expect_refusal({"fit", "sg-offset", "--exponent", "0"}, "--exponent '0' is not greater than 0" + rule);
   expect_refusal({"fit", "sg-offset", "--exponent", "-1"}, "--exponent '-1' is not greater than 0" + rule);
   expect_refusal({"fit", "sg-offset", "--exponent=-2.5"}, "--exponent '-2.5' is not greater than 0" + rule);
-  for (const char* text : {"nan", "inf", "-inf", "five", "1e400", ""}) {
+  for (const char* text : {"nan", "inf", "-inf", "five", ""}) {
     expect_refusal({"fit", "sg-offset", "--exponent", text},
                    "--exponent '" + std::string(text) + "' is not a finite number" + rule);
   }
+  expect_refusal({"fit", "sg-offset", "--exponent", "1e400"},
+                 "--exponent '1e400' is beyond the range of a double" + rule);
   expect_refusal({"fit", "sg-offset", "--exponent", "1:2"},
                  "--exponent '1:2' is not a range A:B:STEP" + rule);
   expect_refusal({"fit", "fresnel-quadratic", "--exponent", "5"},
@@ -50,9 +58,12 @@ TEST(BadInput, OutputPaths) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("file", "kept");
   const std::string rule = ": it must be a directory, or free to become one";
-  expect_refusal({"run", "--out", file}, "output directory '" + file + "' is a file" + rule);
-  expect_refusal({"run", "--out", file + "/below"},
-                 "output directory '" + file + "/below' lies below '" + file + "', which is a file" + rule);
+  expect_refusal({"run", "--out", file}, "output directory '" + file + "' is no directory" + rule);
+  expect_refusal({"run", "--out", file + "/below"}, "output directory '" + file + "/below' lies below '" +
+                                                        file + "', which is no directory" + rule);
+  expect_refusal({"run", "--out", "--no-plots"},
+                 "--out '--no-plots' looks like an option: name a value (a path may begin with './')");
+  EXPECT_FALSE(std::filesystem::exists("--no-plots"));
   expect_refusal({"run", "--out", ""}, "output directory '' is empty: name a directory");
   EXPECT_EQ(read_file(file), "kept");
 }
@@ -89,9 +100,17 @@ TEST(BadInput, Baselines) {
       << other.err;
 }
 
+TEST(BadInput, AVeryLongValueIsShortened) {
+  const Outcome outcome = run_command_line({"fit", std::string(100000, 'x')});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_LT(outcome.err.size(), 700U);
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+}
+
 TEST(BadInput, Usage) {
   const std::string help = " (see 'shadefit --help')";
   expect_refusal({}, "A subcommand is required" + help);
+  expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
   expect_refusal({"fit"}, "id is required" + help);
   expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + help);
   expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + help);

@@ -105,7 +105,7 @@ TEST(FitCommand, CsvAndConsole) {
 TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
   const Outcome outcome = run_command_line({"fit", "sg-offset", "--exponent", "5,1e160"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err, "shadefit: sg-offset at exponent 1e+160 did not converge: ambiguous\n");
+  EXPECT_EQ(outcome.err, "shadefit: sg-offset at exponent 1e+160 did not converge: not-converged\n");
   EXPECT_NE(outcome.out.find("0.78754461967478"), std::string::npos) << "the others are still printed";
 }
 

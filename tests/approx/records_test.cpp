@@ -40,6 +40,9 @@ TEST(Records, PublishedConstantsBelongToFamilies) {
     EXPECT_NO_THROW(exponents_of(record)) << record.id;
     const bool needs_exponents = family->has_exponent() && record.statement != Statement::limit_of_fits;
     EXPECT_EQ(record.exponents.empty(), !needs_exponents) << record.id;
+    if (record.statement == Statement::best_fit) {
+      EXPECT_EQ(exponents_of(record).size(), 1U) << record.id << ": one fit has one exponent";
+    }
   }
 }
 

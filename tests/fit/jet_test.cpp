@@ -95,6 +95,38 @@ TEST(Jet, DerivativesAtTheEndsOfTheDomain) {
   EXPECT_EQ(power(Jet(1, 0), Jet(2.5)).v[0], 2.5);
   EXPECT_EQ(power(Jet(0, 0), 5).v[0], 0);
   EXPECT_EQ(log1p_remainder(Jet(0, 0)).v[0], 0);
+  EXPECT_TRUE(std::isinf(sqrt(Jet(0, 0)).v[0]));
+  EXPECT_TRUE(std::isinf(log(Jet(0, 0)).v[0]));
+  EXPECT_TRUE(std::isinf(log1p(Jet(-1, 0)).v[0]));
+  EXPECT_TRUE(std::isinf(log1p_remainder(Jet(-1, 0)).v[0]));
+  EXPECT_EQ(power(Jet(0.0), Jet(0.5, 0)).v[0], 0) << "0^p stays 0 as p varies";
+  EXPECT_EQ(power(Jet(0.0), Jet(2.5, 0)).v[0], 0);
+}
+
+TEST(Jet, WhatDoesNotVaryHasNoDerivativeWhereTheSlopeIsInfinite) {
+  using Jet = ceres::Jet<double, 1>;
+  EXPECT_EQ(sqrt(Jet(0.0)).v[0], 0);
+  EXPECT_EQ(log(Jet(0.0)).v[0], 0);
+  EXPECT_EQ(log2(Jet(0.0)).v[0], 0);
+  EXPECT_EQ(log1p(Jet(-1.0)).v[0], 0);
+  EXPECT_EQ(log1p_remainder(Jet(-1.0)).v[0], 0);
+  EXPECT_EQ(power(Jet(0.0), Jet(0.5)).v[0], 0);
+}
+
+TEST(Jet, SecondDerivativesWhereTheFirstIsZero) {
+  using Inner = ceres::Jet<double, 1>;
+  using Outer = ceres::Jet<Inner, 1>;
+  const auto at = [](double x) {
+    Outer t(Inner(x, 0));
+    t.v[0] = Inner(1.0);
+    return t;
+  };
+  const auto two = lift<Outer>(2.0), half = lift<Outer>(0.5);
+  // d^2/dt^2 of 0.5^(2 + t^2) at 0 is 2 ln(0.5) / 4: the exponent has no first derivative, but a second one
+  EXPECT_NEAR(power(half, two + at(0) * at(0)).v[0].v[0], std::log(0.5) / 2, 1e-16);
+  EXPECT_EQ(power(at(0), lift<Outer>(1.0)).v[0].v[0], 0) << "t^1 is straight";
+  EXPECT_EQ(power(at(0), lift<Outer>(2.0)).v[0].v[0], 2);
+  EXPECT_EQ(power(at(0), lift<Outer>(3.0)).v[0].v[0], 0);
 }
 
 TEST(Lift, KeepsValuesAndHasNoDerivatives) {

@@ -74,12 +74,21 @@ TEST(LeastSquares, ApproachesTheDerivedLaw) {
   }
 }
 
+// As k falls to 0 the lobe is 1 + k log c + .. and the Gaussian 1 - (k + x) y + ..: the best x/k is that of
+// fitting log c + y by -(x/k) y, which is 5/4 for the cosine; for the angle 1.19526 as 30 digits of another
+// program say.
 TEST(LeastSquares, AnyPositiveExponentConvergesFarBeyondThePromise) {
+  for (const double k : {1e-12, 1e-9, 1e-6}) {
+    EXPECT_NEAR(find_family("sg-offset")->fit(k, {}).parameters[0] / k, 1.25, 2 * k + 1e-14) << k;
+    EXPECT_NEAR(find_family("sg-offset")->fit(k, {.measure = Measure::angle}).parameters[0] / k,
+                1.1952619909676797, 2 * k + 1e-14)
+        << k;
+  }
   for (const double k : {1e-12, 1e-6, 1e-3, 0.05, 1e7, 1e9, 1e12}) {
     for (const Measure measure : measures) {
       const Fit fit = find_family("sg-offset")->fit(k, {.measure = measure});
       EXPECT_EQ(fit.status, Status::converged) << k << " " << name(measure);
-      EXPECT_GT(fit.parameters[0], 0);
+      EXPECT_EQ(fit.digits, 14) << k << " " << name(measure);
       EXPECT_LT(fit.parameters[0], 1) << "Lagarde 2012: the optimum lies between 0 and 1";
     }
   }
@@ -88,7 +97,7 @@ TEST(LeastSquares, AnyPositiveExponentConvergesFarBeyondThePromise) {
 TEST(LeastSquares, SaysSoWhenItFails) {
   // At k = 1e160 the square of 1/k has no double: nothing can be fitted, and no start may pass for an answer.
   const Fit fit = find_family("sg-offset")->fit(1e160, {});
-  EXPECT_NE(fit.status, Status::converged);
+  EXPECT_EQ(fit.status, Status::not_converged);
   EXPECT_EQ(fit.digits, 0);
 }
 
@@ -118,9 +127,9 @@ struct NotFinite : SgOffset {
 };
 
 TEST(LeastSquares, FlatTwofoldAndInfiniteProblemsAreNotConverged) {
-  EXPECT_EQ(solve_least_squares(Flat{{1}}, Metric{}).status, Status::ambiguous);
+  EXPECT_EQ(solve_least_squares(Flat{{1}}, Metric{}).status, Status::not_finite) << "0/0 is no Newton step";
   EXPECT_EQ(solve_least_squares(TwoMinima{{1}}, Metric{}).status, Status::ambiguous);
-  EXPECT_NE(solve_least_squares(NotFinite{{1}}, Metric{}).status, Status::converged);
+  EXPECT_EQ(solve_least_squares(NotFinite{{1}}, Metric{}).status, Status::not_finite);
 }
 
 /// A maximum or saddle has a zero gradient too: error = cos(p), whose square is largest at p = 0.
@@ -133,19 +142,43 @@ struct AtMaximum : SgOffset {
 };
 
 TEST(LeastSquares, AMaximumIsNotAnAnswer) {
-  EXPECT_NE(solve_least_squares(AtMaximum{{1}}, Metric{}).status, Status::converged);
+  EXPECT_EQ(solve_least_squares(AtMaximum{{1}}, Metric{}).status, Status::not_converged);
 }
 
-// The stated digits are honest: never more than the reference shows.
-TEST(LeastSquares, DigitsDoNotOverstate) {
-  for (const auto& reference : testing::read_references()) {
-    const FittableFamily& family = *find_family(reference.constant);
-    const Fit fit = family.fit(reference.exponent.value_or(0), {.measure = measure_of(reference.measure)});
-    const auto i = std::find(family.parameters.begin(), family.parameters.end(), reference.parameter) -
-                   family.parameters.begin();
-    const Decimal50 error = abs(Decimal50(fit.parameters[static_cast<std::size_t>(i)]) / reference.value - 1);
-    EXPECT_LE(error, pow(Decimal50(10), -fit.digits)) << reference.describe();
+TEST(CorrectDigits, AreWholeAndCapped) {
+  EXPECT_EQ(correct_digits(1e-6L), 6);
+  EXPECT_EQ(correct_digits(1.1e-6L), 5);
+  EXPECT_EQ(correct_digits(0.9e-6L), 6);
+  EXPECT_EQ(correct_digits(1e-14L), 14);
+  EXPECT_EQ(correct_digits(1e-19L), 14);
+  EXPECT_EQ(correct_digits(0), 14);
+  EXPECT_EQ(correct_digits(2), 0);
+  EXPECT_EQ(correct_digits(std::numeric_limits<long double>::infinity()), 0);
+  EXPECT_EQ(correct_digits(std::numeric_limits<long double>::quiet_NaN()), 0);
+}
+
+/// A family that no rule of ours integrates: |c - 1/3|^0.1 has its kink inside.
+struct Kinked : SgOffset {
+  static std::array<std::array<double, 1>, 3> starts() { return {{{0.1}, {0.5}, {1}}}; }
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, 1>& p) const {
+    const T from_kink = s.one_minus_cos - integer<T>(2) / integer<T>(3);
+    return lift<P>(power(max(from_kink, -from_kink), constant<T>("0.1"))) - p[0];
   }
+};
+
+// The best constant is the mean, (1/3^1.1 + (2/3)^1.1) / 1.1. Where the rules do not settle, `digits` says
+// how far they came, and not more.
+TEST(LeastSquares, DigitsDoNotOverstateWhereNoRuleSettles) {
+  const auto optimum = solve_least_squares(Kinked{{1}}, Metric{});
+  EXPECT_EQ(optimum.status, Status::not_converged);
+  const Decimal50 p("1.1");
+  const Decimal50 truth = (pow(Decimal50(1) / 3, p) + pow(Decimal50(2) / 3, p)) / p;
+  const Decimal50 error = abs(Decimal50(optimum.parameters[0]) / truth - 1);
+  EXPECT_LT(optimum.digits, 6);
+  EXPECT_GT(optimum.digits, 0);
+  // two rules of which neither is right agree by chance to at most one digit more than either has
+  EXPECT_LE(error, pow(Decimal50(10), 1 - optimum.digits));
 }
 
 // Gradient and Hessian by Jets of Jets against central differences of the summed square itself, in long

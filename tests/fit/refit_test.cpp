@@ -34,8 +34,8 @@ TEST(Assess, PublishedNumbersUnderBothMeasures) {
     const Published& published = published_constants[i];
     ASSERT_EQ(published.id, expected[i].id);
     FitCache fits(*find_family(published.family));
-    const auto cosine = assess(fits, published, {.measure = Measure::cosine}).judgement;
-    const auto angle = assess(fits, published, {.measure = Measure::angle}).judgement;
+    const auto cosine = assess(fits, published, {.measure = Measure::cosine})->judgement;
+    const auto angle = assess(fits, published, {.measure = Measure::angle})->judgement;
     EXPECT_EQ(cosine.verdict, expected[i].cosine) << published.id;
     EXPECT_EQ(cosine.objective, expected[i].cosine_objective) << published.id;
     EXPECT_EQ(angle.verdict, expected[i].angle) << published.id;
@@ -48,7 +48,7 @@ TEST(Assess, EachPublishedDigitChangedChangesTheVerdict) {
   int mutations = 0;
   for (const Published& published : published_constants) {
     FitCache fits(*find_family(published.family));
-    const Verdict original = assess(fits, published, {}).judgement.verdict;
+    const Verdict original = assess(fits, published, {})->judgement.verdict;
     for (std::size_t i = 0; i < published.printed.size(); ++i) {
       if (published.printed[i] < '0' || published.printed[i] > '9') continue;
       for (char digit = '0'; digit <= '9'; ++digit) {
@@ -58,7 +58,7 @@ TEST(Assess, EachPublishedDigitChangedChangesTheVerdict) {
         Published changed = published;
         changed.printed = printed;
         ++mutations;
-        EXPECT_NE(assess(fits, changed, {}).judgement.verdict, original)
+        EXPECT_NE(assess(fits, changed, {})->judgement.verdict, original)
             << published.id << " printed as " << printed;
       }
     }
@@ -71,7 +71,7 @@ TEST(Assess, AnEffectIsComputedAndNoneWhereTheDigitsAgree) {
   const auto assessment = [&](std::string_view id) {
     const auto found = std::find_if(published_constants.begin(), published_constants.end(),
                                     [&](const auto& p) { return p.id == id; });
-    return assess(fits, *found, {});
+    return *assess(fits, *found, {});
   };
   EXPECT_EQ(assessment("sg-offset-limit").effect.absolute.magnitude, 0);
   // d/dx exp((k+x)(c-1)) is at most y exp(-k y) <= 1/(e k): at k = 5 and a step of 0.000455 that is 3.4e-5
@@ -85,7 +85,7 @@ TEST(Extrapolate, FindsLimitAndSlopeOfTheLaw) {
     FitCache fits(*find_family("sg-offset"));
     const auto expansion = peak_expansion(measure);
     const auto law = offset_law(expansion.p, expansion.w);
-    const auto approach = extrapolate(fits, {.measure = measure}, 0);
+    const auto approach = *extrapolate(fits, {.measure = measure}, 0);
     // the cubic term over 1e4 1e5 1e6, and a few roundings of x
     EXPECT_NEAR(approach.limit, law.limit, 1e-14);
     // the same over 1e9, and the rounding of x over 1e-4
@@ -105,10 +105,44 @@ TEST(Refit, OrdersByMeasureThenExponent) {
   EXPECT_EQ(result.derived.size(), 4U) << "mean and limit, under two measures";
 }
 
+TEST(Refit, FitsWhatWasPublishedForOutsideTheSweep) {
+  const auto result = refit(*find_family("sg-offset"), {3}, std::array{Measure::cosine});
+  ASSERT_EQ(result.fits.size(), 2U);
+  EXPECT_EQ(result.fits[1].fit.exponent, 5) << "0.788 was published for k = 5";
+  EXPECT_EQ(result.fits[1].assessments.size(), 1U);
+}
+
+TEST(FitCache, TellsMetricsApart) {
+  FitCache fits(*find_family("sg-offset"));
+  const double whole = fits.at(5, {}).parameters[0];
+  const double upper_half = fits.at(5, {.domain = {0.5, 1}}).parameters[0];
+  EXPECT_NE(whole, upper_half);
+  EXPECT_EQ(fits.at(5, {}).parameters[0], whole);
+}
+
+/// A family whose fit fails under the angle measure alone.
+Fit fails_in_the_angle(double exponent, const Metric& metric) {
+  Fit fit = find_family("sg-offset")->fit(exponent, metric);
+  if (metric.measure == Measure::angle) fit.status = Status::not_converged;
+  return fit;
+}
+
+TEST(Assess, AFailureUnderAnotherMeasureTakesNothingAway) {
+  const FittableFamily& family = *find_family("sg-offset");
+  const FittableFamily half{family.info, family.parameters, &fails_in_the_angle, family.max_abs_error,
+                            family.effect};
+  const auto result = refit(half, {5}, measures);
+  ASSERT_EQ(result.fits.size(), 2U);
+  EXPECT_EQ(result.fits[0].assessments.at(0).judgement.verdict, Verdict::confirmed);
+  EXPECT_TRUE(result.fits[1].assessments.empty());
+  EXPECT_EQ(result.derived.size(), 2U) << "mean and limit, under the cosine alone";
+}
+
 TEST(Refit, DoesNotJudgeByAFitThatFailed) {
-  const auto result = refit(*find_family("sg-offset"), {1e160}, measures);
-  EXPECT_NE(result.fits[0].fit.status, Status::converged);
-  EXPECT_TRUE(result.fits[0].assessments.empty());
+  FitCache fits(*find_family("sg-offset"));
+  const auto reports = fit_and_assess(fits, {1e160}, measures);
+  EXPECT_NE(reports[0].fit.status, Status::converged);
+  EXPECT_TRUE(reports[0].assessments.empty());
 }
 
 }  // namespace

@@ -18,9 +18,11 @@ TEST(Sweep, NumbersAndRanges) {
 }
 
 TEST(Sweep, IncludesItsEndWithinHalfAStep) {
-  EXPECT_EQ(parse_sweep("1:2:0.4"), (Numbers{1, 1.4, 1.8, 1 + 3 * 0.4})) << "2.2 is half a step away, and in";
+  EXPECT_EQ(parse_sweep("1:2:0.4"), (Numbers{1, 1.4, 1.8, 2})) << "2.2 is half a step beyond, and ends at 2";
   EXPECT_EQ(parse_sweep("1:1.9:0.4").size(), 3U) << "2.2 is three quarters of a step away, and out";
-  EXPECT_EQ(parse_sweep("0.1:1:0.1").size(), 10U) << "rounding does not lose the last one";
+  EXPECT_EQ(parse_sweep("0.1:1:0.1"), (Numbers{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1}))
+      << "as decimals mean them";
+  EXPECT_EQ(parse_sweep("1e308:1.7e308:1e308"), (Numbers{1e308, 1.7e308}));
 }
 
 TEST(Sweep, NumbersAreFiniteDecimals) {
@@ -45,13 +47,16 @@ TEST(Sweep, RefusalsNameThePartAndTheRule) {
   expect_refusal("-1", "'-1' is not greater than 0");
   expect_refusal("", "'' is not a finite number");
   expect_refusal("1,,2", "'' is not a finite number");
-  expect_refusal("1e400", "'1e400' is not a finite number");
+  expect_refusal("1e400", "'1e400' is beyond the range of a double");
   expect_refusal("1:2", "'1:2' is not a range A:B:STEP");
   expect_refusal("1:2:3:4", "'1:2:3:4' is not a range A:B:STEP");
   expect_refusal("5:1:1", "'5:1:1' is a range that ends before it begins");
-  expect_refusal("1:5:0", "'1:5:0' is not greater than 0");
-  expect_refusal("1:5:-1", "'1:5:-1' is not greater than 0");
+  expect_refusal("1e-400", "'1e-400' is beyond the range of a double");
+  expect_refusal("1:5:0", "'0' in '1:5:0' is not greater than 0");
+  expect_refusal("1:5:-1", "'-1' in '1:5:-1' is not greater than 0");
+  expect_refusal("1:x:1", "'x' in '1:x:1' is not a finite number");
   expect_refusal("1:1e9:1", "'1:1e9:1' is a range of more than 100000 numbers");
+  expect_refusal("1:90000:1,1:90000:1", "'1:90000:1,1:90000:1' holds more than 100000 numbers");
   expect_refusal("1:1e300:1e-300", "'1:1e300:1e-300' is a range of more than 100000 numbers");
 }
 

@@ -36,6 +36,8 @@ TEST(Judge, TakesItsOwnObjectiveFirstThenTheOthersInOrder) {
   EXPECT_EQ(verdict("0.786").objective, "");
   EXPECT_EQ(verdict("0.673").verdict, Verdict::other_objective);
   EXPECT_EQ(verdict("0.673").objective, "angle");
+  EXPECT_EQ(verdict("0.673").value, 0.6732) << "the value that has the digits";
+  EXPECT_EQ(verdict("0.787").value, 0.78754);
   EXPECT_EQ(verdict("1.000").objective, "convention");
   EXPECT_EQ(verdict("0.672").verdict, Verdict::refuted) << "another objective has to give all printed digits";
 }

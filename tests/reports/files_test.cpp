@@ -34,12 +34,12 @@ TEST(Files, RefusesADirectoryThatIsAFileOrLiesBelowOne) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("file", "x");
   EXPECT_EQ(refusal([&] { require_directory(file); }),
-            "output directory '" + file + "' is a file: it must be a directory, or free to become one");
+            "output directory '" + file + "' is no directory: it must be a directory, or free to become one");
   EXPECT_EQ(refusal([&] {
               write_files(file + "/x/y", {{"one", "1"}});
             }),
             "output directory '" + file + "/x/y' lies below '" + file +
-                "', which is a file: it must be a directory, or free to become one");
+                "', which is no directory: it must be a directory, or free to become one");
   EXPECT_EQ(refusal([&] { require_directory(""); }), "output directory '' is empty: name a directory");
   EXPECT_EQ(refusal([&] { require_directory(directory / "new/one"); }), "nothing was refused");
   EXPECT_FALSE(fs::exists(directory / "new")) << "asking creates nothing";
@@ -55,7 +55,29 @@ TEST(Files, AFailureLeavesOldFilesAndNothingHalfWritten) {
             }),
             "cannot write '" + (directory / "out/two") + "': it is a directory");
   EXPECT_EQ(read_file(directory / "out/one"), "old\n");
-  EXPECT_FALSE(fs::exists(directory / "out/one.partial"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory / "out"), fs::directory_iterator()), 2);
+}
+
+TEST(Files, WritesThroughNothingThatIsAlreadyThere) {
+  const TemporaryDirectory directory;
+  const std::string precious = directory.file("precious", "kept");
+  const auto partial = directory.path() / (".one." + std::to_string(::getpid()) + ".partial");
+  fs::create_symlink(precious, partial);
+  EXPECT_EQ(refusal([&] {
+              write_files(directory.path(), {{"one", "new\n"}});
+            }),
+            "cannot write '" + (directory / "one") + "': File exists");
+  EXPECT_EQ(read_file(precious), "kept");
+  EXPECT_TRUE(fs::is_symlink(partial)) << "what we did not make we do not remove";
+}
+
+TEST(Files, ADirectoryMadeForNothingIsRemoved) {
+  const TemporaryDirectory directory;
+  EXPECT_NE(refusal([&] {
+              write_files(directory / "new", {{std::string(300, 'x'), "1"}});
+            }),
+            "nothing was refused");
+  EXPECT_FALSE(fs::exists(directory / "new"));
 }
 
 TEST(Files, ReadingNamesWhatIsMissing) {

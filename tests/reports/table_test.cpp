@@ -29,7 +29,13 @@ TEST(Cell, AReportShowsNoRoundingNoise) {
   EXPECT_EQ(report(converged(x)), report(converged(std::nextafter(x, 1))));
   EXPECT_EQ(full(converged(x)), "0.7875446196747832");
   EXPECT_EQ(std::stod(full(converged(x))), x) << "the shortest text that reads back";
-  EXPECT_EQ(report(place(0.055357004712345)), "0.055357");
+  EXPECT_EQ(report(place({0.055357004712345, 0.944642995287655})), "0.055357");
+  EXPECT_EQ(report(place({0.99995002123, 0.4997877e-4})), "0.99995") << "three digits of 1 - c";
+  EXPECT_EQ(report(place({0.99995012, 0.4988e-4})), "0.9999501");
+  EXPECT_EQ(report(place({1 - 4.999998e-7, 4.999998e-7})), "0.9999995")
+      << "and not 1, where there is no error";
+  EXPECT_EQ(report(place({1, 0})), "1");
+  EXPECT_EQ(report(place({0, 1})), "0");
 }
 
 TEST(Cell, ADifferenceStopsWhereItsMinuendDoes) {

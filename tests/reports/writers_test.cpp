@@ -68,7 +68,15 @@ TEST(Csv, RefusesWhatIsCutOffOrMalformed) {
   expect_refusal("a,b\n1,2", "'t.csv' is truncated: its last line has no end");
   expect_refusal("a,b\n1\n", "'t.csv' line 2 has 1 cells: the header has 2");
   expect_refusal("a,b\n1,2\n1,2,3\n", "'t.csv' line 3 has 3 cells: the header has 2");
-  expect_refusal("a,b\n1,\"2\n", "'t.csv' is truncated: a quote opened and never closed");
+  expect_refusal("a,b\n1,\"2\n", "'t.csv' line 2 opens a quote and never closes it");
+  expect_refusal("a,b\n1,\"2\"3\n", "'t.csv' line 2 has text after a closing quote");
+  expect_refusal("a,b\n1,2\"3\"\n", "'t.csv' line 2 has a quote inside a cell that is not quoted");
+  expect_refusal("a,b\r\n1,2\r\n", "'t.csv' line 1 has a carriage return: lines end in LF alone");
+  expect_refusal(
+      "\xEF\xBB\xBF"
+      "a,b\n",
+      "'t.csv' begins with a byte order mark: a table is plain UTF-8");
+  expect_refusal(std::string("a,b\n1,\0\n", 8), "'t.csv' line 2 holds the byte 0x00: a table is plain text");
 }
 
 TEST(FitsTable, HasTheColumnsThatOthersRelyOn) {
@@ -103,12 +111,12 @@ TEST(FitsTable, AFitThatFailedHasItsStatusAndNoNumbers) {
   const auto csv = parse_csv(write_csv(fits_table({refit}).table, Precision::full), "fits");
   ASSERT_EQ(csv.rows.size(), 1U);
   EXPECT_EQ(csv.rows[0][4], "");
-  EXPECT_EQ(csv.rows[0][6], "ambiguous");
+  EXPECT_EQ(csv.rows[0][6], "not-converged");
   EXPECT_EQ(csv.rows[0][12], "");
   const auto json = write_fit_json(fits.family(), refit.fits[0]);
   EXPECT_TRUE(json["parameters"]["x"].is_null()) << "a start value never passes for an answer";
   EXPECT_TRUE(json["rms_error"].is_null());
-  EXPECT_EQ(json["status"], "ambiguous");
+  EXPECT_EQ(json["status"], "not-converged");
 }
 
 TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
@@ -155,6 +163,10 @@ TEST(Results, AFailedCheckIsSeen) {
   results.refits[0].fits[0].fit.status = Status::ambiguous;
   EXPECT_FALSE(all_checks_passed(results));
   EXPECT_NE(write_report(results).find("Not every fit converged"), std::string::npos);
+  results.normalisations[0].verdict = std::nullopt;
+  EXPECT_FALSE(all_checks_passed(results));
+  EXPECT_NE(write_csv(normalisation_table(results.normalisations), Precision::report).find("not-converged"),
+            std::string::npos);
 }
 
 }  // namespace
