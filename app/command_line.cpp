@@ -93,9 +93,11 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
   fit->add_option("id", fit_options.id, "a family or a published constant, see 'shadefit list'")->required();
   fit->add_option("--exponent", fit_options.exponent, "K or A:B:STEP, by commas; default: the record's own")
       ->type_name("K");
-  fit->add_option("--measure", fit_options.measure, "cosine or angle")
+  fit->add_option("--measure", fit_options.measure, "cosine, angle or cosine-weighted")
       ->capture_default_str()
       ->type_name("NAME");
+  fit->add_option("--domain", fit_options.domain, "A:B, the cosines to fit over; default: 0:1")
+      ->type_name("A:B");
   auto* json = fit->add_flag("--json", fit_options.json, "print JSON, every number to its last bit");
   fit->add_flag("--csv", fit_options.csv, "print the columns of fits.csv, every number to its last bit")
       ->excludes(json);

@@ -28,6 +28,27 @@ Measure parse_measure(const std::string& text) {
       fmt::format("--measure '{}' is unknown: it must be one of {}", text, fmt::join(known, ", ")));
 }
 
+/// "A:B" with 0 <= A < B <= 1.
+Domain parse_domain(const std::string& text) {
+  const auto colon = text.find(':');
+  const auto lower = parse_number(std::string_view(text).substr(0, colon));
+  const auto upper =
+      colon == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(colon + 1));
+  if (!lower || !upper)
+    throw UserError(fmt::format("--domain '{}' is not a pair A:B of finite numbers", text));
+  if (!(*lower < *upper))
+    throw UserError(fmt::format("--domain '{}' is empty or reversed: A must be less than B", text));
+  if (*lower < 0 || *upper > 1)
+    throw UserError(fmt::format("--domain '{}' leaves [0, 1]: A and B are cosines", text));
+  return {*lower, *upper};
+}
+
+Metric parse_metric(const FitOptions& options) {
+  Metric metric{.measure = parse_measure(options.measure)};
+  if (options.domain) metric.domain = parse_domain(*options.domain);
+  return metric;
+}
+
 const Published* find_published(const std::string& id) {
   const auto found = std::find_if(published_constants.begin(), published_constants.end(),
                                   [&](const Published& p) { return p.id == id; });
@@ -67,7 +88,7 @@ Outcome derived_command(const FittableFamily& family, const Published& published
                                 *options.exponent, published.id));
   }
   FitCache fits(family);
-  const auto assessment = assess(fits, published, {.measure = parse_measure(options.measure)});
+  const auto assessment = assess(fits, published, parse_metric(options));
   if (!assessment)
     return {1, "", fmt::format("shadefit: {} rests on a fit that did not converge\n", published.id)};
   const Refit refit{&family, {}, {*assessment}};
@@ -76,16 +97,16 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   return {0, options.csv ? write_csv(table, Precision::full) : write_console(table, Precision::full), ""};
 }
 
-std::string console_text(const Refit& refit, Measure measure) {
+std::string console_text(const Refit& refit, const Metric& metric) {
   const Family& info = refit.family->info;
   return fmt::format("{}: {} ~ {}, {} measure, least squares\n", info.id, info.target, info.form,
-                     name(measure)) +
+                     describe(metric)) +
          write_console(fits_overview(refit), Precision::report);
 }
 
-std::string fits_text(const Refit& refit, const FitOptions& options, Measure measure) {
+std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
-  if (!options.json) return console_text(refit, measure);
+  if (!options.json) return console_text(refit, metric);
   if (refit.fits.size() == 1) return json_text(write_fit_json(*refit.family, refit.fits.front()));
   auto array = nlohmann::ordered_json::array();
   for (const FitReport& report : refit.fits) array.push_back(write_fit_json(*refit.family, report));
@@ -143,14 +164,14 @@ Outcome fit_command(const FitOptions& options) {
   if (published != nullptr && published->statement != Statement::best_fit)
     return derived_command(family, *published, options);
 
-  const Measure measure = parse_measure(options.measure);
+  const Metric metric = parse_metric(options);
   FitCache fits(family);
   const Refit refit{
       &family,
-      fit_and_assess(fits, exponents_for(family, published, options.exponent), std::array{measure}),
+      fit_and_assess(fits, exponents_for(family, published, options.exponent), std::array{metric}),
       {}};
   const std::string err = not_converged_lines(refit);
-  return {err.empty() ? 0 : 1, fits_text(refit, options, measure), err};
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric), err};
 }
 
 Outcome check_command(const CheckOptions& options) {

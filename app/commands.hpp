@@ -23,6 +23,7 @@ struct FitOptions {
   std::string id;
   std::optional<std::string> exponent;  ///< empty: the record's own sweep
   std::string measure = "cosine";
+  std::optional<std::string> domain;  ///< "A:B" in cosines; empty: all of [0, 1]
   bool json = false;
   bool csv = false;
 };

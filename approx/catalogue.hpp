@@ -6,6 +6,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
+#include "approx/phong_blinn.hpp"
 #include "approx/record.hpp"
 
 /// Every record in one list; the records themselves stand beside their formulas, one file a topic.
@@ -27,6 +28,7 @@ constexpr auto join(const std::array<T, N>&... parts) {
 }  // namespace detail
 
 /// The published constants of fitted families, in the order of the ledger.
-inline constexpr auto published_constants = detail::join(sg_offset_published, fresnel_published);
+inline constexpr auto published_constants =
+    detail::join(sg_offset_published, fresnel_published, phong_blinn_published);
 
 }  // namespace shadefit

@@ -31,6 +31,13 @@ T power_lobe_near_peak(const T& one_minus_cos, const T& exponent) {
   return exp(exponent * log1p(-one_minus_cos));
 }
 
+/// cos^a(theta/2) from y = 1 - cos(theta): ((1 + cos)/2)^(a/2) = exp(a/2 log1p(-y/2)).
+template <class T>
+T half_angle_power(const T& one_minus_cos, const T& exponent) {
+  const T two = integer<T>(2);
+  return exp(exponent / two * log1p(-(one_minus_cos / two)));
+}
+
 /// The spherical Gaussian from y = 1 - c: exp(-(k + x) y).
 template <class T>
 T gaussian_lobe_near_peak(const T& one_minus_cos, const T& exponent, const T& offset) {
@@ -62,9 +69,9 @@ T gaussian_lobe_relative_error(const T& one_minus_cos, const T& offset, const T&
   return expm1(-(log_ratio + offset * one_minus_cos));
 }
 
-/// How the best offset approaches its limit: x(k) = limit + slope / k + O(1/k^2).
+/// How the best parameter approaches its limit: x(k) = limit + slope / k + O(1/k^2).
 template <class T>
-struct OffsetLaw {
+struct ApproachLaw {
   T limit;
   T slope;
 };
@@ -79,7 +86,7 @@ struct OffsetLaw {
 ///   order 1/k:  x1 g(p+2) = x0^2/2 g(p+3) + g(p+4)/3 - g(p+5)/8 + (w - x0)(g(p+4)/2 - x0 g(p+3)).
 /// Below, a, b, d are g(p+3), g(p+4), g(p+5) over g(p+2). Cosine: 3/4 + 13/(64 k); angle: 5/8 + 185/(768 k).
 template <class T>
-OffsetLaw<T> offset_law(const T& p, const T& w) {
+ApproachLaw<T> offset_law(const T& p, const T& w) {
   const T two = integer<T>(2);
   const T a = (p + two) / two;
   const T b = a * (p + integer<T>(3)) / two;

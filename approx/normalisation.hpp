@@ -17,13 +17,6 @@
 /// n.h = cos(theta/2). A published constant is 1 over the lobe's integral.
 namespace shadefit {
 
-/// cos^a(theta/2) = ((1 + cos)/2)^(a/2) = exp(a/2 log1p(-y/2)).
-template <class T>
-T half_angle_cosine_power(const T& one_minus_cos, const T& alpha) {
-  const T two = integer<T>(2);
-  return exp(alpha / two * log1p(-(one_minus_cos / two)));
-}
-
 /// Lambert: n.l. alpha plays no part.
 struct LambertLobe {
   static constexpr Normalisation record{"norm-lambert", "n.l", "1/pi", false, sources::lagarde_2011_adopting};
@@ -75,7 +68,7 @@ struct BlinnPhongLobe {
   static constexpr double sharpness = 0.25;  ///< a/2 log(1-y/2) <= -a y/4
   template <class T>
   static T lobe(const T& one_minus_cos, const T& alpha) {
-    return half_angle_cosine_power(one_minus_cos, alpha);
+    return half_angle_power(one_minus_cos, alpha);
   }
   template <class T>
   static T constant(const T& alpha) {
@@ -92,7 +85,7 @@ struct BlinnPhongBrdfLobe {
   static constexpr double sharpness = 0.25;
   template <class T>
   static T lobe(const T& one_minus_cos, const T& alpha) {
-    return half_angle_cosine_power(one_minus_cos, alpha) * (integer<T>(1) - one_minus_cos);
+    return half_angle_power(one_minus_cos, alpha) * (integer<T>(1) - one_minus_cos);
   }
   template <class T>
   static T constant(const T& alpha) {

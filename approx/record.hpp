@@ -25,6 +25,7 @@ enum class Statement {
   best_fit,       ///< the optimum of its family (at the one number in `exponents`, where it has an exponent)
   mean_of_fits,   ///< the arithmetic mean of the optima over the sweep `exponents`
   limit_of_fits,  ///< the optimum as the exponent grows without bound
+  fit_somewhere,  ///< the optimum at exponents that the source does not state
 };
 
 /// A closed form that a published number follows by convention instead of by a fit.

@@ -5,6 +5,13 @@
 /// The publications that the records cite.
 namespace shadefit::sources {
 
+inline constexpr Source fisher_woo_1994{"Fisher, Woo", 1994, "R.E versus N.H Specular Highlights",
+                                        "Graphics Gems IV, Academic Press, pp. 388-400"};
+
+inline constexpr Source gotanda_2010{
+    "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",
+    "SIGGRAPH 2010 course, Physically-Based Shading Models in Film and Game Production"};
+
 inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physically based shading model",
                                               "seblagarde.wordpress.com/2011/08/17/hello-world"};
 

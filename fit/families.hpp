@@ -10,6 +10,7 @@
 #include "approx/cosine.hpp"
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
+#include "approx/phong_blinn.hpp"
 #include "fit/jet.hpp"
 #include "fit/metric.hpp"
 #include "fit/substitution.hpp"
@@ -25,6 +26,14 @@
 /// error has a
 ///   meaning, empty where there is no such number; `relative_to`: relative to what, in words.
 namespace shadefit {
+
+/// The smallest cosine with c^k >= 1/255, one code of an 8-bit linear target: exp(-log(255)/k). Below k =
+/// 0.0078 that is less than any double: empty.
+inline std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
+  const double log_end = -std::log(255.0) / exponent;
+  if (std::exp(log_end) < std::numeric_limits<double>::min()) return std::nullopt;
+  return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
+}
 
 /// c^k by exp((k+x)(c-1)).
 struct SgOffset {
@@ -69,13 +78,51 @@ struct SgOffset {
     return gaussian_lobe_relative_error(lift<P>(s.one_minus_cos), p[0], lift<P>(s.log_ratio));
   }
 
-  /// c^k >= 1/255, one code of an 8-bit linear target: c >= exp(-log(255)/k). Below k = 0.0078 that is less
-  /// than any double.
-  std::optional<Cosine<double>> relative_end() const {
-    const double log_end = -std::log(255.0) / exponent;
-    if (std::exp(log_end) < std::numeric_limits<double>::min()) return std::nullopt;
-    return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
+  std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
+};
+
+/// cos^rho(theta) by cos^(x rho)(theta/2).
+struct PhongBlinn {
+  static constexpr const Family& info = phong_blinn;
+  static constexpr std::array<std::string_view, 1> parameters{"x"};
+  static constexpr std::string_view relative_to = "target >= 1/255";
+
+  double exponent;
+
+  /// The box is (3, 9): the limits are 4 for sharp lobes and, under the measures here, about 7.2 for rho = 0.
+  std::array<std::array<double, 1>, 3> starts() const { return {{{3.5}, {5}, {8}}}; }
+
+  /// cos^(x rho)(theta/2) <= exp(-x rho y/4), and x >= 4.
+  Shape shape() const { return {.concentration = 2 * exponent, .end_power = exponent}; }
+
+  template <class T>
+  struct Sample {
+    T one_minus_cos;
+    T log_ratio;
+  };
+
+  template <class T>
+  Sample<T> sample(const Cosine<T>& c) const {
+    return {c.one_minus_cos, phong_blinn_log_ratio(c.cos_theta, c.one_minus_cos, lift<T>(exponent))};
   }
+
+  template <class T, class P>
+  P form(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return blinn_lobe(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0]);
+  }
+
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return phong_blinn_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
+  }
+
+  template <class T, class P>
+  P relative_error(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return phong_blinn_relative_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0],
+                                      lift<P>(s.log_ratio));
+  }
+
+  std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
 };
 
 /// (1-c)^5 by a form of one exp2: what the two Fresnel families share.

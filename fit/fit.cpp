@@ -101,7 +101,8 @@ constexpr FittableFamily entry{F::info, F::parameters, &fit<F>, &max_abs_error<F
 }  // namespace
 
 std::span<const FittableFamily> fittable_families() {
-  static constexpr std::array all{entry<SgOffset>, entry<FresnelOneTerm>, entry<FresnelQuadratic>};
+  static constexpr std::array all{entry<SgOffset>, entry<FresnelOneTerm>, entry<FresnelQuadratic>,
+                                  entry<PhongBlinn>};
   return all;
 }
 

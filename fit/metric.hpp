@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <charconv>
 #include <compare>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,8 +14,9 @@ namespace shadefit {
 
 /// How the domain is weighted. All are given for c = cos(theta).
 enum class Measure {
-  cosine,  ///< dc: uniform in the cosine, that is in solid angle
-  angle,   ///< d theta = dc / sqrt(1 - c^2): uniform in the angle
+  cosine,           ///< dc: uniform in the cosine, that is in solid angle
+  angle,            ///< d theta = dc / sqrt(1 - c^2): uniform in the angle
+  cosine_weighted,  ///< c dc: uniform in projected solid angle
 };
 
 enum class Norm { least_squares };
@@ -27,6 +30,15 @@ struct Domain {
   auto operator<=>(const Domain&) const = default;
 };
 
+/// "0.25:1", each end to its shortest round trip.
+inline std::string to_text(const Domain& domain) {
+  char text[64];
+  const auto lower = std::to_chars(std::begin(text), std::end(text), domain.lower);
+  *lower.ptr = ':';
+  const auto upper = std::to_chars(lower.ptr + 1, std::end(text), domain.upper);
+  return {text, upper.ptr};
+}
+
 struct Metric {
   Measure measure = Measure::cosine;
   Norm norm = Norm::least_squares;
@@ -36,7 +48,7 @@ struct Metric {
 };
 
 /// The measures in the order in which a published value is tried under them.
-inline constexpr std::array measures{Measure::cosine, Measure::angle};
+inline constexpr std::array measures{Measure::cosine, Measure::angle, Measure::cosine_weighted};
 
 /// A measure near the peak: y^(p-1) (1 + w y + ..) dy for y = 1 - c.
 struct PeakExpansion {
@@ -44,9 +56,17 @@ struct PeakExpansion {
   double w;
 };
 
-/// dc = dy; d theta = dy / sqrt(2y - y^2) = (2y)^(-1/2) (1 + y/4 + ..) dy, up to a factor.
+/// dc = dy; d theta = dy / sqrt(2y - y^2) = (2y)^(-1/2) (1 + y/4 + ..) dy, up to a factor; c dc = (1 - y) dy.
 constexpr PeakExpansion peak_expansion(Measure measure) {
-  return measure == Measure::cosine ? PeakExpansion{1, 0} : PeakExpansion{0.5, 0.25};
+  switch (measure) {
+    case Measure::cosine:
+      return {1, 0};
+    case Measure::angle:
+      return {0.5, 0.25};
+    case Measure::cosine_weighted:
+      return {1, -1};
+  }
+  throw std::logic_error("a measure without an expansion");
 }
 
 constexpr std::string_view name(Measure measure) {
@@ -55,6 +75,8 @@ constexpr std::string_view name(Measure measure) {
       return "cosine";
     case Measure::angle:
       return "angle";
+    case Measure::cosine_weighted:
+      return "cosine-weighted";
   }
   throw std::logic_error("a measure without a name");
 }
@@ -73,6 +95,12 @@ constexpr std::string_view name(Error error) {
       return "absolute";
   }
   throw std::logic_error("an error without a name");
+}
+
+/// A metric as a reader names it: its measure, and the domain where that is not all of [0, 1].
+inline std::string describe(const Metric& metric) {
+  const std::string measure(name(metric.measure));
+  return metric.domain == Domain{} ? measure : measure + " on " + to_text(metric.domain);
 }
 
 }  // namespace shadefit

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 #include "approx/catalogue.hpp"
@@ -72,36 +74,92 @@ std::vector<double> exponents_of(const Published& published) {
   return parse_sweep(published.exponents);
 }
 
-std::optional<Assessment> assess(FitCache& fits, const Published& published, const Metric& metric) {
-  const auto computed = computed_value(fits, published, metric);
-  if (!computed) return std::nullopt;
+std::vector<Metric> whole_domain_metrics() {
+  std::vector<Metric> metrics;
+  for (const Measure measure : measures) metrics.push_back({.measure = measure});
+  return metrics;
+}
+
+std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& published,
+                                            const Metric& metric) {
+  const std::size_t parameter = parameter_index(fits.family(), published.parameter);
+  const auto exponents = parse_sweep(fits.family().info.sweep);
+  // The smallest exponent at which the fitted parameter crosses `value`.
+  const auto crossing = [&](double value) -> std::optional<double> {
+    const auto above = [&](double log_exponent) {
+      return fitted(fits, std::exp(log_exponent), metric, parameter).value_or(std::nan("")) - value;
+    };
+    for (std::size_t i = 0; i + 1 < exponents.size(); ++i) {
+      const double low = std::log(exponents[i]), high = std::log(exponents[i + 1]);
+      const double at_low = above(low), at_high = above(high);
+      if (!(at_low * at_high <= 0)) continue;
+      std::uintmax_t steps = 60;
+      const auto root = boost::math::tools::toms748_solve(
+          above, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(48), steps);
+      return std::exp((root.first + root.second) / 2);
+    }
+    return std::nullopt;
+  };
+  const double value = constant<double>(published.printed);
+  const double half_unit = last_unit(published.printed) / 2;
+  const auto exactly = crossing(value), one = crossing(value - half_unit),
+             other = crossing(value + half_unit);
+  if (!exactly || !one || !other) return std::nullopt;
+  return ExponentRange{std::min(*one, *other), std::max(*one, *other), *exactly};
+}
+
+namespace {
+
+/// The other metrics, and the record's convention, that a published number is held against.
+std::vector<Alternative> alternatives(FitCache& fits, const Published& published, const Metric& metric) {
   std::vector<Alternative> others;
-  for (const Measure measure : measures) {
-    if (measure == metric.measure) continue;
-    Metric other = metric;
-    other.measure = measure;
+  const auto add = [&](const Metric& other) {
+    if (other == metric) return;
     if (const auto value = computed_value(fits, published, other))
-      others.push_back({std::string(name(measure)), *value});
+      others.push_back({describe(other), *value});
+  };
+  for (Metric other : whole_domain_metrics()) {
+    other.domain = metric.domain;
+    add(other);
+  }
+  if (metric.domain != Domain{}) {
+    for (const Metric& other : whole_domain_metrics()) add(other);
   }
   if (published.convention.value != nullptr) {
     others.push_back({std::string(published.convention.name), published.convention.value()});
   }
+  return others;
+}
+
+Assessment assess_somewhere(FitCache& fits, const Published& published, const Metric& metric) {
+  const auto range = where_it_holds(fits, published, metric);
+  const double printed = constant<double>(published.printed);
+  if (!range) return {&published, metric, printed, {Verdict::refuted, "", printed}, {}, std::nullopt};
+  return {&published, metric, printed, {Verdict::conditional, describe(metric), printed}, {}, range};
+}
+
+}  // namespace
+
+std::optional<Assessment> assess(FitCache& fits, const Published& published, const Metric& metric) {
+  if (published.statement == Statement::fit_somewhere) return assess_somewhere(fits, published, metric);
+  const auto computed = computed_value(fits, published, metric);
+  if (!computed) return std::nullopt;
+  const auto others = alternatives(fits, published, metric);
   return Assessment{&published, metric, *computed,
-                    judge(published.printed, {std::string(name(metric.measure)), *computed}, others),
+                    judge(published.printed, {describe(metric), *computed}, others),
                     effect_of_replacing(fits, published, metric, *computed)};
 }
 
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>& exponents,
-                                      std::span<const Measure> under) {
+                                      std::span<const Metric> under) {
   std::vector<FitReport> reports;
-  for (const Measure measure : under) {
-    const Metric metric{.measure = measure};
+  for (const Metric& metric : under) {
     for (const double exponent : fits.family().has_exponent() ? exponents : std::vector<double>{0}) {
       FitReport report{fits.at(exponent, metric), {}};
       for (const Published& published : published_constants) {
         if (!is_meant_for(published, report.fit)) continue;
-        if (const auto assessment = assess(fits, published, metric))
-          report.assessments.push_back(*assessment);
+        const auto assessment = assess(fits, published, metric);
+        if (assessment) report.assessments.push_back(*assessment);
       }
       reports.push_back(std::move(report));
     }
@@ -109,7 +167,7 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>&
   return reports;
 }
 
-Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Measure> under) {
+Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under) {
   // A number published for an exponent outside the sweep is fitted and judged too.
   for (const Published& published : published_constants) {
     const bool has_own = published.family == family.info.id && published.statement == Statement::best_fit;
@@ -122,15 +180,15 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents, std::sp
   Refit result{&family, fit_and_assess(fits, exponents, under), {}};
   for (const Published& published : published_constants) {
     if (published.family != family.info.id || published.statement == Statement::best_fit) continue;
-    for (const Measure measure : under) {
-      const auto assessment = assess(fits, published, {.measure = measure});
+    for (const Metric& metric : under) {
+      const auto assessment = assess(fits, published, metric);
       if (assessment) result.derived.push_back(*assessment);
     }
   }
   return result;
 }
 
-std::optional<OffsetLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter) {
+std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter) {
   std::array<double, 3> f, x;
   for (std::size_t i = 0; i < 3; ++i) {
     f[i] = 1 / exponents_of_a_limit[i];
@@ -142,7 +200,7 @@ std::optional<OffsetLaw<double>> extrapolate(FitCache& fits, const Metric& metri
   const double d01 = (x[1] - x[0]) / (f[1] - f[0]);
   const double d12 = (x[2] - x[1]) / (f[2] - f[1]);
   const double d012 = (d12 - d01) / (f[2] - f[0]);
-  return OffsetLaw<double>{x[0] - d01 * f[0] + d012 * f[0] * f[1], d01 - d012 * (f[0] + f[1])};
+  return ApproachLaw<double>{x[0] - d01 * f[0] + d012 * f[0] * f[1], d01 - d012 * (f[0] + f[1])};
 }
 
 }  // namespace shadefit

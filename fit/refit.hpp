@@ -15,6 +15,12 @@
 /// Refitting a family: its exponents under each measure, and what that says of the published numbers.
 namespace shadefit {
 
+/// Where a number that was published without its exponent is right.
+struct ExponentRange {
+  double from, to;  ///< here the fitted parameter rounds to all printed digits
+  double exactly;   ///< and here it is the printed number
+};
+
 /// A published number against what the fits give for it under one metric: a parameter, a mean or a limit.
 struct Assessment {
   const Published* published;
@@ -22,6 +28,7 @@ struct Assessment {
   double computed;
   Judgement judgement;
   Effect effect;  ///< of replacing the printed number by the computed one, at the worst of its exponents
+  std::optional<ExponentRange> holds_for = std::nullopt;  ///< for a number published without its exponent
 };
 
 /// A fit and the published numbers that are meant for it.
@@ -33,8 +40,8 @@ struct FitReport {
 /// A family refitted over a sweep.
 struct Refit {
   const FittableFamily* family;
-  std::vector<FitReport> fits;      ///< by measure, then by exponent
-  std::vector<Assessment> derived;  ///< the means and limits of fits, by published number, then by measure
+  std::vector<FitReport> fits;      ///< by metric, then by exponent
+  std::vector<Assessment> derived;  ///< means, limits, numbers without exponent: by number, then by metric
 };
 
 /// The fits of one family, each computed once. Not for use from several threads.
@@ -52,11 +59,11 @@ class FitCache {
 /// Fits the family at each exponent (once, where it has none) under each of `under`, and judges the published
 /// numbers that are meant for those fits.
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>& exponents,
-                                      std::span<const Measure> under);
+                                      std::span<const Metric> under);
 
 /// All there is to say of a family: the exponents and those that numbers were published for, in rising order,
 /// and the means and limits of fits.
-Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Measure> under);
+Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under);
 
 /// Judges one published number of the cache's family: the value under `metric`, against the other measures
 /// and the record's own convention. Empty where a fit that the value needs did not converge.
@@ -64,10 +71,18 @@ std::optional<Assessment> assess(FitCache& fits, const Published& published, con
 
 /// Quadratic extrapolation in 1/k to 1/k = 0 from the fits at k = 1e4, 1e5, 1e6: exact but for terms in
 /// 1/k^3. Empty where one of them did not converge.
-std::optional<OffsetLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
+std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
+
+/// Where the fitted parameter takes the printed value: its crossings of that value and of the two numbers
+/// half a unit of its last digit away, looked for between the exponents of the family's sweep. Empty where it
+/// does not cross them.
+std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& published, const Metric& metric);
 
 /// The exponents that a published number speaks of; a limit is looked at from k = 1e6, no exponent stands as
 /// {0}.
 std::vector<double> exponents_of(const Published& published);
+
+/// The whole domain under every measure, in their order.
+std::vector<Metric> whole_domain_metrics();
 
 }  // namespace shadefit

@@ -22,7 +22,7 @@ struct Shape {
 
 /// A map of s in [0, 1] onto the domain: s = 0 at its upper end (the peak), s = 1 at its lower end.
 ///
-/// The variable is y = 1 - c for the cosine measure and theta for the angle: their own weights are 1.
+/// The variable is y = 1 - c for the cosine measures and theta for the angle.
 /// - A concentrated integrand is cut where it has fallen below exp(-decay).
 /// - A power c^k with k not whole is singular at c = 0. There c (or the angle from the horizon) becomes the
 /// q-th
@@ -58,6 +58,7 @@ class Substitution {
     const T y = lift<T>(near_) + from_peak;
     const T rest = lift<T>(rest_) + from_end;
     if (measure_ == Measure::cosine) return {{rest, y}, density};
+    if (measure_ == Measure::cosine_weighted) return {{rest, y}, rest * density};
     const T half_sine = sin(y / integer<T>(2));
     return {{sin(rest), integer<T>(2) * half_sine * half_sine}, density};
   }
@@ -91,12 +92,14 @@ inline Substitution::Substitution(const Metric& metric, const Shape& shape) : me
   const bool is_cut = cut < bottom;
   // theta = 2 asin(sqrt(y/2)), without cancellation near the peak
   const auto variable = [&](long double y) {
-    return measure_ == Measure::cosine ? y : 2 * std::asin(std::sqrt(y / 2));
+    return measure_ == Measure::angle ? 2 * std::asin(std::sqrt(y / 2)) : y;
   };
   near_ = variable(top);
   length_ = variable(is_cut ? cut : bottom) - near_;
   rest_ = metric.domain.lower == 0 && !is_cut ? 0.0L : variable(1.0L) - near_ - length_;
   total_ = variable(bottom) - near_;
+  if (measure_ == Measure::cosine_weighted)
+    total_ *= ((1 - top) + (1 - bottom)) / 2;  // upper^2/2 - lower^2/2
   const bool is_singular = shape.end_power != std::floor(shape.end_power);
   if (is_singular && !is_cut && metric.domain.lower == 0) {
     power_ = std::max(1, static_cast<int>(std::ceil(8 / (1 + shape.end_power))));

@@ -7,11 +7,22 @@
 
 namespace shadefit {
 
-long units_off(std::string_view printed, double computed) {
+namespace {
+
+int decimals_of(std::string_view printed) {
   const auto point = printed.find('.');
-  const auto decimals = point == std::string_view::npos ? 0 : static_cast<int>(printed.size() - point - 1);
+  return point == std::string_view::npos ? 0 : static_cast<int>(printed.size() - point - 1);
+}
+
+}  // namespace
+
+double last_unit(std::string_view printed) {
+  return 1 / power(10.0, decimals_of(printed));
+}
+
+long units_off(std::string_view printed, double computed) {
   // 10^decimals is exact in a long double up to 27 decimals, and std::round takes halves away from zero.
-  const long double scale = power(10.0L, decimals);
+  const long double scale = power(10.0L, decimals_of(printed));
   const long double rounded = std::round(static_cast<long double>(computed) * scale);
   const long double stated = std::round(constant<long double>(printed) * scale);
   const long double gap = std::abs(rounded - stated);

@@ -30,6 +30,9 @@ constexpr std::string_view name(Verdict verdict) {
 /// "-5.55473".
 long units_off(std::string_view printed, double computed);
 
+/// One unit in the last printed digit: 0.001 for "0.788".
+double last_unit(std::string_view printed);
+
 /// A number that a published one can be held against, and the metric or convention that it comes from.
 struct Alternative {
   std::string objective;

@@ -19,6 +19,11 @@ Json objective_json(const Metric& metric) {
           {"domain", domain_json(metric.domain)}};
 }
 
+Json range_json(const std::optional<ExponentRange>& range) {
+  if (!range) return {};
+  return {{"exactly", range->exactly}, {"from", range->from}, {"to", range->to}};
+}
+
 Json assessment_json(const Assessment& assessment) {
   const double printed = constant<double>(assessment.published->printed);
   return {{"id", assessment.published->id},
@@ -26,7 +31,8 @@ Json assessment_json(const Assessment& assessment) {
           {"printed", assessment.published->printed},
           {"deviation", assessment.computed - printed},
           {"verdict", name(assessment.judgement.verdict)},
-          {"under", assessment.judgement.objective}};
+          {"under", assessment.judgement.objective},
+          {"holds_for", range_json(assessment.holds_for)}};
 }
 
 /// The numbers that fits of a family are judged by: the first published for each parameter.

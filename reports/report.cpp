@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "approx/catalogue.hpp"
 #include "reports/tables.hpp"
@@ -41,12 +42,29 @@ std::string statement_text(const Published& published) {
       return fmt::format("the mean of the best {} over k = {}", published.parameter, published.exponents);
     case Statement::limit_of_fits:
       return fmt::format("the best {} as k grows", published.parameter);
+    case Statement::fit_somewhere:
+      return fmt::format("the best {}, for exponents that are not stated", published.parameter);
     case Statement::best_fit:
       break;
   }
   return published.exponents.empty()
              ? fmt::format("the best {}", published.parameter)
              : fmt::format("the best {} at k = {}", published.parameter, published.exponents);
+}
+
+/// Where a number published without its exponent is right, under each measure.
+std::string somewhere_sentence(const std::vector<const Assessment*>& found) {
+  std::string out = fmt::format(" Verdict: **{}**.", name(found.front()->judgement.verdict));
+  for (const Assessment* a : found) {
+    out += a->holds_for
+               ? fmt::format(
+                     " Under the {} measure the best value is the printed one at k = {:.3g} and rounds to it "
+                     "from "
+                     "{:.3g} to {:.3g}.",
+                     name(a->metric.measure), a->holds_for->exactly, a->holds_for->from, a->holds_for->to)
+               : fmt::format(" Under the {} measure it is the best value nowhere.", name(a->metric.measure));
+  }
+  return out;
 }
 
 /// One published number in plain words: what it says, what comes out under each measure, and what follows.
@@ -56,6 +74,7 @@ std::string published_paragraph(const Refit& refit, const Published& published) 
   std::string out =
       fmt::format("- **`{}`** is printed as **{}**: {} ({} {}).", published.id, published.printed,
                   statement_text(published), published.source.author, published.source.year);
+  if (published.statement == Statement::fit_somewhere) return out + somewhere_sentence(found) + "\n";
   out += " The fits give";
   for (const Assessment* a : found) {
     out += fmt::format("{} {} under the {} measure", a == found.front() ? "" : ",", number(a->computed),
@@ -95,31 +114,30 @@ const Published* published_mean(const Refit& refit) {
   return found == published_constants.end() ? nullptr : &*found;
 }
 
-/// One row per exponent, the measures side by side, and what the published mean costs there.
+/// One row per exponent: the best parameter under each measure, the errors under the first one, and what the
+/// published mean costs there.
 Table sweep_overview(const Refit& refit) {
   const std::string parameter(refit.family->parameters[0]);
   const Published* mean = published_mean(refit);
   Table table{{"k"}, {}};
-  for (const Measure measure : measures) {
-    for (const std::string& column :
-         {parameter, std::string("rms error"), std::string("max abs error"), std::string("at c")}) {
-      table.columns.push_back(fmt::format("{} ({})", column, name(measure)));
-    }
+  for (const Measure measure : measures)
+    table.columns.push_back(fmt::format("{} ({})", parameter, name(measure)));
+  for (const char* column : {"rms error", "max abs error", "at c"}) {
+    table.columns.push_back(fmt::format("{} ({})", column, name(measures.front())));
   }
   if (mean != nullptr)
     table.columns.push_back(fmt::format("max abs error at {} = {}", parameter, mean->printed));
   const std::size_t count = refit.fits.size() / measures.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const double exponent = *refit.fits[i].fit.exponent;
-    std::vector<Cell> row{Number{exponent, 10}};
-    for (std::size_t m = 0; m < measures.size(); ++m) {
-      const Fit& fit = refit.fits[m * count + i].fit;
-      row.insert(row.end(), {converged(fit.parameters[0]), Number{fit.rms_error, 4},
-                             Number{fit.max_abs_error.magnitude, 4}, place(fit.max_abs_error.at)});
-    }
+    const Fit& first = refit.fits[i].fit;
+    std::vector<Cell> row{Number{*first.exponent, 10}};
+    for (std::size_t m = 0; m < measures.size(); ++m)
+      row.push_back(converged(refit.fits[m * count + i].fit.parameters[0]));
+    row.insert(row.end(), {Number{first.rms_error, 4}, Number{first.max_abs_error.magnitude, 4},
+                           place(first.max_abs_error.at)});
     if (mean != nullptr) {
       const std::array fixed{constant<double>(mean->printed)};
-      row.push_back(Number{refit.family->max_abs_error(exponent, {}, fixed).magnitude, 4});
+      row.push_back(Number{refit.family->max_abs_error(*first.exponent, {}, fixed).magnitude, 4});
     }
     table.rows.push_back(row);
   }
@@ -165,23 +183,33 @@ std::string variants_section(const Refit& refit) {
   return table.rows.empty() ? "" : "Mistyped copies in circulation:\n\n" + markdown(table);
 }
 
-/// The derived law of the offset beside what the fits extrapolate to.
-std::string offset_law_section(const Refit& refit) {
+/// The law that was derived for a family under a measure, if one was.
+std::optional<ApproachLaw<double>> derived_law(const Refit& refit, Measure measure) {
+  const auto expansion = peak_expansion(measure);
+  if (refit.family->info.id == sg_offset.id) return offset_law(expansion.p, expansion.w);
+  if (refit.family->info.id == phong_blinn.id) return factor_law(expansion.p);
+  return std::nullopt;
+}
+
+/// The derived law of approach beside what the fits extrapolate to.
+std::string law_section(const Refit& refit) {
   Table table{{"measure", "limit derived", "limit fitted", "slope derived", "slope fitted"}, {}};
   FitCache fits(*refit.family);
   for (const Measure measure : measures) {
-    const auto expansion = peak_expansion(measure);
-    const auto law = offset_law(expansion.p, expansion.w);
-    const auto fitted = extrapolate(fits, {.measure = measure}, 0);
+    const auto law = derived_law(refit, measure);
+    const auto fitted = law ? extrapolate(fits, {.measure = measure}, 0) : std::nullopt;
     if (!fitted) continue;
-    // The extrapolated slope is a difference of offsets over 1e-4: 1e-16 of them is 1e-12, and the cubic term
+    // The extrapolated slope is a difference of parameters over 1e-4: 1e-16 of them is 1e-12, the cubic term
     // 1e-9.
-    table.rows.push_back({std::string(name(measure)), converged(law.limit), converged(fitted->limit),
-                          converged(law.slope), Number{fitted->slope, 6}});
+    table.rows.push_back({std::string(name(measure)), converged(law->limit), converged(fitted->limit),
+                          converged(law->slope), Number{fitted->slope, 6}});
   }
-  return "For large k the best offset follows x(k) = limit + slope / k. Derived by asymptotic expansion "
-         "(approx/lobe.hpp), and extrapolated from the fits at k = 1e4, 1e5, 1e6:\n\n" +
-         markdown(table);
+  if (table.rows.empty()) return "";
+  return fmt::format(
+      "For large k the best {0} follows {0}(k) = limit + slope / k. Derived by asymptotic expansion (in "
+      "approx/), and "
+      "extrapolated from the fits at k = 1e4, 1e5, 1e6:\n\n{1}",
+      refit.family->parameters[0], markdown(table));
 }
 
 std::string sweep_words(const Refit& refit) {
@@ -195,9 +223,11 @@ std::string sweep_words(const Refit& refit) {
   return fmt::format(
       "The error of the best curve is largest at k = {}, {:.3g} at c = {:.3g} (the peak is 1), and falls "
       "with k: {:.3g} "
-      "at k = {}. The last column is what one published number costs at every k.\n\n",
+      "at k = {}.{}\n\n",
       *worst->fit.exponent, worst->fit.max_abs_error.magnitude, worst->fit.max_abs_error.at.cos_theta,
-      last->fit.max_abs_error.magnitude, *last->fit.exponent);
+      last->fit.max_abs_error.magnitude, *last->fit.exponent,
+      published_mean(refit) != nullptr ? " The last column is what one published number costs at every k."
+                                       : "");
 }
 
 std::string single_words(const Refit& refit) {
@@ -224,7 +254,7 @@ std::string family_section(const Refit& refit) {
   } else {
     out += markdown(single_overview(refit)) + single_words(refit);
   }
-  if (info.id == sg_offset.id) out += offset_law_section(refit);
+  if (refit.family->has_exponent()) out += law_section(refit);
   return out + variants_section(refit);
 }
 
@@ -261,7 +291,9 @@ std::string write_report(const Results& results) {
       "another named "
       "metric or convention gives them; *refuted*, none does. `c` is a cosine in [0, 1]; the `cosine` "
       "measure dc weighs "
-      "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) the angle. Fits are continuous least squares "
+      "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) the angle, the `cosine-weighted` measure c dc "
+      "projected solid "
+      "angle. Fits are continuous least squares "
       "of the "
       "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";

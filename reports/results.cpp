@@ -72,7 +72,7 @@ Results compute_results(const std::vector<std::string>& ids) {
   for (const FittableFamily& family : fittable_families()) {
     if (!is_family_wanted(ids, family.info)) continue;
     const auto exponents = family.has_exponent() ? parse_sweep(family.info.sweep) : std::vector<double>{};
-    results.refits.push_back(refit(family, exponents, measures));
+    results.refits.push_back(refit(family, exponents, whole_domain_metrics()));
   }
   for (const Normalisation& record : normalisations) {
     if (!is_wanted(ids, record.id)) continue;

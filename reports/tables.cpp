@@ -14,10 +14,6 @@ Cell word(std::string_view s) {
   return std::string(s);
 }
 
-std::string domain_text(const Domain& domain) {
-  return fmt::format("{}:{}", domain.lower, domain.upper);
-}
-
 /// The published number, what the fit gives, their difference and the verdict; empty where nothing was
 /// published.
 struct PublishedCells {
@@ -59,7 +55,7 @@ void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
 }
 
 void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric) {
-  append(row, {word(refit.family->info.target), word(refit.family->info.form), domain_text(metric.domain),
+  append(row, {word(refit.family->info.target), word(refit.family->info.form), to_text(metric.domain),
                word(name(metric.measure)), word(name(metric.norm))});
 }
 
@@ -83,11 +79,18 @@ void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, st
   out.origins.push_back({&refit, &report, parameter});
 }
 
+/// "x_mean", "x_limit"; a number published without its exponent is "x" at the exponent where it is exact.
+std::string derived_parameter(const Published& published) {
+  const std::string parameter(published.parameter);
+  if (published.statement == Statement::mean_of_fits) return parameter + "_mean";
+  return published.statement == Statement::limit_of_fits ? parameter + "_limit" : parameter;
+}
+
 void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& assessment) {
-  const bool is_mean = assessment.published->statement == Statement::mean_of_fits;
   const auto cells = published_cells(refit, nullptr, 0, &assessment);
-  auto row =
-      row_start(refit, std::string(assessment.published->parameter) + (is_mean ? "_mean" : "_limit"), {});
+  const auto& range = assessment.holds_for;
+  auto row = row_start(refit, derived_parameter(*assessment.published),
+                       range ? std::optional(range->exactly) : std::nullopt);
   append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
   append_metric(row, refit, assessment.metric);
   append(row, {{}, {}, {}, {}, {}, cells.source});
@@ -166,6 +169,13 @@ Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
   return table;
 }
 
+/// The metric that gives a published number, and for which exponents.
+std::string under(const Assessment& assessment) {
+  const auto& range = assessment.holds_for;
+  if (!range) return assessment.judgement.objective;
+  return fmt::format("{}, k = {:.3g} to {:.3g}", assessment.judgement.objective, range->from, range->to);
+}
+
 Table summary_table(const Results& results) {
   Table table{{"constant", "printed", "computed", "verdict", "under", "digits of the fit"}, {}};
   // A published number is judged under the first measure first; that assessment is its verdict.
@@ -173,7 +183,7 @@ Table summary_table(const Results& results) {
     if (assessment.metric.measure != measures.front()) return;
     table.rows.push_back({word(assessment.published->id), word(assessment.published->printed),
                           converged(assessment.judgement.value), word(name(assessment.judgement.verdict)),
-                          word(assessment.judgement.objective), digits});
+                          word(under(assessment)), digits});
   };
   for (const Refit& refit : results.refits) {
     for (const Assessment& assessment : refit.derived) add(assessment, {});

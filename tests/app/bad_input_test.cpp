@@ -51,7 +51,21 @@ TEST(BadInput, Exponents) {
   expect_refusal({"fit", "sg-offset-mean", "--exponent", "5"},
                  "--exponent '5' does not apply: sg-offset-mean names its own exponents");
   expect_refusal({"fit", "sg-offset", "--measure", "sine"},
-                 "--measure 'sine' is unknown: it must be one of cosine, angle");
+                 "--measure 'sine' is unknown: it must be one of cosine, angle, cosine-weighted");
+}
+
+TEST(BadInput, Domains) {
+  for (const char* text : {"", "0.5", "0:x", "nan:1", "0:inf", ":1"}) {
+    expect_refusal({"fit", "sg-offset", "--domain", text},
+                   "--domain '" + std::string(text) + "' is not a pair A:B of finite numbers");
+  }
+  for (const char* text : {"0.5:0.5", "0.75:0.25"}) {
+    expect_refusal({"fit", "sg-offset", "--domain", text},
+                   "--domain '" + std::string(text) + "' is empty or reversed: A must be less than B");
+  }
+  expect_refusal({"fit", "sg-offset", "--domain", "0:2"},
+                 "--domain '0:2' leaves [0, 1]: A and B are cosines");
+  expect_refusal({"fit", "sg-offset", "--domain=-1:1"}, "--domain '-1:1' leaves [0, 1]: A and B are cosines");
 }
 
 TEST(BadInput, OutputPaths) {

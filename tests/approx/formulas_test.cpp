@@ -4,6 +4,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
+#include "approx/phong_blinn.hpp"
 #include "tests/accuracy.hpp"
 
 namespace shadefit {
@@ -51,6 +52,33 @@ TEST(Lobe, RobustFormsAreThePlainOnes) {
       }
     }
   }
+}
+
+TEST(PhongBlinn, RobustFormsAreThePlainOnes) {
+  for (const char* rho : {"0.1", "1", "7.3", "64", "2048"}) {
+    for (const char* c : {"0.001", "0.3", "0.5", "0.9", "0.9999"}) {
+      for (const char* x : {"4", "4.2", "6"}) {
+        const Decimal100 K(rho), C(c), X(x), Y = 1 - C;
+        const std::string where = std::string(rho) + " " + c + " " + x;
+        const Decimal100 ratio = phong_blinn_log_ratio(C, Y, K);
+        // cos(theta/2) = sqrt((1 + cos(theta))/2)
+        const Decimal100 blinn = pow(sqrt(Decimal100((1 + C) / 2)), Decimal100(X * K));
+        const Decimal100 difference = blinn - power_lobe(C, K);
+        const double tolerance = 1e-45;
+        EXPECT_TRUE(is_close(where, Decimal50(blinn), Decimal50(blinn_lobe(Y, K, X)), tolerance));
+        EXPECT_TRUE(
+            is_close(where, Decimal50(difference), Decimal50(phong_blinn_error(Y, K, X, ratio)), tolerance));
+        EXPECT_TRUE(is_close(where, Decimal50(difference / power_lobe(C, K)),
+                             Decimal50(phong_blinn_relative_error(Y, K, X, ratio)), tolerance));
+      }
+    }
+  }
+}
+
+TEST(PhongBlinn, TheLawHasItsClosedForms) {
+  EXPECT_EQ(factor_law(1.0).limit, 4);
+  EXPECT_EQ(factor_law(1.0).slope, 1.5) << "4 + 3/(2 rho) in the cosine measures";
+  EXPECT_EQ(factor_law(0.5).slope, 1.25) << "4 + 5/(4 rho) in the angle";
 }
 
 // In double the robust error keeps its digits where the plain difference has lost log10(k) of them.

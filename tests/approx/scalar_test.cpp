@@ -10,6 +10,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
+#include "approx/phong_blinn.hpp"
 #include "fit/half.hpp"
 #include "fit/interval.hpp"
 #include "fit/jet.hpp"
@@ -58,6 +59,19 @@ auto formulas() {
       Formula{"gaussian_lobe_relative_error",
               [](auto y, auto x, auto l) { return gaussian_lobe_relative_error(y, x, l); },
               Lobes{{"0.125", "0.75", "-0.0625"}, {"0.5", "0.5", "-1"}}, 32},
+      Formula{"blinn_lobe", [](auto y, auto k, auto x) { return blinn_lobe(y, k, x); },
+              Lobes{{"0.125", "5", "4"}, {"0.5", "2", "4.5"}}, 16},
+      Formula{"phong_blinn_log_ratio", [](auto c, auto y, auto k) { return phong_blinn_log_ratio(c, y, k); },
+              Lobes{{"0.875", "0.125", "5"}, {"0.25", "0.75", "8"}}, 32},
+      Formula{"phong_over_blinn", [](auto y, auto k, auto x, auto l) { return phong_over_blinn(y, k, x, l); },
+              Lobes{{"0.125", "5", "4.5", "-0.0625"}, {"0.5", "4", "4.25", "-1"}}, 32},
+      Formula{"phong_blinn_error",
+              [](auto y, auto k, auto x, auto l) { return phong_blinn_error(y, k, x, l); },
+              Lobes{{"0.125", "5", "4.5", "-0.25"}, {"0.5", "4", "4.25", "-1"}}, 32},
+      Formula{"phong_blinn_relative_error",
+              [](auto y, auto k, auto x, auto l) { return phong_blinn_relative_error(y, k, x, l); },
+              Lobes{{"0.125", "5", "4.5", "-0.25"}, {"0.5", "4", "4.25", "-1"}}, 32},
+      Formula{"factor_law.slope", [](auto p) { return factor_law(p).slope; }, Lobes{{"1"}, {"0.5"}}, 4},
       Formula{"offset_law.limit", [](auto p, auto w) { return offset_law(p, w).limit; },
               Lobes{{"1", "0"}, {"0.5", "0.25"}}, 4},
       Formula{"offset_law.slope", [](auto p, auto w) { return offset_law(p, w).slope; },
@@ -70,8 +84,8 @@ auto formulas() {
       Formula{"fresnel_quadratic", [](auto c, auto a, auto b) { return fresnel_quadratic(c, a, b); },
               Lobes{{"0.25", "-5.5", "-7"}, {"0.5", "-5.5", "-7"}}, 16},
       Formula{"one_term_sharpness", [](auto x) { return one_term_sharpness(x); }, Lobes{{"0.75"}, {"1"}}, 4},
-      Formula{"half_angle_cosine_power", [](auto y, auto a) { return half_angle_cosine_power(y, a); },
-              Lobes{{"0.5", "8"}}, 16},
+      Formula{"half_angle_power", [](auto y, auto a) { return half_angle_power(y, a); }, Lobes{{"0.5", "8"}},
+              16},
       Formula{"LambertLobe::constant", [](auto a) { return LambertLobe::constant(a); }, Lobes{{"1"}}, 4},
       Formula{"PhongLobe::constant", [](auto a) { return PhongLobe::constant(a); }, Lobes{{"0.5"}, {"8"}}, 4},
       Formula{"PhongBrdfLobe::lobe", [](auto y, auto a) { return PhongBrdfLobe::lobe(y, a); },

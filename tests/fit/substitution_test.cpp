@@ -22,6 +22,7 @@ const Case cases[] = {
     {{.measure = Measure::angle}, {.concentration = 5, .end_power = 2.5}},
     {{.measure = Measure::cosine}, {.concentration = 2e6, .end_power = 1e6}},
     {{.measure = Measure::angle}, {.concentration = 2e6, .end_power = 1e6}},
+    {{.measure = Measure::cosine_weighted}, {.concentration = 5, .end_power = 2.5}},
     {{.measure = Measure::cosine, .domain = {0.25, 0.75}}, {.end_power = 0.5}},
     {{.measure = Measure::angle, .domain = {0.25, 0.75}}, {.end_power = 0.5}},
 };
@@ -83,7 +84,11 @@ TEST(Substitution, DensityIsThatOfTheMeasure) {
     for (const double s : {0.1, 0.5, 0.9}) {
       const auto place = substitution.at(Jet(s, 0));
       const double y = place.cosine.one_minus_cos.a;
-      const double sine = metric.measure == Measure::angle ? std::sqrt(y * (2 - y)) : 1;
+      const double c = place.cosine.cos_theta.a;
+      // of the variable: dc, d theta = dc / sin(theta), c dc
+      const double sine = metric.measure == Measure::angle             ? std::sqrt(y * (2 - y))
+                          : metric.measure == Measure::cosine_weighted ? 1 / c
+                                                                       : 1;
       // Each of c and 1 - c loses digits of its derivative at its far end, where the power map is flat.
       EXPECT_NEAR(place.cosine.one_minus_cos.v[0] / (place.density.a * sine), 1, 1e-9);
       EXPECT_NEAR(-place.cosine.cos_theta.v[0] / (place.density.a * sine), 1, 1e-9);
@@ -96,6 +101,8 @@ TEST(Substitution, TotalIsTheMeasureOfTheWholeDomain) {
   EXPECT_NEAR(static_cast<double>(Substitution({.measure = Measure::angle}, {.concentration = 1e6}).total()),
               std::acos(0.0), 1e-16);
   EXPECT_EQ(Substitution({.measure = Measure::cosine, .domain = {0.25, 0.75}}, {}).total(), 0.5);
+  EXPECT_EQ(Substitution({.measure = Measure::cosine_weighted}, {.concentration = 1e6}).total(), 0.5);
+  EXPECT_EQ(Substitution({.measure = Measure::cosine_weighted, .domain = {0.25, 0.75}}, {}).total(), 0.25);
   EXPECT_NEAR(
       static_cast<double>(Substitution({.measure = Measure::angle, .domain = {0.25, 0.75}}, {}).total()),
       std::acos(0.25) - std::acos(0.75), 1e-15);

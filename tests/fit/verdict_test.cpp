@@ -25,6 +25,12 @@ TEST(UnitsOff, CountsInTheLastPrintedDigit) {
   EXPECT_GT(units_off("1", std::nan("")), 1000000);
 }
 
+TEST(LastUnit, OfThePrintedDigits) {
+  EXPECT_EQ(last_unit("0.788"), 0.001);
+  EXPECT_EQ(last_unit("4"), 1);
+  EXPECT_EQ(last_unit("8.656170"), 1e-6);
+}
+
 TEST(Judge, TakesItsOwnObjectiveFirstThenTheOthersInOrder) {
   const std::vector<Alternative> others{{"angle", 0.6732}, {"convention", 1.0}};
   const auto verdict = [&](std::string_view printed) { return judge(printed, {"cosine", 0.78754}, others); };

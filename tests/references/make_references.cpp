@@ -3,6 +3,7 @@
 // shadefit samples the integrals at quadrature nodes; here they are summed as power series. With the moments
 //   I(m) = integral of c^m over the measure on [0, 1] = 1/(m+1)                                   (cosine)
 //                                                     = sqrt(pi)/2 Gamma((m+1)/2) / Gamma(m/2+1)  (angle)
+//                                                     = 1/(m+2) (cosine-weighted)
 // an integral of c^m h(c) is the sum of h_n I(m + n) over the Taylor coefficients h_n of h. Every gradient of
 // the families is a combination of such integrals; its root is found in 100 digits and printed to 50.
 //
@@ -22,10 +23,11 @@ namespace {
 using Real =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
 
-enum class Measure { cosine, angle };
+enum class Measure { cosine, angle, cosine_weighted };
 
 Real moment(Measure measure, const Real& m) {
   if (measure == Measure::cosine) return 1 / (m + 1);
+  if (measure == Measure::cosine_weighted) return 1 / (m + 2);
   using boost::math::lgamma;
   return sqrt(boost::math::constants::pi<Real>()) / 2 *
          exp(lgamma(Real((m + 1) / 2)) - lgamma(Real(m / 2 + 1)));
@@ -38,7 +40,8 @@ class Moments {
       : measure_(measure), m_(m), now_(moment(measure, m)), next_(moment(measure, m + 1)) {}
   const Real& value() const { return now_; }
   void advance() {
-    const Real after = measure_ == Measure::cosine ? Real(1 / (m_ + 3)) : Real(now_ * (m_ + 1) / (m_ + 2));
+    const Real after =
+        measure_ == Measure::angle ? Real(now_ * (m_ + 1) / (m_ + 2)) : moment(measure_, m_ + 2);
     now_ = next_;
     next_ = after;
     m_ += 1;
@@ -144,8 +147,10 @@ void write_references(std::ostream& out) {
                              "37.5", "50",  "100",  "1000", "12345.678", "10000", "250000", "1000000"};
   out.precision(50);
   out << "constant,parameter,exponent,measure,value\n";
-  for (const Measure measure : {Measure::cosine, Measure::angle}) {
-    const char* name = measure == Measure::cosine ? "cosine" : "angle";
+  for (const Measure measure : {Measure::cosine, Measure::angle, Measure::cosine_weighted}) {
+    const char* name = measure == Measure::cosine  ? "cosine"
+                       : measure == Measure::angle ? "angle"
+                                                   : "cosine-weighted";
     for (const char* k : exponents)
       out << "sg-offset,x," << k << ',' << name << ',' << best_offset(measure, Real(k)) << '\n';
     out << "fresnel-one-term,A,," << name << ',' << best_one_term(measure) << '\n';

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+
+#include "approx/lobe.hpp"
+#include "approx/record.hpp"
+#include "approx/scalar.hpp"
+#include "approx/sources.hpp"
+
+/// The Phong lobe cos^rho(theta), theta between reflected ray and view, by the Blinn lobe cos^(x
+/// rho)(theta/2) of the half vector: in a plane the Phong angle is twice the Blinn angle. rho > 0 is the
+/// Phong exponent, x the factor between the exponents, y = 1 - cos(theta).
+namespace shadefit {
+
+/// cos^(x rho)(theta/2) from y: ((1 + cos)/2)^(x rho/2) = exp(x rho/2 log1p(-y/2)).
+template <class T>
+T blinn_lobe(const T& one_minus_cos, const T& exponent, const T& factor) {
+  return half_angle_power(one_minus_cos, factor * exponent);
+}
+
+/// log of cos^rho(theta) over cos^(4 rho)(theta/2), and free of the factor: rho (log(1-y) - 2 log(1-y/2)).
+/// Both terms begin with -y, which the remainders leave out: log(1-y) + y and log1p(-y/2) + y/2.
+template <class T>
+T phong_blinn_log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
+  const T two = integer<T>(2);
+  return lobe_log_ratio(cos_theta, one_minus_cos, exponent) -
+         two * exponent * log1p_remainder(-(one_minus_cos / two));
+}
+
+/// log(cos^rho(theta) / cos^(x rho)(theta/2)) from y and the `phong_blinn_log_ratio` L: L - (x - 4) rho/2
+/// log1p(-y/2).
+template <class T>
+T phong_over_blinn(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
+  const T two = integer<T>(2);
+  return log_ratio - (factor - integer<T>(4)) * exponent / two * log1p(-(one_minus_cos / two));
+}
+
+/// blinn_lobe - cos^rho(theta) without cancellation: -blinn (exp(log(phong/blinn)) - 1).
+template <class T>
+T phong_blinn_error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
+  return -(blinn_lobe(one_minus_cos, exponent, factor) *
+           expm1(phong_over_blinn(one_minus_cos, exponent, factor, log_ratio)));
+}
+
+/// blinn_lobe / cos^rho(theta) - 1.
+template <class T>
+T phong_blinn_relative_error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
+  return expm1(-phong_over_blinn(one_minus_cos, exponent, factor, log_ratio));
+}
+
+/// The law of the least-squares factor under a measure y^(p-1) dy (1 + ..) near the peak: 4 + (p+2)/(2 rho).
+///
+/// With t = rho y and x = 4 + d, cos^rho = exp(-t - t^2/(2 rho) - ..) and the Blinn lobe is
+/// exp(-t - d t/4 - t^2/(4 rho) - ..); their difference, exp(-t) (t^2/(4 rho) - d t/4), has to be orthogonal
+/// to t exp(-t): g(p+3)/rho = d g(p+2) with g(n) = Gamma(n)/2^n. Cosine: 4 + 3/(2 rho); angle: 4 + 5/(4 rho).
+template <class T>
+ApproachLaw<T> factor_law(const T& p) {
+  return {integer<T>(4), (p + integer<T>(2)) / integer<T>(2)};
+}
+
+inline constexpr Family phong_blinn{.id = "phong-blinn",
+                                    .title = "Phong lobe by a Blinn lobe",
+                                    .target = "c^k",
+                                    .form = "((1+c)/2)^(x k/2)",
+                                    .variables =
+                                        "c = cos(theta), theta the Phong angle; k the Phong exponent rho; x "
+                                        "the factor from it to Blinn's, which takes "
+                                        "cos(theta/2)",
+                                    .sweep = "1,2,4,8,16,32,64,128,256,512,1024,2048"};
+
+inline constexpr std::array phong_blinn_published{
+    Published{.id = "phong-blinn-fisher-woo",
+              .family = "phong-blinn",
+              .parameter = "x",
+              .printed = "4",
+              .statement = Statement::limit_of_fits,
+              .exponents = "",
+              .convention = {},
+              .source = sources::fisher_woo_1994,
+              .variants = {}},
+    Published{.id = "phong-blinn-gotanda",
+              .family = "phong-blinn",
+              .parameter = "x",
+              .printed = "4.2",
+              .statement = Statement::fit_somewhere,
+              .exponents = "",
+              .convention = {},
+              .source = sources::gotanda_2010,
+              .variants = {}},
+};
+
+}  // namespace shadefit
