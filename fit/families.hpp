@@ -35,94 +35,104 @@ inline std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
   return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
 }
 
-/// c^k by exp((k+x)(c-1)).
-struct SgOffset {
-  static constexpr const Family& info = sg_offset;
+/// The lobe c^k by a form with one parameter: what the two lobe families share. `Formulas` names those of
+/// approx/, on y = 1 - c, the exponent, the parameter and the log ratio of target and form that does not
+/// depend on it.
+template <class Formulas>
+struct LobeFamily {
   static constexpr std::array<std::string_view, 1> parameters{"x"};
   static constexpr std::string_view relative_to = "target >= 1/255";
 
   double exponent;
+
+  /// Target and forms fall at least as fast as exp(-k y), their squares twice as fast.
+  Shape shape() const { return {.concentration = 2 * exponent, .end_power = exponent}; }
+
+  template <class T>
+  struct Sample {
+    T one_minus_cos;
+    T log_ratio;
+  };
+
+  template <class T>
+  Sample<T> sample(const Cosine<T>& c) const {
+    return {c.one_minus_cos, Formulas::log_ratio(c.cos_theta, c.one_minus_cos, lift<T>(exponent))};
+  }
+
+  template <class T, class P>
+  P form(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return Formulas::form(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0]);
+  }
+
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return Formulas::error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
+  }
+
+  template <class T, class P>
+  P relative_error(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return Formulas::relative_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
+  }
+
+  std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
+};
+
+struct GaussianFormulas {
+  template <class T>
+  static T log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
+    return lobe_log_ratio(cos_theta, one_minus_cos, exponent);
+  }
+  template <class T>
+  static T form(const T& one_minus_cos, const T& exponent, const T& offset) {
+    return gaussian_lobe_near_peak(one_minus_cos, exponent, offset);
+  }
+  template <class T>
+  static T error(const T& one_minus_cos, const T& exponent, const T& offset, const T& log_ratio) {
+    return gaussian_lobe_error(one_minus_cos, exponent, offset, log_ratio);
+  }
+  template <class T>
+  static T relative_error(const T& one_minus_cos, const T&, const T& offset, const T& log_ratio) {
+    return gaussian_lobe_relative_error(one_minus_cos, offset, log_ratio);
+  }
+};
+
+struct BlinnFormulas {
+  template <class T>
+  static T log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
+    return phong_blinn_log_ratio(cos_theta, one_minus_cos, exponent);
+  }
+  template <class T>
+  static T form(const T& one_minus_cos, const T& exponent, const T& factor) {
+    return blinn_lobe(one_minus_cos, exponent, factor);
+  }
+  template <class T>
+  static T error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
+    return phong_blinn_error(one_minus_cos, exponent, factor, log_ratio);
+  }
+  template <class T>
+  static T relative_error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
+    return phong_blinn_relative_error(one_minus_cos, exponent, factor, log_ratio);
+  }
+};
+
+/// c^k by exp((k+x)(c-1)).
+struct SgOffset : LobeFamily<GaussianFormulas> {
+  static constexpr const Family& info = sg_offset;
 
   /// The box is (0, 2). For a small exponent the lobe is 1 + k log c + .., and its best offset near 5/4 k.
   std::array<std::array<double, 1>, 3> starts() const {
     const double scale = std::min(1.0, exponent);
     return {{{0.1 * scale}, {0.7 * scale}, {2 * scale}}};
   }
-
-  /// Errors carry a factor exp(-(k+x)y) and their square is twice as sharp; x > 0.
-  Shape shape() const { return {.concentration = 2 * exponent, .end_power = exponent}; }
-
-  template <class T>
-  struct Sample {
-    T one_minus_cos;
-    T log_ratio;
-  };
-
-  template <class T>
-  Sample<T> sample(const Cosine<T>& c) const {
-    return {c.one_minus_cos, lobe_log_ratio(c.cos_theta, c.one_minus_cos, lift<T>(exponent))};
-  }
-
-  template <class T, class P>
-  P form(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return gaussian_lobe_near_peak(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0]);
-  }
-
-  template <class T, class P>
-  P error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return gaussian_lobe_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
-  }
-
-  template <class T, class P>
-  P relative_error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return gaussian_lobe_relative_error(lift<P>(s.one_minus_cos), p[0], lift<P>(s.log_ratio));
-  }
-
-  std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
 };
 
 /// cos^rho(theta) by cos^(x rho)(theta/2).
-struct PhongBlinn {
+struct PhongBlinn : LobeFamily<BlinnFormulas> {
   static constexpr const Family& info = phong_blinn;
-  static constexpr std::array<std::string_view, 1> parameters{"x"};
-  static constexpr std::string_view relative_to = "target >= 1/255";
 
-  double exponent;
-
-  /// The box is (3, 9): the limits are 4 for sharp lobes and, under the measures here, about 7.2 for rho = 0.
-  std::array<std::array<double, 1>, 3> starts() const { return {{{3.5}, {5}, {8}}}; }
-
-  /// cos^(x rho)(theta/2) <= exp(-x rho y/4), and x >= 4.
-  Shape shape() const { return {.concentration = 2 * exponent, .end_power = exponent}; }
-
-  template <class T>
-  struct Sample {
-    T one_minus_cos;
-    T log_ratio;
-  };
-
-  template <class T>
-  Sample<T> sample(const Cosine<T>& c) const {
-    return {c.one_minus_cos, phong_blinn_log_ratio(c.cos_theta, c.one_minus_cos, lift<T>(exponent))};
-  }
-
-  template <class T, class P>
-  P form(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return blinn_lobe(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0]);
-  }
-
-  template <class T, class P>
-  P error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return phong_blinn_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
-  }
-
-  template <class T, class P>
-  P relative_error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return phong_blinn_relative_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0],
-                                      lift<P>(s.log_ratio));
-  }
-
-  std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
+  /// The box is (3, 9): the best factor is 4 for sharp lobes and, under the measures here, below 7.5 for
+  /// blunt ones.
+  static std::array<std::array<double, 1>, 3> starts() { return {{{3.5}, {5}, {8}}}; }
 };
 
 /// (1-c)^5 by a form of one exp2: what the two Fresnel families share.

@@ -12,7 +12,7 @@ namespace {
 template <class F>
 F make_family(double exponent) {
   if constexpr (requires(F f) { f.exponent; }) {
-    return F{exponent};
+    return F{{exponent}};
   } else {
     return F{};
   }

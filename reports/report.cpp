@@ -289,7 +289,7 @@ std::string write_report(const Results& results) {
       "computed "
       "number: *confirmed*, all printed digits; *rounding*, the last one off by one; *other-objective*, "
       "another named "
-      "metric or convention gives them; *refuted*, none does. `c` is a cosine in [0, 1]; the `cosine` "
+      "metric or convention gives them; *conditional*, for some exponents only; *refuted*, none does. `c` is a cosine in [0, 1]; the `cosine` "
       "measure dc weighs "
       "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) the angle, the `cosine-weighted` measure c dc "
       "projected solid "

@@ -126,9 +126,9 @@ struct NotFinite : SgOffset {
 };
 
 TEST(LeastSquares, FlatTwofoldAndInfiniteProblemsAreNotConverged) {
-  EXPECT_EQ(solve_least_squares(Flat{{1}}, Metric{}).status, Status::not_finite) << "0/0 is no Newton step";
-  EXPECT_EQ(solve_least_squares(TwoMinima{{1}}, Metric{}).status, Status::ambiguous);
-  EXPECT_EQ(solve_least_squares(NotFinite{{1}}, Metric{}).status, Status::not_finite);
+  EXPECT_EQ(solve_least_squares(Flat{{{1}}}, Metric{}).status, Status::not_finite) << "0/0 is no Newton step";
+  EXPECT_EQ(solve_least_squares(TwoMinima{{{1}}}, Metric{}).status, Status::ambiguous);
+  EXPECT_EQ(solve_least_squares(NotFinite{{{1}}}, Metric{}).status, Status::not_finite);
 }
 
 /// A maximum or saddle has a zero gradient too: error = cos(p), whose square is largest at p = 0.
@@ -141,7 +141,7 @@ struct AtMaximum : SgOffset {
 };
 
 TEST(LeastSquares, AMaximumIsNotAnAnswer) {
-  EXPECT_EQ(solve_least_squares(AtMaximum{{1}}, Metric{}).status, Status::not_converged);
+  EXPECT_EQ(solve_least_squares(AtMaximum{{{1}}}, Metric{}).status, Status::not_converged);
 }
 
 TEST(CorrectDigits, AreWholeAndCapped) {
@@ -169,7 +169,7 @@ struct Kinked : SgOffset {
 // The best constant is the mean, (1/3^1.1 + (2/3)^1.1) / 1.1. Where the rules do not settle, `digits` says
 // how far they came, and not more.
 TEST(LeastSquares, DigitsDoNotOverstateWhereNoRuleSettles) {
-  const auto optimum = solve_least_squares(Kinked{{1}}, Metric{});
+  const auto optimum = solve_least_squares(Kinked{{{1}}}, Metric{});
   EXPECT_EQ(optimum.status, Status::not_converged);
   const Decimal50 p("1.1");
   const Decimal50 truth = (pow(Decimal50(1) / 3, p) + pow(Decimal50(2) / 3, p)) / p;

@@ -12,11 +12,11 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <fstream>
-#include <iostream>
-#include <sstream>
+#include <ostream>
 #include <string>
 #include <vector>
+
+#include "print_or_check.hpp"
 
 namespace {
 
@@ -163,16 +163,5 @@ void write_references(std::ostream& out) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 1) {
-    write_references(std::cout);
-    return 0;
-  }
-  std::ostringstream computed;
-  write_references(computed);
-  std::ifstream file(argv[argc - 1]);
-  std::ostringstream stored;
-  stored << file.rdbuf();
-  const bool same = computed.str() == stored.str();
-  std::cout << (same ? "the stored references are what this program computes\n" : computed.str());
-  return same ? 0 : 1;
+  return shadefit::references::print_or_check(argc, argv, write_references);
 }
