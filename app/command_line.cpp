@@ -36,8 +36,8 @@ void require_values(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
-    const bool takes_text =
-        option == "--out" || option == "--baseline" || option == "--measure" || option == "--only";
+    const bool takes_text = option == "--out" || option == "--baseline" || option == "--measure" ||
+                            option == "--target" || option == "--only";
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
                                   option, arguments[i + 1]));
@@ -98,6 +98,11 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
       ->type_name("NAME");
   fit->add_option("--domain", fit_options.domain, "A:B, the cosines to fit over; default: 0:1")
       ->type_name("A:B");
+  fit->add_option("--target", fit_options.target, "of a Fresnel family: schlick, or exact for a dielectric")
+      ->capture_default_str()
+      ->type_name("NAME");
+  fit->add_option("--ior", fit_options.ior, "index of refraction of the exact target; default: 1.5")
+      ->type_name("N");
   auto* json = fit->add_flag("--json", fit_options.json, "print JSON, every number to its last bit");
   fit->add_flag("--csv", fit_options.csv, "print the columns of fits.csv, every number to its last bit")
       ->excludes(json);

@@ -77,6 +77,36 @@ std::vector<double> exponents_for(const FittableFamily& family, const Published*
   }
 }
 
+/// The index of refraction of an exact target; 0 for Schlick's.
+double parse_ior(const FittableFamily& family, const FitOptions& options) {
+  if (options.target != "schlick" && options.target != "exact") {
+    throw UserError(
+        fmt::format("--target '{}' is unknown: it must be one of schlick, exact", options.target));
+  }
+  if (options.target == "schlick") {
+    if (options.ior)
+      throw UserError(fmt::format("--ior '{}' does not apply: it belongs to --target exact", *options.ior));
+    return 0;
+  }
+  if (!family.is_fresnel)
+    throw UserError(fmt::format("--target 'exact' does not apply: {} is no Fresnel form", family.info.id));
+  const std::string text = options.ior.value_or("1.5");
+  const auto ior = parse_number(text);
+  if (!ior) throw UserError(fmt::format("--ior '{}' is not a finite number", text));
+  if (!(*ior > 0) || *ior == 1)
+    throw UserError(
+        fmt::format("--ior '{}' is no index of an interface: it must be greater than 0, and not 1", text));
+  return *ior;
+}
+
+std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,
+                                  const FitOptions& options) {
+  const double ior = parse_ior(family, options);
+  const auto exponents = exponents_for(family, published, options.exponent);
+  if (!family.has_exponent()) return {Setting{0, ior}};
+  return {exponents.begin(), exponents.end()};
+}
+
 std::string json_text(const nlohmann::ordered_json& json) {
   return json.dump(2) + "\n";
 }
@@ -99,8 +129,8 @@ Outcome derived_command(const FittableFamily& family, const Published& published
 
 std::string console_text(const Refit& refit, const Metric& metric) {
   const Family& info = refit.family->info;
-  return fmt::format("{}: {} ~ {}, {} measure, least squares\n", info.id, info.target, info.form,
-                     describe(metric)) +
+  return fmt::format("{}: {} ~ {}, {} measure, least squares\n", info.id, target_of(refit.fits.front().fit),
+                     info.form, describe(metric)) +
          write_console(fits_overview(refit), Precision::report);
 }
 
@@ -167,9 +197,7 @@ Outcome fit_command(const FitOptions& options) {
   const Metric metric = parse_metric(options);
   FitCache fits(family);
   const Refit refit{
-      &family,
-      fit_and_assess(fits, exponents_for(family, published, options.exponent), std::array{metric}),
-      {}};
+      &family, fit_and_assess(fits, settings_for(family, published, options), std::array{metric}), {}};
   const std::string err = not_converged_lines(refit);
   return {err.empty() ? 0 : 1, fits_text(refit, options, metric), err};
 }

@@ -24,6 +24,8 @@ struct FitOptions {
   std::optional<std::string> exponent;  ///< empty: the record's own sweep
   std::string measure = "cosine";
   std::optional<std::string> domain;  ///< "A:B" in cosines; empty: all of [0, 1]
+  std::string target = "schlick";     ///< or "exact": the dielectric of index `ior`; Fresnel families only
+  std::optional<std::string> ior;     ///< empty: 1.5
   bool json = false;
   bool csv = false;
 };

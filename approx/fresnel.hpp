@@ -24,6 +24,37 @@ T schlick_reflectance(const T& f0, const T& weight) {
   return f0 + (integer<T>(1) - f0) * weight;
 }
 
+/// The reflectance at normal incidence of a dielectric with relative index of refraction n: ((n - 1)/(n +
+/// 1))^2.
+template <class T>
+T reflectance_at_normal(const T& ior) {
+  return power((ior - integer<T>(1)) / (ior + integer<T>(1)), 2);
+}
+
+/// The exact reflectance of a smooth dielectric in unpolarised light, (rs^2 + rp^2)/2, by Fresnel's
+/// equations:
+///   rs = (c - n t)/(c + n t), rp = (n c - t)/(n c + t), t = sqrt(1 - (1 - c^2)/n^2) the cosine of the
+///   refracted ray.
+/// n > 0 is the index behind the surface over the one in front: above 1 from outside, below 1 from inside,
+/// where beyond the critical angle t = 0 and everything is reflected (c > 0 there: at c = 0 the quotients are
+/// 0/0). Source: Born, Wolf 1999, "Principles of Optics", 7th edition, section 1.5.2.
+template <class T>
+T dielectric_reflectance(const T& cos_theta, const T& ior) {
+  const T one = integer<T>(1);
+  const T sine_over_n = (one - cos_theta) * (one + cos_theta) / (ior * ior);
+  const T refracted = sqrt(positive_part(one - sine_over_n));
+  const T rs = (cos_theta - ior * refracted) / (cos_theta + ior * refracted);
+  const T rp = (ior * cos_theta - refracted) / (ior * cos_theta + refracted);
+  return (rs * rs + rp * rp) / integer<T>(2);
+}
+
+/// How far the exact reflectance has gone from f0 to 1, as `schlick_weight` says it: (F - f0)/(1 - f0).
+template <class T>
+T dielectric_weight(const T& cos_theta, const T& ior) {
+  const T f0 = reflectance_at_normal(ior);
+  return (dielectric_reflectance(cos_theta, ior) - f0) / (integer<T>(1) - f0);
+}
+
 /// exp2(-A c), A > 0: one multiplication and one exp2.
 template <class T>
 T fresnel_one_term(const T& cos_theta, const T& sharpness) {

@@ -41,7 +41,7 @@ inline std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
 template <class Formulas>
 struct LobeFamily {
   static constexpr std::array<std::string_view, 1> parameters{"x"};
-  static constexpr std::string_view relative_to = "target >= 1/255";
+  static std::string_view relative_to() { return "target >= 1/255"; }
 
   double exponent;
 
@@ -135,10 +135,16 @@ struct PhongBlinn : LobeFamily<BlinnFormulas> {
   static std::array<std::array<double, 1>, 3> starts() { return {{{3.5}, {5}, {8}}}; }
 };
 
-/// (1-c)^5 by a form of one exp2: what the two Fresnel families share.
+/// Schlick's (1-c)^5, or the weight of an exact dielectric, by a form of one exp2: what the two Fresnel
+/// families share.
 template <class Form, int N>
 struct FresnelFamily {
-  static constexpr std::string_view relative_to = "F = f0 + (1 - f0) f, f0 = 0.04";
+  /// The index of refraction of the exact target; 0: the target is Schlick's. Errors of an exact target are
+  /// those of the reflectance F = f0 + (1 - f0) f, f0 from the index; Schlick's target stands for every f0
+  /// and has the errors of f.
+  double ior = 0;
+
+  std::string_view relative_to() const { return ior == 0 ? "F = f0 + (1 - f0) f, f0 = 0.04" : "the exact F"; }
 
   Shape shape() const { return {}; }
 
@@ -150,7 +156,8 @@ struct FresnelFamily {
 
   template <class T>
   Sample<T> sample(const Cosine<T>& c) const {
-    return {c.cos_theta, schlick_weight(c.cos_theta)};
+    return {c.cos_theta,
+            ior == 0 ? schlick_weight(c.cos_theta) : dielectric_weight(c.cos_theta, lift<T>(ior))};
   }
 
   template <class T, class P>
@@ -160,18 +167,24 @@ struct FresnelFamily {
 
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, N>& p) const {
-    return form(s, p) - lift<P>(s.target);
+    const P difference = form(s, p) - lift<P>(s.target);
+    return ior == 0 ? difference : (integer<P>(1) - f0<P>()) * difference;
   }
 
-  /// (Fhat - F)/F at the reference f0: what a shader's reader sees.
+  /// (Fhat - F)/F: what a shader's reader sees.
   template <class T, class P>
   P relative_error(const Sample<T>& s, const std::array<P, N>& p) const {
-    const P f0 = constant<P>(reference_f0);
-    const P exact = schlick_reflectance(f0, lift<P>(s.target));
-    return (schlick_reflectance(f0, form(s, p)) - exact) / exact;
+    const P exact = schlick_reflectance(f0<P>(), lift<P>(s.target));
+    return (schlick_reflectance(f0<P>(), form(s, p)) - exact) / exact;
   }
 
   static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
+
+ private:
+  template <class P>
+  P f0() const {
+    return ior == 0 ? constant<P>(reference_f0) : reflectance_at_normal(lift<P>(ior));
+  }
 };
 
 struct OneTermForm {
@@ -188,14 +201,14 @@ struct QuadraticForm {
   }
 };
 
-/// (1-c)^5 by exp2(-A c).
+/// (1-c)^5, or an exact dielectric, by exp2(-A c).
 struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
   static constexpr const Family& info = fresnel_one_term_family;
   static constexpr std::array<std::string_view, 1> parameters{"A"};
   static std::array<std::array<double, 1>, 3> starts() { return {{{2.0}, {8.0}, {16.0}}}; }
 };
 
-/// (1-c)^5 by exp2((a c + b) c).
+/// (1-c)^5, or an exact dielectric, by exp2((a c + b) c).
 struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   static constexpr const Family& info = fresnel_quadratic_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "fit/families.hpp"
 
@@ -10,12 +11,19 @@ namespace shadefit {
 namespace {
 
 template <class F>
-F make_family(double exponent) {
+F make_family(const Setting& setting) {
   if constexpr (requires(F f) { f.exponent; }) {
-    return F{{exponent}};
+    return F{{setting.exponent}};
   } else {
-    return F{};
+    return F{{setting.ior}};
   }
+}
+
+template <class F>
+constexpr bool has_exact_target() {
+  return requires(F f) {
+    f.ior;
+  };
 }
 
 template <class F>
@@ -38,40 +46,47 @@ auto at_parameters(const F& family, const std::array<double, N>& parameters, Fun
 
 /// Extrema are places in c whatever the measure, so they are looked for in the cosine.
 template <class F>
-Extremum max_abs_error(double exponent, const Domain& domain, std::span<const double> parameters) {
-  const auto family = make_family<F>(exponent);
+Extremum max_abs_error(const Setting& setting, const Domain& domain, std::span<const double> parameters) {
+  const auto family = make_family<F>(setting);
   const auto error =
       at_parameters(family, parameter_array<F>(parameters),
                     [](const F& f, const auto& sample, const auto& p) { return f.error(sample, p); });
   return largest_magnitude(error, Substitution({.domain = domain}, family.shape()));
 }
 
-/// The relative error is looked for where it has a meaning, within the domain.
+/// The part of the domain in which a relative error has a meaning: its upper and lower end; empty where there
+/// is none.
 template <class F>
-void add_max_rel_error(Fit& fit, const F& family) {
+std::optional<std::pair<Cosine<double>, Cosine<double>>> relative_ends(const F& family,
+                                                                       const Domain& domain) {
   const auto end = family.relative_end();
-  if (!end) {
-    fit.relative_to = "nothing: the target falls to 1/255 only below the smallest double";
-    return;
-  }
-  const Domain& domain = fit.metric.domain;
+  if (!end) return std::nullopt;
   const Cosine<double> top{domain.upper, 1 - domain.upper};
   const Cosine<double> bottom =
       end->cos_theta >= domain.lower ? *end : Cosine<double>{domain.lower, 1 - domain.lower};
-  if (bottom.one_minus_cos <= top.one_minus_cos) return;
-  const auto error = at_parameters(
-      family, parameter_array<F>(fit.parameters),
-      [](const F& f, const auto& sample, const auto& p) { return f.relative_error(sample, p); });
-  fit.max_rel_error = largest_magnitude(error, Substitution::between(top, bottom));
-  fit.relative_domain = {bottom.cos_theta, domain.upper};
+  if (bottom.one_minus_cos <= top.one_minus_cos) return std::nullopt;
+  return std::pair(top, bottom);
 }
 
 template <class F>
-Fit fit(double exponent, const Metric& metric) {
-  const auto family = make_family<F>(exponent);
+std::optional<Extremum> max_rel_error(const Setting& setting, const Domain& domain,
+                                      std::span<const double> parameters) {
+  const auto family = make_family<F>(setting);
+  const auto ends = relative_ends(family, domain);
+  if (!ends) return std::nullopt;
+  const auto error = at_parameters(
+      family, parameter_array<F>(parameters),
+      [](const F& f, const auto& sample, const auto& p) { return f.relative_error(sample, p); });
+  return largest_magnitude(error, Substitution::between(ends->first, ends->second));
+}
+
+template <class F>
+Fit fit(const Setting& setting, const Metric& metric) {
+  const auto family = make_family<F>(setting);
   const auto optimum = solve_least_squares(family, metric);
   Fit result{.family = &F::info,
-             .exponent = F::info.sweep.empty() ? std::nullopt : std::optional(exponent),
+             .exponent = F::info.sweep.empty() ? std::nullopt : std::optional(setting.exponent),
+             .ior = has_exact_target<F>() && setting.ior != 0 ? std::optional(setting.ior) : std::nullopt,
              .metric = metric,
              .parameters = {optimum.parameters.begin(), optimum.parameters.end()},
              .status = optimum.status,
@@ -81,22 +96,28 @@ Fit fit(double exponent, const Metric& metric) {
              .max_abs_error = {},
              .max_rel_error = std::nullopt,
              .relative_domain = {},
-             .relative_to = F::relative_to};
+             .relative_to = family.relative_to()};
   if (result.status == Status::converged) {
-    result.max_abs_error = max_abs_error<F>(exponent, metric.domain, result.parameters);
-    add_max_rel_error(result, family);
+    result.max_abs_error = max_abs_error<F>(setting, metric.domain, result.parameters);
+    result.max_rel_error = max_rel_error<F>(setting, metric.domain, result.parameters);
+    if (const auto ends = relative_ends(family, metric.domain)) {
+      result.relative_domain = {ends->second.cos_theta, metric.domain.upper};
+    } else {
+      result.relative_to = "nothing: the target is nowhere between 1/255 and what a double can reach";
+    }
   }
   return result;
 }
 
 template <class F>
-Effect effect(double exponent, const Domain& domain, std::span<const double> from,
+Effect effect(const Setting& setting, const Domain& domain, std::span<const double> from,
               std::span<const double> to) {
-  return effect_of_change(make_family<F>(exponent), domain, parameter_array<F>(from), parameter_array<F>(to));
+  return effect_of_change(make_family<F>(setting), domain, parameter_array<F>(from), parameter_array<F>(to));
 }
 
 template <class F>
-constexpr FittableFamily entry{F::info, F::parameters, &fit<F>, &max_abs_error<F>, &effect<F>};
+constexpr FittableFamily entry{
+    F::info, F::parameters, &fit<F>, &max_abs_error<F>, &max_rel_error<F>, &effect<F>, has_exact_target<F>()};
 
 }  // namespace
 

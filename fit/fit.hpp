@@ -14,10 +14,21 @@
 /// One fit and its report, and the table of the families that can be fitted.
 namespace shadefit {
 
+/// What a family leaves open: the exponent of a lobe, the index of refraction of an exact Fresnel target.
+struct Setting {
+  double exponent = 0;  ///< ignored where the family has none
+  double ior = 0;       ///< 0: Schlick's target; ignored where the family is not of Fresnel's
+
+  // A bare exponent is the usual setting.
+  constexpr Setting(double exponent_ = 0, double ior_ = 0) : exponent(exponent_), ior(ior_) {}
+  auto operator<=>(const Setting&) const = default;
+};
+
 /// What a fit found, how far it may be trusted, and how wrong the fitted curve is.
 struct Fit {
   const Family* family;
   std::optional<double> exponent;  ///< empty where the family has none
+  std::optional<double> ior;       ///< of an exact target; empty where the target is the family's own
   Metric metric;
   std::vector<double>
       parameters;  ///< in the order of the family's names; an answer only if `status` is converged
@@ -31,17 +42,24 @@ struct Fit {
   std::string_view relative_to;
 };
 
-/// A family behind plain functions. `exponent` is ignored where the family has none; parameters are in the
-/// order of `parameters`.
+/// A family behind plain functions; parameters are in the order of `parameters`.
 struct FittableFamily {
   const Family& info;
   std::span<const std::string_view> parameters;
-  Fit (*fit)(double exponent, const Metric&);
-  Extremum (*max_abs_error)(double exponent, const Domain&, std::span<const double> parameters);
-  Effect (*effect)(double exponent, const Domain&, std::span<const double> from, std::span<const double> to);
+  Fit (*fit)(const Setting&, const Metric&);
+  Extremum (*max_abs_error)(const Setting&, const Domain&, std::span<const double> parameters);
+  std::optional<Extremum> (*max_rel_error)(const Setting&, const Domain&, std::span<const double> parameters);
+  Effect (*effect)(const Setting&, const Domain&, std::span<const double> from, std::span<const double> to);
+
+  bool is_fresnel = false;  ///< its target may be an exact dielectric
 
   bool has_exponent() const { return !info.sweep.empty(); }
 };
+
+/// The setting that a fit was made with.
+inline Setting setting_of(const Fit& fit) {
+  return {fit.exponent.value_or(0), fit.ior.value_or(0)};
+}
 
 /// Every family, in the order of the report.
 std::span<const FittableFamily> fittable_families();

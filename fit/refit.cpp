@@ -55,17 +55,17 @@ Effect effect_of_replacing(FitCache& fits, const Published& published, const Met
 }
 
 bool is_meant_for(const Published& published, const Fit& fit) {
-  return published.family == fit.family->id && published.statement == Statement::best_fit &&
+  return published.family == fit.family->id && published.statement == Statement::best_fit && !fit.ior &&
          (!fit.exponent || exponents_of(published) == std::vector<double>{*fit.exponent});
 }
 
 }  // namespace
 
-const Fit& FitCache::at(double exponent, const Metric& metric) {
-  const auto key = std::pair(metric, exponent);
+const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
+  const auto key = std::pair(metric, setting);
   const auto found = fits_.find(key);
   return found != fits_.end() ? found->second
-                              : fits_.emplace(key, family_.fit(exponent, metric)).first->second;
+                              : fits_.emplace(key, family_.fit(setting, metric)).first->second;
 }
 
 std::vector<double> exponents_of(const Published& published) {
@@ -150,12 +150,12 @@ std::optional<Assessment> assess(FitCache& fits, const Published& published, con
                     effect_of_replacing(fits, published, metric, *computed)};
 }
 
-std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>& exponents,
+std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
                                       std::span<const Metric> under) {
   std::vector<FitReport> reports;
   for (const Metric& metric : under) {
-    for (const double exponent : fits.family().has_exponent() ? exponents : std::vector<double>{0}) {
-      FitReport report{fits.at(exponent, metric), {}};
+    for (const Setting& setting : settings) {
+      FitReport report{fits.at(setting, metric), {}};
       for (const Published& published : published_constants) {
         if (!is_meant_for(published, report.fit)) continue;
         const auto assessment = assess(fits, published, metric);
@@ -177,7 +177,10 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents, std::sp
   exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
 
   FitCache fits(family);
-  Refit result{&family, fit_and_assess(fits, exponents, under), {}};
+  const std::vector<Setting> settings = family.has_exponent()
+                                            ? std::vector<Setting>(exponents.begin(), exponents.end())
+                                            : std::vector<Setting>{{}};
+  Refit result{&family, fit_and_assess(fits, settings, under), {}};
   for (const Published& published : published_constants) {
     if (published.family != family.info.id || published.statement == Statement::best_fit) continue;
     for (const Metric& metric : under) {

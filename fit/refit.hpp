@@ -49,16 +49,16 @@ class FitCache {
  public:
   explicit FitCache(const FittableFamily& family) : family_(family) {}
   const FittableFamily& family() const { return family_; }
-  const Fit& at(double exponent, const Metric& metric);
+  const Fit& at(const Setting& setting, const Metric& metric);
 
  private:
   const FittableFamily& family_;
-  std::map<std::pair<Metric, double>, Fit> fits_;
+  std::map<std::pair<Metric, Setting>, Fit> fits_;
 };
 
-/// Fits the family at each exponent (once, where it has none) under each of `under`, and judges the published
+/// Fits the family at each setting under each of `under`, and judges the published
 /// numbers that are meant for those fits.
-std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<double>& exponents,
+std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
                                       std::span<const Metric> under);
 
 /// All there is to say of a family: the exponents and those that numbers were published for, in rising order,

@@ -54,8 +54,7 @@ std::optional<std::string> curve_effect(const FitRow& origin, const std::string&
   const Fit& fit = origin.report->fit;
   auto from = fit.parameters;
   from[origin.parameter] = *value;
-  return sentence(
-      origin.refit->family->effect(fit.exponent.value_or(0), fit.metric.domain, from, fit.parameters));
+  return sentence(origin.refit->family->effect(setting_of(fit), fit.metric.domain, from, fit.parameters));
 }
 
 using EffectOf = std::function<std::string(std::size_t row, const std::string& column,

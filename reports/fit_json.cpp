@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "reports/tables.hpp"
+
 namespace shadefit {
 namespace {
 
@@ -83,7 +85,8 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"iterations", fit.iterations},
           {"digits", fit.digits},
           {"objective", objective_json(fit.metric)},
-          {"target", family.info.target},
+          {"target", target_of(fit)},
+          {"ior", fit.ior ? Json(*fit.ior) : Json()},
           {"form", family.info.form},
           {"assessments", assessments}};
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "approx/catalogue.hpp"
+#include "fit/exact_fresnel.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
 
@@ -174,10 +176,9 @@ std::string variants_section(const Refit& refit) {
       auto from = best.parameters, to = from;
       from[i] = constant<double>(published.printed);
       to[i] = constant<double>(variant.printed);
-      table.rows.push_back(
-          {std::string(published.id), std::string(published.printed), std::string(variant.printed),
-           std::string(variant.seen_in),
-           sentence(family.effect(best.exponent.value_or(0), best.metric.domain, from, to))});
+      table.rows.push_back({std::string(published.id), std::string(published.printed),
+                            std::string(variant.printed), std::string(variant.seen_in),
+                            sentence(family.effect(setting_of(best), best.metric.domain, from, to))});
     }
   }
   return table.rows.empty() ? "" : "Mistyped copies in circulation:\n\n" + markdown(table);
@@ -240,6 +241,59 @@ std::string single_words(const Refit& refit) {
       fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
 }
 
+/// The parameters that a family's forms are published with, by one source a row: those of a convention too.
+std::vector<std::pair<std::string, std::vector<double>>> published_curves(const FittableFamily& family) {
+  std::vector<std::pair<std::string, std::vector<double>>> curves;
+  for (const Published& first : published_constants) {
+    if (first.family != family.info.id || first.parameter != family.parameters.front()) continue;
+    std::vector<double> parameters;
+    std::string text;
+    for (const std::string_view parameter : family.parameters) {
+      const auto found =
+          std::find_if(published_constants.begin(), published_constants.end(), [&](const Published& p) {
+            return p.family == family.info.id && p.parameter == parameter &&
+                   p.source.place == first.source.place;
+          });
+      parameters.push_back(constant<double>(found->printed));
+      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", parameter, found->printed);
+    }
+    curves.emplace_back("published, " + text, parameters);
+  }
+  return curves;
+}
+
+/// Where the approximations stand against the exact dielectric: Schlick's formula itself, the published
+/// curves, and the same form refitted to the truth.
+std::string exact_section(const Refit& refit) {
+  const FittableFamily& family = *refit.family;
+  Table table{{"n", "f0", "curve", "max abs error of F", "at c", "max rel error of F", "at c (rel)"}, {}};
+  const auto add = [&](double ior, const std::string& curve, const Extremum& absolute,
+                       const Extremum& relative) {
+    table.rows.push_back({Number{ior, 4}, Number{reflectance_at_normal(ior), 4}, curve,
+                          Number{absolute.magnitude, 4}, place(absolute.at), Number{relative.magnitude, 4},
+                          place(relative.at)});
+  };
+  for (const double ior : {1.33, 1.5, 2.0}) {
+    const auto schlick = schlick_against_exact(ior);
+    add(ior, "Schlick's formula", schlick.absolute, schlick.relative);
+    auto curves = published_curves(family);
+    const Fit fit = family.fit({0, ior}, {});
+    if (fit.status == Status::converged) {
+      std::string text;
+      for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+        text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", family.parameters[i], number(fit.parameters[i]));
+      }
+      curves.emplace_back("refitted, " + text, fit.parameters);
+    }
+    for (const auto& [curve, parameters] : curves) {
+      add(ior, curve, family.max_abs_error({0, ior}, {}, parameters),
+          *family.max_rel_error({0, ior}, {}, parameters));
+    }
+  }
+  return "Against the exact dielectric in unpolarised light, from outside, the reflectance F itself with f0 from n:\n\n" +
+         markdown(table);
+}
+
 std::string family_section(const Refit& refit) {
   const Family& info = refit.family->info;
   std::string out = fmt::format("## {} (`{}`)\n\n`{}` approximated by `{}`; {}.\n\n", info.title, info.id,
@@ -255,7 +309,29 @@ std::string family_section(const Refit& refit) {
     out += markdown(single_overview(refit)) + single_words(refit);
   }
   if (refit.family->has_exponent()) out += law_section(refit);
+  if (refit.family->is_fresnel) out += exact_section(refit);
   return out + variants_section(refit);
+}
+
+/// What every reader of the Fresnel constants asks first: how far each curve is from the truth at n = 1.5.
+std::string lead(const Results& results) {
+  const bool has_fresnel = std::any_of(results.refits.begin(), results.refits.end(),
+                                       [](const Refit& refit) { return refit.family->is_fresnel; });
+  if (!has_fresnel) return "";
+  constexpr double ior = 1.5;
+  std::string out = fmt::format(
+      "Against the exact dielectric of index {} the reflectance is off by at most {:.3g} with Schlick's formula itself",
+      ior, schlick_against_exact(ior).absolute.magnitude);
+  for (const Refit& refit : results.refits) {
+    if (!refit.family->is_fresnel) continue;
+    const FittableFamily& family = *refit.family;
+    const auto [curve, parameters] = published_curves(family).front();
+    const Fit fit = family.fit({0, ior}, {});
+    out += fmt::format(", {:.3g} with `{}` as {}, and {:.3g} with the same form refitted to the exact curve",
+                       family.max_abs_error({0, ior}, {}, parameters).magnitude, family.info.form, curve,
+                       fit.max_abs_error.magnitude);
+  }
+  return out + ".\n\n";
 }
 
 std::string normalisation_section(const Results& results) {
@@ -297,7 +373,7 @@ std::string write_report(const Results& results) {
       "of the "
       "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";
-  out += markdown(summary_table(results));
+  out += lead(results) + markdown(summary_table(results));
   for (const Refit& refit : results.refits) out += family_section(refit);
   if (!results.normalisations.empty()) out += normalisation_section(results);
   out.pop_back();  // sections end in an empty line, the file does not

@@ -38,9 +38,9 @@ PublishedCells published_cells(const Refit& refit, const FitReport* report, std:
       if (i != parameter && is_same_source) parameters[i] = constant<double>(other.published->printed);
     }
     parameters[parameter] = printed;
-    cells.max_abs_error = converged(
-        refit.family->max_abs_error(report->fit.exponent.value_or(0), report->fit.metric.domain, parameters)
-            .magnitude);
+    cells.max_abs_error =
+        converged(refit.family->max_abs_error(setting_of(report->fit), report->fit.metric.domain, parameters)
+                      .magnitude);
   }
   return cells;
 }
@@ -54,9 +54,10 @@ void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
   row.insert(row.end(), cells);
 }
 
-void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric) {
-  append(row, {word(refit.family->info.target), word(refit.family->info.form), to_text(metric.domain),
-               word(name(metric.measure)), word(name(metric.norm))});
+void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric,
+                   const std::string& target) {
+  append(row, {target, word(refit.family->info.form), to_text(metric.domain), word(name(metric.measure)),
+               word(name(metric.norm))});
 }
 
 void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, std::size_t parameter,
@@ -67,7 +68,7 @@ void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, st
   auto row = row_start(refit, std::string(refit.family->parameters[parameter]), fit.exponent);
   append(row, {cells.published, is_answer ? converged(fit.parameters[parameter]) : Cell(), cells.deviation,
                is_answer ? cells.verdict : word(name(fit.status))});
-  append_metric(row, refit, fit.metric);
+  append_metric(row, refit, fit.metric, target_of(fit));
   if (is_answer) {
     append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
                  place(fit.max_abs_error.at), cells.max_abs_error, static_cast<long>(fit.digits)});
@@ -92,7 +93,7 @@ void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& asses
   auto row = row_start(refit, derived_parameter(*assessment.published),
                        range ? std::optional(range->exactly) : std::nullopt);
   append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
-  append_metric(row, refit, assessment.metric);
+  append_metric(row, refit, assessment.metric, std::string(refit.family->info.target));
   append(row, {{}, {}, {}, {}, {}, cells.source});
   out.table.rows.push_back(row);
   out.origins.push_back({&refit, nullptr, 0});
@@ -223,6 +224,10 @@ Table list_table() {
                           word(citation(record.source))});
   }
   return table;
+}
+
+std::string target_of(const Fit& fit) {
+  return fit.ior ? fmt::format("exact dielectric n = {}", *fit.ior) : std::string(fit.family->target);
 }
 
 std::string citation(const Source& source) {

@@ -68,6 +68,22 @@ TEST(BadInput, Domains) {
   expect_refusal({"fit", "sg-offset", "--domain=-1:1"}, "--domain '-1:1' leaves [0, 1]: A and B are cosines");
 }
 
+TEST(BadInput, Targets) {
+  expect_refusal({"fit", "fresnel-quadratic", "--target", "snell"},
+                 "--target 'snell' is unknown: it must be one of schlick, exact");
+  expect_refusal({"fit", "fresnel-quadratic", "--ior", "1.5"},
+                 "--ior '1.5' does not apply: it belongs to --target exact");
+  expect_refusal({"fit", "sg-offset", "--target", "exact"},
+                 "--target 'exact' does not apply: sg-offset is no Fresnel form");
+  for (const char* ior : {"0", "-1.5", "1"}) {
+    expect_refusal(
+        {"fit", "fresnel-quadratic", "--target", "exact", "--ior", ior},
+        "--ior '" + std::string(ior) + "' is no index of an interface: it must be greater than 0, and not 1");
+  }
+  expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", "nan"},
+                 "--ior 'nan' is not a finite number");
+}
+
 TEST(BadInput, OutputPaths) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("file", "kept");

@@ -88,6 +88,18 @@ TEST(FitCommand, PublishedConstantsNameTheirOwnFit) {
   EXPECT_NEAR(somewhere["assessments"][0]["holds_for"]["exactly"].get<double>(), 6.60, 0.005);
 }
 
+TEST(FitCommand, ExactTarget) {
+  const auto exact = fit_json({"fresnel-quadratic", "--target", "exact", "--ior", "1.5"});
+  EXPECT_TRUE(
+      is_close("a", Decimal50("-0.352485440363659108"), exact["parameters"]["a"].get<double>(), 1e-14));
+  EXPECT_TRUE(
+      is_close("b", Decimal50("-8.38688185141008383"), exact["parameters"]["b"].get<double>(), 1e-14));
+  EXPECT_EQ(exact["ior"], 1.5);
+  EXPECT_EQ(exact["target"], "exact dielectric n = 1.5");
+  EXPECT_TRUE(exact["published"].is_null()) << "the published pair was fitted to Schlick";
+  EXPECT_TRUE(fit_json({"fresnel-quadratic"})["ior"].is_null());
+}
+
 TEST(FitCommand, CsvAndConsole) {
   const Outcome csv = run_command_line({"fit", "fresnel-one-term", "--csv"});
   EXPECT_EQ(csv.exit_code, 0);

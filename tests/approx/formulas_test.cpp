@@ -128,6 +128,26 @@ TEST(Fresnel, Landmarks) {
       is_close("6/ln 2", 6 / log(Decimal50(2)), one_term_sharpness_at_offset_one<Decimal50>(), 1e-48));
 }
 
+// Born and Wolf 1999: the landmarks of Fresnel's equations.
+TEST(Dielectric, Landmarks) {
+  EXPECT_NEAR(dielectric_reflectance(1.0, 1.5), 0.04, 1e-16) << "normal incidence";
+  EXPECT_EQ(dielectric_reflectance(0.0, 1.5), 1) << "grazing";
+  EXPECT_NEAR(reflectance_at_normal(1.5), reflectance_at_normal(1 / 1.5), 1e-17)
+      << "the same from both sides";
+  // Brewster's angle, tan = n: rp = 0, and rs = -(n^2 - 1)/(n^2 + 1)
+  const Decimal50 n("1.5"), brewster = 1 / sqrt(Decimal50(1 + n * n));
+  const Decimal50 rs = (n * n - 1) / (n * n + 1);
+  EXPECT_TRUE(is_close("Brewster", rs * rs / 2, dielectric_reflectance(brewster, n), 1e-45));
+  // beyond the critical angle, sin = n, everything is reflected; and F is the same along one ray from both
+  // sides
+  EXPECT_EQ(dielectric_reflectance(0.5, 1 / 1.5), 1);
+  const Decimal50 c("0.8"), inside = sqrt(Decimal50(1 - (1 - c * c) / (n * n)));
+  EXPECT_TRUE(is_close("both sides", dielectric_reflectance(c, n),
+                       dielectric_reflectance(inside, Decimal50(1 / n)), 1e-45));
+  EXPECT_EQ(dielectric_weight(0.0, 1.5), 1);
+  EXPECT_NEAR(dielectric_weight(1.0, 1.5), 0, 1e-16);
+}
+
 TEST(Srgb, LandmarksOfTheStandard) {
   EXPECT_EQ(srgb_encode(0.0), 0);
   EXPECT_NEAR(srgb_encode(1.0), 1, 1e-15);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "fit/exact_fresnel.hpp"
 #include "fit/families.hpp"
 #include "fit/fit.hpp"
 #include "tests/accuracy.hpp"
@@ -98,6 +99,31 @@ TEST(LeastSquares, SaysSoWhenItFails) {
   const Fit fit = find_family("sg-offset")->fit(1e160, {});
   EXPECT_EQ(fit.status, Status::not_converged);
   EXPECT_EQ(fit.digits, 0);
+}
+
+// Reference: another method's 18 digits of the pair refitted to the exact dielectric of index 1.5.
+TEST(LeastSquares, FitsTheExactDielectric) {
+  const Fit fit = find_family("fresnel-quadratic")->fit({0, 1.5}, {});
+  EXPECT_EQ(fit.status, Status::converged);
+  EXPECT_TRUE(is_close("a", Decimal50("-0.352485440363659108"), fit.parameters[0], promised));
+  EXPECT_TRUE(is_close("b", Decimal50("-8.38688185141008383"), fit.parameters[1], promised));
+  EXPECT_NEAR(fit.max_abs_error.magnitude, 0.0053, 0.00005);
+  EXPECT_EQ(fit.relative_to, "the exact F");
+}
+
+// What every reader asks first: Schlick's own error is ten times that of the published pair to Schlick, and
+// the cheapest form is nearer to the truth than both.
+TEST(ExactFresnel, SchlickIsFartherFromTheTruthThanTheCheapestForm) {
+  EXPECT_NEAR(schlick_against_exact(1.5).absolute.magnitude, 0.0357, 0.00005);
+  const auto error = [](const char* family, std::vector<double> parameters) {
+    return find_family(family)->max_abs_error({0, 1.5}, {}, parameters).magnitude;
+  };
+  EXPECT_NEAR(error("fresnel-quadratic", {-5.55473, -6.98316}), 0.0387, 0.00005);
+  EXPECT_NEAR(error("fresnel-one-term", {8.35}), 0.0071, 0.00005);
+}
+
+TEST(LeastSquares, FromInsideTheKinkAtTheCriticalAngleIsNotHidden) {
+  EXPECT_NE(find_family("fresnel-quadratic")->fit({0, 1 / 1.5}, {}).status, Status::converged);
 }
 
 /// A family whose error does not depend on its parameter: every start is stationary, none an answer.

@@ -174,16 +174,15 @@ TEST(FitCache, TellsMetricsApart) {
 }
 
 /// A family whose fit fails under the angle measure alone.
-Fit fails_in_the_angle(double exponent, const Metric& metric) {
-  Fit fit = find_family("sg-offset")->fit(exponent, metric);
+Fit fails_in_the_angle(const Setting& setting, const Metric& metric) {
+  Fit fit = find_family("sg-offset")->fit(setting, metric);
   if (metric.measure == Measure::angle) fit.status = Status::not_converged;
   return fit;
 }
 
 TEST(Assess, AFailureUnderAnotherMeasureTakesNothingAway) {
-  const FittableFamily& family = *find_family("sg-offset");
-  const FittableFamily half{family.info, family.parameters, &fails_in_the_angle, family.max_abs_error,
-                            family.effect};
+  FittableFamily half = *find_family("sg-offset");
+  half.fit = &fails_in_the_angle;
   const auto result = refit(half, {5}, cosine_and_angle);
   ASSERT_EQ(result.fits.size(), 2U);
   EXPECT_EQ(result.fits[0].assessments.at(0).judgement.verdict, Verdict::confirmed);
