@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 
 #include "approx/catalogue.hpp"
-#include "fit/exact_fresnel.hpp"
+#include "reports/exact_fresnel_section.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
 
@@ -223,8 +222,7 @@ std::string sweep_words(const Refit& refit) {
   }
   return fmt::format(
       "The error of the best curve is largest at k = {}, {:.3g} at c = {:.3g} (the peak is 1), and falls "
-      "with k: {:.3g} "
-      "at k = {}.{}\n\n",
+      "with k: {:.3g} at k = {}.{}\n\n",
       *worst->fit.exponent, worst->fit.max_abs_error.magnitude, worst->fit.max_abs_error.at.cos_theta,
       last->fit.max_abs_error.magnitude, *last->fit.exponent,
       published_mean(refit) != nullptr ? " The last column is what one published number costs at every k."
@@ -235,63 +233,9 @@ std::string single_words(const Refit& refit) {
   const Fit& fit = refit.fits.front().fit;
   return fmt::format(
       "Under the {} measure the best curve is off by at most {:.3g} at c = {:.3g}. What a shader shows is "
-      "{}: there "
-      "the largest relative error is {:.3g}, at c = {:.3g}.\n\n",
+      "{}: there the largest relative error is {:.3g}, at c = {:.3g}.\n\n",
       name(fit.metric.measure), fit.max_abs_error.magnitude, fit.max_abs_error.at.cos_theta, fit.relative_to,
       fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
-}
-
-/// The parameters that a family's forms are published with, by one source a row: those of a convention too.
-std::vector<std::pair<std::string, std::vector<double>>> published_curves(const FittableFamily& family) {
-  std::vector<std::pair<std::string, std::vector<double>>> curves;
-  for (const Published& first : published_constants) {
-    if (first.family != family.info.id || first.parameter != family.parameters.front()) continue;
-    std::vector<double> parameters;
-    std::string text;
-    for (const std::string_view parameter : family.parameters) {
-      const auto found =
-          std::find_if(published_constants.begin(), published_constants.end(), [&](const Published& p) {
-            return p.family == family.info.id && p.parameter == parameter &&
-                   p.source.place == first.source.place;
-          });
-      parameters.push_back(constant<double>(found->printed));
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", parameter, found->printed);
-    }
-    curves.emplace_back("published, " + text, parameters);
-  }
-  return curves;
-}
-
-/// Where the approximations stand against the exact dielectric: Schlick's formula itself, the published
-/// curves, and the same form refitted to the truth.
-std::string exact_section(const Refit& refit) {
-  const FittableFamily& family = *refit.family;
-  Table table{{"n", "f0", "curve", "max abs error of F", "at c", "max rel error of F", "at c (rel)"}, {}};
-  const auto add = [&](double ior, const std::string& curve, const Extremum& absolute,
-                       const Extremum& relative) {
-    table.rows.push_back({Number{ior, 4}, Number{reflectance_at_normal(ior), 4}, curve,
-                          Number{absolute.magnitude, 4}, place(absolute.at), Number{relative.magnitude, 4},
-                          place(relative.at)});
-  };
-  for (const double ior : {1.33, 1.5, 2.0}) {
-    const auto schlick = schlick_against_exact(ior);
-    add(ior, "Schlick's formula", schlick.absolute, schlick.relative);
-    auto curves = published_curves(family);
-    const Fit fit = family.fit({0, ior}, {});
-    if (fit.status == Status::converged) {
-      std::string text;
-      for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-        text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", family.parameters[i], number(fit.parameters[i]));
-      }
-      curves.emplace_back("refitted, " + text, fit.parameters);
-    }
-    for (const auto& [curve, parameters] : curves) {
-      add(ior, curve, family.max_abs_error({0, ior}, {}, parameters),
-          *family.max_rel_error({0, ior}, {}, parameters));
-    }
-  }
-  return "Against the exact dielectric in unpolarised light, from outside, the reflectance F itself with f0 from n:\n\n" +
-         markdown(table);
 }
 
 std::string family_section(const Refit& refit) {
@@ -304,34 +248,12 @@ std::string family_section(const Refit& refit) {
   if (!all_converged) return out + "Not every fit converged: see the verdicts in `fits.csv`.\n\n";
   out += published_section(refit);
   if (refit.family->has_exponent()) {
-    out += markdown(sweep_overview(refit)) + sweep_words(refit);
+    out += markdown(sweep_overview(refit)) + sweep_words(refit) + law_section(refit);
   } else {
     out += markdown(single_overview(refit)) + single_words(refit);
   }
-  if (refit.family->has_exponent()) out += law_section(refit);
-  if (refit.family->is_fresnel) out += exact_section(refit);
+  if (refit.family->is_fresnel) out += exact_fresnel_section(*refit.family);
   return out + variants_section(refit);
-}
-
-/// What every reader of the Fresnel constants asks first: how far each curve is from the truth at n = 1.5.
-std::string lead(const Results& results) {
-  const bool has_fresnel = std::any_of(results.refits.begin(), results.refits.end(),
-                                       [](const Refit& refit) { return refit.family->is_fresnel; });
-  if (!has_fresnel) return "";
-  constexpr double ior = 1.5;
-  std::string out = fmt::format(
-      "Against the exact dielectric of index {} the reflectance is off by at most {:.3g} with Schlick's formula itself",
-      ior, schlick_against_exact(ior).absolute.magnitude);
-  for (const Refit& refit : results.refits) {
-    if (!refit.family->is_fresnel) continue;
-    const FittableFamily& family = *refit.family;
-    const auto [curve, parameters] = published_curves(family).front();
-    const Fit fit = family.fit({0, ior}, {});
-    out += fmt::format(", {:.3g} with `{}` as {}, and {:.3g} with the same form refitted to the exact curve",
-                       family.max_abs_error({0, ior}, {}, parameters).magnitude, family.info.form, curve,
-                       fit.max_abs_error.magnitude);
-  }
-  return out + ".\n\n";
 }
 
 std::string normalisation_section(const Results& results) {
@@ -342,8 +264,7 @@ std::string normalisation_section(const Results& results) {
       "variables: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference below "
       "the tolerance "
       "prints as 0; the estimated error prints as the bound that both rules, their difference and the cut "
-      "tail together "
-      "stay below.\n\n";
+      "tail together stay below.\n\n";
   Table lobes{{"constant", "lobe", "printed", "source"}, {}};
   for (const Normalisation& record : normalisations) {
     const bool is_checked = std::any_of(results.normalisations.begin(), results.normalisations.end(),
@@ -373,7 +294,7 @@ std::string write_report(const Results& results) {
       "of the "
       "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";
-  out += lead(results) + markdown(summary_table(results));
+  out += exact_fresnel_lead(results) + markdown(summary_table(results));
   for (const Refit& refit : results.refits) out += family_section(refit);
   if (!results.normalisations.empty()) out += normalisation_section(results);
   out.pop_back();  // sections end in an empty line, the file does not
