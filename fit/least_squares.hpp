@@ -61,10 +61,9 @@ template <int N>
 struct Optimum {
   std::array<double, N> parameters{};
   Status status = Status::not_converged;
-  int iterations = 0;      ///< Ceres and Newton steps of the start that was kept
-  int digits = 0;          ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
-  double rms_error = 0;    ///< sqrt(integral of measure * error^2 / integral of measure)
-  unsigned rule_size = 0;  ///< nodes of the Gauss rule that settled it
+  int iterations = 0;    ///< Ceres and Newton steps of the start that was kept
+  int digits = 0;        ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
+  double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure)
 };
 
 /// A family sampled at the nodes of a Gauss rule: sums stand for the integrals over the measure, of total 1.
@@ -243,59 +242,68 @@ auto descend(const SampledProblem<F, double>& problem, const auto& start) {
 
 }  // namespace detail
 
+namespace detail {
+
+/// The optimum on the smallest rule, if all three starts lead to it; else the status says why not.
+template <class F>
+auto common_optimum(const F& family, const Substitution& substitution) {
+  const SampledProblem<F, double> problem(family, substitution, 0);
+  const auto starts = family.starts();
+  const auto first = descend(problem, starts[0]);
+  auto common = first;
+  for (const auto& start : {starts[1], starts[2]}) {
+    const auto candidate = descend(problem, start);
+    auto gap = candidate.parameters;
+    for (std::size_t j = 0; j < gap.size(); ++j) gap[j] -= first.parameters[j];
+    if (candidate.status != Status::converged) {
+      common.status = candidate.status;
+    } else if (relative_size(gap, first.parameters) > same_optimum && common.status == Status::converged) {
+      common.status = Status::ambiguous;
+    }
+  }
+  return common;
+}
+
+/// Climbs the rules from the second on, one Newton step in long double on each, until a larger rule asks for
+/// no further step at the parameters as they are returned, rounded to double.
+template <class F>
+void climb(const F& family, const Substitution& substitution, auto& optimum) {
+  constexpr int N = SampledProblem<F, double>::N;
+  for (std::size_t rule = 1; rule < gauss_sizes.size(); ++rule) {
+    const SampledProblem<F, long double> problem(family, substitution, rule);
+    std::array<long double, N> p;
+    std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
+    const auto newton = newton_step(problem, p);
+    if (!newton.is_finite) {
+      optimum.status = Status::not_finite;
+      return;
+    }
+    const long double size = relative_size(newton.step, p);
+    optimum.digits = correct_digits(size);
+    optimum.rms_error = static_cast<double>(std::sqrt(problem.derivatives(p).square));
+    if (newton.is_minimum && size <= settled) {
+      optimum.status = Status::converged;
+      return;
+    }
+    for (std::size_t j = 0; j < N; ++j) optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
+    ++optimum.iterations;
+  }
+}
+
+}  // namespace detail
+
 /// Fits a family under a metric (norm: least squares). Never throws for a hard problem: the status says how
 /// it went, and parameters are an answer only where it is `converged`.
 template <class F>
 auto solve_least_squares(const F& family, const Metric& metric) {
-  constexpr int N = SampledProblem<F, double>::N;
-  Optimum<N> optimum;
   const Substitution substitution(metric, family.shape());
-
-  const SampledProblem<F, double> first(family, substitution, 0);
-  std::array<detail::Candidate<N>, 3> candidates;
-  Status status = Status::converged;
-  for (std::size_t i = 0; i < 3; ++i) {
-    candidates[i] = detail::descend(first, family.starts()[i]);
-    std::array<double, N> gap;
-    for (std::size_t j = 0; j < N; ++j) gap[j] = candidates[i].parameters[j] - candidates[0].parameters[j];
-    const bool is_same = relative_size(gap, candidates[0].parameters) <= same_optimum;
-    if (candidates[i].status != Status::converged) {
-      status = candidates[i].status;
-    } else if (!is_same && status == Status::converged) {
-      status = Status::ambiguous;
-    }
-  }
-  optimum.parameters = candidates[0].parameters;
-  optimum.iterations = candidates[0].iterations;
-  if (status != Status::converged) {
-    optimum.status = status;
-    return optimum;
-  }
-
-  // Climb the rules, one Newton step in long double on each, until a larger rule asks for no further step.
-  std::array<long double, N> p;
-  std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
-  for (std::size_t rule = 1; rule < gauss_sizes.size(); ++rule) {
-    const SampledProblem<F, long double> wide(family, substitution, rule);
-    std::copy(p.begin(), p.end(), optimum.parameters.begin());
-    std::array<long double, N> rounded;
-    std::copy(optimum.parameters.begin(), optimum.parameters.end(), rounded.begin());
-    const auto newton = newton_step(wide, rounded);
-    if (!newton.is_finite) {
-      optimum.status = Status::not_finite;
-      return optimum;
-    }
-    const long double size = relative_size(newton.step, rounded);
-    optimum.digits =
-        size == 0 ? most_digits : std::min(most_digits, static_cast<int>(std::floor(-std::log10(size))));
-    optimum.rms_error = static_cast<double>(std::sqrt(wide.derivatives(rounded).square));
-    optimum.rule_size = gauss_sizes[rule];
-    if (newton.is_minimum && size <= settled) {
-      optimum.status = Status::converged;
-      return optimum;
-    }
-    for (std::size_t j = 0; j < N; ++j) p[j] = rounded[j] + newton.step[j];
-    ++optimum.iterations;
+  const auto common = detail::common_optimum(family, substitution);
+  Optimum<SampledProblem<F, double>::N> optimum{.parameters = common.parameters,
+                                                .iterations = common.iterations};
+  if (common.status == Status::converged) {
+    detail::climb(family, substitution, optimum);
+  } else {
+    optimum.status = common.status;
   }
   return optimum;
 }
