@@ -48,25 +48,25 @@ T gaussian_lobe_near_peak(const T& one_minus_cos, const T& exponent, const T& of
 /// log(c) is taken from y, where the sum would cancel; near c = 0 from c, which y = 1 - c has lost there.
 template <class T>
 T lobe_log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
-  const T near_peak = log1p_remainder(-one_minus_cos);
-  const T near_horizon = log(cos_theta) + one_minus_cos;
-  return exponent * select(less(cos_theta, one_minus_cos), near_horizon, near_peak);
+  const auto near_horizon = [&] { return log(cos_theta) + one_minus_cos; };
+  const auto near_peak = [&] { return log1p_remainder(-one_minus_cos); };
+  return exponent * T(choose(less(cos_theta, one_minus_cos), near_horizon, near_peak));
 }
 
-/// gaussian_lobe - power_lobe without cancellation, from y and its `lobe_log_ratio` L.
-///   exp(-(k+x)y) - exp(-k y + L) = -exp(-(k+x)y) (exp(L + x y) - 1)
-/// The plain difference loses log10(k) digits; here the bracket is one expm1, whose argument is at most x y,
-/// so that nothing overflows, and L = -infinity (c = 0) gives the Gaussian itself.
+/// form - target without cancellation, for a form base * exp(change) and a target base * exp(L): base
+/// (expm1(change) - expm1(L)). Near the peak of a lobe both exponents are small against that of the base, and
+/// the plain difference would lose log10(k) digits. `change` is what of the form depends on its parameter,
+/// `ratio_minus_one` = expm1(L); L = -infinity (a target of 0) gives the form itself. The spherical Gaussian:
+/// base exp(-k y), change -x y, L `lobe_log_ratio`.
 template <class T>
-T gaussian_lobe_error(const T& one_minus_cos, const T& exponent, const T& offset, const T& log_ratio) {
-  return -(gaussian_lobe_near_peak(one_minus_cos, exponent, offset) *
-           expm1(log_ratio + offset * one_minus_cos));
+T lobe_error(const T& base, const T& change, const T& ratio_minus_one) {
+  return base * (expm1(change) - ratio_minus_one);
 }
 
-/// gaussian_lobe / power_lobe - 1 from y and its `lobe_log_ratio` L: expm1(-(L + x y)).
+/// form / target - 1 for the same: expm1(change - L).
 template <class T>
-T gaussian_lobe_relative_error(const T& one_minus_cos, const T& offset, const T& log_ratio) {
-  return expm1(-(log_ratio + offset * one_minus_cos));
+T lobe_relative_error(const T& change, const T& log_ratio) {
+  return expm1(change - log_ratio);
 }
 
 /// How the best parameter approaches its limit: x(k) = limit + slope / k + O(1/k^2).

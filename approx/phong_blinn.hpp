@@ -18,34 +18,21 @@ T blinn_lobe(const T& one_minus_cos, const T& exponent, const T& factor) {
   return half_angle_power(one_minus_cos, factor * exponent);
 }
 
+/// log(cos(theta/2)) = log1p(-y/2)/2 from y and R = log1p_remainder(-y/2), which `phong_blinn_log_ratio`
+/// needs too.
+template <class T>
+T log_half_cosine(const T& one_minus_cos, const T& half_remainder) {
+  const T two = integer<T>(2);
+  return (half_remainder - one_minus_cos / two) / two;
+}
+
 /// log of cos^rho(theta) over cos^(4 rho)(theta/2), and free of the factor: rho (log(1-y) - 2 log(1-y/2)).
-/// Both terms begin with -y, which the remainders leave out: log(1-y) + y and log1p(-y/2) + y/2.
+/// Both terms begin with -y, which the remainders leave out: the first is `lobe_log_ratio`, the second from
+/// R = log1p_remainder(-y/2). With h = log(cos(theta/2)) this is the L of `lobe_error` for the base exp(4 rho
+/// h) and the change (x - 4) rho h.
 template <class T>
-T phong_blinn_log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
-  const T two = integer<T>(2);
-  return lobe_log_ratio(cos_theta, one_minus_cos, exponent) -
-         two * exponent * log1p_remainder(-(one_minus_cos / two));
-}
-
-/// log(cos^rho(theta) / cos^(x rho)(theta/2)) from y and the `phong_blinn_log_ratio` L: L - (x - 4) rho/2
-/// log1p(-y/2).
-template <class T>
-T phong_over_blinn(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
-  const T two = integer<T>(2);
-  return log_ratio - (factor - integer<T>(4)) * exponent / two * log1p(-(one_minus_cos / two));
-}
-
-/// blinn_lobe - cos^rho(theta) without cancellation: -blinn (exp(log(phong/blinn)) - 1).
-template <class T>
-T phong_blinn_error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
-  return -(blinn_lobe(one_minus_cos, exponent, factor) *
-           expm1(phong_over_blinn(one_minus_cos, exponent, factor, log_ratio)));
-}
-
-/// blinn_lobe / cos^rho(theta) - 1.
-template <class T>
-T phong_blinn_relative_error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
-  return expm1(-phong_over_blinn(one_minus_cos, exponent, factor, log_ratio));
+T phong_blinn_log_ratio(const T& lobe_log_ratio, const T& half_remainder, const T& exponent) {
+  return lobe_log_ratio - integer<T>(2) * exponent * half_remainder;
 }
 
 /// The law of the least-squares factor under a measure y^(p-1) dy (1 + ..) near the peak: 4 + (p+2)/(2 rho).

@@ -117,6 +117,18 @@ struct Select {
   }
 };
 
+struct Choose {
+  template <class Condition, class A, class B>
+  auto operator()(const Condition& condition, const A& a, const B& b) const {
+    using T = decltype(a());
+    if constexpr (std::same_as<Condition, bool>) {
+      return condition ? a() : b();
+    } else {
+      return T(Scalar<T>::select(condition, a(), b()));
+    }
+  }
+};
+
 struct Min {
   template <class T>
   T operator()(const T& a, const T& b) const {
@@ -178,6 +190,9 @@ inline constexpr vocabulary::Cos cos{};
 inline constexpr vocabulary::Less less{};
 /// condition ? a : b; where an interval cannot decide, the hull of both.
 inline constexpr vocabulary::Select select{};
+/// select(condition, a(), b()) for branches that are dear: where the condition is plainly true or false, only
+/// that one is computed.
+inline constexpr vocabulary::Choose choose{};
 inline constexpr vocabulary::Min min{};
 inline constexpr vocabulary::Max max{};
 /// max(x, 0), the clamp that shaders write as saturate or max(dot, 0).
@@ -211,14 +226,17 @@ T ln2() {
 
 namespace detail {
 
-/// Terms of log1p_remainder's series that a type of `digits` bits needs: each adds at least log2(9) bits.
+/// Terms of log1p_remainder's series that a type needs where each adds at least that many bits; an even
+/// number.
 template <std::floating_point T>
-inline constexpr int remainder_terms = std::numeric_limits<T>::digits / 3 + 2;
+constexpr std::size_t remainder_terms(int bits) {
+  return static_cast<std::size_t>(std::numeric_limits<T>::digits / bits / 2 * 2 + 2);
+}
 
 template <std::floating_point T>
 inline constexpr auto reciprocals_of_odd = [] {
-  std::array<T, remainder_terms<T>> r{};
-  for (int i = 0; i < remainder_terms<T>; ++i) r[static_cast<std::size_t>(i)] = T(1) / T(2 * i + 3);
+  std::array<T, remainder_terms<T>(3)> r{};
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = T(1) / static_cast<T>(2 * i + 3);
   return r;
 }();
 
@@ -247,16 +265,22 @@ struct Scalar<T> {
 
   /// With r = x/(2+x), log(1+x) = 2 atanh(r) = 2 r (1 + r^2/3 + r^4/5 + ..) and 2 r - x = -x r, so
   ///   log1p(x) - x = r (2 r^2 (1/3 + r^2/5 + ..) - x).
-  /// For |x| <= 1/2 the first term in the bracket stays below |x|/2.5: no cancellation, and r^2 <= 1/9.
-  /// Beyond that, log1p(x) - x itself loses at most two bits.
+  /// For |x| <= 1/2 the first term in the bracket stays below |x|/2.5: no cancellation, and r^2 <= 1/9, so
+  /// that each term of the sum adds 3 bits; below 1/9 (r^2 < 1/256) it adds 8, below 1/129 (r^2 < 2^-16) 16.
+  /// Beyond 1/2, log1p(x) - x itself loses at most two bits.
   static T log1p_remainder(T x) {
     if (!(std::abs(x) <= T(1) / 2)) return std::log1p(x) - x;
     const T r = x / (2 + x);
     const T r2 = r * r;
-    T sum = 0;
-    for (auto i = detail::reciprocals_of_odd<T>.size(); i-- > 0;) {
-      sum = sum * r2 + detail::reciprocals_of_odd<T>[i];
+    const int bits = r2 * 65536 < 1 ? 16 : r2 * 256 < 1 ? 8 : 3;
+    // Even and odd terms are summed side by side: two chains of half the length.
+    const T r4 = r2 * r2;
+    T even = 0, odd = 0;
+    for (auto i = detail::remainder_terms<T>(bits); i > 0; i -= 2) {
+      odd = odd * r4 + detail::reciprocals_of_odd<T>[i - 1];
+      even = even * r4 + detail::reciprocals_of_odd<T>[i - 2];
     }
+    const T sum = even + r2 * odd;
     return r * (2 * r2 * sum - x);
   }
 

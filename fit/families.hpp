@@ -35,9 +35,18 @@ inline std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
   return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
 }
 
-/// The lobe c^k by a form with one parameter: what the two lobe families share. `Formulas` names those of
-/// approx/, on y = 1 - c, the exponent, the parameter and the log ratio of target and form that does not
-/// depend on it.
+/// Of a place under a lobe, what does not depend on the parameter: form = base exp(change), change = q
+/// variable with q the parameter counted from its `origin`, and target = base exp(log_ratio).
+template <class T>
+struct LobeSample {
+  T variable;
+  T base;
+  T log_ratio;
+  T ratio_minus_one;
+};
+
+/// The lobe c^k by a form with one parameter: what the two lobe families share. `Formulas` says how a form of
+/// approx/ is an exponential in its parameter.
 template <class Formulas>
 struct LobeFamily {
   static constexpr std::array<std::string_view, 1> parameters{"x"};
@@ -49,69 +58,58 @@ struct LobeFamily {
   Shape shape() const { return {.concentration = 2 * exponent, .end_power = exponent}; }
 
   template <class T>
-  struct Sample {
-    T one_minus_cos;
-    T log_ratio;
-  };
+  using Sample = LobeSample<T>;
 
   template <class T>
   Sample<T> sample(const Cosine<T>& c) const {
-    return {c.one_minus_cos, Formulas::log_ratio(c.cos_theta, c.one_minus_cos, lift<T>(exponent))};
+    return Formulas::sample(c.cos_theta, c.one_minus_cos, lift<T>(exponent));
   }
 
   template <class T, class P>
   P form(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return Formulas::form(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0]);
+    return lift<P>(s.base) * exp(change(s, p));
   }
 
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return Formulas::error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
+    return lobe_error(lift<P>(s.base), change(s, p), lift<P>(s.ratio_minus_one));
   }
 
   template <class T, class P>
   P relative_error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return Formulas::relative_error(lift<P>(s.one_minus_cos), lift<P>(exponent), p[0], lift<P>(s.log_ratio));
+    return lobe_relative_error(change(s, p), lift<P>(s.log_ratio));
   }
 
   std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
+
+ private:
+  template <class T, class P>
+  static P change(const Sample<T>& s, const std::array<P, 1>& p) {
+    return (p[0] - integer<P>(Formulas::origin)) * lift<P>(s.variable);
+  }
 };
 
+/// exp((k+x)(c-1)) = exp(-k y) exp(x (-y)).
 struct GaussianFormulas {
+  static constexpr int origin = 0;
   template <class T>
-  static T log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
-    return lobe_log_ratio(cos_theta, one_minus_cos, exponent);
-  }
-  template <class T>
-  static T form(const T& one_minus_cos, const T& exponent, const T& offset) {
-    return gaussian_lobe_near_peak(one_minus_cos, exponent, offset);
-  }
-  template <class T>
-  static T error(const T& one_minus_cos, const T& exponent, const T& offset, const T& log_ratio) {
-    return gaussian_lobe_error(one_minus_cos, exponent, offset, log_ratio);
-  }
-  template <class T>
-  static T relative_error(const T& one_minus_cos, const T&, const T& offset, const T& log_ratio) {
-    return gaussian_lobe_relative_error(one_minus_cos, offset, log_ratio);
+  static LobeSample<T> sample(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
+    const T ratio = lobe_log_ratio(cos_theta, one_minus_cos, exponent);
+    return {-one_minus_cos, gaussian_lobe_near_peak(one_minus_cos, exponent, integer<T>(0)), ratio,
+            expm1(ratio)};
   }
 };
 
+/// cos^(x rho)(theta/2) = exp(4 rho h) exp((x - 4) rho h), h = log(cos(theta/2)).
 struct BlinnFormulas {
+  static constexpr int origin = 4;
   template <class T>
-  static T log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
-    return phong_blinn_log_ratio(cos_theta, one_minus_cos, exponent);
-  }
-  template <class T>
-  static T form(const T& one_minus_cos, const T& exponent, const T& factor) {
-    return blinn_lobe(one_minus_cos, exponent, factor);
-  }
-  template <class T>
-  static T error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
-    return phong_blinn_error(one_minus_cos, exponent, factor, log_ratio);
-  }
-  template <class T>
-  static T relative_error(const T& one_minus_cos, const T& exponent, const T& factor, const T& log_ratio) {
-    return phong_blinn_relative_error(one_minus_cos, exponent, factor, log_ratio);
+  static LobeSample<T> sample(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
+    const T remainder = log1p_remainder(-(one_minus_cos / integer<T>(2)));
+    const T variable = exponent * log_half_cosine(one_minus_cos, remainder);
+    const T ratio =
+        phong_blinn_log_ratio(lobe_log_ratio(cos_theta, one_minus_cos, exponent), remainder, exponent);
+    return {variable, exp(integer<T>(4) * variable), ratio, expm1(ratio)};
   }
 };
 
@@ -119,10 +117,10 @@ struct BlinnFormulas {
 struct SgOffset : LobeFamily<GaussianFormulas> {
   static constexpr const Family& info = sg_offset;
 
-  /// The box is (0, 2). For a small exponent the lobe is 1 + k log c + .., and its best offset near 5/4 k.
+  /// The box is (0, 3/2). For a small exponent the lobe is 1 + k log c + .., and its best offset near 5/4 k.
   std::array<std::array<double, 1>, 3> starts() const {
     const double scale = std::min(1.0, exponent);
-    return {{{0.1 * scale}, {0.7 * scale}, {2 * scale}}};
+    return {{{0.25 * scale}, {0.75 * scale}, {1.25 * scale}}};
   }
 };
 
@@ -130,9 +128,12 @@ struct SgOffset : LobeFamily<GaussianFormulas> {
 struct PhongBlinn : LobeFamily<BlinnFormulas> {
   static constexpr const Family& info = phong_blinn;
 
-  /// The box is (3, 9): the best factor is 4 for sharp lobes and, under the measures here, below 7.5 for
-  /// blunt ones.
-  static std::array<std::array<double, 1>, 3> starts() { return {{{3.5}, {5}, {8}}}; }
+  /// The best factor is 4 for sharp lobes and, under the measures here, below 7.5 for blunt ones: the box is
+  /// wide for these and narrow for those.
+  std::array<std::array<double, 1>, 3> starts() const {
+    const double width = 1 / (1 + exponent);
+    return {{{3.75 - 0.25 * width}, {4.5 + 0.5 * width}, {4.25 + 3.75 * width}}};
+  }
 };
 
 /// Schlick's (1-c)^5, or the weight of an exact dielectric, by a form of one exp2: what the two Fresnel
@@ -146,7 +147,10 @@ struct FresnelFamily {
 
   std::string_view relative_to() const { return ior == 0 ? "F = f0 + (1 - f0) f, f0 = 0.04" : "the exact F"; }
 
-  Shape shape() const { return {}; }
+  /// From inside (index below 1) everything beyond the critical angle, sin = n, is reflected.
+  Shape shape() const {
+    return {.kink = 0 < ior && ior < 1 ? std::optional(std::sqrt((1 - ior) * (1 + ior))) : std::nullopt};
+  }
 
   template <class T>
   struct Sample {
@@ -212,7 +216,9 @@ struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
 struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   static constexpr const Family& info = fresnel_quadratic_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
-  static std::array<std::array<double, 2>, 3> starts() {
+  /// From inside, all is reflected down to the critical angle: the curve leaves 1 rising before it falls.
+  std::array<std::array<double, 2>, 3> starts() const {
+    if (shape().kink) return {{{-5.0, 2.0}, {-10.0, 5.0}, {-20.0, 10.0}}};
     return {{{-1.0, -12.0}, {-5.0, -5.0}, {-10.0, -2.0}}};
   }
 };

@@ -28,7 +28,12 @@ struct Scalar<ceres::Jet<T, N>> {
   static Jet log2(const Jet& x) {
     return Jet(shadefit::log2(x.a), chain(one() / (x.a * shadefit::ln2<T>()), x.v));
   }
-  static Jet expm1(const Jet& x) { return Jet(shadefit::expm1(x.a), shadefit::exp(x.a) * x.v); }
+  /// exp(x) = expm1(x) + 1 loses digits where x << 0, but there the derivative is next to nothing beside 1,
+  /// which is what it is added to in every use: a second exponential would buy nothing.
+  static Jet expm1(const Jet& x) {
+    const T value = shadefit::expm1(x.a);
+    return Jet(value, (value + one()) * x.v);
+  }
   static Jet log1p(const Jet& x) { return Jet(shadefit::log1p(x.a), chain(one() / (one() + x.a), x.v)); }
   /// d/dx (log1p(x) - x) = -x / (1 + x)
   static Jet log1p_remainder(const Jet& x) {

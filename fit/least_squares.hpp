@@ -9,19 +9,23 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "fit/gauss.hpp"
 #include "fit/jet.hpp"
 #include "fit/metric.hpp"
+#include "fit/sampled_problem.hpp"
 #include "fit/substitution.hpp"
 
 /// Continuous least squares: minimise the integral of measure * error^2 over the parameters of a family.
 ///
-/// Ceres finds the basin; it accepts steps by the cost, which is flat to the square root of the rounding, and
-/// stalls at 8 to 12 digits. Newton on the gradient with the exact Hessian (Jets of Jets) finishes, in long
-/// double at last and on ever larger quadrature rules, until a larger rule no longer moves the answer.
+/// Ceres finds the basin, on few nodes; it accepts steps by the cost, which is flat to the square root of the
+/// rounding, and stalls at 8 to 12 digits. Newton on the gradient with the exact Hessian (Jets of Jets)
+/// finishes on a larger rule. A rule of another size then asks in long double for one more step, and that
+/// step has to be nothing: its size is what the digits of a fit are.
 namespace shadefit {
 
 static_assert(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits,
@@ -53,6 +57,15 @@ inline constexpr double same_optimum = 1e-12;
 /// Relative. A parameter rounded to double is off by up to 1.1e-16; 1e-14 is promised, the next larger rule
 /// adds more.
 inline constexpr double settled = 2e-15;
+/// The rules, as indices of `gauss_sizes`: Ceres looks for the basin on twelve nodes, on one panel or on two.
+constexpr std::size_t basin_rule(std::size_t panels) {
+  return panels == 1 ? 1 : 0;
+}
+inline constexpr int basin_nodes = 12;
+/// Newton polishes on this one, and then these have to agree, in the order in which they are asked: first the
+/// next smaller one, which is the cheapest that can, then ever larger ones.
+inline constexpr std::size_t polish_rule = 3;
+inline constexpr std::array<std::size_t, 5> check_rules{2, 4, 5, 6, 7};
 /// The most that `digits` says: a claim of 15 digits would rest on the last bit of a double.
 inline constexpr int most_digits = 14;
 
@@ -66,82 +79,27 @@ struct Optimum {
   double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure)
 };
 
-/// A family sampled at the nodes of a Gauss rule: sums stand for the integrals over the measure, of total 1.
-template <class F, class T>
-class SampledProblem {
- public:
-  static constexpr int N = static_cast<int>(F::parameters.size());
-  using Vector = Eigen::Matrix<T, N, 1>;
-  using Matrix = Eigen::Matrix<T, N, N>;
-
-  struct Derivatives {
-    T square = 0;  ///< integral of error^2
-    Vector gradient = Vector::Zero();
-    Matrix hessian = Matrix::Zero();
-  };
-
-  SampledProblem(const F& family, const Substitution& substitution, std::size_t rule) : family_(family) {
-    for (const GaussNode<T>& node : gauss_nodes<T>(rule)) {
-      const auto place = substitution.at(node.position);
-      samples_.push_back(family.sample(place.cosine));
-      weights_.push_back(node.weight * place.density / static_cast<T>(substitution.total()));
-    }
-  }
-
-  std::size_t size() const { return samples_.size(); }
-  T weight(std::size_t i) const { return weights_[i]; }
-
-  template <class P>
-  P error(std::size_t i, const std::array<P, N>& p) const {
-    return family_.error(samples_[i], p);
-  }
-
-  /// Half the square's gradient and Hessian: sum of w r r_i and of w (r_i r_j + r r_ij).
-  Derivatives derivatives(const std::array<T, N>& p) const {
-    using First = ceres::Jet<T, N>;
-    using Second = ceres::Jet<First, N>;
-    std::array<Second, N> seeds;
-    for (int i = 0; i < N; ++i) {
-      seeds[static_cast<std::size_t>(i)] = Second(First(p[static_cast<std::size_t>(i)], i));
-      seeds[static_cast<std::size_t>(i)].v[i] = First(T(1));
-    }
-    Derivatives d;
-    for (std::size_t node = 0; node < samples_.size(); ++node) {
-      const Second r = error(node, seeds);
-      const T w = weights_[node];
-      d.square += w * r.a.a * r.a.a;
-      for (int i = 0; i < N; ++i) {
-        d.gradient[i] += w * r.a.a * r.a.v[i];
-        for (int j = 0; j < N; ++j) d.hessian(i, j) += w * (r.a.v[i] * r.a.v[j] + r.a.a * r.v[i].v[j]);
-      }
-    }
-    return d;
-  }
-
- private:
-  F family_;
-  std::vector<typename F::template Sample<T>> samples_;
-  std::vector<T> weights_;
-};
-
-/// The Newton step -H^-1 g; `is_minimum` says whether H is positive definite (its leading minors, by
+/// The Newton step -H^-1 g. `is_minimum` says whether H is positive definite (its leading minors, by
 /// Sylvester).
 template <class T, int N>
 struct NewtonStep {
-  std::array<T, N> step;
-  bool is_minimum;
-  bool is_finite;
+  std::array<T, static_cast<std::size_t>(N)> step{};
+  bool is_minimum = true;
+  bool is_finite = true;
 };
 
-template <class Problem, class T, std::size_t N>
-NewtonStep<T, static_cast<int>(N)> newton_step(const Problem& problem, const std::array<T, N>& p) {
-  const auto d = problem.derivatives(p);
-  const typename Problem::Vector step = -d.hessian.inverse() * d.gradient;
-  NewtonStep<T, static_cast<int>(N)> result{{}, true, true};
-  for (int i = 0; i < static_cast<int>(N); ++i) {
-    result.step[static_cast<std::size_t>(i)] = step[i];
-    result.is_finite = result.is_finite && std::isfinite(step[i]);
-    result.is_minimum = result.is_minimum && d.hessian.topLeftCorner(i + 1, i + 1).determinant() > 0;
+/// The gradient may be in wider arithmetic than the Hessian, whose own rounding only shortens or lengthens a
+/// step.
+template <class T, class H, int N>
+NewtonStep<T, N> newton_step(const Eigen::Matrix<T, N, 1>& gradient, const Eigen::Matrix<H, N, N>& hessian) {
+  const Eigen::Matrix<H, N, N> inverse = hessian.inverse();
+  NewtonStep<T, N> result;
+  for (int i = 0; i < N; ++i) {
+    T step = 0;
+    for (int j = 0; j < N; ++j) step -= static_cast<T>(inverse(i, j)) * gradient[j];
+    result.step[static_cast<std::size_t>(i)] = step;
+    result.is_finite = result.is_finite && std::isfinite(step);
+    result.is_minimum = result.is_minimum && hessian.topLeftCorner(i + 1, i + 1).determinant() > 0;
   }
   return result;
 }
@@ -171,141 +129,222 @@ template <class F>
 struct TinyFunction {
   using Scalar = double;
   static constexpr int N = SampledProblem<F, double>::N;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = N };
+  enum { NUM_RESIDUALS = basin_nodes, NUM_PARAMETERS = N };
 
   const SampledProblem<F, double>& problem;
-  double scale;
+  std::array<double, basin_nodes> roots;  ///< of the weights, scaled
 
-  int NumResiduals() const { return static_cast<int>(problem.size()); }
+  TinyFunction(const SampledProblem<F, double>& sampled, double square) : problem(sampled), roots() {
+    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = std::sqrt(problem.weight(i) / square);
+  }
 
   bool operator()(const double* parameters, double* residuals, double* jacobian) const {
     using Jet = ceres::Jet<double, N>;
-    std::array<Jet, N> p;
-    for (int i = 0; i < N; ++i) p[static_cast<std::size_t>(i)] = Jet(parameters[i], i);
-    for (std::size_t node = 0; node < problem.size(); ++node) {
-      const double weight = scale * std::sqrt(problem.weight(node));
-      const Jet r = problem.error(node, p);
-      residuals[node] = weight * r.a;
-      if (jacobian == nullptr) continue;
+    std::array<double, N> p;
+    std::array<Jet, N> seeds;
+    for (int i = 0; i < N; ++i) {
+      p[static_cast<std::size_t>(i)] = parameters[i];
+      seeds[static_cast<std::size_t>(i)] = Jet(parameters[i], i);
+    }
+    for (std::size_t node = 0; node < roots.size(); ++node) {
+      if (jacobian == nullptr) {
+        residuals[node] = roots[node] * problem.error(node, p);
+        continue;
+      }
+      const Jet r = problem.error(node, seeds);
+      residuals[node] = roots[node] * r.a;
       for (std::size_t i = 0; i < N; ++i)
-        jacobian[i * problem.size() + node] = weight * r.v[static_cast<int>(i)];
+        jacobian[i * roots.size() + node] = roots[node] * r.v[static_cast<int>(i)];
     }
     return true;
   }
 };
 
+/// A point on the way down, and a Hessian from nearby, if there is one.
 template <int N>
 struct Candidate {
-  std::array<double, N> parameters;
+  std::array<double, static_cast<std::size_t>(N)> parameters{};
+  std::optional<Eigen::Matrix<double, N, N>> hessian = std::nullopt;
   int iterations = 0;
   Status status = Status::not_converged;
 };
 
-/// Ceres into the basin, Newton in double to its bottom.
-template <class F>
-auto descend(const SampledProblem<F, double>& problem, const auto& start) {
-  constexpr int N = SampledProblem<F, double>::N;
-  Candidate<N> candidate{start};
-  const double square = problem.derivatives(start).square;
-  if (!std::isfinite(square)) candidate.status = Status::not_finite;
-  if (!(square > 0) || !std::isfinite(square)) return candidate;  // a square of 0 has underflowed
+/// The largest relative distance of two points, measured in the second.
+template <std::size_t N>
+double distance(std::array<double, N> p, const std::array<double, N>& from) {
+  for (std::size_t j = 0; j < N; ++j) p[j] -= from[j];
+  return relative_size(p, from);
+}
 
-  const TinyFunction<F> function{problem, 1 / std::sqrt(square)};
-  ceres::TinySolver<TinyFunction<F>> solver;
-  // Only the basin is wanted: a step of 1e-6 (|x| + 1e-6) is well inside Newton's; cost tests are off.
-  solver.options.parameter_tolerance = 1e-6;
+template <class F>
+using TinySolver = ceres::TinySolver<TinyFunction<F>>;
+
+/// Only the basin is wanted: a step of 1e-2 (|x| + 1e-2) is inside Newton's; cost tests are off.
+template <class F>
+TinySolver<F> basin_solver() {
+  TinySolver<F> solver;
+  solver.options.parameter_tolerance = 1e-2;
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = 0;
   solver.options.cost_threshold = 0;
-  typename ceres::TinySolver<TinyFunction<F>>::Parameters parameters;
-  for (int i = 0; i < N; ++i) parameters[i] = start[static_cast<std::size_t>(i)];
-  candidate.iterations = solver.Solve(function, &parameters).iterations;
-  for (int i = 0; i < N; ++i) candidate.parameters[static_cast<std::size_t>(i)] = parameters[i];
-
-  // Quadratic convergence from 1e-6 takes two steps; twenty leave room for a start that Ceres gave up on.
-  for (int i = 0; i < 20; ++i) {
-    const auto newton = newton_step(problem, candidate.parameters);
-    if (!newton.is_finite) {
-      candidate.status = Status::not_finite;
-      return candidate;
-    }
-    for (std::size_t j = 0; j < N; ++j) candidate.parameters[j] += newton.step[j];
-    ++candidate.iterations;
-    // Steps below 1e-13 are the rounding of the sums, not progress.
-    if (relative_size(newton.step, candidate.parameters) < 1e-13) {
-      if (newton.is_minimum) candidate.status = Status::converged;
-      return candidate;
-    }
-  }
-  return candidate;
+  return solver;
 }
 
-}  // namespace detail
+/// Newton in double to the bottom of the basin, until what is left of the way is below `rest` of the
+/// parameters. The Hessian is dearer than the gradient, up to seven times, and kept for as long as steps
+/// shrink to a third or less.
+template <class F, int N>
+void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, double rest) {
+  auto& p = candidate.parameters;
+  double last = 1;
+  // Four to seven steps are the rule; thirty leave room for a start that Ceres gave up on.
+  for (int i = 0; i < 30; ++i) {
+    const bool is_own = !candidate.hessian;
+    typename SampledProblem<F, double>::Vector gradient;
+    if (is_own) {
+      const auto derivatives = problem.derivatives(p);
+      gradient = derivatives.gradient;
+      candidate.hessian = derivatives.hessian;
+    } else {
+      gradient = problem.gradient(p).gradient;
+    }
+    const auto newton = newton_step<double, double, N>(gradient, *candidate.hessian);
+    if (!newton.is_finite) {
+      candidate.status = Status::not_finite;
+      return;
+    }
+    for (std::size_t j = 0; j < p.size(); ++j) p[j] += newton.step[j];
+    ++candidate.iterations;
+    // With the Hessian of the place a step squares what was left. With another's, what it leaves of itself is
+    // the Hessian's error: as much as of the step before, and 1 % at least, where that one was small by
+    // chance.
+    const double size = relative_size(newton.step, p);
+    const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
+    if (size < 1e-6 && left < rest) {
+      candidate.status = newton.is_minimum ? Status::converged : Status::not_converged;
+      return;
+    }
+    if (!(size < last / 3)) candidate.hessian.reset();
+    last = size;
+  }
+  candidate.status = Status::not_converged;
+}
 
-namespace detail {
-
-/// The optimum on the smallest rule, if all three starts lead to it; else the status says why not.
+/// The optimum on few nodes, if all three starts lead to it; else the status says why not. The Hessian that
+/// led the first one serves the other starts, and the larger rules after them.
 template <class F>
-auto common_optimum(const F& family, const Substitution& substitution) {
-  const SampledProblem<F, double> problem(family, substitution, 0);
+auto common_optimum(const F& family, const SampledProblem<F, double>& problem) {
+  constexpr int N = SampledProblem<F, double>::N;
   const auto starts = family.starts();
-  const auto first = descend(problem, starts[0]);
-  auto common = first;
+  Candidate<N> common{.parameters = starts[0]};
+  const double square = problem.square(starts[0]);
+  if (!std::isfinite(square)) common.status = Status::not_finite;
+  if (!(square > 0) || !std::isfinite(square)) return common;  // a square of 0 has underflowed
+
+  const TinyFunction<F> function(problem, square);
+  auto solver = basin_solver<F>();
+  const auto descend = [&](Candidate<N> candidate) {
+    typename TinySolver<F>::Parameters parameters(candidate.parameters.data());
+    candidate.iterations = solver.Solve(function, &parameters).iterations;
+    std::copy_n(parameters.data(), N, candidate.parameters.begin());
+    polish(problem, candidate, same_optimum / 10);
+    return candidate;
+  };
+  common = descend(common);
+  if (common.status != Status::converged) return common;
+  const auto first = common;
   for (const auto& start : {starts[1], starts[2]}) {
-    const auto candidate = descend(problem, start);
-    auto gap = candidate.parameters;
-    for (std::size_t j = 0; j < gap.size(); ++j) gap[j] -= first.parameters[j];
+    const auto candidate = descend({.parameters = start, .hessian = first.hessian});
     if (candidate.status != Status::converged) {
       common.status = candidate.status;
-    } else if (relative_size(gap, first.parameters) > same_optimum && common.status == Status::converged) {
+    } else if (distance(candidate.parameters, first.parameters) > same_optimum &&
+               common.status == Status::converged) {
       common.status = Status::ambiguous;
     }
   }
   return common;
 }
 
-/// Climbs the rules from the second on, one Newton step in long double on each, until a larger rule asks for
-/// no further step at the parameters as they are returned, rounded to double.
+}  // namespace detail
+
+/// A family under a metric (norm: least squares), sampled and ready to be solved.
 template <class F>
-void climb(const F& family, const Substitution& substitution, auto& optimum) {
-  constexpr int N = SampledProblem<F, double>::N;
-  for (std::size_t rule = 1; rule < gauss_sizes.size(); ++rule) {
-    const SampledProblem<F, long double> problem(family, substitution, rule);
+class LeastSquares {
+ public:
+  static constexpr int N = SampledProblem<F, double>::N;
+
+  LeastSquares(const F& family, const Metric& metric)
+      : family_(family),
+        panels_(Substitution::panels(metric, family.shape())),
+        basin_(family, Substitution::panels(metric, blunt(family.shape())), basin_rule(panels_.size())),
+        fine_(family, panels_, polish_rule),
+        wide_(family, panels_, check_rules.front()) {}
+
+  /// Never throws for a hard problem: the status says how it went, and parameters are an answer only where it
+  /// is `converged`.
+  Optimum<N> solve() const {
+    auto candidate = detail::common_optimum(family_, basin_);
+    // A step below 2e-16 hardly changes a double.
+    if (candidate.status == Status::converged) detail::polish(fine_, candidate, 2e-16);
+    Optimum<N> optimum{
+        .parameters = candidate.parameters, .status = candidate.status, .iterations = candidate.iterations};
+    if (candidate.status != Status::converged) return optimum;
+    optimum.status = Status::not_converged;
+    // The sampled rule is nearly always the last that is asked; the others are sampled as they are needed.
+    bool goes_on = settle(optimum, candidate, wide_, check_rules.front());
+    for (std::size_t i = 1; goes_on && i < check_rules.size(); ++i) {
+      const SampledProblem<F, long double> wider(family_, panels_, check_rules[i]);
+      goes_on = settle(optimum, candidate, wider, check_rules[i]);
+    }
+    return optimum;
+  }
+
+ private:
+  /// For the basin a concentrated integrand may be cut at half the decay: what is lost, 4e-11, is less than
+  /// what twelve nodes over the whole of it would lose.
+  static Shape blunt(Shape shape) {
+    shape.concentration *= 2;
+    return shape;
+  }
+
+  /// Asks a rule for one more step in long double, at the parameters as they are returned, rounded to double.
+  /// Where it is nothing the answer has settled; else it is taken, and true says that another rule has to be
+  /// asked.
+  static bool settle(Optimum<N>& optimum, const detail::Candidate<N>& candidate,
+                     const SampledProblem<F, long double>& problem, std::size_t rule) {
     std::array<long double, N> p;
     std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
-    const auto newton = newton_step(problem, p);
+    const auto at = problem.gradient(p);
+    const auto newton = newton_step<long double, double, N>(at.gradient, *candidate.hessian);
     if (!newton.is_finite) {
       optimum.status = Status::not_finite;
-      return;
+      return false;
     }
     const long double size = relative_size(newton.step, p);
     optimum.digits = correct_digits(size);
-    optimum.rms_error = static_cast<double>(std::sqrt(problem.derivatives(p).square));
-    if (newton.is_minimum && size <= settled) {
+    optimum.rms_error = static_cast<double>(std::sqrt(at.square));
+    if (size <= settled) {
       optimum.status = Status::converged;
-      return;
+      return false;
     }
-    for (std::size_t j = 0; j < N; ++j) optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
+    if (rule < polish_rule)
+      return true;  // a smaller rule than the one that was polished on has nothing to add
+    for (std::size_t j = 0; j < p.size(); ++j)
+      optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
     ++optimum.iterations;
+    return true;
   }
-}
 
-}  // namespace detail
+  F family_;
+  std::vector<Substitution> panels_;
+  SampledProblem<F, double> basin_, fine_;
+  SampledProblem<F, long double> wide_;
+};
 
-/// Fits a family under a metric (norm: least squares). Never throws for a hard problem: the status says how
-/// it went, and parameters are an answer only where it is `converged`.
+/// Fits a family under a metric.
 template <class F>
 auto solve_least_squares(const F& family, const Metric& metric) {
-  const Substitution substitution(metric, family.shape());
-  const auto common = detail::common_optimum(family, substitution);
-  Optimum<SampledProblem<F, double>::N> optimum{.parameters = common.parameters,
-                                                .iterations = common.iterations};
-  if (common.status == Status::converged) {
-    detail::climb(family, substitution, optimum);
-  } else {
-    optimum.status = common.status;
-  }
-  return optimum;
+  return LeastSquares<F>(family, metric).solve();
 }
 
 }  // namespace shadefit

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "approx/cosine.hpp"
 #include "approx/scalar.hpp"
@@ -18,6 +20,8 @@ struct Shape {
   double concentration = 0;
   /// It behaves as c^end_power at c = 0; a whole number is smooth there.
   double end_power = 0;
+  /// The cosine at which it has a kink, with the behaviour of a square root on the side of the peak.
+  std::optional<double> kink = std::nullopt;
 };
 
 /// A map of s in [0, 1] onto the domain: s = 0 at its upper end (the peak), s = 1 at its lower end.
@@ -30,6 +34,9 @@ struct Shape {
 class Substitution {
  public:
   Substitution(const Metric& metric, const Shape& shape);
+
+  /// The domain in panels on each of which the integrand is smooth: two where its kink lies inside, else one.
+  static std::vector<Substitution> panels(const Metric& metric, const Shape& shape);
 
   /// The cosine measure between two places that are known to full precision, uncut.
   static Substitution between(const Cosine<double>& top, const Cosine<double>& bottom);
@@ -50,17 +57,25 @@ class Substitution {
     const T one = integer<T>(1);
     const T u = one - s;
     // 1 - u^q = s (1 + u + .. + u^(q-1)): the distance from the peak without cancellation
-    T sum = one;
-    for (int i = 1; i < power_; ++i) sum = sum * u + one;
-    const T from_peak = lift<T>(length_) * (s * sum);
-    const T from_end = lift<T>(length_) * power(u, power_);
-    const T density = lift<T>(length_) * integer<T>(power_) * power(u, power_ - 1);
+    T sum = one, last = one;  // last = u^(q-1)
+    for (int i = 1; i < power_; ++i) {
+      sum = sum * u + one;
+      last = last * u;
+    }
+    const T length = lift<T>(length_);
+    const T from_peak = length * (s * sum);
+    const T from_end = length * (u * last);
+    const T density = length * integer<T>(power_) * last;
     const T y = lift<T>(near_) + from_peak;
     const T rest = lift<T>(rest_) + from_end;
     if (measure_ == Measure::cosine) return {{rest, y}, density};
     if (measure_ == Measure::cosine_weighted) return {{rest, y}, rest * density};
+    // Near the horizon the cosine is the sine of what is left to it, near the peak 1 less than its distance.
     const T half_sine = sin(y / integer<T>(2));
-    return {{sin(rest), integer<T>(2) * half_sine * half_sine}, density};
+    const T one_minus_cos = integer<T>(2) * half_sine * half_sine;
+    const T cos_theta = choose(
+        less(y, rest), [&] { return one - one_minus_cos; }, [&] { return sin(rest); });
+    return {{cos_theta, one_minus_cos}, density};
   }
 
   /// The measure of the whole domain, cut or not.
@@ -81,6 +96,16 @@ inline Substitution Substitution::between(const Cosine<double>& top, const Cosin
   result.length_ = bottom.one_minus_cos - top.one_minus_cos;
   result.rest_ = bottom.cos_theta;
   result.total_ = result.length_;
+  return result;
+}
+
+inline std::vector<Substitution> Substitution::panels(const Metric& metric, const Shape& shape) {
+  const Domain& domain = metric.domain;
+  if (!shape.kink || *shape.kink <= domain.lower || *shape.kink >= domain.upper) return {{metric, shape}};
+  Metric above = metric, below = metric;
+  above.domain.lower = below.domain.upper = *shape.kink;
+  std::vector<Substitution> result{{above, {}}, {below, {}}};
+  result.front().power_ = 2;  // the square root of a square is smooth
   return result;
 }
 

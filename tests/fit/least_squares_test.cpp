@@ -122,15 +122,24 @@ TEST(ExactFresnel, SchlickIsFartherFromTheTruthThanTheCheapestForm) {
   EXPECT_NEAR(error("fresnel-one-term", {8.35}), 0.0071, 0.00005);
 }
 
-TEST(LeastSquares, FromInsideTheKinkAtTheCriticalAngleIsNotHidden) {
-  EXPECT_NE(find_family("fresnel-quadratic")->fit({0, 1 / 1.5}, {}).status, Status::converged);
+// From inside everything beyond the critical angle is reflected: the kink is a joint of two panels.
+TEST(LeastSquares, FitsTheExactDielectricFromInside) {
+  for (const Measure measure : measures) {
+    for (const double ior : {1 / 1.33, 1 / 1.5, 0.5}) {
+      for (const char* family : {"fresnel-one-term", "fresnel-quadratic"}) {
+        const Fit fit = find_family(family)->fit({0, ior}, {.measure = measure});
+        EXPECT_EQ(fit.status, Status::converged) << family << " " << ior << " " << name(measure);
+        EXPECT_EQ(fit.digits, 14) << family << " " << ior << " " << name(measure);
+      }
+    }
+  }
 }
 
 /// A family whose error does not depend on its parameter: every start is stationary, none an answer.
 struct Flat : SgOffset {
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, 1>&) const {
-    return lift<P>(s.one_minus_cos);
+    return lift<P>(s.variable);
   }
 };
 
@@ -187,7 +196,7 @@ struct Kinked : SgOffset {
   static std::array<std::array<double, 1>, 3> starts() { return {{{0.1}, {0.5}, {1}}}; }
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    const T from_kink = s.one_minus_cos - integer<T>(2) / integer<T>(3);
+    const T from_kink = -s.variable - integer<T>(2) / integer<T>(3);
     return lift<P>(power(max(from_kink, -from_kink), constant<T>("0.1"))) - p[0];
   }
 };
@@ -210,7 +219,8 @@ TEST(LeastSquares, DigitsDoNotOverstateWhereNoRuleSettles) {
 // double.
 TEST(SampledProblem, DerivativesAreThoseOfTheSquare) {
   const FresnelQuadratic family;
-  const SampledProblem<FresnelQuadratic, long double> problem(family, Substitution({}, family.shape()), 1);
+  const SampledProblem<FresnelQuadratic, long double> problem(family,
+                                                              Substitution::panels({}, family.shape()), 2);
   const std::array<long double, 2> p{-5.0L, -7.5L};
   const auto d = problem.derivatives(p);
   constexpr long double h = 1e-4L;
@@ -227,6 +237,11 @@ TEST(SampledProblem, DerivativesAreThoseOfTheSquare) {
     }
   }
   EXPECT_EQ(d.hessian(0, 1), d.hessian(1, 0));
+  const auto first = problem.gradient(p);
+  EXPECT_EQ(first.square, d.square);
+  EXPECT_NEAR(static_cast<double>(first.gradient[0] / d.gradient[0]), 1, 1e-16);
+  EXPECT_NEAR(static_cast<double>(first.gradient[1] / d.gradient[1]), 1, 1e-16);
+  EXPECT_EQ(problem.square(p), d.square);
 }
 
 TEST(Status, HasNames) {
