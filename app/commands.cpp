@@ -130,7 +130,7 @@ Outcome derived_command(const FittableFamily& family, const Published& published
 std::string console_text(const Refit& refit, const Metric& metric) {
   const Family& info = refit.family->info;
   return fmt::format("{}: {} ~ {}, {} measure, least squares\n", info.id, target_of(refit.fits.front().fit),
-                     info.form, describe(metric)) +
+                     to_text(refit.family->form()), describe(metric)) +
          write_console(fits_overview(refit), Precision::report);
 }
 

@@ -88,16 +88,12 @@ inline constexpr std::string_view reference_f0 = "0.04";
 inline constexpr Family fresnel_one_term_family{
     .id = "fresnel-one-term",
     .title = "Fresnel by one exp2",
-    .target = "(1-c)^5",
-    .form = "exp2(-A c)",
     .variables = "c = the cosine between view and half vector; A the sharpness in powers of two",
     .sweep = ""};
 
 inline constexpr Family fresnel_quadratic_family{
     .id = "fresnel-quadratic",
     .title = "Fresnel by exp2 of a quadratic",
-    .target = "(1-c)^5",
-    .form = "exp2((a c + b) c)",
     .variables = "c = the cosine between view and half vector; a, b the coefficients of the exponent",
     .sweep = ""};
 

@@ -99,8 +99,6 @@ ApproachLaw<T> offset_law(const T& p, const T& w) {
 inline constexpr Family sg_offset{
     .id = "sg-offset",
     .title = "Spherical Gaussian offset",
-    .target = "c^k",
-    .form = "exp((k+x)(c-1))",
     .variables = "c = n.h or r.v, the cosine to the lobe's axis; k the specular exponent; x the offset",
     .sweep = "1:15:1,25,50,100,1000,10000,1000000"};
 

@@ -12,7 +12,14 @@
 /// Phong exponent, x the factor between the exponents, y = 1 - cos(theta).
 namespace shadefit {
 
-/// cos^(x rho)(theta/2) from y: ((1 + cos)/2)^(x rho/2) = exp(x rho/2 log1p(-y/2)).
+/// cos^(x rho)(theta/2) from c = cos(theta): ((1 + c)/2)^(x rho/2).
+template <class T>
+T blinn_lobe_of_cosine(const T& cos_theta, const T& exponent, const T& factor) {
+  const T two = integer<T>(2);
+  return power((integer<T>(1) + cos_theta) / two, factor * exponent / two);
+}
+
+/// The same from y: ((1 + cos)/2)^(x rho/2) = exp(x rho/2 log1p(-y/2)).
 template <class T>
 T blinn_lobe(const T& one_minus_cos, const T& exponent, const T& factor) {
   return half_angle_power(one_minus_cos, factor * exponent);
@@ -47,8 +54,6 @@ ApproachLaw<T> factor_law(const T& p) {
 
 inline constexpr Family phong_blinn{.id = "phong-blinn",
                                     .title = "Phong lobe by a Blinn lobe",
-                                    .target = "c^k",
-                                    .form = "((1+c)/2)^(x k/2)",
                                     .variables =
                                         "c = cos(theta), theta the Phong angle; k the Phong exponent rho; x "
                                         "the factor from it to Blinn's, which takes "

@@ -48,12 +48,10 @@ struct Published {
   std::span<const Variant> variants;
 };
 
-/// What is approximated by what: the text of a family, for people. The formulas themselves are templates.
+/// A family of approximations, for people. Its target and its form are templates, and print themselves.
 struct Family {
   std::string_view id;
   std::string_view title;
-  std::string_view target;     ///< the exact function of c
-  std::string_view form;       ///< the approximation of it
   std::string_view variables;  ///< what each letter means
   std::string_view
       sweep;  ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent

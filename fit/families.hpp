@@ -16,8 +16,8 @@
 #include "fit/substitution.hpp"
 
 /// The families that can be fitted: each joins a target and a form of approx/ for the solver. A family brings
-/// - `info`: its texts; `parameters`: the names of its parameters; `starts`: three points spread over the box
-/// in
+/// - `info`: its texts; `target_of` and `form_of`: its two formulas of the cosine, in any scalar;
+/// `parameters`: the names of its parameters; `starts`: three points spread over the box in
 ///   which the optimum is looked for;
 /// - `Sample`: what of a place does not depend on the parameters, computed once; `sample`: the function that
 /// does;
@@ -53,6 +53,11 @@ struct LobeFamily {
   static std::string_view relative_to() { return "target >= 1/255"; }
 
   double exponent;
+
+  template <class T>
+  static T target_of(const T& cos_theta, const T& exponent) {
+    return power_lobe(cos_theta, exponent);
+  }
 
   /// Target and forms fall at least as fast as exp(-k y), their squares twice as fast.
   Shape shape() const { return {.concentration = 2 * exponent, .end_power = exponent}; }
@@ -117,6 +122,11 @@ struct BlinnFormulas {
 struct SgOffset : LobeFamily<GaussianFormulas> {
   static constexpr const Family& info = sg_offset;
 
+  template <class T>
+  static T form_of(const T& cos_theta, const T& exponent, const std::array<T, 1>& p) {
+    return gaussian_lobe(cos_theta, exponent, p[0]);
+  }
+
   /// The box is (0, 3/2). For a small exponent the lobe is 1 + k log c + .., and its best offset near 5/4 k.
   std::array<std::array<double, 1>, 3> starts() const {
     const double scale = std::min(1.0, exponent);
@@ -127,6 +137,11 @@ struct SgOffset : LobeFamily<GaussianFormulas> {
 /// cos^rho(theta) by cos^(x rho)(theta/2).
 struct PhongBlinn : LobeFamily<BlinnFormulas> {
   static constexpr const Family& info = phong_blinn;
+
+  template <class T>
+  static T form_of(const T& cos_theta, const T& exponent, const std::array<T, 1>& p) {
+    return blinn_lobe_of_cosine(cos_theta, exponent, p[0]);
+  }
 
   /// The best factor is 4 for sharp lobes and, under the measures here, below 7.5 for blunt ones: the box is
   /// wide for these and narrow for those.
@@ -144,6 +159,15 @@ struct FresnelFamily {
   /// those of the reflectance F = f0 + (1 - f0) f, f0 from the index; Schlick's target stands for every f0
   /// and has the errors of f.
   double ior = 0;
+
+  template <class T>
+  static T target_of(const T& cos_theta, const T&) {
+    return schlick_weight(cos_theta);
+  }
+  template <class T>
+  static T form_of(const T& cos_theta, const T&, const std::array<T, N>& p) {
+    return Form::evaluate(cos_theta, p);
+  }
 
   std::string_view relative_to() const { return ior == 0 ? "F = f0 + (1 - f0) f, f0 = 0.04" : "the exact F"; }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "fit/families.hpp"
@@ -116,8 +117,23 @@ Effect effect(const Setting& setting, const Domain& domain, std::span<const doub
 }
 
 template <class F>
-constexpr FittableFamily entry{
-    F::info, F::parameters, &fit<F>, &max_abs_error<F>, &max_rel_error<F>, &effect<F>, has_exact_target<F>()};
+Symbolic target() {
+  return F::target_of(Symbolic::variable("c"), Symbolic::variable("k"));
+}
+
+template <class F>
+Symbolic form() {
+  return std::apply(
+      [](const auto&... name) {
+        return F::form_of(Symbolic::variable("c"), Symbolic::variable("k"),
+                          std::array{Symbolic::variable(name)...});
+      },
+      F::parameters);
+}
+
+template <class F>
+constexpr FittableFamily entry{F::info,    F::parameters, &fit<F>,  &max_abs_error<F>,    &max_rel_error<F>,
+                               &effect<F>, &target<F>,    &form<F>, has_exact_target<F>()};
 
 }  // namespace
 

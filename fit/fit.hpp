@@ -10,6 +10,7 @@
 #include "fit/extremum.hpp"
 #include "fit/least_squares.hpp"
 #include "fit/metric.hpp"
+#include "fit/symbolic.hpp"
 
 /// One fit and its report, and the table of the families that can be fitted.
 namespace shadefit {
@@ -50,6 +51,9 @@ struct FittableFamily {
   Extremum (*max_abs_error)(const Setting&, const Domain&, std::span<const double> parameters);
   std::optional<Extremum> (*max_rel_error)(const Setting&, const Domain&, std::span<const double> parameters);
   Effect (*effect)(const Setting&, const Domain&, std::span<const double> from, std::span<const double> to);
+
+  Symbolic (*target)();  ///< of the cosine c and the exponent k
+  Symbolic (*form)();    ///< and of the parameters
 
   bool is_fresnel = false;  ///< its target may be an exact dielectric
 

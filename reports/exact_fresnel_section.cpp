@@ -80,8 +80,8 @@ std::string exact_fresnel_lead(const Results& results) {
     const auto [curve, parameters] = published_curves(family).front();
     const Fit fit = family.fit({0, ior}, {});
     out += fmt::format(", {:.3g} with `{}` as {}, and {:.3g} with the same form refitted to the exact curve",
-                       family.max_abs_error({0, ior}, {}, parameters).magnitude, family.info.form, curve,
-                       fit.max_abs_error.magnitude);
+                       family.max_abs_error({0, ior}, {}, parameters).magnitude, to_text(family.form()),
+                       curve, fit.max_abs_error.magnitude);
   }
   return out + ".\n\n";
 }

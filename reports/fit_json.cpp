@@ -87,7 +87,7 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"objective", objective_json(fit.metric)},
           {"target", target_of(fit)},
           {"ior", fit.ior ? Json(*fit.ior) : Json()},
-          {"form", family.info.form},
+          {"form", to_text(family.form())},
           {"assessments", assessments}};
 }
 

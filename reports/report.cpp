@@ -238,10 +238,22 @@ std::string single_words(const Refit& refit) {
       fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
 }
 
+/// The two formulas as they print themselves, and what a shader executes for each.
+Table formulas_table(const FittableFamily& family) {
+  Table table{{"", "formula", "in LaTeX", "operations"}, {}};
+  const auto add = [&](const std::string& name, const Symbolic& formula) {
+    table.rows.push_back({name, fmt::format("`{}`", to_text(formula)), fmt::format("`{}`", to_latex(formula)),
+                          to_text(count_operations(formula))});
+  };
+  add("target", family.target());
+  add("form", family.form());
+  return table;
+}
+
 std::string family_section(const Refit& refit) {
   const Family& info = refit.family->info;
-  std::string out = fmt::format("## {} (`{}`)\n\n`{}` approximated by `{}`; {}.\n\n", info.title, info.id,
-                                info.target, info.form, info.variables);
+  std::string out = fmt::format("## {} (`{}`)\n\n", info.title, info.id) +
+                    markdown(formulas_table(*refit.family)) + fmt::format("{}.\n\n", info.variables);
   const bool all_converged = std::all_of(refit.fits.begin(), refit.fits.end(), [](const FitReport& r) {
     return r.fit.status == Status::converged;
   });

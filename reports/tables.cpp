@@ -56,7 +56,7 @@ void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
 
 void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric,
                    const std::string& target) {
-  append(row, {target, word(refit.family->info.form), to_text(metric.domain), word(name(metric.measure)),
+  append(row, {target, to_text(refit.family->form()), to_text(metric.domain), word(name(metric.measure)),
                word(name(metric.norm))});
 }
 
@@ -93,7 +93,7 @@ void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& asses
   auto row = row_start(refit, derived_parameter(*assessment.published),
                        range ? std::optional(range->exactly) : std::nullopt);
   append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
-  append_metric(row, refit, assessment.metric, std::string(refit.family->info.target));
+  append_metric(row, refit, assessment.metric, to_text(refit.family->target()));
   append(row, {{}, {}, {}, {}, {}, cells.source});
   out.table.rows.push_back(row);
   out.origins.push_back({&refit, nullptr, 0});
@@ -214,10 +214,11 @@ Table summary_table(const Results& results) {
 Table list_table() {
   Table table{{"id", "printed", "of", "source"}, {}};
   for (const Published& published : published_constants) {
-    const Family& family = find_family(published.family)->info;
-    table.rows.push_back({word(published.id), word(published.printed),
-                          fmt::format("{} in {} ~ {}", published.parameter, family.target, family.form),
-                          word(citation(published.source))});
+    const FittableFamily& family = *find_family(published.family);
+    table.rows.push_back(
+        {word(published.id), word(published.printed),
+         fmt::format("{} in {} ~ {}", published.parameter, to_text(family.target()), to_text(family.form())),
+         word(citation(published.source))});
   }
   for (const Normalisation& record : normalisations) {
     table.rows.push_back({word(record.id), word(record.printed), fmt::format("normalises {}", record.lobe),
@@ -227,7 +228,8 @@ Table list_table() {
 }
 
 std::string target_of(const Fit& fit) {
-  return fit.ior ? fmt::format("exact dielectric n = {}", *fit.ior) : std::string(fit.family->target);
+  return fit.ior ? fmt::format("exact dielectric n = {}", *fit.ior)
+                 : to_text(find_family(fit.family->id)->target());
 }
 
 std::string citation(const Source& source) {

@@ -69,6 +69,7 @@ TEST(PhongBlinn, RobustFormsAreThePlainOnes) {
         const Decimal100 difference = blinn - power_lobe(C, K);
         const double tolerance = 1e-45;
         EXPECT_TRUE(is_close(where, Decimal50(blinn), Decimal50(blinn_lobe(Y, K, X)), tolerance));
+        EXPECT_TRUE(is_close(where, Decimal50(blinn), Decimal50(blinn_lobe_of_cosine(C, K, X)), tolerance));
         const Decimal100 base = exp(Decimal100(4 * variable)), change = (X - 4) * variable;
         // right to the rounding of the base, beside which form and target may both be next to nothing
         EXPECT_TRUE(is_close(where, Decimal50(1 + difference / base),

@@ -15,6 +15,7 @@
 #include "fit/interval.hpp"
 #include "fit/jet.hpp"
 #include "fit/multiprecision.hpp"
+#include "fit/symbolic.hpp"
 #include "tests/accuracy.hpp"
 
 namespace shadefit {
@@ -58,6 +59,8 @@ auto formulas() {
               Lobes{{"-0.125", "-0.0625"}, {"-0.5", "-1"}}, 32},
       Formula{"blinn_lobe", [](auto y, auto k, auto x) { return blinn_lobe(y, k, x); },
               Lobes{{"0.125", "5", "4"}, {"0.5", "2", "4.5"}}, 16},
+      Formula{"blinn_lobe_of_cosine", [](auto c, auto k, auto x) { return blinn_lobe_of_cosine(c, k, x); },
+              Lobes{{"0.875", "5", "4"}, {"0.5", "2", "4.5"}}, 16},
       Formula{"log_half_cosine", [](auto y, auto r) { return log_half_cosine(y, r); },
               Lobes{{"0.5", "-0.03125"}}, 8},
       Formula{"phong_blinn_log_ratio", [](auto l, auto r, auto k) { return phong_blinn_log_ratio(l, r, k); },
@@ -173,6 +176,24 @@ TYPED_TEST(EveryScalar, KeepsItsTypeAndAgreesWithFiftyDigits) {
           std::max(epsilon_of<TypeParam>(), static_cast<double>(std::numeric_limits<Decimal50>::epsilon()));
       EXPECT_TRUE(
           is_close(describe(formula.name, arguments), truth, value_of(computed), formula.epsilons * epsilon));
+    }
+  };
+  std::apply([&](const auto&... formula) { (check(formula), ...); }, formulas());
+}
+
+// A formula that went through its own expression is the formula.
+TEST(SymbolicScalar, EveryFormulaIsItsExpression) {
+  const auto check = [](const auto& formula) {
+    for (const auto& arguments : formula.arguments) {
+      const auto expression = evaluate<Symbolic>(formula, arguments);
+      static_assert(std::same_as<std::remove_const_t<decltype(expression)>, Symbolic>,
+                    "a formula left its scalar");
+      const auto no_variable = [](const std::string& name) -> Decimal100 { throw std::logic_error(name); };
+      EXPECT_EQ(shadefit::evaluate<Decimal100>(expression, no_variable),
+                evaluate<Decimal100>(formula, arguments))
+          << describe(formula.name, arguments) << ": " << to_text(expression);
+      EXPECT_EQ(count_operations(expression), Operations{}) << "all of it is numbers";
+      EXPECT_FALSE(to_latex(expression).empty());
     }
   };
   std::apply([&](const auto&... formula) { (check(formula), ...); }, formulas());

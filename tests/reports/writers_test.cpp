@@ -95,7 +95,7 @@ TEST(FitsTable, PublishedNumbersHaveDeviationVerdictAndTheirOwnError) {
   ASSERT_EQ(csv.rows.size(), 6U) << "two parameters, three measures";
   EXPECT_EQ(csv.rows[0],
             (std::vector<std::string>{
-                "fresnel-quadratic", "a", "", "-5.55473", "-5.554727813", "2.187e-06", "confirmed", "(1-c)^5",
+                "fresnel-quadratic", "a", "", "-5.55473", "-5.554727813", "2.187e-06", "confirmed", "(1 - c)^5",
                 "exp2((a c + b) c)", "0:1", "cosine", "least-squares", "0.002238390271", "0.003766385943",
                 "0.055357", "0.00376641274", "14",
                 "Lagarde 2012, Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel, "

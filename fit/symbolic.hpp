@@ -1,0 +1,182 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "approx/scalar.hpp"
+
+/// The symbolic scalar: a formula run on it is its own expression, which prints itself, counts its operations
+/// and can be evaluated in any other scalar.
+namespace shadefit {
+
+/// An expression: an immutable tree, cheap to copy.
+class Symbolic {
+ public:
+  enum class Kind {
+    variable,       ///< `name`
+    number,         ///< `name` is its decimal text
+    constant,       ///< `name` is pi or ln2
+    add,            ///< parts 0 + 1, and so on
+    subtract,       ///<
+    multiply,       ///<
+    divide,         ///<
+    negate,         ///<
+    function,       ///< `name` of parts 0, or of 0 and 1
+    real_power,     ///< part 0 to the power of part 1, part 0 not negative
+    integer_power,  ///< part 0 to the power `exponent`
+    choice,         ///< part 0 < part 1 ? part 2 : part 3
+  };
+
+  static Symbolic variable(std::string_view name) { return {Kind::variable, std::string(name), {}}; }
+  static Symbolic number(std::string_view decimal) { return {Kind::number, std::string(decimal), {}}; }
+  static Symbolic constant(std::string_view name) { return {Kind::constant, std::string(name), {}}; }
+  static Symbolic operation(Kind kind, std::vector<Symbolic> parts) { return {kind, "", std::move(parts)}; }
+  static Symbolic function(std::string_view name, std::vector<Symbolic> parts) {
+    return {Kind::function, std::string(name), std::move(parts)};
+  }
+  static Symbolic integer_power(const Symbolic& x, int n) {
+    return {Kind::integer_power, std::to_string(n), {x}};
+  }
+
+  Kind kind() const { return node_->kind; }
+  const std::string& name() const { return node_->name; }
+  int exponent() const { return std::stoi(node_->name); }
+  const std::vector<Symbolic>& parts() const { return node_->parts; }
+  const Symbolic& part(std::size_t i) const { return node_->parts.at(i); }
+
+  friend Symbolic operator+(const Symbolic& a, const Symbolic& b) { return operation(Kind::add, {a, b}); }
+  friend Symbolic operator-(const Symbolic& a, const Symbolic& b) {
+    return operation(Kind::subtract, {a, b});
+  }
+  friend Symbolic operator*(const Symbolic& a, const Symbolic& b) {
+    return operation(Kind::multiply, {a, b});
+  }
+  friend Symbolic operator/(const Symbolic& a, const Symbolic& b) { return operation(Kind::divide, {a, b}); }
+  friend Symbolic operator-(const Symbolic& a) { return operation(Kind::negate, {a}); }
+
+ private:
+  struct Node {
+    Kind kind;
+    std::string name;
+    std::vector<Symbolic> parts;
+  };
+
+  Symbolic(Kind kind, std::string name, std::vector<Symbolic> parts)
+      : node_(std::make_shared<const Node>(Node{kind, std::move(name), std::move(parts)})) {}
+
+  std::shared_ptr<const Node> node_;
+};
+
+/// The adapter: every function of the vocabulary is a node. A comparison is kept until `select` takes it.
+template <>
+struct Scalar<Symbolic> {
+  struct Less {
+    Symbolic a, b;
+  };
+
+  static Symbolic exp(const Symbolic& x) { return Symbolic::function("exp", {x}); }
+  static Symbolic exp2(const Symbolic& x) { return Symbolic::function("exp2", {x}); }
+  static Symbolic log(const Symbolic& x) { return Symbolic::function("log", {x}); }
+  static Symbolic log2(const Symbolic& x) { return Symbolic::function("log2", {x}); }
+  static Symbolic expm1(const Symbolic& x) { return Symbolic::function("expm1", {x}); }
+  static Symbolic log1p(const Symbolic& x) { return Symbolic::function("log1p", {x}); }
+  static Symbolic log1p_remainder(const Symbolic& x) { return Symbolic::function("log1p_remainder", {x}); }
+  static Symbolic sqrt(const Symbolic& x) { return Symbolic::function("sqrt", {x}); }
+  static Symbolic sin(const Symbolic& x) { return Symbolic::function("sin", {x}); }
+  static Symbolic cos(const Symbolic& x) { return Symbolic::function("cos", {x}); }
+  static Symbolic power(const Symbolic& x, const Symbolic& p) {
+    return Symbolic::operation(Symbolic::Kind::real_power, {x, p});
+  }
+  static Symbolic integer_power(const Symbolic& x, int n) { return Symbolic::integer_power(x, n); }
+  static Less less(const Symbolic& a, const Symbolic& b) { return {a, b}; }
+  static Symbolic select(const Less& condition, const Symbolic& a, const Symbolic& b) {
+    return Symbolic::operation(Symbolic::Kind::choice, {condition.a, condition.b, a, b});
+  }
+  static Symbolic min(const Symbolic& a, const Symbolic& b) { return Symbolic::function("min", {a, b}); }
+  static Symbolic max(const Symbolic& a, const Symbolic& b) { return Symbolic::function("max", {a, b}); }
+  static Symbolic integer(int n) { return Symbolic::number(std::to_string(n)); }
+  static Symbolic from_decimal(std::string_view decimal) { return Symbolic::number(decimal); }
+  static Symbolic pi() { return Symbolic::constant("pi"); }
+  static Symbolic ln2() { return Symbolic::constant("ln2"); }
+};
+
+/// The expression as a person writes it: products by a space, `exp2((a c + b) c)`, `(1 - c)^5`.
+std::string to_text(const Symbolic& expression);
+
+/// The expression for LaTeX's math mode: `2^{\left(a c + b\right) c}`.
+std::string to_latex(const Symbolic& expression);
+
+/// What a shader executes for an expression. Equal subexpressions are computed once, those of numbers alone
+/// before it runs, and a sign is free. A sum of which one part is a product used nowhere else is one
+/// multiply-add. exp and log are those of base 2 and a multiplication, a real power log2, a multiplication
+/// and exp2, a whole power the multiplications of repeated squaring.
+struct Operations {
+  int add = 0;           ///< additions and subtractions
+  int multiply = 0;      ///<
+  int multiply_add = 0;  ///<
+  int divide = 0;        ///<
+  int exp2 = 0;          ///<
+  int log2 = 0;          ///<
+  int other = 0;         ///< square roots, sines, minima, comparisons ..
+  int total() const { return add + multiply + multiply_add + divide + exp2 + log2 + other; }
+  bool operator==(const Operations&) const = default;
+};
+
+Operations count_operations(const Symbolic& expression);
+
+/// "MAD, MUL, EXP2": each as often as it is executed.
+std::string to_text(const Operations& operations);
+
+/// The expression in the scalar T; `value_of(name)` gives a variable. Throws std::logic_error for a function
+/// that is not of the vocabulary.
+template <class T, class ValueOf>
+T evaluate(const Symbolic& expression, const ValueOf& value_of) {
+  using Kind = Symbolic::Kind;
+  const auto part = [&](std::size_t i) { return evaluate<T>(expression.part(i), value_of); };
+  const std::string& name = expression.name();
+  switch (expression.kind()) {
+    case Kind::variable:
+      return value_of(name);
+    case Kind::number:
+      return constant<T>(name);
+    case Kind::constant:
+      return name == "pi" ? pi<T>() : ln2<T>();
+    case Kind::add:
+      return part(0) + part(1);
+    case Kind::subtract:
+      return part(0) - part(1);
+    case Kind::multiply:
+      return part(0) * part(1);
+    case Kind::divide:
+      return part(0) / part(1);
+    case Kind::negate:
+      return -part(0);
+    case Kind::real_power:
+      return power(part(0), part(1));
+    case Kind::integer_power:
+      return power(part(0), expression.exponent());
+    case Kind::choice:
+      return select(less(part(0), part(1)), part(2), part(3));
+    case Kind::function:
+      break;
+  }
+  if (name == "exp") return exp(part(0));
+  if (name == "exp2") return exp2(part(0));
+  if (name == "log") return log(part(0));
+  if (name == "log2") return log2(part(0));
+  if (name == "expm1") return expm1(part(0));
+  if (name == "log1p") return log1p(part(0));
+  if (name == "log1p_remainder") return log1p_remainder(part(0));
+  if (name == "sqrt") return sqrt(part(0));
+  if (name == "sin") return sin(part(0));
+  if (name == "cos") return cos(part(0));
+  if (name == "min") return min(part(0), part(1));
+  if (name == "max") return max(part(0), part(1));
+  throw std::logic_error("a function outside the vocabulary: " + name);
+}
+
+}  // namespace shadefit
