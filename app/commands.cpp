@@ -177,6 +177,14 @@ Outcome run_command(const RunOptions& options) {
                     check.record->id, check.exponent.value_or(0), check.closed_form, check.integral,
                     check.estimated_error);
   }
+  for (const auto& curve : results.reflectances) {
+    for (const auto& point : curve.points) {
+      if (point.estimated_error <= reflectance_tolerance) continue;
+      err += fmt::format(
+          "shadefit: the reflectance of {} at exponent {}, view angle {} failed: estimated error {}\n",
+          curve.record->id, curve.exponent, point.view_angle, point.estimated_error);
+    }
+  }
   return {1, out, err};
 }
 

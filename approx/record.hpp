@@ -64,6 +64,8 @@ struct Normalisation {
   std::string_view printed;  ///< the closed form as printed, a = alpha
   bool has_exponent;
   Source source;
+  /// The relative difference up to which it is what its source says: 0 for an exact closed form.
+  double closeness = 0;
 };
 
 }  // namespace shadefit

@@ -23,13 +23,14 @@ inline double rounding_of(double l1) {
 }  // namespace detail
 
 /// Adaptive Gauss-Kronrod (15, 31) by Boost.Math, halving where |K - G| exceeds `tolerance` times the
-/// integral of |f| (shared out among the halves), at most fifteen times.
+/// integral of |f| (shared out among the halves), at most fifteen times. An error of `negligible`, in the
+/// units of the integral, is always good enough: for a part whose whole is known to be larger.
 ///
 /// Boost (1.74 and later) returns the error of a panel as measured on [-1, 1], not scaled to [a, b] as its
 /// value and L1 are, and adds such errors up when it halves. So every panel is asked for alone, and its error
 /// scaled by (b - a)/2.
 template <class F>
-Integral gauss_kronrod(const F& f, double a, double b, double tolerance) {
+Integral gauss_kronrod(const F& f, double a, double b, double tolerance, double negligible = 0) {
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
   const auto panel = [&](double from, double to, double& l1) {
     double error = 0;
@@ -49,7 +50,7 @@ Integral gauss_kronrod(const F& f, double a, double b, double tolerance) {
   };
   double l1 = 0;
   panel(a, b, l1);
-  return halve(halve, a, b, tolerance * l1, 15);
+  return halve(halve, a, b, std::max(tolerance * l1, negligible), 15);
 }
 
 /// tanh-sinh by Boost.Math: indifferent to infinite slopes at the ends. f itself has to be finite there: it

@@ -1,11 +1,14 @@
 #include "fit/normalisation_check.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "approx/normalisation.hpp"
 #include "fit/integrate.hpp"
+#include "fit/jet.hpp"
 #include "fit/substitution.hpp"
 
 namespace shadefit {
@@ -48,7 +51,7 @@ NormalisationCheck check(double alpha) {
           .integral = 1 / by_cosine.value,
           .relative_difference = difference,
           .estimated_error = estimated_error,
-          .verdict = judge_normalisation(difference, estimated_error)};
+          .verdict = judge_normalisation(difference, estimated_error, Lobe::record.closeness)};
 }
 
 template <class Lobe>
@@ -71,9 +74,31 @@ std::vector<NormalisationCheck> check_normalisation(const Normalisation& record)
   return checks;
 }
 
-std::optional<Verdict> judge_normalisation(double relative_difference, double estimated_error) {
+std::optional<Verdict> judge_normalisation(double relative_difference, double estimated_error,
+                                           double closeness) {
   if (!(estimated_error <= normalisation_tolerance)) return std::nullopt;
-  return relative_difference <= normalisation_tolerance ? Verdict::confirmed : Verdict::refuted;
+  const double allowed = std::max(normalisation_tolerance, closeness);
+  return relative_difference <= allowed ? Verdict::confirmed : Verdict::refuted;
+}
+
+LargestRatio largest_cheap_ratio() {
+  using Jet = ceres::Jet<double, 1>;
+  const auto ratio = [](const auto& log2_alpha) {
+    const auto alpha = exp2(log2_alpha);
+    return BlinnPhongCheapLobe::constant(alpha) / BlinnPhongBrdfLobe::constant(alpha);
+  };
+  const auto slope = [&](double log2_alpha) { return ratio(Jet(log2_alpha, 0)).v[0]; };
+  LargestRatio largest{0, 1};  // the limit of the ratio at either end
+  constexpr double step = 0.125;
+  for (double left = -10; left < 20; left += step) {
+    if (!(slope(left) > 0 && slope(left + step) <= 0)) continue;
+    std::uintmax_t steps = 50;  // of about ten
+    const auto root = boost::math::tools::toms748_solve(slope, left, left + step,
+                                                        boost::math::tools::eps_tolerance<double>(53), steps);
+    const double at = (root.first + root.second) / 2;
+    if (ratio(at) > largest.ratio) largest = {std::exp2(at), ratio(at)};
+  }
+  return largest;
 }
 
 }  // namespace shadefit

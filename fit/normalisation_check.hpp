@@ -31,8 +31,20 @@ inline constexpr double normalisation_exponents[] = {0.1, 1, 2, 8, 64, 2048, 1e5
 /// Checks the constant of that id at each exponent (once, without one, where the constant has none).
 std::vector<NormalisationCheck> check_normalisation(const Normalisation& record);
 
-/// The verdict on a closed form: confirmed where the integral agrees within the tolerance, else refuted;
-/// empty where the estimated error of the integral exceeds the tolerance.
-std::optional<Verdict> judge_normalisation(double relative_difference, double estimated_error);
+/// The verdict on a closed form: confirmed where the integral agrees within the tolerance, or within what the
+/// record says of itself, else refuted; empty where the estimated error of the integral exceeds the
+/// tolerance.
+std::optional<Verdict> judge_normalisation(double relative_difference, double estimated_error,
+                                           double closeness = 0);
+
+/// Where a stand-in for a constant is furthest above it.
+struct LargestRatio {
+  double exponent;
+  double ratio;  ///< stand-in over constant
+};
+
+/// The largest ratio of the cheap Blinn-Phong constant to the exact one over all exponents: a root of the
+/// ratio's slope, looked for on a grid of an eighth of a power of two from 2^-10 to 2^20.
+LargestRatio largest_cheap_ratio();
 
 }  // namespace shadefit

@@ -11,6 +11,7 @@
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 #include "reports/csv.hpp"
+#include "reports/reflectance_section.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr const char* fits_file = "fits.csv";
 constexpr const char* normalisation_file = "normalization.csv";
+constexpr const char* reflectance_file = "reflectance.csv";
 
 /// The columns whose words name a row; the n-th row of the same name is matched with the n-th.
 std::vector<std::string> keys_of(const CsvTable& table) {
@@ -28,8 +30,8 @@ std::vector<std::string> keys_of(const CsvTable& table) {
     std::string key;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const auto& column = table.columns[i];
-      const bool is_key =
-          column == "constant" || column == "parameter" || column == "exponent" || column == "measure";
+      const bool is_key = column == "constant" || column == "parameter" || column == "exponent" ||
+                          column == "measure" || column == "view_angle";
       if (is_key && !row[i].empty()) key += (key.empty() ? "" : " ") + row[i];
     }
     const int count = ++seen[key];
@@ -102,6 +104,17 @@ CsvTable parse_checked(const Baseline& baseline, const std::string& name,
   return table;
 }
 
+struct NamedTable {
+  const char* file;
+  Table table;
+};
+
+/// The tables whose drifts need no knowledge of what is in them.
+std::vector<NamedTable> plain_tables(const Results& results) {
+  return {{normalisation_file, normalisation_table(results.normalisations)},
+          {reflectance_file, reflectance_table(results.reflectances)}};
+}
+
 }  // namespace
 
 Baseline read_baseline(const std::filesystem::path& directory) {
@@ -113,21 +126,18 @@ Baseline read_baseline(const std::filesystem::path& directory) {
                     directory.string()));
   }
   if (!std::filesystem::is_directory(directory, error)) {
-    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {} and {}",
-                                directory.string(), fits_file, normalisation_file));
+    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {}, {} and {}",
+                                directory.string(), fits_file, normalisation_file, reflectance_file));
   }
   Baseline baseline{directory, {}};
-  for (const char* name : {fits_file, normalisation_file})
+  for (const char* name : {fits_file, normalisation_file, reflectance_file})
     baseline.files.push_back({name, read_file(directory / name)});
   return baseline;
 }
 
 std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
   const FitsTable fits = fits_table(results.refits);
-  const Table normalisation = normalisation_table(results.normalisations);
   const CsvTable old_fits = parse_checked(baseline, fits_file, fits.table.columns);
-  const CsvTable old_normalisation = parse_checked(baseline, normalisation_file, normalisation.columns);
-
   auto drifts = compare_tables(
       fits_file, old_fits, as_csv(fits.table, fits_file),
       [&](std::size_t row, const std::string& column, const std::string& before, const std::string& after) {
@@ -136,17 +146,21 @@ std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
         }
         return plain_effect(before, after);
       });
-  const auto others =
-      compare_tables(normalisation_file, old_normalisation, as_csv(normalisation, normalisation_file),
-                     [](std::size_t, const std::string&, const std::string& before,
-                        const std::string& after) { return plain_effect(before, after); });
-  drifts.insert(drifts.end(), others.begin(), others.end());
+  for (const auto& [file, table] : plain_tables(results)) {
+    const auto others =
+        compare_tables(file, parse_checked(baseline, file, table.columns), as_csv(table, file),
+                       [](std::size_t, const std::string&, const std::string& before,
+                          const std::string& after) { return plain_effect(before, after); });
+    drifts.insert(drifts.end(), others.begin(), others.end());
+  }
   return drifts;
 }
 
 std::size_t count_cells(const Results& results) {
   const auto cells = [](const Table& table) { return table.rows.size() * table.columns.size(); };
-  return cells(fits_table(results.refits).table) + cells(normalisation_table(results.normalisations));
+  std::size_t sum = cells(fits_table(results.refits).table);
+  for (const auto& [file, table] : plain_tables(results)) sum += cells(table);
+  return sum;
 }
 
 }  // namespace shadefit

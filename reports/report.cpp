@@ -8,6 +8,7 @@
 
 #include "approx/catalogue.hpp"
 #include "reports/exact_fresnel_section.hpp"
+#include "reports/reflectance_section.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
 
@@ -268,6 +269,39 @@ std::string family_section(const Refit& refit) {
   return out + variants_section(refit);
 }
 
+bool is_checked(const Results& results, const Normalisation& record) {
+  return std::any_of(results.normalisations.begin(), results.normalisations.end(),
+                     [&](const auto& check) { return check.record->id == record.id; });
+}
+
+/// What the cheap stand-in for an exact constant costs; empty where it was not checked.
+std::string stand_in_words(const Results& results) {
+  const Normalisation& record = BlinnPhongCheapLobe::record;
+  if (!is_checked(results, record)) return "";
+  const auto [exponent, ratio] = largest_cheap_ratio();
+  Table ratios{{"a", "cheap over exact"}, {}};
+  for (const auto& check : results.normalisations) {
+    if (check.record->id != record.id) continue;
+    ratios.rows.push_back({Number{*check.exponent, 10}, converged(check.closed_form / check.integral)});
+  }
+  return fmt::format(
+      "`{0}`, `{1}`, is a stand-in for `{2}`, and is judged by its ratio to it; \"close to 1\", as {3} {4} quotes "
+      "Naty Hoffman, is read as within {5:g}. The ratio is 1 in the limits a = 0 and infinity and largest at a = "
+      "{6:.6g}: {7:.10g}, that is {8:.3g} % too bright.\n\n{9}",
+      record.id, record.printed, BlinnPhongBrdfLobe::record.printed, record.source.author, record.source.year,
+      record.closeness, exponent, ratio, 100 * (ratio - 1), markdown(ratios));
+}
+
+/// What the constant of the microfacet BRDF rests on; empty where it was not checked.
+std::string microfacet_words(const Results& results) {
+  const Normalisation& record = MicrofacetLobe::record;
+  if (!is_checked(results, record)) return "";
+  return fmt::format(
+      "`{}` is a quarter of `{}` and has no integral of its own, so it is held against that of four times the "
+      "distribution's. In a game's light unit, which has absorbed pi, it reads `(a+2)/8`.\n\n",
+      record.id, DistributionLobe::record.id);
+}
+
 std::string normalisation_section(const Results& results) {
   std::string out =
       "## Normalisation, with view and normal aligned\n\n"
@@ -279,14 +313,13 @@ std::string normalisation_section(const Results& results) {
       "tail together stay below.\n\n";
   Table lobes{{"constant", "lobe", "printed", "source"}, {}};
   for (const Normalisation& record : normalisations) {
-    const bool is_checked = std::any_of(results.normalisations.begin(), results.normalisations.end(),
-                                        [&](const auto& check) { return check.record->id == record.id; });
-    if (!is_checked) continue;
+    if (!is_checked(results, record)) continue;
     lobes.rows.push_back({std::string(record.id), fmt::format("`{}`", record.lobe),
                           fmt::format("`{}`", record.printed),
                           fmt::format("{} {}", record.source.author, record.source.year)});
   }
-  return out + markdown(lobes) + markdown(normalisation_table(results.normalisations));
+  return out + markdown(lobes) + stand_in_words(results) + microfacet_words(results) +
+         markdown(normalisation_table(results.normalisations));
 }
 
 }  // namespace
@@ -309,6 +342,7 @@ std::string write_report(const Results& results) {
   out += exact_fresnel_lead(results) + markdown(summary_table(results));
   for (const Refit& refit : results.refits) out += family_section(refit);
   if (!results.normalisations.empty()) out += normalisation_section(results);
+  if (!results.reflectances.empty()) out += reflectance_section(results.reflectances);
   out.pop_back();  // sections end in an empty line, the file does not
   return out;
 }
@@ -316,7 +350,8 @@ std::string write_report(const Results& results) {
 std::vector<File> report_files(const Results& results) {
   return {{"report.md", write_report(results)},
           {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
-          {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)}};
+          {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},
+          {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)}};
 }
 
 }  // namespace shadefit

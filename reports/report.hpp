@@ -9,10 +9,11 @@
 /// What a run leaves behind.
 namespace shadefit {
 
-/// report.md: a summary, then a section per family and one for the normalisations.
+/// report.md: a summary, then a section per family, one for the normalisations and one for
+/// the reflectances.
 std::string write_report(const Results& results);
 
-/// Everything that `shadefit run` writes: report.md, fits.csv, normalization.csv.
+/// Everything that `shadefit run` writes: report.md, fits.csv, normalization.csv, reflectance.csv.
 std::vector<File> report_files(const Results& results);
 
 }  // namespace shadefit

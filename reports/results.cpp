@@ -78,6 +78,7 @@ Results compute_results(const std::vector<std::string>& ids) {
     if (!is_wanted(ids, record.id)) continue;
     for (const auto& check : check_normalisation(record)) results.normalisations.push_back(check);
   }
+  results.reflectances = reflectance_curves([&](std::string_view id) { return is_wanted(ids, id); });
   return results;
 }
 
@@ -86,8 +87,14 @@ bool all_checks_passed(const Results& results) {
     return std::all_of(refit.fits.begin(), refit.fits.end(),
                        [](const FitReport& report) { return report.fit.status == Status::converged; });
   });
-  return converged && std::all_of(results.normalisations.begin(), results.normalisations.end(),
-                                  [](const auto& check) { return check.verdict == Verdict::confirmed; });
+  const bool confirmed = std::all_of(results.normalisations.begin(), results.normalisations.end(),
+                                     [](const auto& check) { return check.verdict == Verdict::confirmed; });
+  const bool exact =
+      std::all_of(results.reflectances.begin(), results.reflectances.end(), [](const auto& curve) {
+        return std::all_of(curve.points.begin(), curve.points.end(),
+                           [](const auto& point) { return point.estimated_error <= reflectance_tolerance; });
+      });
+  return converged && confirmed && exact;
 }
 
 }  // namespace shadefit

@@ -5,6 +5,7 @@
 
 #include "fit/normalisation_check.hpp"
 #include "fit/refit.hpp"
+#include "fit/reflectance.hpp"
 
 /// Everything that a run computes, before it becomes rows.
 namespace shadefit {
@@ -12,6 +13,7 @@ namespace shadefit {
 struct Results {
   std::vector<Refit> refits;
   std::vector<NormalisationCheck> normalisations;
+  std::vector<ReflectanceCurve> reflectances;
 };
 
 /// The ids that name something: families, published constants, normalisations, in the order of the report.
@@ -21,7 +23,8 @@ std::vector<std::string> known_ids();
 /// Throws UserError for an id that names nothing.
 Results compute_results(const std::vector<std::string>& ids);
 
-/// Whether every fit converged and every normalisation was confirmed.
+/// Whether every fit converged and every normalisation was confirmed, and every reflectance is
+/// as exact as promised.
 bool all_checks_passed(const Results& results);
 
 /// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of

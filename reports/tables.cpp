@@ -203,7 +203,9 @@ Table summary_table(const Results& results) {
     if (all == 0) continue;
     table.rows.push_back({word(record.id),
                           word(record.printed),
-                          fmt::format("{} of {} integrals agree", confirmed, all),
+                          record.closeness == 0
+                              ? fmt::format("{} of {} integrals agree", confirmed, all)
+                              : fmt::format("{} of {} within {}", confirmed, all, record.closeness),
                           word(name(confirmed == all ? Verdict::confirmed : Verdict::refuted)),
                           std::string("v = n"),
                           {}});

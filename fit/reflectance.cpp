@@ -1,0 +1,108 @@
+#include "fit/reflectance.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+namespace shadefit {
+namespace {
+
+/// Two digits finer than what is promised: the estimates of the rules are cautious.
+constexpr double rule_tolerance = reflectance_tolerance / 100;
+
+/// A lobe at one exponent: what every constant of that lobe shares.
+struct LobeIntegrals {
+  std::vector<LobeIntegrand<double>> values;  ///< at the `view_angles`
+  std::vector<LobeIntegrand<double>> errors;  ///< relative
+  ReflectancePeak largest;
+  ReflectancePeak largest_with_cosine;
+};
+
+double relative_error(const Integral& a, const Integral& b) {
+  return (std::abs(a.value - b.value) + a.error + b.error) / a.value;
+}
+
+std::function<double(double)> over_view(ReflectedLobe lobe, double alpha,
+                                        double LobeIntegrand<double>::*part) {
+  return [=](double degrees) {
+    return reflect_by_circles(lobe, alpha, View(degrees), part, rule_tolerance).value;
+  };
+}
+
+ReflectancePeak largest_of(ReflectedLobe lobe, double alpha, const std::vector<LobeIntegrand<double>>& values,
+                           double LobeIntegrand<double>::*part) {
+  std::vector<ReflectancePeak> samples;
+  for (std::size_t i = 0; i < view_angles.size(); ++i) samples.push_back({values[i].*part, view_angles[i]});
+  return largest_over_view(over_view(lobe, alpha, part), samples);
+}
+
+LobeIntegrals integrate_lobe(ReflectedLobe lobe, double alpha) {
+  LobeIntegrals result;
+  for (const double degrees : view_angles) {
+    const View view(degrees);
+    const auto circles = reflect_by_circles(lobe, alpha, view, rule_tolerance);
+    const auto longitude = reflect_by_longitude(lobe, alpha, view, rule_tolerance);
+    result.values.push_back({circles.plain.value, circles.with_cosine.value});
+    result.errors.push_back({relative_error(circles.plain, longitude.plain),
+                             relative_error(circles.with_cosine, longitude.with_cosine)});
+  }
+  result.largest = largest_of(lobe, alpha, result.values, &LobeIntegrand<double>::plain);
+  result.largest_with_cosine = largest_of(lobe, alpha, result.values, &LobeIntegrand<double>::with_cosine);
+  return result;
+}
+
+/// Where the reflectance with n.l falls to 1 for good: between the last view angle of the table at which it
+/// exceeds 1, and the next.
+std::optional<double> conserving_from(const ReflectedConstant& constant, double alpha,
+                                      const std::vector<Reflectance>& points) {
+  const auto creates = [](const Reflectance& p) { return p.with_cosine > 1 + energy_tolerance; };
+  const auto last = std::find_if(points.rbegin(), points.rend(), creates);
+  if (last == points.rend()) return std::nullopt;
+  if (last == points.rbegin()) return last->view_angle;
+  const auto integral = over_view(constant.lobe, alpha, &LobeIntegrand<double>::with_cosine);
+  const double factor = constant.constant(alpha);
+  std::uintmax_t steps = 50;  // of about ten
+  const auto root = boost::math::tools::toms748_solve(
+      [&](double degrees) { return factor * integral(degrees) - 1; }, last->view_angle,
+      (last - 1)->view_angle, boost::math::tools::eps_tolerance<double>(40), steps);
+  return (root.first + root.second) / 2;
+}
+
+ReflectanceCurve curve_of(const ReflectedConstant& constant, double alpha, const LobeIntegrals& integrals) {
+  const double factor = constant.constant(alpha);
+  const auto scaled = [&](ReflectancePeak peak) {
+    return ReflectancePeak{factor * peak.value, peak.view_angle};
+  };
+  ReflectanceCurve curve{constant.record, alpha, {}, {}, scaled(integrals.largest_with_cosine), {}};
+  for (std::size_t i = 0; i < view_angles.size(); ++i) {
+    const auto& value = integrals.values[i];
+    const auto& error = integrals.errors[i];
+    const double with_cosine = factor * value.with_cosine;
+    curve.points.push_back(
+        {view_angles[i], constant.has_cosine ? with_cosine : factor * value.plain, with_cosine,
+         constant.has_cosine ? error.with_cosine : std::max(error.plain, error.with_cosine)});
+  }
+  curve.largest = constant.has_cosine ? curve.largest_with_cosine : scaled(integrals.largest);
+  curve.conserves_from = conserving_from(constant, alpha, curve.points);
+  return curve;
+}
+
+}  // namespace
+
+std::vector<ReflectanceCurve> reflectance_curves(const std::function<bool(std::string_view)>& is_wanted) {
+  std::vector<ReflectanceCurve> curves;
+  for (const ReflectedLobe lobe : {ReflectedLobe::phong, ReflectedLobe::blinn_phong}) {
+    std::vector<LobeIntegrals> integrals;
+    for (const ReflectedConstant& constant : reflected_constants) {
+      if (constant.lobe != lobe || !is_wanted(constant.record->id)) continue;
+      if (integrals.empty()) {
+        for (const double alpha : reflectance_exponents) integrals.push_back(integrate_lobe(lobe, alpha));
+      }
+      for (std::size_t i = 0; i < reflectance_exponents.size(); ++i) {
+        curves.push_back(curve_of(constant, reflectance_exponents[i], integrals[i]));
+      }
+    }
+  }
+  return curves;
+}
+
+}  // namespace shadefit
