@@ -79,7 +79,8 @@ std::vector<ReflectanceCurve> reflectance_curves(const std::function<bool(std::s
 
 /// Where f, a function of the view angle, is largest between the first and the last sample. Sampled: at
 /// `samples`, which rise in angle, then at three more places to either side of the largest, then refined.
-/// Among values equal within `equal_extrema` the smallest angle counts.
+/// Among values equal within `equal_extrema` the smallest angle counts. A peak closer to an end than the
+/// nearest of these places passes for that end.
 template <class F>
 ReflectancePeak largest_over_view(const F& f, std::vector<ReflectancePeak> samples) {
   const auto by_value = [](const auto& a, const auto& b) { return a.value < b.value; };

@@ -108,13 +108,15 @@ TEST(BadInput, Baselines) {
           "' is missing: name the directory with --baseline, or make one with 'shadefit run --out DIR'");
   const std::string file = directory.file("file", "");
   expect_refusal({"check", "--baseline", file},
-                 "baseline '" + file + "' is not a directory: it must hold fits.csv and normalization.csv");
+                 "baseline '" + file +
+                     "' is not a directory: it must hold fits.csv, normalization.csv and reflectance.csv");
   const std::string empty = directory / "empty";
   std::filesystem::create_directories(empty);
   expect_refusal({"check", "--baseline", empty},
                  "cannot read '" + empty + "/fits.csv': there is no such file");
 
   directory.file("cut/normalization.csv", read_file(committed + "/normalization.csv"));
+  directory.file("cut/reflectance.csv", read_file(committed + "/reflectance.csv"));
   const auto fits = read_file(committed + "/fits.csv");
   const std::string cut = directory.file("cut/fits.csv", fits.substr(0, fits.size() - 10));
   expect_refusal({"check", "--baseline", directory / "cut"},

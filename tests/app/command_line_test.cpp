@@ -139,7 +139,7 @@ TEST(ListCommand, NamesEveryConstantOnce) {
 TEST(ListCommand, Json) {
   const auto json = nlohmann::json::parse(run_command_line({"list", "--json"}).out);
   EXPECT_EQ(json["schema"], 1);
-  EXPECT_EQ(json["constants"].size(), 15U);
+  EXPECT_EQ(json["constants"].size(), 17U);
   EXPECT_EQ(json["constants"][4]["printed"], "8.656170") << "as printed, not as a number";
 }
 
@@ -148,7 +148,7 @@ TEST(RunCommand, WritesTheReportAndTheTables) {
   const Outcome outcome = run_command_line({"run", "--out", directory / "out"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.ends_with("\nReport: " + (directory / "out/report.md") + "\n"));
-  for (const char* name : {"report.md", "fits.csv", "normalization.csv"}) {
+  for (const char* name : {"report.md", "fits.csv", "normalization.csv", "reflectance.csv"}) {
     EXPECT_EQ(read_file(directory / (std::string("out/") + name)),
               read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/" + std::string(name)))
         << name;
@@ -161,6 +161,7 @@ TEST(RunCommand, OnlyWhatIsNamed) {
       {"run", "--out", directory / "out", "--only", "norm-lambert", "fresnel-one-term", "--no-plots"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(parse_csv(read_file(directory / "out/normalization.csv"), "n").rows.size(), 1U);
+  EXPECT_TRUE(parse_csv(read_file(directory / "out/reflectance.csv"), "r").rows.empty());
   EXPECT_EQ(parse_csv(read_file(directory / "out/fits.csv"), "f").rows.size(), 6U)
       << "two published numbers, three measures";
 }
@@ -176,6 +177,7 @@ TEST(CheckCommand, PassesOnTheCommittedBaselineAndFailsOnAChangedDigit) {
   fits.replace(fits.find("0.7875446197"), 12, "0.7875446198");
   directory.file("fits.csv", fits);
   directory.file("normalization.csv", read_file(committed + "/normalization.csv"));
+  directory.file("reflectance.csv", read_file(committed + "/reflectance.csv"));
   const Outcome bad = run_command_line({"check", "--baseline", directory.path().string(), "--all"});
   EXPECT_EQ(bad.exit_code, 1);
   EXPECT_NE(

@@ -36,6 +36,20 @@ TEST(BothRules, AgreeWithClosedFormsWithinTheirEstimates) {
       "1/(1+x^2)", [](double x) { return 1 / (1 + x * x); }, 0, 1, std::atan(1.0));
 }
 
+// What is negligible is not refined: sqrt on [0, 1] is halved down to 1e-12, and not at all where 1e-3 will
+// do.
+TEST(GaussKronrod, RefinesNoFurtherThanAsked) {
+  int calls = 0;
+  const auto root = [&](double x) { return ++calls, std::sqrt(x); };
+  gauss_kronrod(root, 0, 1, 1e-12);
+  const int fine = calls;
+  calls = 0;
+  const Integral coarse = gauss_kronrod(root, 0, 1, 1e-12, 1e-3);
+  EXPECT_LT(calls, 100);
+  EXPECT_GT(fine, 500);
+  EXPECT_LE(std::abs(coarse.value - 2.0 / 3), coarse.error);
+}
+
 // Infinite slopes at either end, halved many times by the one rule and met at the end by the other: the
 // estimates hold.
 TEST(BothRules, EstimatesHoldAtInfiniteSlopes) {

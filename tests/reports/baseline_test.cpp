@@ -131,11 +131,26 @@ TEST(Baseline, RowsMissingOrNewAreDrifts) {
   EXPECT_EQ(drifts[0].effect, "a row that is no longer computed");
 }
 
+TEST(Baseline, ReflectancesAreNamedByTheirViewAngle) {
+  Baseline baseline = committed();
+  auto& content = baseline.files[2].content;
+  const std::string cell = "norm-phong,8,45,0.992521818";
+  ASSERT_NE(content.find(cell), std::string::npos);
+  content.replace(content.find(cell), cell.size(), "norm-phong,8,45,0.982521818");
+  const auto drifts = compare(baseline, all_results());
+  ASSERT_EQ(drifts.size(), 1U);
+  EXPECT_EQ(drifts[0].file, "reflectance.csv");
+  EXPECT_EQ(drifts[0].row, "norm-phong 8 45");
+  EXPECT_EQ(drifts[0].column, "reflectance");
+  EXPECT_EQ(drifts[0].effect, "relative change 0.01");
+}
+
 std::string refusal_of(const std::string& fits) {
   try {
     const TemporaryDirectory directory;
     directory.file("fits.csv", fits);
     directory.file("normalization.csv", committed().files[1].content);
+    directory.file("reflectance.csv", committed().files[2].content);
     compare(read_baseline(directory.path()), all_results());
   } catch (const UserError& error) {
     return error.what();

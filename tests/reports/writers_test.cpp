@@ -135,7 +135,7 @@ TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
        "Under the angle measure the best value is the printed one at k = 6.6"}) {
     EXPECT_NE(report.find(part), std::string::npos) << part;
   }
-  EXPECT_TRUE(report.ends_with("|\n"));
+  EXPECT_TRUE(report.ends_with(".\n"));
   EXPECT_FALSE(report.ends_with("\n\n"));
   EXPECT_EQ(report.find('\r'), std::string::npos);
 }
@@ -154,6 +154,7 @@ TEST(Results, OnlyWhatIsNamedIsComputed) {
   ASSERT_EQ(only.refits.size(), 1U);
   EXPECT_EQ(only.refits[0].family->info.id, "fresnel-quadratic");
   EXPECT_EQ(only.normalisations.size(), 8U);
+  EXPECT_EQ(only.reflectances.size(), 4U);
   EXPECT_TRUE(all_checks_passed(only));
   EXPECT_THROW(compute_results({"norm-fong"}), UserError);
 }
