@@ -174,10 +174,11 @@ LobeIntegrand<double> blinn_phong_plane(double alpha, const View& view,
 /// Rules of rising size over the longitude until two agree; the latitudes, whose integrand is a polynomial or
 /// half a bell, have converged on the first size and get the second from then on.
 LobeIntegrand<Integral> blinn_phong_by_longitude(double alpha, const View& view, double tolerance) {
+  constexpr std::size_t first = 2, second = 3;  // of gauss_sizes: 26 and 38 nodes
   LobeIntegrand<Integral> result{};
-  for (std::size_t size = 0; size < gauss_sizes.size(); ++size) {
+  for (std::size_t size = first; size < gauss_sizes.size(); ++size) {
     const auto value = blinn_phong_plane(alpha, view, gauss_nodes<double>(size),
-                                         gauss_nodes<double>(std::min<std::size_t>(size, 1)));
+                                         gauss_nodes<double>(std::min(size, second)));
     const auto step = [](const Integral& before, double now) {
       return Integral{now, std::abs(now - before.value) + detail::rounding_of(now)};
     };

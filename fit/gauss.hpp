@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 /// Gauss-Legendre rules of rising size, computed by Boost.Math.
 namespace shadefit {
@@ -37,6 +38,22 @@ void visit_gauss_rule(std::size_t index, const Visit& visit) {
   }
   (std::make_index_sequence<gauss_sizes.size()>{});
   if (!is_found) throw std::out_of_range("no Gauss rule of that index");
+}
+
+template <class T>
+struct GaussNode {
+  T position;
+  T weight;
+};
+
+/// The nodes of the rule of gauss_sizes[index], for those who come back to them.
+template <class T>
+std::vector<GaussNode<T>> gauss_nodes(std::size_t index) {
+  std::vector<GaussNode<T>> nodes;
+  visit_gauss_rule<T>(index, [&](const T& position, const T& weight) {
+    nodes.push_back({position, weight});
+  });
+  return nodes;
 }
 
 }  // namespace shadefit
