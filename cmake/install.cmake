@@ -1,0 +1,29 @@
+# What `cmake --install` lays down. Each part can be had alone with --component: `command`; `approx`, headers and the
+# CMake package; `fit`, which goes on top of approx.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+set(shadefit_headers ${CMAKE_INSTALL_INCLUDEDIR}/shadefit)
+set(shadefit_package ${CMAKE_INSTALL_LIBDIR}/cmake/shadefit)
+
+# One export set a component: a consumer of approx never meets the dependencies of fit.
+function(shadefit_install_library name)
+  set_target_properties(shadefit_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(shadefit_${name} INTERFACE $<INSTALL_INTERFACE:${shadefit_headers}>)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${shadefit_headers} COMPONENT ${name} FILES_MATCHING PATTERN "*.hpp")
+  install(TARGETS shadefit_${name} EXPORT shadefit-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name})
+  install(EXPORT shadefit-${name} NAMESPACE shadefit:: DESTINATION ${shadefit_package} COMPONENT ${name})
+endfunction()
+
+shadefit_install_library(approx)
+# Before 1.0 a minor version may change what a header offers.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/shadefitConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/shadefitConfig.cmake ${PROJECT_BINARY_DIR}/shadefitConfigVersion.cmake
+  DESTINATION ${shadefit_package} COMPONENT approx)
+
+if(TARGET shadefit_fit)
+  shadefit_install_library(fit)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindCeresHeaders.cmake DESTINATION ${shadefit_package} COMPONENT fit)
+endif()
+if(TARGET shadefit)
+  install(TARGETS shadefit RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+endif()

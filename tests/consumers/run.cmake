@@ -1,0 +1,36 @@
+# Installs parts of a build into a fresh prefix and uses them as a stranger would: configures, builds and runs the
+# consumer's project there. Run as a script with
+#   BUILD     the build folder whose PARTS are installed, none: nothing is
+#   SOURCE    instead of BUILD: sources to configure for the component approx alone
+#   CONSUMER  the consumer's project; WORK a folder of this test's own; OPTIONS further arguments of its configuration
+set(prefix ${WORK}/prefix)
+file(REMOVE_RECURSE ${WORK})
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+if(SOURCE)
+  set(BUILD ${WORK}/shadefit)
+  run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD} -DSHADEFIT_COMPONENTS=approx ${OPTIONS})
+  run(${CMAKE_COMMAND} --build ${BUILD})
+endif()
+foreach(part IN LISTS PARTS)
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix} --component ${part})
+endforeach()
+if(CONSUMER)
+  run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${prefix} ${OPTIONS})
+  run(${CMAKE_COMMAND} --build ${WORK}/build)
+endif()
+if(EXISTS ${WORK}/build/consumer)
+  run(${WORK}/build/consumer)
+endif()
+
+# The command comes alone: a part installs its own files and no other's.
+if(PARTS STREQUAL "command")
+  file(GLOB_RECURSE files RELATIVE ${prefix} ${prefix}/*)
+  if(NOT files STREQUAL "bin/shadefit")
+    message(FATAL_ERROR "the component command installed ${files}")
+  endif()
+  run(${prefix}/bin/shadefit --version)
+endif()
