@@ -75,7 +75,8 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
 
   ListOptions list_options;
   auto* list = app.add_subcommand("list", "every constant: id, published value, source");
-  list->add_flag("--json", list_options.json, "print JSON");
+  auto* list_json = list->add_flag("--json", list_options.json, "print JSON");
+  list->add_flag("--latex", list_options.latex, "print a LaTeX tabular")->excludes(list_json);
   list->callback([&] { outcome = list_command(list_options); });
 
   RunOptions run_options;
@@ -104,8 +105,12 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
   fit->add_option("--ior", fit_options.ior, "index of refraction of the exact target; default: 1.5")
       ->type_name("N");
   auto* json = fit->add_flag("--json", fit_options.json, "print JSON, every number to its last bit");
-  fit->add_flag("--csv", fit_options.csv, "print the columns of fits.csv, every number to its last bit")
-      ->excludes(json);
+  auto* csv =
+      fit->add_flag("--csv", fit_options.csv, "print the columns of fits.csv, every number to its last bit")
+          ->excludes(json);
+  fit->add_flag("--latex", fit_options.latex, "print the table as a LaTeX tabular")
+      ->excludes(json)
+      ->excludes(csv);
   fit->callback([&] { outcome = fit_command(fit_options); });
 
   CheckOptions check_options;

@@ -124,7 +124,8 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   const Refit refit{&family, {}, {*assessment}};
   if (options.json) return {0, json_text(write_derived_json(*assessment)), ""};
   const Table table = fits_table({refit}).table;
-  return {0, options.csv ? write_csv(table, Precision::full) : write_console(table, Precision::full), ""};
+  const auto write = options.csv ? write_csv : options.latex ? write_latex : write_console;
+  return {0, write(table, Precision::full), ""};
 }
 
 std::string console_text(const Refit& refit, const Metric& metric) {
@@ -136,6 +137,7 @@ std::string console_text(const Refit& refit, const Metric& metric) {
 
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
+  if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) return console_text(refit, metric);
   if (refit.fits.size() == 1) return json_text(write_fit_json(*refit.family, refit.fits.front()));
   auto array = nlohmann::ordered_json::array();
@@ -157,7 +159,10 @@ std::string not_converged_lines(const Refit& refit) {
 }  // namespace
 
 Outcome list_command(const ListOptions& options) {
-  if (!options.json) return {0, write_console(list_table(), Precision::report), ""};
+  if (!options.json) {
+    const auto write = options.latex ? write_latex : write_console;
+    return {0, write(list_table(), Precision::report), ""};
+  }
   return {0, json_text({{"schema", 1}, {"constants", write_json(list_table())}}), ""};
 }
 

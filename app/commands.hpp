@@ -12,6 +12,7 @@ namespace shadefit {
 
 struct ListOptions {
   bool json = false;
+  bool latex = false;
 };
 
 struct RunOptions {
@@ -28,6 +29,7 @@ struct FitOptions {
   std::optional<std::string> ior;     ///< empty: 1.5
   bool json = false;
   bool csv = false;
+  bool latex = false;
 };
 
 struct CheckOptions {

@@ -347,11 +347,19 @@ std::string write_report(const Results& results) {
   return out;
 }
 
+std::string write_latex_tables(const Results& results) {
+  std::string out = write_latex(summary_table(results), Precision::report);
+  if (!results.normalisations.empty())
+    out += "\n" + write_latex(normalisation_table(results.normalisations), Precision::report);
+  return out;
+}
+
 std::vector<File> report_files(const Results& results) {
   return {{"report.md", write_report(results)},
           {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
           {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},
-          {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)}};
+          {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)},
+          {"tables.tex", write_latex_tables(results)}};
 }
 
 }  // namespace shadefit

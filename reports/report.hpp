@@ -13,7 +13,10 @@ namespace shadefit {
 /// the reflectances.
 std::string write_report(const Results& results);
 
-/// Everything that `shadefit run` writes: report.md, fits.csv, normalization.csv, reflectance.csv.
+/// The summary and the normalisations as LaTeX tabulars, a paragraph each.
+std::string write_latex_tables(const Results& results);
+
+/// Everything that `shadefit run` writes: report.md, fits.csv, normalization.csv, reflectance.csv, tables.tex.
 std::vector<File> report_files(const Results& results);
 
 }  // namespace shadefit

@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "fit/sweep.hpp"
 
 namespace shadefit {
 namespace {
@@ -65,6 +70,44 @@ std::string without_pipes(std::string s) {
   return s;
 }
 
+/// A character as LaTeX has to be told it; the font's own encoding has no <, > and | in its text.
+std::string latex_character(char c) {
+  constexpr std::array<std::pair<char, std::string_view>, 6> named{{{'\\', "\\textbackslash{}"},
+                                                                    {'~', "\\textasciitilde{}"},
+                                                                    {'^', "\\textasciicircum{}"},
+                                                                    {'<', "\\textless{}"},
+                                                                    {'>', "\\textgreater{}"},
+                                                                    {'|', "\\textbar{}"}}};
+  const auto* found = std::find_if(named.begin(), named.end(), [&](const auto& n) { return n.first == c; });
+  if (found != named.end()) return std::string(found->second);
+  const bool is_special = std::string_view("&%$#_{}").find(c) != std::string_view::npos;
+  const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+  return is_special ? std::string{'\\', c} : std::string(1, is_control ? ' ' : c);
+}
+
+std::string latex_number(const std::string& s) {
+  const auto e = s.find_first_of("eE");
+  if (e == std::string::npos) return "$" + s + "$";
+  std::string power = s.substr(e + 1);
+  const bool is_negative = power.starts_with('-');
+  power.erase(0, std::min(power.find_first_not_of("+-0"), power.size() - 1));
+  return "$" + s.substr(0, e) + "\\times10^{" + (is_negative ? "-" : "") + power + "}$";
+}
+
+std::string latex_cell(const std::string& s) {
+  if (parse_number(s)) return latex_number(s);
+  // At the start of a row LaTeX takes [..] and * for arguments of the row before it.
+  std::string out = s.starts_with('[') || s.starts_with('*') ? "{}" : "";
+  for (const char c : s) out += latex_character(c);
+  return out;
+}
+
+std::string latex_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const auto& cell : cells) line += (&cell == &cells.front() ? "" : " & ") + latex_cell(cell);
+  return line + " \\\\\n";
+}
+
 }  // namespace
 
 std::string write_csv(const Table& table, Precision precision) {
@@ -91,6 +134,14 @@ std::string write_markdown(const Table& table, Precision precision) {
   out += "\n";
   for (const auto& row : rows) out += line(row);
   return out;
+}
+
+std::string write_latex(const Table& table, Precision precision) {
+  std::string out = "% needs \\usepackage{booktabs}\n\\begin{tabular}{";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) out += is_numeric(table, i) ? 'r' : 'l';
+  out += "}\n\\toprule\n" + latex_line(table.columns) + "\\midrule\n";
+  for (const auto& row : texts(table, precision)) out += latex_line(row);
+  return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
 std::string write_console(const Table& table, Precision precision) {

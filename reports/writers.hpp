@@ -14,6 +14,11 @@ std::string write_csv(const Table& table, Precision precision);
 /// A Markdown table, aligned in the source too; columns of numbers are right-aligned.
 std::string write_markdown(const Table& table, Precision precision);
 
+/// A LaTeX tabular with the rules of booktabs, to \input; columns of numbers are right-aligned. What LaTeX
+/// would read as a command is escaped, other UTF-8 left as it is; a cell that is a decimal number, a word
+/// that reads as one too, is set as mathematics: 1.2e-05 as $1.2\times10^{-5}$.
+std::string write_latex(const Table& table, Precision precision);
+
 /// Aligned columns for a terminal, two spaces apart.
 std::string write_console(const Table& table, Precision precision);
 

@@ -148,6 +148,9 @@ TEST(BadInput, Usage) {
   expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + help);
   expect_refusal({"run", "--out"}, "--out: 1 required DIR missing" + help);
   expect_refusal({"fit", "sg-offset", "--json", "--csv"}, "--json excludes --csv" + help);
+  expect_refusal({"fit", "sg-offset", "--json", "--latex"}, "--json excludes --latex" + help);
+  expect_refusal({"fit", "sg-offset", "--csv", "--latex"}, "--csv excludes --latex" + help);
+  expect_refusal({"list", "--latex", "--json"}, "--json excludes --latex" + help);
 }
 
 }  // namespace

@@ -118,6 +118,14 @@ TEST(FitCommand, CsvAndConsole) {
   EXPECT_NE(run_command_line({"fit", "sg-offset-mean", "--csv"}).out.find("x_mean"), std::string::npos);
 }
 
+TEST(FitCommand, Latex) {
+  const Outcome one = run_command_line({"fit", "fresnel-quadratic", "--latex"});
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_NE(one.out.find("\\begin{tabular}{rrlrrrrll}\n"), std::string::npos) << one.out;
+  EXPECT_NE(one.out.find("$-5.5547278"), std::string::npos) << one.out;
+  EXPECT_NE(run_command_line({"fit", "sg-offset-mean", "--latex"}).out.find("x\\_mean"), std::string::npos);
+}
+
 TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
   const Outcome outcome = run_command_line({"fit", "sg-offset", "--exponent", "5,1e160"});
   EXPECT_EQ(outcome.exit_code, 1);
@@ -143,12 +151,19 @@ TEST(ListCommand, Json) {
   EXPECT_EQ(json["constants"][4]["printed"], "8.656170") << "as printed, not as a number";
 }
 
+TEST(ListCommand, Latex) {
+  const Outcome outcome = run_command_line({"list", "--latex"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.out.find("\\begin{tabular}{llll}\n"), std::string::npos);
+  EXPECT_NE(outcome.out.find("\\textasciitilde{} exp2((a c + b) c)"), std::string::npos) << outcome.out;
+}
+
 TEST(RunCommand, WritesTheReportAndTheTables) {
   const TemporaryDirectory directory;
   const Outcome outcome = run_command_line({"run", "--out", directory / "out"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.ends_with("\nReport: " + (directory / "out/report.md") + "\n"));
-  for (const char* name : {"report.md", "fits.csv", "normalization.csv", "reflectance.csv"}) {
+  for (const char* name : {"report.md", "fits.csv", "normalization.csv", "reflectance.csv", "tables.tex"}) {
     EXPECT_EQ(read_file(directory / (std::string("out/") + name)),
               read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/" + std::string(name)))
         << name;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <clocale>
+#include <limits>
+#include <sstream>
 
 #include "fit/user_error.hpp"
 #include "reports/csv.hpp"
@@ -30,6 +33,79 @@ TEST(Writers, Markdown) {
             "| a    | 0.125 | plain            |\n"
             "| b\\|c |    12 | a \"quoted\", text |\n"
             "| d    |       |                  |\n");
+}
+
+TEST(Writers, Latex) {
+  const Table table{{"id_1", "value", "note"},
+                    {{std::string("a&b%c$d#e_f{g}h"), Number{0.000012, 2}, std::string("~^\\<>|")},
+                     {std::string("[x] *"), Number{-2.5, 10}, std::string("Gauß ≤ 1")},
+                     {std::string("*"), {}, std::string("-8.656170")},
+                     {std::string("two\nlines"), 7L, std::string("1e400")}}};
+  EXPECT_EQ(
+      write_latex(table, Precision::report),
+      "% needs \\usepackage{booktabs}\n"
+      "\\begin{tabular}{lrl}\n"
+      "\\toprule\n"
+      "id\\_1 & value & note \\\\\n"
+      "\\midrule\n"
+      "a\\&b\\%c\\$d\\#e\\_f\\{g\\}h & $1.2\\times10^{-5}$ & "
+      "\\textasciitilde{}\\textasciicircum{}\\textbackslash{}\\textless{}\\textgreater{}\\textbar{} \\\\\n"
+      "{}[x] * & $-2.5$ & Gauß ≤ 1 \\\\\n"
+      "{}* &  & $-8.656170$ \\\\\n"
+      "two lines & $7$ & 1e400 \\\\\n"
+      "\\bottomrule\n"
+      "\\end{tabular}\n");
+}
+
+TEST(Writers, LatexExponents) {
+  const auto written = [](double value) {
+    const std::string out = write_latex({{"v"}, {{Number{value, all_digits}}}}, Precision::report);
+    const auto begin = out.find("\\midrule\n") + 9;
+    return out.substr(begin, out.find(" \\\\\n", begin) - begin);
+  };
+  EXPECT_EQ(written(1e160), "$1\\times10^{160}$");
+  EXPECT_EQ(written(-1.5e-12), "$-1.5\\times10^{-12}$");
+  EXPECT_EQ(written(1e20), "$1\\times10^{20}$");
+  EXPECT_EQ(written(3e-100), "$3\\times10^{-100}$");
+  EXPECT_EQ(written(-0.0), "$0$");
+  EXPECT_EQ(written(std::numeric_limits<double>::infinity()), "inf");
+}
+
+/// The characters of LaTeX's own that are left once escaped ones are taken away.
+std::string unescaped(const std::string& text) {
+  std::string rest;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\') {
+      ++i;
+    } else {
+      rest += text[i];
+    }
+  }
+  return rest;
+}
+
+// What a run writes for LaTeX: rows with as many cells as the tabular has columns, braces and $ in pairs.
+TEST(Writers, LatexTablesOfARunAreWellFormed) {
+  std::istringstream tables(write_latex_tables(compute_results({})));
+  std::ptrdiff_t columns = 0, rows = 0, tabulars = 0;
+  for (std::string line; std::getline(tables, line);) {
+    const std::string rest = unescaped(line);
+    const auto count = [&](char c) { return std::count(rest.begin(), rest.end(), c); };
+    EXPECT_EQ(count('{'), count('}')) << line;
+    EXPECT_EQ(count('$') % 2, 0) << line;
+    EXPECT_EQ(count('#') + count('~') + count('_') + count('<') + count('>') + count('|'), 0) << line;
+    if (line.starts_with("\\begin{tabular}{")) {
+      columns = std::ssize(line) - std::ssize(std::string("\\begin{tabular}{}"));
+      ++tabulars;
+    } else if (line.ends_with("\\\\")) {
+      EXPECT_EQ(count('&') + 1, columns) << line;
+      ++rows;
+    }
+  }
+  EXPECT_EQ(tabulars, 2);
+  EXPECT_GT(rows, 50);
+  EXPECT_EQ(write_latex_tables(compute_results({"fresnel-one-term"})).find("closed"), std::string::npos)
+      << "without normalisations there is no table of them";
 }
 
 TEST(Writers, Console) {
