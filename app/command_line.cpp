@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/commands.hpp"
+#include "app/interrupt.hpp"
 #include "fit/user_error.hpp"
 #include "reports/results.hpp"
 
@@ -66,7 +67,7 @@ void require_known_command(const CLI::App& app, const std::vector<std::string>& 
   require_known(arguments.front(), known, "command");
 }
 
-Outcome parse_and_run(const std::vector<std::string>& arguments) {
+Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint) {
   CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
                "shadefit"};
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION);
@@ -87,7 +88,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
                   "only the families and normalisations of these ids, one or more")
       ->type_name("ID");
   run->add_flag("--no-plots", no_plots, "leave plots out (this version draws none)");
-  run->callback([&] { outcome = run_command(run_options); });
+  run->callback([&] { outcome = run_command(run_options, checkpoint); });
 
   FitOptions fit_options;
   auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
@@ -111,7 +112,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
   fit->add_flag("--latex", fit_options.latex, "print the table as a LaTeX tabular")
       ->excludes(json)
       ->excludes(csv);
-  fit->callback([&] { outcome = fit_command(fit_options); });
+  fit->callback([&] { outcome = fit_command(fit_options, checkpoint); });
 
   CheckOptions check_options;
   bool all = false;
@@ -121,7 +122,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
       ->capture_default_str()
       ->type_name("DIR");
   check->add_flag("--all", all, "the slow tables too (this version has none)");
-  check->callback([&] { outcome = check_command(check_options); });
+  check->callback([&] { outcome = check_command(check_options, checkpoint); });
 
   try {
     require_known_command(app, arguments);
@@ -144,11 +145,13 @@ Outcome parse_and_run(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-Outcome run_command_line(const std::vector<std::string>& arguments) {
+Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint) {
   try {
-    return parse_and_run(arguments);
+    return parse_and_run(arguments, checkpoint);
   } catch (const UserError& error) {
     return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
+  } catch (const Interrupted& interrupted) {
+    return {128 + interrupted.signal, "", "shadefit: interrupted, nothing was written\n"};
   } catch (const std::exception& error) {
     return {1, "", fmt::format("shadefit: internal error: {}\n", one_line(error.what()))};
   }

@@ -3,17 +3,22 @@
 #include <string>
 #include <vector>
 
+#include "fit/checkpoint.hpp"
+
 /// The command `shadefit`: arguments in, texts and exit code out.
 namespace shadefit {
 
 struct Outcome {
-  int exit_code = 0;  ///< 0; 1 a check failed or a fit did not converge; 2 bad usage or bad input
+  int exit_code = 0;  ///< 0; 1 a check failed or a fit did not converge; 2 bad usage or bad input; 128 + a
+                      ///< signal that interrupted it
   std::string out;    ///< for standard output
   std::string err;    ///< for standard error
 };
 
 /// Runs the command; `arguments` without the program's name. Reads and writes files as the subcommand says,
-/// never a standard stream. Does not throw.
-Outcome run_command_line(const std::vector<std::string>& arguments);
+/// never a standard stream. Does not throw. `checkpoint` is called between the steps of long work and may end
+/// it by throwing Interrupted (app/interrupt.hpp): nothing is written then.
+Outcome run_command_line(const std::vector<std::string>& arguments,
+                         const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

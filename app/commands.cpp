@@ -166,10 +166,10 @@ Outcome list_command(const ListOptions& options) {
   return {0, json_text({{"schema", 1}, {"constants", write_json(list_table())}}), ""};
 }
 
-Outcome run_command(const RunOptions& options) {
+Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   require_directory(options.out);
-  const Results results = compute_results(options.only);
-  write_files(options.out, report_files(results));
+  const Results results = compute_results(options.only, checkpoint);
+  write_files(options.out, report_files(results), checkpoint);
   std::string out = write_console(summary_table(results), Precision::report);
   out += fmt::format("\nReport: {}\n", (std::filesystem::path(options.out) / "report.md").string());
   if (all_checks_passed(results)) return {0, out, ""};
@@ -193,7 +193,7 @@ Outcome run_command(const RunOptions& options) {
   return {1, out, err};
 }
 
-Outcome fit_command(const FitOptions& options) {
+Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
   const bool is_normalisation = std::any_of(normalisations.begin(), normalisations.end(),
                                             [&](const Normalisation& n) { return n.id == options.id; });
   if (is_normalisation) {
@@ -210,14 +210,16 @@ Outcome fit_command(const FitOptions& options) {
   const Metric metric = parse_metric(options);
   FitCache fits(family);
   const Refit refit{
-      &family, fit_and_assess(fits, settings_for(family, published, options), std::array{metric}), {}};
+      &family,
+      fit_and_assess(fits, settings_for(family, published, options), std::array{metric}, checkpoint),
+      {}};
   const std::string err = not_converged_lines(refit);
   return {err.empty() ? 0 : 1, fits_text(refit, options, metric), err};
 }
 
-Outcome check_command(const CheckOptions& options) {
+Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint) {
   const Baseline baseline = read_baseline(options.baseline);
-  const Results results = compute_results({});
+  const Results results = compute_results({}, checkpoint);
   const auto drifts = compare(baseline, results);
   if (drifts.empty()) {
     return {0, fmt::format("check passed: {} cells agree with {}\n", count_cells(results), options.baseline),

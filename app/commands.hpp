@@ -7,7 +7,7 @@
 #include "app/command_line.hpp"
 
 /// The subcommands, once their arguments are parsed. Each throws UserError for input that is the user's to
-/// mend.
+/// mend; those that work for long call a checkpoint, between fits and until they begin to put files in place.
 namespace shadefit {
 
 struct ListOptions {
@@ -37,8 +37,8 @@ struct CheckOptions {
 };
 
 Outcome list_command(const ListOptions& options);
-Outcome run_command(const RunOptions& options);
-Outcome fit_command(const FitOptions& options);
-Outcome check_command(const CheckOptions& options);
+Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
+Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
+Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/command_line.hpp"
+#include "app/interrupt.hpp"
 
 namespace {
 
@@ -17,7 +18,10 @@ bool write(std::FILE* stream, const std::string& text) {
 int main(int argc, char** argv) {
   // A file that may not grow further is then an error of that file, told like any other.
   std::signal(SIGXFSZ, SIG_IGN);
-  const auto outcome = shadefit::run_command_line({argv + 1, argv + argc});
+  const auto signals = shadefit::hold_interrupts();
+  const auto outcome = shadefit::run_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals));
+  // What is left is to print, which a reader may keep waiting for as long as it likes.
+  shadefit::release(signals);
   errno = 0;
   const bool is_written = write(stdout, outcome.out);
   if (!is_written) {

@@ -151,10 +151,11 @@ std::optional<Assessment> assess(FitCache& fits, const Published& published, con
 }
 
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
-                                      std::span<const Metric> under) {
+                                      std::span<const Metric> under, const Checkpoint& checkpoint) {
   std::vector<FitReport> reports;
   for (const Metric& metric : under) {
     for (const Setting& setting : settings) {
+      checkpoint();
       FitReport report{fits.at(setting, metric), {}};
       for (const Published& published : published_constants) {
         if (!is_meant_for(published, report.fit)) continue;
@@ -167,7 +168,8 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>
   return reports;
 }
 
-Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under) {
+Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under,
+            const Checkpoint& checkpoint) {
   // A number published for an exponent outside the sweep is fitted and judged too.
   for (const Published& published : published_constants) {
     const bool has_own = published.family == family.info.id && published.statement == Statement::best_fit;
@@ -180,10 +182,11 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents, std::sp
   const std::vector<Setting> settings = family.has_exponent()
                                             ? std::vector<Setting>(exponents.begin(), exponents.end())
                                             : std::vector<Setting>{{}};
-  Refit result{&family, fit_and_assess(fits, settings, under), {}};
+  Refit result{&family, fit_and_assess(fits, settings, under, checkpoint), {}};
   for (const Published& published : published_constants) {
     if (published.family != family.info.id || published.statement == Statement::best_fit) continue;
     for (const Metric& metric : under) {
+      checkpoint();
       const auto assessment = assess(fits, published, metric);
       if (assessment) result.derived.push_back(*assessment);
     }

@@ -9,6 +9,7 @@
 
 #include "approx/lobe.hpp"
 #include "approx/record.hpp"
+#include "fit/checkpoint.hpp"
 #include "fit/fit.hpp"
 #include "fit/verdict.hpp"
 
@@ -57,13 +58,15 @@ class FitCache {
 };
 
 /// Fits the family at each setting under each of `under`, and judges the published
-/// numbers that are meant for those fits.
+/// numbers that are meant for those fits. The checkpoint is called before each fit.
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
-                                      std::span<const Metric> under);
+                                      std::span<const Metric> under,
+                                      const Checkpoint& checkpoint = keep_going);
 
 /// All there is to say of a family: the exponents and those that numbers were published for, in rising order,
-/// and the means and limits of fits.
-Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under);
+/// and the means and limits of fits. The checkpoint is called before each fit and each mean or limit.
+Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under,
+            const Checkpoint& checkpoint = keep_going);
 
 /// Judges one published number of the cache's family: the value under `metric`, against the other measures
 /// and the record's own convention. Empty where a fit that the value needs did not converge.

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "fit/checkpoint.hpp"
+
 /// Writing results so that nothing is ever half-written.
 namespace shadefit {
 
@@ -17,9 +19,12 @@ struct File {
 void require_directory(const std::filesystem::path& directory);
 
 /// Creates the directory and writes all the files: each beside its place first, and when all stand, renames
-/// them. Throws UserError naming the path and what went wrong; old files are then as they were and no new one
-/// is left over.
-void write_files(const std::filesystem::path& directory, const std::vector<File>& files);
+/// them, keeping what they replace until the last one is in place. The checkpoint is called before each file
+/// and once more before the first is renamed; after that nothing ends the work any more. Throws UserError
+/// naming the path and what went wrong. Then, and when the checkpoint throws, old files are as they were and
+/// nothing new is left over.
+void write_files(const std::filesystem::path& directory, const std::vector<File>& files,
+                 const Checkpoint& checkpoint = keep_going);
 
 /// The whole of a file. Throws UserError naming the path.
 std::string read_file(const std::filesystem::path& path);

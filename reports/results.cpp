@@ -66,16 +66,17 @@ void require_known(const std::string& id, const std::vector<std::string>& known,
                            : "it must be one of " + fmt::format("{}", fmt::join(known, ", "))));
 }
 
-Results compute_results(const std::vector<std::string>& ids) {
+Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
   for (const std::string& id : ids) require_known(id, known_ids(), "constant");
   Results results;
   for (const FittableFamily& family : fittable_families()) {
     if (!is_family_wanted(ids, family.info)) continue;
     const auto exponents = family.has_exponent() ? parse_sweep(family.info.sweep) : std::vector<double>{};
-    results.refits.push_back(refit(family, exponents, whole_domain_metrics()));
+    results.refits.push_back(refit(family, exponents, whole_domain_metrics(), checkpoint));
   }
   for (const Normalisation& record : normalisations) {
     if (!is_wanted(ids, record.id)) continue;
+    checkpoint();
     for (const auto& check : check_normalisation(record)) results.normalisations.push_back(check);
   }
   results.reflectances = reflectance_curves([&](std::string_view id) { return is_wanted(ids, id); });

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/checkpoint.hpp"
 #include "fit/normalisation_check.hpp"
 #include "fit/refit.hpp"
 #include "fit/reflectance.hpp"
@@ -20,8 +21,9 @@ struct Results {
 std::vector<std::string> known_ids();
 
 /// Computes what `ids` name, or everything where it is empty; a published constant stands for its family.
-/// Throws UserError for an id that names nothing.
-Results compute_results(const std::vector<std::string>& ids);
+/// Throws UserError for an id that names nothing. The checkpoint is called between fits and between
+/// normalisations.
+Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint = keep_going);
 
 /// Whether every fit converged and every normalisation was confirmed, and every reflectance is
 /// as exact as promised.

@@ -5,9 +5,24 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <string>
 
 namespace shadefit::testing {
+
+/// Every file below a directory, hidden ones too, with its content; directories have the content "/". Empty
+/// where there is no such directory.
+inline std::map<std::string, std::string> snapshot(const std::filesystem::path& directory) {
+  std::map<std::string, std::string> found;
+  if (!std::filesystem::exists(directory)) return found;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    std::ifstream in(entry.path(), std::ios::binary);
+    found[std::filesystem::relative(entry.path(), directory).string()] =
+        entry.is_directory() ? "/" : std::string(std::istreambuf_iterator<char>(in), {});
+  }
+  return found;
+}
 
 /// A directory of the running test's own, removed with it.
 class TemporaryDirectory {

@@ -1,6 +1,12 @@
 #include "reports/files.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <functional>
+#include <map>
 
 #include "fit/user_error.hpp"
 #include "tests/temporary_directory.hpp"
@@ -8,6 +14,7 @@
 namespace shadefit {
 namespace {
 
+using testing::snapshot;
 using testing::TemporaryDirectory;
 namespace fs = std::filesystem;
 
@@ -78,6 +85,117 @@ TEST(Files, ADirectoryMadeForNothingIsRemoved) {
             }),
             "nothing was refused");
   EXPECT_FALSE(fs::exists(directory / "new"));
+}
+
+/// What a checkpoint of these tests throws: of no kind that the writer could know.
+struct Stop {};
+
+/// A checkpoint that does something at its n-th call, counted from 1.
+Checkpoint at_call(int n, const std::function<void()>& act) {
+  return [n, act, calls = 0]() mutable {
+    if (++calls == n) act();
+  };
+}
+
+TEST(Files, AnInterruptionAtEachCheckpointLeavesEverythingAsItWas) {
+  const std::vector<File> files{{"one", "new 1\n"}, {"two", "new 2\n"}, {"three", "new 3\n"}};
+  // One call before each file, one before the first of them is renamed.
+  const int calls = 4;
+  for (int n = 1; n <= calls; ++n) {
+    const TemporaryDirectory directory;
+    directory.file("out/one", "old 1\n");
+    directory.file("out/three", "old 3\n");
+    const auto before = snapshot(directory.path());
+    const auto stop = [n] { return at_call(n, [] { throw Stop{}; }); };
+    EXPECT_THROW(write_files(directory / "out", files, stop()), Stop) << n;
+    EXPECT_EQ(snapshot(directory.path()), before) << n;
+    EXPECT_THROW(write_files(directory / "a/b/c", files, stop()), Stop) << n;
+    EXPECT_EQ(snapshot(directory.path()), before) << "directories made for nothing are removed, call " << n;
+  }
+  const TemporaryDirectory directory;
+  directory.file("out/one", "old 1\n");
+  write_files(directory / "out", files, at_call(calls + 1, [] { throw Stop{}; }));
+  EXPECT_EQ(snapshot(directory / "out"), (std::map<std::string, std::string>{
+                                             {"one", "new 1\n"}, {"two", "new 2\n"}, {"three", "new 3\n"}}))
+      << "once the first is renamed nothing stops it, and nothing is left beside";
+}
+
+// As on a full disk: the first file fits, the second does not.
+TEST(Files, AFullDiskAtALaterFile) {
+  const TemporaryDirectory directory;
+  directory.file("out/one", "old\n");
+  const auto before = snapshot(directory.path());
+  rlimit unlimited{};
+  ::getrlimit(RLIMIT_FSIZE, &unlimited);
+  const rlimit limited{1024, unlimited.rlim_max};
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);  // as main does
+  ::setrlimit(RLIMIT_FSIZE, &limited);
+  const std::string message = refusal([&] {
+    write_files(directory / "out", {{"one", "new\n"}, {"two", std::string(5000, 'x')}});
+  });
+  ::setrlimit(RLIMIT_FSIZE, &unlimited);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(message, "cannot write '" + (directory / "out/two") + "': File too large");
+  EXPECT_EQ(snapshot(directory.path()), before);
+}
+
+// The last file's place becomes a directory after every check: the renames before it have to be taken back.
+TEST(Files, ARenameThatFailsTakesTheEarlierOnesBack) {
+  const TemporaryDirectory directory;
+  directory.file("out/one", "old 1\n");
+  fs::create_symlink("one", directory / "out/link");
+  const auto before = snapshot(directory.path());
+  const auto appear = at_call(5, [&] { fs::create_directories(directory / "out/last"); });
+  EXPECT_EQ(refusal([&] {
+              write_files(directory / "out",
+                          {{"one", "new 1\n"}, {"two", "new 2\n"}, {"link", "new\n"}, {"last", "new\n"}},
+                          appear);
+            }),
+            "cannot write '" + (directory / "out/last") + "': Is a directory");
+  fs::remove(directory / "out/last");
+  EXPECT_EQ(snapshot(directory.path()), before);
+  EXPECT_TRUE(fs::is_symlink(directory / "out/link")) << "the link itself comes back, not a copy";
+}
+
+TEST(Files, AnOldFileIsKeptUnderNoNameThatIsTaken) {
+  const TemporaryDirectory directory;
+  const std::string one = directory.file("one", "old\n");
+  const std::string taken = directory.file(".one." + std::to_string(::getpid()) + ".old", "precious");
+  const auto before = snapshot(directory.path());
+  EXPECT_EQ(refusal([&] {
+              write_files(directory.path(), {{"zero", "new\n"}, {"one", "new\n"}});
+            }),
+            "cannot keep the old '" + one + "' as '" + taken + "': File exists");
+  EXPECT_EQ(snapshot(directory.path()), before);
+}
+
+// Linux refuses hard links to files of others (protected_hardlinks), as some file systems refuse any.
+TEST(Files, WithoutHardLinksTheOldFileIsMovedAsideAndBack) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can become somebody who may not link to a file";
+  const TemporaryDirectory directory;
+  const std::string one = directory.file("out/one", "old\n");
+  fs::permissions(one, fs::perms::owner_read | fs::perms::owner_write);
+  fs::permissions(directory / "out", fs::perms::all);
+  const auto before = snapshot(directory / "out");
+  const auto as_nobody = [&](const Checkpoint& checkpoint) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (::setgid(65534) != 0 || ::setuid(65534) != 0) ::_exit(3);
+      try {
+        write_files(directory / "out", {{"one", "new\n"}}, checkpoint);
+      } catch (const Stop&) {
+        ::_exit(1);
+      }
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  EXPECT_EQ(as_nobody(at_call(2, [] { throw Stop{}; })), 1);
+  EXPECT_EQ(snapshot(directory / "out"), before);
+  EXPECT_EQ(as_nobody(keep_going), 0);
+  EXPECT_EQ(snapshot(directory / "out"), (std::map<std::string, std::string>{{"one", "new\n"}}));
 }
 
 TEST(Files, ReadingNamesWhatIsMissing) {

@@ -1,0 +1,69 @@
+#include "tests/process.hpp"
+
+#include <filesystem>
+
+#include "reports/files.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::run_process;
+using testing::snapshot;
+using testing::TemporaryDirectory;
+
+TEST(Process, AFullDiskLeavesOldFilesAndNothingHalfWritten) {
+  const TemporaryDirectory directory;
+  directory.file("out/report.md", "old\n");
+  directory.file("out/mine", "of the user\n");
+  const auto before = snapshot(directory.path());
+  // Both directories: one that is there, one that would be new.
+  for (const std::string out : {"out", "new/er"}) {
+    const auto finished =
+        run_process({"run", "--out", directory / out}, [] { testing::limit_file_size(1024); });
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(finished.err, "shadefit: cannot write '" + (directory / out) + "/report.md': File too large\n");
+    EXPECT_EQ(snapshot(directory.path()), before);
+  }
+}
+
+TEST(Process, StandardOutputThatCannotBeWritten) {
+  const TemporaryDirectory directory;
+  const auto to_a_full_disk = run_process({"list"}, [&] {
+    testing::limit_file_size(1024);
+    testing::send_output_to(directory / "list");
+  });
+  EXPECT_EQ(to_a_full_disk.exit_code, 2);
+  EXPECT_EQ(to_a_full_disk.err, "shadefit: cannot write standard output: File too large\n");
+
+  const auto to_a_full_device = run_process({"list"}, [] { testing::send_output_to("/dev/full"); });
+  EXPECT_EQ(to_a_full_device.exit_code, 2);
+  EXPECT_EQ(to_a_full_device.err, "shadefit: cannot write standard output: No space left on device\n");
+}
+
+TEST(Process, AnInterruptionEndsARunWithNothingWritten) {
+  const TemporaryDirectory directory;
+  directory.file("out/report.md", "old\n");
+  const auto before = snapshot(directory.path());
+  for (const auto& [signal, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
+    const auto finished = run_process({"run", "--out", directory / "out"},
+                                      [number = signal] { testing::leave_pending(number, SIG_DFL); });
+    EXPECT_EQ(finished.exit_code, exit_code);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(finished.err, "shadefit: interrupted, nothing was written\n");
+    EXPECT_EQ(snapshot(directory.path()), before);
+  }
+}
+
+// As a script starts what it leaves in the background: Ctrl-C is not meant for it.
+TEST(Process, AnIgnoredInterruptionDoesNot) {
+  const TemporaryDirectory directory;
+  const auto finished = run_process({"run", "--out", directory / "out", "--only", "norm-lambert"},
+                                    [] { testing::leave_pending(SIGINT, SIG_IGN); });
+  EXPECT_EQ(finished.exit_code, 0) << finished.err;
+  EXPECT_TRUE(std::filesystem::exists(directory / "out/report.md"));
+}
+
+}  // namespace
+}  // namespace shadefit
