@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "fit/user_error.hpp"
+#include "reports/utf8.hpp"
 
 namespace shadefit {
 
@@ -11,9 +12,10 @@ namespace {
 void require_plain_text(const std::string& content, const std::string& name) {
   if (content.empty()) throw UserError(fmt::format("'{}' is empty: a table needs a header line", name));
   if (content.starts_with("\xEF\xBB\xBF"))
-    throw UserError(fmt::format("'{}' begins with a byte order mark: a table is plain UTF-8", name));
+    throw UserError(fmt::format("'{}' line 1 begins with a byte order mark: a table is plain UTF-8", name));
   std::size_t line = 1;
-  for (const char c : content) {
+  for (std::size_t i = 0, length = 0; i < content.size(); i += length) {
+    const char c = content[i];
     if (c == '\r')
       throw UserError(fmt::format("'{}' line {} has a carriage return: lines end in LF alone", name, line));
     const auto byte = static_cast<unsigned char>(c);
@@ -21,10 +23,15 @@ void require_plain_text(const std::string& content, const std::string& name) {
       throw UserError(
           fmt::format("'{}' line {} holds the byte 0x{:02x}: a table is plain text", name, line, byte));
     }
+    length = utf8_length(std::string_view(content).substr(i));
+    if (length == 0) {
+      throw UserError(fmt::format("'{}' line {} holds the byte 0x{:02x} out of place: a table is UTF-8", name,
+                                  line, byte));
+    }
     line += c == '\n';
   }
   if (content.back() != '\n')
-    throw UserError(fmt::format("'{}' is truncated: its last line has no end", name));
+    throw UserError(fmt::format("'{}' line {} is truncated: it has no end", name, line));
 }
 
 /// The cells of one line; a quoted cell ends in its quote and doubles quotes inside.

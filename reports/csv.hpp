@@ -13,7 +13,7 @@ struct CsvTable {
 
 /// Parses RFC 4180 with a header line, LF and no line breaks inside cells: what `write_csv` writes of our
 /// tables. Throws UserError naming `name`, the line and the rule where the text is empty, cut off, not plain
-/// text, badly quoted, or has a row with another number of cells than the header.
+/// UTF-8, badly quoted, or has a row with another number of cells than the header.
 CsvTable parse_csv(const std::string& content, const std::string& name);
 
 }  // namespace shadefit

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 #include "app/command_line.hpp"
 #include "reports/files.hpp"
@@ -120,7 +123,7 @@ TEST(BadInput, Baselines) {
   const auto fits = read_file(committed + "/fits.csv");
   const std::string cut = directory.file("cut/fits.csv", fits.substr(0, fits.size() - 10));
   expect_refusal({"check", "--baseline", directory / "cut"},
-                 "'" + cut + "' is truncated: its last line has no end");
+                 "'" + cut + "' line 124 is truncated: it has no end");
   directory.file("cut/fits.csv", fits.substr(0, fits.find('\n') + 1) + "sg-offset,x\n");
   expect_refusal({"check", "--baseline", directory / "cut"},
                  "'" + cut + "' line 2 has 2 cells: the header has 18");
@@ -132,11 +135,114 @@ TEST(BadInput, Baselines) {
       << other.err;
 }
 
+// Each of these is one file of a baseline gone wrong; the other is the committed one.
+TEST(BadInput, BaselinesThatAreNoTables) {
+  const std::string committed = SHADEFIT_SOURCE_DIR "/reports/baseline";
+  const std::string fits = read_file(committed + "/fits.csv");
+  const auto second_line = fits.find('\n') + 1;
+  const auto with = [&](const std::string& bytes) {
+    return fits.substr(0, second_line) + bytes + fits.substr(second_line);
+  };
+  std::string windows = fits;
+  for (std::size_t i = 0; (i = windows.find('\n', i)) != std::string::npos; i += 2)
+    windows.insert(i, 1, '\r');
+  const std::string quote = fits.substr(0, second_line) + "sg-offset,\"x";
+
+  const TemporaryDirectory directory;
+  directory.file("normalization.csv", read_file(committed + "/normalization.csv"));
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", " is empty: a table needs a header line"},
+      {"\xEF\xBB\xBF" + fits, " line 1 begins with a byte order mark: a table is plain UTF-8"},
+      {windows, " line 1 has a carriage return: lines end in LF alone"},
+      {with("caf\xE9"), " line 2 holds the byte 0xe9 out of place: a table is UTF-8"},
+      {with("\xED\xA0\x80"), " line 2 holds the byte 0xed out of place: a table is UTF-8"},
+      {with(std::string(1, '\0')), " line 2 holds the byte 0x00: a table is plain text"},
+      {with("\x1B[2J"), " line 2 holds the byte 0x1b: a table is plain text"},
+      {quote, " line 2 is truncated: it has no end"},
+      {quote + "\n", " line 2 opens a quote and never closes it"},
+      {fits + "\n", " line 125 has 1 cells: the header has 18"}};
+  for (const auto& [content, rule] : cases) {
+    const std::string file = directory.file("fits.csv", content);
+    expect_refusal({"check", "--baseline", directory.path().string()}, "'" + file + "'" + rule);
+  }
+}
+
+TEST(BadInput, WhatIsPrintedIsOneLineOfUtf8) {
+  const std::string rule = " is not a pair A:B of finite numbers";
+  const auto expect_printed = [&](const std::string& text, const std::string& printed) {
+    expect_refusal({"fit", "sg-offset", "--domain", text}, "--domain '" + printed + "'" + rule);
+  };
+  expect_printed("na\xC3\xAFve", "na\xC3\xAFve");
+  expect_printed("\xFF\xFE", "\\xff\\xfe");
+  expect_printed("cut \xE2\x82", "cut \\xe2\\x82");
+  expect_printed("\x1B[31m\x7F", "\\x1b[31m\\x7f");
+  expect_printed(
+      "\xC2\x9B"
+      "31m",
+      "\\xc2\\x9b"
+      "31m");  // U+009B begins a terminal's command as ESC [ does
+}
+
+// Every number that is one is taken, however small; the fit then ends with a status, never with a start
+// value.
+TEST(BadInput, NumbersAtTheEdgeOfADouble) {
+  expect_refusal({"fit", "sg-offset", "--domain", "0x10:1"},
+                 "--domain '0x10:1' is not a pair A:B of finite numbers");
+  expect_refusal({"fit", "sg-offset", "--domain", "0:1e400"},
+                 "--domain '0:1e400' is not a pair A:B of finite numbers");
+  expect_refusal({"fit", "sg-offset", "--domain=-1e-320:1"},
+                 "--domain '-1e-320:1' leaves [0, 1]: A and B are cosines");
+  expect_refusal({"fit", "sg-offset", "--domain", "0:1.0000000000000002"},
+                 "--domain '0:1.0000000000000002' leaves [0, 1]: A and B are cosines");
+  for (const char* ior : {"0x10", "1e400", "inf"}) {
+    expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", ior},
+                   "--ior '" + std::string(ior) + "' is not a finite number");
+  }
+  const auto expect_no_answer = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "fit");
+    arguments.emplace_back("--json");
+    const Outcome outcome = run_command_line(arguments);
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    for (const auto& parameter : json["parameters"]) EXPECT_TRUE(parameter.is_null()) << outcome.out;
+    EXPECT_TRUE(json["rms_error"].is_null()) << outcome.out;
+  };
+  for (const char* domain : {"0:1e-320", "1e-320:2e-320", "0:1e-300", "0:1e-12"}) {
+    for (const char* id : {"fresnel-quadratic", "fresnel-one-term"})
+      expect_no_answer({id, "--domain", domain});
+    expect_no_answer({"sg-offset", "--exponent", "5", "--domain", domain});
+  }
+  // Two parameters cannot come from a domain that is one unit of the last place wide.
+  for (const char* domain : {"0.5:0.5000000000000001", "0.9999999999999999:1"})
+    expect_no_answer({"fresnel-quadratic", "--domain", domain});
+  for (const char* ior : {"1e-320", "1e-300", "1e300", "1.0000000000000002", "0.9999999999999999"})
+    expect_no_answer({"fresnel-one-term", "--target", "exact", "--ior", ior});
+  expect_no_answer({"sg-offset", "--exponent", "1e-320"});
+  expect_no_answer({"phong-blinn", "--exponent", "1e308"});
+}
+
+// One parameter can: there the form has to meet the target at c = 1/2, 2^(-A/2) = 2^-5.
+TEST(BadInput, ADomainOfOneUnitInTheLastPlace) {
+  const Outcome outcome =
+      run_command_line({"fit", "fresnel-one-term", "--domain", "0.5:0.5000000000000001", "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  // The domain is 1e-16 wide, and A moves by about as much across it, relative: two more units for the
+  // rounding.
+  EXPECT_NEAR(nlohmann::json::parse(outcome.out)["parameters"]["A"].get<double>(), 10, 1e-14);
+}
+
 TEST(BadInput, AVeryLongValueIsShortened) {
   const Outcome outcome = run_command_line({"fit", std::string(100000, 'x')});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_LT(outcome.err.size(), 700U);
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+  std::string accents;
+  for (int i = 0; i < 10000; ++i) accents += "\xC3\xA9";
+  const std::string shortened = run_command_line({"fit", "x" + accents}).err;
+  EXPECT_LT(shortened.size(), 1300U);
+  EXPECT_EQ(shortened.find("\\x"), std::string::npos) << "no code point was cut in two";
+  EXPECT_NE(shortened.find("\xC3\xA9 .. \xC3\xA9"), std::string::npos);
 }
 
 TEST(BadInput, Usage) {

@@ -141,7 +141,7 @@ void expect_refusal(const std::string& content, const char* message) {
 
 TEST(Csv, RefusesWhatIsCutOffOrMalformed) {
   expect_refusal("", "'t.csv' is empty: a table needs a header line");
-  expect_refusal("a,b\n1,2", "'t.csv' is truncated: its last line has no end");
+  expect_refusal("a,b\n1,2", "'t.csv' line 2 is truncated: it has no end");
   expect_refusal("a,b\n1\n", "'t.csv' line 2 has 1 cells: the header has 2");
   expect_refusal("a,b\n1,2\n1,2,3\n", "'t.csv' line 3 has 3 cells: the header has 2");
   expect_refusal("a,b\n1,\"2\n", "'t.csv' line 2 opens a quote and never closes it");
@@ -151,8 +151,10 @@ TEST(Csv, RefusesWhatIsCutOffOrMalformed) {
   expect_refusal(
       "\xEF\xBB\xBF"
       "a,b\n",
-      "'t.csv' begins with a byte order mark: a table is plain UTF-8");
+      "'t.csv' line 1 begins with a byte order mark: a table is plain UTF-8");
   expect_refusal(std::string("a,b\n1,\0\n", 8), "'t.csv' line 2 holds the byte 0x00: a table is plain text");
+  expect_refusal("a,b\n1,2\n\"3", "'t.csv' line 3 is truncated: it has no end");
+  expect_refusal("a,b\n1,\xE9t\xE9\n", "'t.csv' line 2 holds the byte 0xe9 out of place: a table is UTF-8");
 }
 
 TEST(FitsTable, HasTheColumnsThatOthersRelyOn) {

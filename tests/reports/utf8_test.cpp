@@ -1,0 +1,53 @@
+#include "reports/utf8.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+namespace shadefit {
+namespace {
+
+/// A code point in `length` bytes, by the layout of UTF-8 alone: too long, a surrogate or out of range, if
+/// asked for.
+std::string encoded(std::uint32_t code_point, int length) {
+  if (length == 1) return {static_cast<char>(code_point)};
+  std::string bytes(static_cast<std::size_t>(length), '\0');
+  for (auto i = bytes.size(); i-- > 1; code_point >>= 6)
+    bytes[i] = static_cast<char>(0x80 | (code_point & 0x3F));
+  bytes[0] = static_cast<char>((0xF00 >> length & 0xFF) | code_point);
+  return bytes;
+}
+
+int shortest(std::uint32_t code_point) {
+  return code_point < 0x80 ? 1 : code_point < 0x800 ? 2 : code_point < 0x10000 ? 3 : 4;
+}
+
+TEST(Utf8, TakesEveryCodePointInItsShortestFormOnly) {
+  for (std::uint32_t code_point = 0; code_point < 0x200000; ++code_point) {
+    const bool exists = code_point <= 0x10FFFF && (code_point < 0xD800 || code_point > 0xDFFF);
+    for (int length = shortest(code_point); length <= 4; ++length) {
+      const std::size_t expected =
+          exists && length == shortest(code_point) ? static_cast<std::size_t>(length) : 0;
+      ASSERT_EQ(utf8_length(encoded(code_point, length) + "x"), expected) << code_point << " in " << length;
+    }
+  }
+}
+
+TEST(Utf8, TakesNothingThatIsCutOffOrOutOfPlace) {
+  for (const char* whole : {"\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"}) {
+    const std::string text(whole);
+    EXPECT_EQ(utf8_length(text), text.size());
+    for (std::size_t length = 1; length < text.size(); ++length) {
+      EXPECT_EQ(utf8_length(text.substr(0, length)), 0U) << "cut off by the end";
+      EXPECT_EQ(utf8_length(text.substr(0, length) + "abc"), 0U) << "cut off by another character";
+      EXPECT_EQ(utf8_length(text.substr(length)), 0U) << "a rest";
+    }
+  }
+  EXPECT_EQ(utf8_length(""), 0U);
+  EXPECT_EQ(utf8_length("\xF8\x88\x80\x80\x80"), 0U);
+  EXPECT_EQ(utf8_length("\xFF"), 0U);
+}
+
+}  // namespace
+}  // namespace shadefit
