@@ -105,8 +105,11 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   run->add_option("--only", run_options.only,
                   "only the families and normalisations of these ids, one or more")
       ->type_name("ID");
-  run->add_flag("--no-plots", no_plots, "leave plots out (this version draws none)");
-  run->callback([&] { outcome = run_command(run_options, checkpoint); });
+  run->add_flag("--no-plots", no_plots, "neither plots nor their data and scripts");
+  run->callback([&] {
+    run_options.plots = !no_plots;
+    outcome = run_command(run_options, checkpoint);
+  });
 
   FitOptions fit_options;
   auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");

@@ -9,8 +9,8 @@
 namespace shadefit {
 
 struct Outcome {
-  int exit_code = 0;  ///< 0; 1 a check failed or a fit did not converge; 2 bad usage or bad input; 128 + a
-                      ///< signal that interrupted it
+  int exit_code = 0;  ///< 0; 1 a check, a fit or a plot failed; 2 bad usage or bad input; 128 + a signal that
+                      ///< interrupted it
   std::string out;    ///< for standard output
   std::string err;    ///< for standard error
 };

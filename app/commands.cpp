@@ -11,6 +11,8 @@
 #include "fit/user_error.hpp"
 #include "reports/baseline.hpp"
 #include "reports/fit_json.hpp"
+#include "reports/gnuplot.hpp"
+#include "reports/plots.hpp"
 #include "reports/report.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
@@ -156,6 +158,40 @@ std::string not_converged_lines(const Refit& refit) {
   return lines;
 }
 
+/// What a run says of its plots, on standard output and standard error.
+struct PlotsNews {
+  std::string out, err;
+};
+
+/// Draws the pictures that can be drawn, then writes everything at once: the report shows the figures that there is a
+/// picture of.
+PlotsNews write_results(const RunOptions& options, const Results& results, const Checkpoint& checkpoint) {
+  auto figures = options.plots ? make_figures(results) : std::vector<Figure>{};
+  auto files = plot_files(figures);
+  const std::size_t all = figures.size();
+  const auto directory = std::filesystem::path(options.out) / "plots";
+  PlotsNews news;
+  if (const auto gnuplot = all > 0 ? find_gnuplot() : std::nullopt) {
+    std::vector<std::string> names;
+    for (const Figure& figure : figures) names.push_back(figure.name);
+    const Pictures pictures = draw_pictures(*gnuplot, files, names, checkpoint);
+    files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+    for (const FailedPlot& failed : pictures.failed) {
+      news.err += fmt::format("shadefit: plot {} was not drawn: {}\n", failed.name, failed.complaint);
+      std::erase_if(figures, [&](const Figure& figure) { return figure.name == failed.name; });
+    }
+    news.out = fmt::format("\nPlots: {} of {} drawn in {}\n", figures.size(), all, directory.string());
+  } else if (all > 0) {
+    figures.clear();
+    news.out = fmt::format("\nPlots skipped: gnuplot was not found; their data and scripts are in {}\n",
+                           directory.string());
+  }
+  const auto report = report_files(results, figures);
+  files.insert(files.end(), report.begin(), report.end());
+  write_files(options.out, files, checkpoint);
+  return news;
+}
+
 }  // namespace
 
 Outcome list_command(const ListOptions& options) {
@@ -169,11 +205,11 @@ Outcome list_command(const ListOptions& options) {
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   require_directory(options.out);
   const Results results = compute_results(options.only, checkpoint);
-  write_files(options.out, report_files(results), checkpoint);
-  std::string out = write_console(summary_table(results), Precision::report);
+  const PlotsNews news = write_results(options, results, checkpoint);
+  std::string out = write_console(summary_table(results), Precision::report) + news.out;
   out += fmt::format("\nReport: {}\n", (std::filesystem::path(options.out) / "report.md").string());
-  if (all_checks_passed(results)) return {0, out, ""};
-  std::string err;
+  if (all_checks_passed(results)) return {news.err.empty() ? 0 : 1, out, news.err};
+  std::string err = news.err;
   for (const Refit& refit : results.refits) err += not_converged_lines(refit);
   for (const auto& check : results.normalisations) {
     if (check.verdict == Verdict::confirmed) continue;

@@ -18,6 +18,7 @@ struct ListOptions {
 struct RunOptions {
   std::string out = "out";
   std::vector<std::string> only;
+  bool plots = true;
 };
 
 struct FitOptions {

@@ -149,7 +149,10 @@ void require_directory(const fs::path& directory) {
 
 void write_files(const fs::path& directory, const std::vector<File>& files, const Checkpoint& checkpoint) {
   require_directory(directory);
-  Directory created(directory);
+  // Destroyed from the front: what lies within another directory, before it.
+  std::list<Directory> created;
+  created.emplace_front(directory);
+  for (const File& file : files) created.emplace_front((directory / file.name).parent_path());
   std::list<Replacement> replacements;
   for (const File& file : files) {
     checkpoint();
@@ -159,7 +162,7 @@ void write_files(const fs::path& directory, const std::vector<File>& files, cons
   checkpoint();
   for (Replacement& file : replacements) file.put();
   for (Replacement& file : replacements) file.finish();
-  created.keep();
+  for (Directory& made : created) made.keep();
 }
 
 std::string read_file(const fs::path& path) {

@@ -251,7 +251,16 @@ Table formulas_table(const FittableFamily& family) {
   return table;
 }
 
-std::string family_section(const Refit& refit) {
+std::string figures_section(const std::vector<Figure>& figures, std::string_view family) {
+  std::string out;
+  for (const Figure& figure : figures) {
+    if (figure.family == family)
+      out += fmt::format("![{0}](plots/{0}.svg)\n\n{1}\n\n", figure.name, figure.caption);
+  }
+  return out;
+}
+
+std::string family_section(const Refit& refit, const std::vector<Figure>& figures) {
   const Family& info = refit.family->info;
   std::string out = fmt::format("## {} (`{}`)\n\n", info.title, info.id) +
                     markdown(formulas_table(*refit.family)) + fmt::format("{}.\n\n", info.variables);
@@ -266,7 +275,7 @@ std::string family_section(const Refit& refit) {
     out += markdown(single_overview(refit)) + single_words(refit);
   }
   if (refit.family->is_fresnel) out += exact_fresnel_section(*refit.family);
-  return out + variants_section(refit);
+  return out + figures_section(figures, info.id) + variants_section(refit);
 }
 
 bool is_checked(const Results& results, const Normalisation& record) {
@@ -324,7 +333,7 @@ std::string normalisation_section(const Results& results) {
 
 }  // namespace
 
-std::string write_report(const Results& results) {
+std::string write_report(const Results& results, const std::vector<Figure>& figures) {
   std::string out =
       "# shadefit report\n\n"
       "Constants of real-time shading, refitted and checked. A verdict compares the printed digits with the "
@@ -340,7 +349,7 @@ std::string write_report(const Results& results) {
       "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";
   out += exact_fresnel_lead(results) + markdown(summary_table(results));
-  for (const Refit& refit : results.refits) out += family_section(refit);
+  for (const Refit& refit : results.refits) out += family_section(refit, figures);
   if (!results.normalisations.empty()) out += normalisation_section(results);
   if (!results.reflectances.empty()) out += reflectance_section(results.reflectances);
   out.pop_back();  // sections end in an empty line, the file does not
@@ -354,8 +363,8 @@ std::string write_latex_tables(const Results& results) {
   return out;
 }
 
-std::vector<File> report_files(const Results& results) {
-  return {{"report.md", write_report(results)},
+std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {
+  return {{"report.md", write_report(results, figures)},
           {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
           {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},
           {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)},

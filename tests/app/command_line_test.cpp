@@ -160,7 +160,7 @@ TEST(ListCommand, Latex) {
 
 TEST(RunCommand, WritesTheReportAndTheTables) {
   const TemporaryDirectory directory;
-  const Outcome outcome = run_command_line({"run", "--out", directory / "out"});
+  const Outcome outcome = run_command_line({"run", "--out", directory / "out", "--no-plots"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.ends_with("\nReport: " + (directory / "out/report.md") + "\n"));
   for (const char* name : {"report.md", "fits.csv", "normalization.csv", "reflectance.csv", "tables.tex"}) {

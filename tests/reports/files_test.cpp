@@ -198,6 +198,35 @@ TEST(Files, WithoutHardLinksTheOldFileIsMovedAsideAndBack) {
   EXPECT_EQ(snapshot(directory / "out"), (std::map<std::string, std::string>{{"one", "new\n"}}));
 }
 
+TEST(Files, NamesMayBeginWithADirectory) {
+  const TemporaryDirectory directory;
+  write_files(directory / "out", {{"plots/one", "1\n"}, {"two", "2\n"}, {"plots/three", "3\n"}});
+  EXPECT_EQ(read_file(directory / "out/plots/one"), "1\n");
+  EXPECT_EQ(read_file(directory / "out/plots/three"), "3\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(directory / "out/plots"), fs::directory_iterator()), 2);
+
+  const std::string too_long(300, 'x');
+  EXPECT_NE(refusal([&] {
+              write_files(directory / "out", {{"plots/one", "new\n"}, {"new/one", "1"}, {too_long, "1"}});
+            }),
+            "nothing was refused");
+  EXPECT_EQ(read_file(directory / "out/plots/one"), "1\n") << "what stood there stays";
+  EXPECT_FALSE(fs::exists(directory / "out/new")) << "a directory made for nothing is removed";
+  EXPECT_NE(refusal([&] {
+              write_files(directory / "new", {{"plots/one", "1\n"}, {too_long, "1"}});
+            }),
+            "nothing was refused");
+  EXPECT_FALSE(fs::exists(directory / "new"));
+
+  directory.file("taken/plots", "precious");
+  EXPECT_EQ(refusal([&] {
+              write_files(directory / "taken", {{"two", "2\n"}, {"plots/one", "1\n"}});
+            }),
+            "cannot create directory '" + (directory / "taken/plots") + "': Not a directory");
+  EXPECT_EQ(read_file(directory / "taken/plots"), "precious");
+  EXPECT_FALSE(fs::exists(directory / "taken/two"));
+}
+
 TEST(Files, ReadingNamesWhatIsMissing) {
   const TemporaryDirectory directory;
   EXPECT_EQ(refusal([&] { read_file(directory / "none"); }),

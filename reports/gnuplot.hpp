@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/checkpoint.hpp"
+#include "reports/files.hpp"
+
+/// Running gnuplot, which is another program and may be missing or fail.
+namespace shadefit {
+
+/// The program `gnuplot` of the PATH, or nothing.
+std::optional<std::filesystem::path> find_gnuplot();
+
+/// A plot that could not be drawn, and the first thing that gnuplot said of it.
+struct FailedPlot {
+  std::string name;
+  std::string complaint;
+};
+
+/// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg, beside its place first
+/// and renamed once whole. Returns the plots that failed: of those there is no NAME.svg then, neither a part
+/// nor an older one. The checkpoint is called before each.
+std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot, const std::filesystem::path& directory,
+                                   const std::vector<std::string>& names, const Checkpoint& checkpoint = keep_going);
+
+/// Pictures, and the plots that there is none of.
+struct Pictures {
+  std::vector<File> files;  ///< "plots/NAME.svg"
+  std::vector<FailedPlot> failed;
+};
+
+/// Draws the plots of `names` from their files, "plots/NAME.csv" and "plots/NAME.gnuplot", in a temporary directory that
+/// is removed again, so that results can be written all at once or not at all. Throws UserError where there can be no
+/// such directory.
+Pictures draw_pictures(const std::filesystem::path& gnuplot, const std::vector<File>& files,
+                       const std::vector<std::string>& names, const Checkpoint& checkpoint = keep_going);
+
+}  // namespace shadefit

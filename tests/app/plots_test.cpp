@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/command_line.hpp"
+#include "reports/files.hpp"
+#include "reports/gnuplot.hpp"
+#include "tests/fake_gnuplot.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::EnvironmentVariable;
+using testing::fake_gnuplot;
+using testing::TemporaryDirectory;
+namespace fs = std::filesystem;
+
+Outcome run_fresnel(const TemporaryDirectory& directory, std::vector<std::string> more = {}) {
+  std::vector<std::string> arguments{"run", "--out", directory / "out", "--only", "fresnel-quadratic"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_command_line(arguments);
+}
+
+std::set<std::string> plots_in(const TemporaryDirectory& directory) {
+  std::set<std::string> found;
+  for (const auto& entry : fs::directory_iterator(directory / "out/plots"))
+    found.insert(entry.path().filename().string());
+  return found;
+}
+
+const std::set<std::string> data_and_scripts{"fresnel.csv", "fresnel.gnuplot", "fresnel-errors.csv",
+                                             "fresnel-errors.gnuplot"};
+
+TEST(RunPlots, StandBesideTheReportThatShowsThem) {
+  const TemporaryDirectory directory;
+  fake_gnuplot(directory, "echo '</svg>' > \"$picture\"");
+  const EnvironmentVariable path("PATH", directory / "bin");
+  const Outcome outcome = run_fresnel(directory);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("\nPlots: 2 of 2 drawn in " + (directory / "out/plots") + "\n"),
+            std::string::npos);
+  auto expected = data_and_scripts;
+  expected.insert({"fresnel.svg", "fresnel-errors.svg"});
+  EXPECT_EQ(plots_in(directory), expected) << "and nothing that is half-written";
+  const std::string report = read_file(directory / "out/report.md");
+  EXPECT_NE(report.find("](plots/fresnel.svg)"), std::string::npos);
+  EXPECT_NE(report.find("](plots/fresnel-errors.svg)"), std::string::npos);
+}
+
+TEST(RunPlots, WithoutGnuplotAreSkippedAndSaidSo) {
+  const TemporaryDirectory directory;
+  const EnvironmentVariable path("PATH", directory / "bin");
+  const Outcome outcome = run_fresnel(directory);
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("\nPlots skipped: gnuplot was not found; their data and scripts are in " +
+                             (directory / "out/plots") + "\n"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(plots_in(directory), data_and_scripts);
+  EXPECT_EQ(read_file(directory / "out/report.md").find("plots/"), std::string::npos);
+}
+
+TEST(RunPlots, OneThatFailsIsToldAndNotShown) {
+  const TemporaryDirectory directory;
+  fake_gnuplot(
+      directory,
+      "[ $script = fresnel.gnuplot ] || { echo '\"fresnel-errors.gnuplot\" line 3: no' >&2; exit 1; }\n"
+      "echo '</svg>' > \"$picture\"");
+  const EnvironmentVariable path("PATH", directory / "bin");
+  const Outcome outcome = run_fresnel(directory);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err,
+            "shadefit: plot fresnel-errors was not drawn: \"fresnel-errors.gnuplot\" line 3: no\n");
+  EXPECT_NE(outcome.out.find("\nPlots: 1 of 2 drawn in "), std::string::npos);
+  auto expected = data_and_scripts;
+  expected.insert("fresnel.svg");
+  EXPECT_EQ(plots_in(directory), expected);
+  const std::string report = read_file(directory / "out/report.md");
+  EXPECT_NE(report.find("](plots/fresnel.svg)"), std::string::npos);
+  EXPECT_EQ(report.find("](plots/fresnel-errors.svg)"), std::string::npos);
+}
+
+TEST(RunPlots, NoPlotsMeansNoneOfTheirFiles) {
+  const TemporaryDirectory directory;
+  fake_gnuplot(directory, "echo '</svg>' > \"$picture\"");
+  const EnvironmentVariable path("PATH", directory / "bin");
+  const Outcome outcome = run_fresnel(directory, {"--no-plots"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out.find("\nPlots"), std::string::npos);
+  EXPECT_FALSE(fs::exists(directory / "out/plots"));
+  EXPECT_EQ(read_file(directory / "out/report.md").find("plots/"), std::string::npos);
+}
+
+// Where gnuplot is installed, as in our CI, it draws every script without a complaint; elsewhere it is
+// missed.
+TEST(RunPlots, TheGnuplotOfThisMachineDrawsThemAll) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = run_command_line({"run", "--out", directory / "out"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
+  const std::string said = find_gnuplot() ? "Plots: 7 of 7 drawn" : "Plots skipped: gnuplot was not found";
+  EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
+  EXPECT_EQ(plots_in(directory).size(), find_gnuplot() ? 21U : 14U);
+}
+
+}  // namespace
+}  // namespace shadefit
