@@ -163,8 +163,8 @@ struct PlotsNews {
   std::string out, err;
 };
 
-/// Draws the pictures that can be drawn, then writes everything at once: the report shows the figures that there is a
-/// picture of.
+/// Draws the pictures that can be drawn, then writes everything at once: the report shows the figures that
+/// there is a picture of.
 PlotsNews write_results(const RunOptions& options, const Results& results, const Checkpoint& checkpoint) {
   auto figures = options.plots ? make_figures(results) : std::vector<Figure>{};
   auto files = plot_files(figures);

@@ -18,11 +18,11 @@ struct File {
 /// that a long run can refuse before it starts.
 void require_directory(const std::filesystem::path& directory);
 
-/// Creates the directory, those that names begin with, and writes all the files: each beside its place first, and
-/// when all stand, renames them, keeping what they replace until the last one is in place. The checkpoint is called
-/// before each file and once more before the first is renamed; after that nothing ends the work any more. Throws
-/// UserError naming the path and what went wrong. Then, and when the checkpoint throws, old files are as they were
-/// and nothing new is left over.
+/// Creates the directory, those that names begin with, and writes all the files: each beside its place first,
+/// and when all stand, renames them, keeping what they replace until the last one is in place. The checkpoint
+/// is called before each file and once more before the first is renamed; after that nothing ends the work any
+/// more. Throws UserError naming the path and what went wrong. Then, and when the checkpoint throws, old
+/// files are as they were and nothing new is left over.
 void write_files(const std::filesystem::path& directory, const std::vector<File>& files,
                  const Checkpoint& checkpoint = keep_going);
 

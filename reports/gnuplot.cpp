@@ -106,7 +106,8 @@ class ScratchDirectory {
     std::string name = (fs::temp_directory_path(error) / "shadefit-XXXXXX").string();
     if (error) throw UserError("there is no directory for temporary files: " + error.message());
     if (::mkdtemp(name.data()) == nullptr)
-      throw UserError(fmt::format("cannot create a directory for temporary files, '{}': {}", name, std::strerror(errno)));
+      throw UserError(
+          fmt::format("cannot create a directory for temporary files, '{}': {}", name, std::strerror(errno)));
     path_ = name;
   }
   ~ScratchDirectory() {
@@ -252,8 +253,8 @@ std::vector<FailedPlot> draw_plots(const fs::path& gnuplot, const fs::path& dire
   return failed;
 }
 
-Pictures draw_pictures(const fs::path& gnuplot, const std::vector<File>& files, const std::vector<std::string>& names,
-                       const Checkpoint& checkpoint) {
+Pictures draw_pictures(const fs::path& gnuplot, const std::vector<File>& files,
+                       const std::vector<std::string>& names, const Checkpoint& checkpoint) {
   const ScratchDirectory scratch;
   write_files(scratch.path(), files, checkpoint);
   Pictures pictures;

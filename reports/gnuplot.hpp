@@ -23,8 +23,10 @@ struct FailedPlot {
 /// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg, beside its place first
 /// and renamed once whole. Returns the plots that failed: of those there is no NAME.svg then, neither a part
 /// nor an older one. The checkpoint is called before each.
-std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot, const std::filesystem::path& directory,
-                                   const std::vector<std::string>& names, const Checkpoint& checkpoint = keep_going);
+std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
+                                   const std::filesystem::path& directory,
+                                   const std::vector<std::string>& names,
+                                   const Checkpoint& checkpoint = keep_going);
 
 /// Pictures, and the plots that there is none of.
 struct Pictures {
@@ -32,9 +34,9 @@ struct Pictures {
   std::vector<FailedPlot> failed;
 };
 
-/// Draws the plots of `names` from their files, "plots/NAME.csv" and "plots/NAME.gnuplot", in a temporary directory that
-/// is removed again, so that results can be written all at once or not at all. Throws UserError where there can be no
-/// such directory.
+/// Draws the plots of `names` from their files, "plots/NAME.csv" and "plots/NAME.gnuplot", in a temporary
+/// directory that is removed again, so that results can be written all at once or not at all. Throws
+/// UserError where there can be no such directory.
 Pictures draw_pictures(const std::filesystem::path& gnuplot, const std::vector<File>& files,
                        const std::vector<std::string>& names, const Checkpoint& checkpoint = keep_going);
 
