@@ -149,7 +149,8 @@ TEST(BadInput, BaselinesThatAreNoTables) {
   const std::string quote = fits.substr(0, second_line) + "sg-offset,\"x";
 
   const TemporaryDirectory directory;
-  directory.file("normalization.csv", read_file(committed + "/normalization.csv"));
+  for (const char* name : {"normalization.csv", "reflectance.csv"})
+    directory.file(name, read_file(committed + "/" + name));
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", " is empty: a table needs a header line"},
       {"\xEF\xBB\xBF" + fits, " line 1 begins with a byte order mark: a table is plain UTF-8"},

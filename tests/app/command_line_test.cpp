@@ -111,7 +111,8 @@ TEST(FitCommand, CsvAndConsole) {
 
   const Outcome console = run_command_line({"fit", "sg-offset", "--exponent", "5,6"});
   EXPECT_EQ(console.exit_code, 0);
-  EXPECT_TRUE(console.out.starts_with("sg-offset: c^k ~ exp((k + x) (c - 1)), cosine measure, least squares\n"));
+  EXPECT_TRUE(
+      console.out.starts_with("sg-offset: c^k ~ exp((k + x) (c - 1)), cosine measure, least squares\n"));
   EXPECT_NE(console.out.find("0.78754461967478"), std::string::npos);
   EXPECT_NE(console.out.find("0.788"), std::string::npos);
   EXPECT_NE(run_command_line({"fit", "sg-offset-mean"}).out.find("0.77536425852249"), std::string::npos);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <vector>
 
 #include "app/command_line.hpp"
@@ -69,24 +70,36 @@ TEST_F(Interrupt, FromAWriteHookLeavesOldFilesAndNothingElse) {
   }
 }
 
-// At each checkpoint of a run, those of the fits, the normalisations and the files.
+// At each checkpoint of a run: those of the fits, the normalisations, the plots and the files.
 TEST_F(Interrupt, ARunEndsAtAnyCheckpointWithNothingWritten) {
   const TemporaryDirectory directory;
-  const std::vector<std::string> run{"run",         "--out", directory / "out", "--only", "fresnel-one-term",
-                                     "norm-lambert"};
-  int calls = 0;
-  ASSERT_EQ(run_command_line(run, [&] { ++calls; }).exit_code, 0);
+  const std::vector<std::string> plain{
+      "run", "--out", directory / "out", "--only", "fresnel-one-term", "norm-lambert", "--no-plots"};
+  const std::vector<std::string> with_plots(plain.begin(), plain.end() - 1);
+  const auto count = [](const std::vector<std::string>& run) {
+    int calls = 0;
+    EXPECT_EQ(run_command_line(run, [&] { ++calls; }).exit_code, 0);
+    return calls;
+  };
   // Three measures of one family, one normalisation, each file and the renaming.
-  EXPECT_EQ(calls, 3 + 1 + std::ssize(snapshot(directory / "out")) + 1);
+  const int plain_calls = count(plain);
+  EXPECT_EQ(plain_calls, 3 + 1 + std::ssize(snapshot(directory / "out")) + 1);
+  std::filesystem::remove_all(directory / "out");
   directory.file("out/report.md", "an older report\n");
   const auto before = snapshot(directory.path());
-  for (int n = 1; n <= calls; ++n) {
-    const int signal = n % 2 == 0 ? SIGINT : SIGTERM;
-    const Outcome outcome = run_command_line(run, raising(signal, n));
-    EXPECT_EQ(outcome.exit_code, 128 + signal) << n;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(outcome.err, "shadefit: interrupted, nothing was written\n");
-    EXPECT_EQ(snapshot(directory.path()), before) << n;
+  for (const auto& run : {plain, with_plots}) {
+    auto elsewhere = run;
+    elsewhere[2] = directory / "elsewhere";
+    const int calls = count(elsewhere);
+    std::filesystem::remove_all(directory / "elsewhere");
+    for (int n = 1; n <= calls; ++n) {
+      const int signal = n % 2 == 0 ? SIGINT : SIGTERM;
+      const Outcome outcome = run_command_line(run, raising(signal, n));
+      EXPECT_EQ(outcome.exit_code, 128 + signal) << n;
+      EXPECT_EQ(outcome.out, "");
+      EXPECT_EQ(outcome.err, "shadefit: interrupted, nothing was written\n");
+      EXPECT_EQ(snapshot(directory.path()), before) << n;
+    }
   }
 }
 

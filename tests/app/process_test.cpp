@@ -20,10 +20,19 @@ TEST(Process, AFullDiskLeavesOldFilesAndNothingHalfWritten) {
   // Both directories: one that is there, one that would be new.
   for (const std::string out : {"out", "new/er"}) {
     const auto finished =
-        run_process({"run", "--out", directory / out}, [] { testing::limit_file_size(1024); });
+        run_process({"run", "--no-plots", "--out", directory / out}, [] { testing::limit_file_size(1024); });
     EXPECT_EQ(finished.exit_code, 2);
     EXPECT_EQ(finished.out, "");
     EXPECT_EQ(finished.err, "shadefit: cannot write '" + (directory / out) + "/report.md': File too large\n");
+    EXPECT_EQ(snapshot(directory.path()), before);
+
+    // Plots are drawn elsewhere first, where it is no less full.
+    const auto with_plots =
+        run_process({"run", "--out", directory / out}, [] { testing::limit_file_size(1024); });
+    EXPECT_EQ(with_plots.exit_code, 2);
+    EXPECT_EQ(with_plots.out, "");
+    EXPECT_TRUE(with_plots.err.starts_with("shadefit: cannot write '")) << with_plots.err;
+    EXPECT_TRUE(with_plots.err.ends_with("': File too large\n")) << with_plots.err;
     EXPECT_EQ(snapshot(directory.path()), before);
   }
 }
