@@ -121,11 +121,16 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
       ->type_name("NAME");
   fit->add_option("--domain", fit_options.domain, "A:B, the cosines to fit over; default: 0:1")
       ->type_name("A:B");
-  fit->add_option("--target", fit_options.target, "of a Fresnel family: schlick, or exact for a dielectric")
+  fit->add_option("--target", fit_options.target,
+                  "of a Fresnel family: schlick, or exact for the reflectance of a surface")
       ->capture_default_str()
       ->type_name("NAME");
-  fit->add_option("--ior", fit_options.ior, "index of refraction of the exact target; default: 1.5")
+  fit->add_option(
+         "--ior", fit_options.ior,
+         "index of refraction of a surface, whose F the errors are then of; with exact by default 1.5")
       ->type_name("N");
+  fit->add_option("--extinction", fit_options.extinction, "extinction k of a conductor n + i k; default: 0")
+      ->type_name("K");
   auto* json = fit->add_flag("--json", fit_options.json, "print JSON, every number to its last bit");
   auto* csv =
       fit->add_flag("--csv", fit_options.csv, "print the columns of fits.csv, every number to its last bit")

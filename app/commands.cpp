@@ -79,33 +79,51 @@ std::vector<double> exponents_for(const FittableFamily& family, const Published*
   }
 }
 
-/// The index of refraction of an exact target; 0 for Schlick's.
-double parse_ior(const FittableFamily& family, const FitOptions& options) {
+double parse_finite(const std::string& option, const std::string& text) {
+  const auto value = parse_number(text);
+  if (!value) throw UserError(fmt::format("{} '{}' is not a finite number", option, text));
+  return *value;
+}
+
+/// The surface that a Fresnel form is fitted to.
+Surface parse_surface(const FittableFamily& family, const FitOptions& options) {
   if (options.target != "schlick" && options.target != "exact") {
     throw UserError(
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact", options.target));
   }
-  if (options.target == "schlick") {
-    if (options.ior)
-      throw UserError(fmt::format("--ior '{}' does not apply: it belongs to --target exact", *options.ior));
-    return 0;
+  const bool is_exact = options.target == "exact";
+  if (!family.is_fresnel()) {
+    const auto refuse = [&](const char* option, const std::string& value) {
+      throw UserError(
+          fmt::format("{} '{}' does not apply: {} is no Fresnel form", option, value, family.info.id));
+    };
+    if (is_exact) refuse("--target", options.target);
+    if (options.ior) refuse("--ior", *options.ior);
+    if (options.extinction) refuse("--extinction", *options.extinction);
+    return {};
   }
-  if (!family.is_fresnel)
-    throw UserError(fmt::format("--target 'exact' does not apply: {} is no Fresnel form", family.info.id));
-  const std::string text = options.ior.value_or("1.5");
-  const auto ior = parse_number(text);
-  if (!ior) throw UserError(fmt::format("--ior '{}' is not a finite number", text));
-  if (!(*ior > 0) || *ior == 1)
+  if (!options.ior && !is_exact) {
+    if (options.extinction)
+      throw UserError(
+          fmt::format("--extinction '{}' does not apply: it belongs to --ior", *options.extinction));
+    return {};
+  }
+  const std::string index = options.ior.value_or("1.5");
+  const double ior = parse_finite("--ior", index);
+  const double extinction = options.extinction ? parse_finite("--extinction", *options.extinction) : 0;
+  if (!(extinction >= 0))
+    throw UserError(fmt::format("--extinction '{}' is negative: it must be 0 or more", *options.extinction));
+  if (!(ior > 0) || (ior == 1 && extinction == 0))
     throw UserError(
-        fmt::format("--ior '{}' is no index of an interface: it must be greater than 0, and not 1", text));
-  return *ior;
+        fmt::format("--ior '{}' is no index of an interface: it must be greater than 0, and not 1", index));
+  return {is_exact ? Surface::Formula::exact : Surface::Formula::schlick, ior, extinction};
 }
 
 std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,
                                   const FitOptions& options) {
-  const double ior = parse_ior(family, options);
+  const Surface surface = parse_surface(family, options);
   const auto exponents = exponents_for(family, published, options.exponent);
-  if (!family.has_exponent()) return {Setting{0, ior}};
+  if (!family.has_exponent()) return {Setting{0, surface}};
   return {exponents.begin(), exponents.end()};
 }
 

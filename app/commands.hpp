@@ -25,9 +25,10 @@ struct FitOptions {
   std::string id;
   std::optional<std::string> exponent;  ///< empty: the record's own sweep
   std::string measure = "cosine";
-  std::optional<std::string> domain;  ///< "A:B" in cosines; empty: all of [0, 1]
-  std::string target = "schlick";     ///< or "exact": the dielectric of index `ior`; Fresnel families only
-  std::optional<std::string> ior;     ///< empty: 1.5
+  std::optional<std::string> domain;      ///< "A:B" in cosines; empty: all of [0, 1]
+  std::string target = "schlick";         ///< or "exact": the reflectance of a surface; Fresnel families only
+  std::optional<std::string> ior;         ///< of the surface; empty: none in particular, of an exact one 1.5
+  std::optional<std::string> extinction;  ///< empty: 0, a dielectric
   bool json = false;
   bool csv = false;
   bool latex = false;

@@ -48,11 +48,57 @@ T dielectric_reflectance(const T& cos_theta, const T& ior) {
   return (rs * rs + rp * rp) / integer<T>(2);
 }
 
-/// How far the exact reflectance has gone from f0 to 1, as `schlick_weight` says it: (F - f0)/(1 - f0).
+/// How far a reflectance F has gone from f0 to 1, as `schlick_weight` says it: (F - f0)/(1 - f0).
+template <class T>
+T weight_of_reflectance(const T& reflectance, const T& f0) {
+  return (reflectance - f0) / (integer<T>(1) - f0);
+}
+
 template <class T>
 T dielectric_weight(const T& cos_theta, const T& ior) {
-  const T f0 = reflectance_at_normal(ior);
-  return (dielectric_reflectance(cos_theta, ior) - f0) / (integer<T>(1) - f0);
+  return weight_of_reflectance(dielectric_reflectance(cos_theta, ior), reflectance_at_normal(ior));
+}
+
+/// The reflectance at normal incidence of a conductor with complex index of refraction n + i k:
+/// ((n - 1)^2 + k^2)/((n + 1)^2 + k^2).
+template <class T>
+T conductor_reflectance_at_normal(const T& ior, const T& extinction) {
+  const T k2 = extinction * extinction;
+  return (power(ior - integer<T>(1), 2) + k2) / (power(ior + integer<T>(1), 2) + k2);
+}
+
+/// The exact reflectance of a smooth conductor in unpolarised light, (|rs|^2 + |rp|^2)/2, by Fresnel's
+/// equations.
+///
+/// With s^2 = 1 - c^2, the refracted ray has the complex sqrt((n + i k)^2 - s^2) = u + i v for its cosine
+/// times the index, u^2 + v^2 = m = |(n + i k)^2 - s^2| and u^2 - v^2 = n^2 - k^2 - s^2, so u = sqrt((m + n^2
+/// - k^2 - s^2)/2):
+///   |rs|^2 = (m - 2 c u + c^2)/(m + 2 c u + c^2)
+///   |rp|^2 = |rs|^2 (c^2 m - 2 c u s^2 + s^4)/(c^2 m + 2 c u s^2 + s^4).
+/// n > 0, k >= 0. k = 0 is a dielectric, from either side; at its critical angle `dielectric_reflectance`
+/// keeps more digits. Source: Born, Wolf 1999, "Principles of Optics", 7th edition, section 14.2.
+template <class T>
+T conductor_reflectance(const T& cos_theta, const T& ior, const T& extinction) {
+  const T two = integer<T>(2);
+  const T c2 = cos_theta * cos_theta;
+  const T s2 = (integer<T>(1) - cos_theta) * (integer<T>(1) + cos_theta);
+  const T real = (ior - extinction) * (ior + extinction) - s2;
+  const T imaginary = two * ior * extinction;
+  const T m = sqrt(real * real + imaginary * imaginary);
+  // the larger of u and v without cancellation, the other by u v = n k
+  const T u = choose(
+      less(real, integer<T>(0)), [&] { return ior * extinction / sqrt((m - real) / two); },
+      [&] { return sqrt((m + real) / two); });
+  const T cross = two * cos_theta * u;
+  const T rs2 = (m - cross + c2) / (m + cross + c2);
+  const T rp_over_rs2 = (c2 * m - cross * s2 + s2 * s2) / (c2 * m + cross * s2 + s2 * s2);
+  return rs2 * (integer<T>(1) + rp_over_rs2) / two;
+}
+
+template <class T>
+T conductor_weight(const T& cos_theta, const T& ior, const T& extinction) {
+  return weight_of_reflectance(conductor_reflectance(cos_theta, ior, extinction),
+                               conductor_reflectance_at_normal(ior, extinction));
 }
 
 /// exp2(-A c), A > 0: one multiplication and one exp2.

@@ -5,8 +5,19 @@
 /// The publications that the records cite.
 namespace shadefit::sources {
 
+inline constexpr Source johnson_christy_1972{
+    "Johnson, Christy", 1972, "Optical Constants of the Noble Metals", "Physical Review B 6, pp. 4370-4379"};
+
 inline constexpr Source fisher_woo_1994{"Fisher, Woo", 1994, "R.E versus N.H Specular Highlights",
                                         "Graphics Gems IV, Academic Press, pp. 388-400"};
+
+inline constexpr Source rakic_1995{
+    "Rakic", 1995,
+    "Algorithm for the determination of intrinsic optical constants of metal films: application to aluminum",
+    "Applied Optics 34, pp. 4755-4767"};
+
+inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics",
+                                       "7th edition, Cambridge University Press"};
 
 inline constexpr Source gotanda_2010{
     "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",

@@ -1,16 +1,53 @@
 #pragma once
 
-#include "fit/extremum.hpp"
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
-/// How far Schlick's formula itself is from the truth: the yardstick of every approximation of it.
+#include "approx/encoding.hpp"
+#include "fit/extremum.hpp"
+#include "fit/surface.hpp"
+
+/// How far a curve is from the reflectance of a surface: of an approximation from Schlick's formula, of
+/// either from the truth.
 namespace shadefit {
 
 struct ReflectanceError {
   Extremum absolute;  ///< of F, in [0, 1]
-  Extremum relative;  ///< of F over the exact F
+  Extremum relative;  ///< of F over the reflectance of the surface
+  double srgb_codes;  ///< the largest, in 8-bit sRGB codes (a real number: 1 is one code)
 };
 
-/// Schlick's formula with f0 from the index against the exact dielectric, over all of c. `ior` above 1.
-ReflectanceError schlick_against_exact(double ior);
+/// A form, which maps a Cosine<T> to its weight, against the target of a surface, over all of c. Extrema are
+/// refined to either side of a kink; codes are the largest over the `search_points` and both ends.
+template <class Form>
+ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
+  const auto reflectance = [&]<class T>(const T& weight) {
+    return schlick_reflectance(normal_reflectance<T>(surface), weight);
+  };
+  const auto exact = [&]<class T>(const Cosine<T>& c) {
+    return reflectance(target_weight(surface, c.cos_theta));
+  };
+  const auto error = [&](const auto& c) { return reflectance(form(c)) - exact(c); };
+  const auto relative = [&](const auto& c) { return error(c) / exact(c); };
+
+  ReflectanceError result{};
+  std::vector<double> places = search_points();
+  places.insert(places.end(), {0.0, 1.0});
+  for (const Substitution& panel : Substitution::panels({}, {.kink = critical_cosine(surface)})) {
+    const Extremum absolute = largest_magnitude(error, panel), rel = largest_magnitude(relative, panel);
+    if (absolute.magnitude > result.absolute.magnitude) result.absolute = absolute;
+    if (rel.magnitude > result.relative.magnitude) result.relative = rel;
+    for (const double s : places) {
+      const Cosine<double> c = panel.at(s).cosine;
+      const auto code = [](double f) { return 255 * srgb_encode(std::clamp(f, 0.0, 1.0)); };
+      result.srgb_codes = std::max(result.srgb_codes, std::abs(code(reflectance(form(c))) - code(exact(c))));
+    }
+  }
+  return result;
+}
+
+/// Schlick's formula, with f0 from the surface, against the exact one of the same surface.
+ReflectanceError schlick_against_exact(double ior, double extinction = 0);
 
 }  // namespace shadefit

@@ -14,6 +14,7 @@
 #include "fit/jet.hpp"
 #include "fit/metric.hpp"
 #include "fit/substitution.hpp"
+#include "fit/surface.hpp"
 
 /// The families that can be fitted: each joins a target and a form of approx/ for the solver. A family brings
 /// - `info`: its texts; `target_of` and `form_of`: its two formulas of the cosine, in any scalar;
@@ -151,14 +152,13 @@ struct PhongBlinn : LobeFamily<BlinnFormulas> {
   }
 };
 
-/// Schlick's (1-c)^5, or the weight of an exact dielectric, by a form of one exp2: what the two Fresnel
-/// families share.
+/// The weight of a surface's reflectance, (1-c)^5 where it is none in particular, by a form of one exp2: what
+/// the two Fresnel families share.
 template <class Form, int N>
 struct FresnelFamily {
-  /// The index of refraction of the exact target; 0: the target is Schlick's. Errors of an exact target are
-  /// those of the reflectance F = f0 + (1 - f0) f, f0 from the index; Schlick's target stands for every f0
-  /// and has the errors of f.
-  double ior = 0;
+  /// Errors are those of the reflectance F = f0 + (1 - f0) f; where the surface is none in particular,
+  /// Schlick's formula stands for every f0 and has the errors of f.
+  Surface surface = {};
 
   template <class T>
   static T target_of(const T& cos_theta, const T&) {
@@ -169,12 +169,12 @@ struct FresnelFamily {
     return Form::evaluate(cos_theta, p);
   }
 
-  std::string_view relative_to() const { return ior == 0 ? "F = f0 + (1 - f0) f, f0 = 0.04" : "the exact F"; }
-
-  /// From inside (index below 1) everything beyond the critical angle, sin = n, is reflected.
-  Shape shape() const {
-    return {.kink = 0 < ior && ior < 1 ? std::optional(std::sqrt((1 - ior) * (1 + ior))) : std::nullopt};
+  std::string_view relative_to() const {
+    if (!surface.is_named()) return "F = f0 + (1 - f0) f, f0 = 0.04";
+    return surface.is_exact() ? "the exact F" : "Schlick's F, f0 of the surface";
   }
+
+  Shape shape() const { return {.kink = critical_cosine(surface)}; }
 
   template <class T>
   struct Sample {
@@ -184,8 +184,7 @@ struct FresnelFamily {
 
   template <class T>
   Sample<T> sample(const Cosine<T>& c) const {
-    return {c.cos_theta,
-            ior == 0 ? schlick_weight(c.cos_theta) : dielectric_weight(c.cos_theta, lift<T>(ior))};
+    return {c.cos_theta, target_weight(surface, c.cos_theta)};
   }
 
   template <class T, class P>
@@ -196,23 +195,18 @@ struct FresnelFamily {
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, N>& p) const {
     const P difference = form(s, p) - lift<P>(s.target);
-    return ior == 0 ? difference : (integer<P>(1) - f0<P>()) * difference;
+    return surface.is_named() ? (integer<P>(1) - normal_reflectance<P>(surface)) * difference : difference;
   }
 
   /// (Fhat - F)/F: what a shader's reader sees.
   template <class T, class P>
   P relative_error(const Sample<T>& s, const std::array<P, N>& p) const {
-    const P exact = schlick_reflectance(f0<P>(), lift<P>(s.target));
-    return (schlick_reflectance(f0<P>(), form(s, p)) - exact) / exact;
+    const P f0 = normal_reflectance<P>(surface);
+    const P target = schlick_reflectance(f0, lift<P>(s.target));
+    return (schlick_reflectance(f0, form(s, p)) - target) / target;
   }
 
   static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
-
- private:
-  template <class P>
-  P f0() const {
-    return ior == 0 ? constant<P>(reference_f0) : reflectance_at_normal(lift<P>(ior));
-  }
 };
 
 struct OneTermForm {
@@ -229,14 +223,14 @@ struct QuadraticForm {
   }
 };
 
-/// (1-c)^5, or an exact dielectric, by exp2(-A c).
+/// (1-c)^5, or what an exact surface has in its place, by exp2(-A c).
 struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
   static constexpr const Family& info = fresnel_one_term_family;
   static constexpr std::array<std::string_view, 1> parameters{"A"};
   static std::array<std::array<double, 1>, 3> starts() { return {{{2.0}, {8.0}, {16.0}}}; }
 };
 
-/// (1-c)^5, or an exact dielectric, by exp2((a c + b) c).
+/// The same by exp2((a c + b) c).
 struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   static constexpr const Family& info = fresnel_quadratic_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};

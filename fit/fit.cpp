@@ -16,14 +16,14 @@ F make_family(const Setting& setting) {
   if constexpr (requires(F f) { f.exponent; }) {
     return F{{setting.exponent}};
   } else {
-    return F{{setting.ior}};
+    return F{{setting.surface}};
   }
 }
 
 template <class F>
-constexpr bool has_exact_target() {
+constexpr bool is_fresnel_family() {
   return requires(F f) {
-    f.ior;
+    f.surface;
   };
 }
 
@@ -87,7 +87,7 @@ Fit fit(const Setting& setting, const Metric& metric) {
   const auto optimum = solve_least_squares(family, metric);
   Fit result{.family = &F::info,
              .exponent = F::info.sweep.empty() ? std::nullopt : std::optional(setting.exponent),
-             .ior = has_exact_target<F>() && setting.ior != 0 ? std::optional(setting.ior) : std::nullopt,
+             .surface = is_fresnel_family<F>() ? setting.surface : Surface{},
              .metric = metric,
              .parameters = {optimum.parameters.begin(), optimum.parameters.end()},
              .status = optimum.status,
@@ -132,8 +132,27 @@ Symbolic form() {
 }
 
 template <class F>
-constexpr FittableFamily entry{F::info,    F::parameters, &fit<F>,  &max_abs_error<F>,    &max_rel_error<F>,
-                               &effect<F>, &target<F>,    &form<F>, has_exact_target<F>()};
+ReflectanceError reflectance_error(const Surface& surface, std::span<const double> parameters) {
+  const F family{{surface}};
+  const auto p = parameter_array<F>(parameters);
+  const auto form = at_parameters(
+      family, p, [](const F& f, const auto& sample, const auto& q) { return f.form(sample, q); });
+  return compare_reflectance(surface, form);
+}
+
+template <class F>
+constexpr auto reflectance_error_of() -> ReflectanceError (*)(const Surface&, std::span<const double>) {
+  if constexpr (is_fresnel_family<F>()) {
+    return &reflectance_error<F>;
+  } else {
+    return nullptr;
+  }
+}
+
+template <class F>
+constexpr FittableFamily entry{F::info,           F::parameters,     &fit<F>,
+                               &max_abs_error<F>, &max_rel_error<F>, &effect<F>,
+                               &target<F>,        &form<F>,          reflectance_error_of<F>()};
 
 }  // namespace
 

@@ -7,21 +7,23 @@
 
 #include "approx/record.hpp"
 #include "fit/effect.hpp"
+#include "fit/exact_fresnel.hpp"
 #include "fit/extremum.hpp"
 #include "fit/least_squares.hpp"
 #include "fit/metric.hpp"
+#include "fit/surface.hpp"
 #include "fit/symbolic.hpp"
 
 /// One fit and its report, and the table of the families that can be fitted.
 namespace shadefit {
 
-/// What a family leaves open: the exponent of a lobe, the index of refraction of an exact Fresnel target.
+/// What a family leaves open: the exponent of a lobe, the surface of a Fresnel form.
 struct Setting {
-  double exponent = 0;  ///< ignored where the family has none
-  double ior = 0;       ///< 0: Schlick's target; ignored where the family is not of Fresnel's
+  double exponent = 0;   ///< ignored where the family has none
+  Surface surface = {};  ///< ignored where the family is not of Fresnel's
 
   // A bare exponent is the usual setting.
-  constexpr Setting(double exponent_ = 0, double ior_ = 0) : exponent(exponent_), ior(ior_) {}
+  constexpr Setting(double exponent_ = 0, Surface surface_ = {}) : exponent(exponent_), surface(surface_) {}
   auto operator<=>(const Setting&) const = default;
 };
 
@@ -29,7 +31,7 @@ struct Setting {
 struct Fit {
   const Family* family;
   std::optional<double> exponent;  ///< empty where the family has none
-  std::optional<double> ior;       ///< of an exact target; empty where the target is the family's own
+  Surface surface;                 ///< of a Fresnel form
   Metric metric;
   std::vector<double>
       parameters;  ///< in the order of the family's names; an answer only if `status` is converged
@@ -55,14 +57,17 @@ struct FittableFamily {
   Symbolic (*target)();  ///< of the cosine c and the exponent k
   Symbolic (*form)();    ///< and of the parameters
 
-  bool is_fresnel = false;  ///< its target may be an exact dielectric
+  /// Of a Fresnel form, how far it is from its target on a surface; null for others.
+  ReflectanceError (*reflectance_error)(const Surface&, std::span<const double> parameters) = nullptr;
+
+  bool is_fresnel() const { return reflectance_error != nullptr; }
 
   bool has_exponent() const { return !info.sweep.empty(); }
 };
 
 /// The setting that a fit was made with.
 inline Setting setting_of(const Fit& fit) {
-  return {fit.exponent.value_or(0), fit.ior.value_or(0)};
+  return {fit.exponent.value_or(0), fit.surface};
 }
 
 /// Every family, in the order of the report.

@@ -55,7 +55,8 @@ Effect effect_of_replacing(FitCache& fits, const Published& published, const Met
 }
 
 bool is_meant_for(const Published& published, const Fit& fit) {
-  return published.family == fit.family->id && published.statement == Statement::best_fit && !fit.ior &&
+  return published.family == fit.family->id && published.statement == Statement::best_fit &&
+         !fit.surface.is_named() &&
          (!fit.exponent || exponents_of(published) == std::vector<double>{*fit.exponent});
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -11,6 +12,7 @@
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 #include "reports/csv.hpp"
+#include "reports/exact_fresnel_section.hpp"
 #include "reports/reflectance_section.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
@@ -19,8 +21,12 @@ namespace shadefit {
 namespace {
 
 constexpr const char* fits_file = "fits.csv";
+constexpr const char* fresnel_file = "fresnel.csv";
 constexpr const char* normalisation_file = "normalization.csv";
 constexpr const char* reflectance_file = "reflectance.csv";
+
+constexpr std::array key_columns{"constant", "parameter", "exponent",   "measure", "view_angle",
+                                 "surface",  "ior",       "wavelength", "curve"};
 
 /// The columns whose words name a row; the n-th row of the same name is matched with the n-th.
 std::vector<std::string> keys_of(const CsvTable& table) {
@@ -30,8 +36,7 @@ std::vector<std::string> keys_of(const CsvTable& table) {
     std::string key;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const auto& column = table.columns[i];
-      const bool is_key = column == "constant" || column == "parameter" || column == "exponent" ||
-                          column == "measure" || column == "view_angle";
+      const bool is_key = std::find(key_columns.begin(), key_columns.end(), column) != key_columns.end();
       if (is_key && !row[i].empty()) key += (key.empty() ? "" : " ") + row[i];
     }
     const int count = ++seen[key];
@@ -112,7 +117,8 @@ struct NamedTable {
 /// The tables whose drifts need no knowledge of what is in them.
 std::vector<NamedTable> plain_tables(const Results& results) {
   return {{normalisation_file, normalisation_table(results.normalisations)},
-          {reflectance_file, reflectance_table(results.reflectances)}};
+          {reflectance_file, reflectance_table(results.reflectances)},
+          {fresnel_file, fresnel_table(results.fresnel_chain)}};
 }
 
 }  // namespace
@@ -126,11 +132,12 @@ Baseline read_baseline(const std::filesystem::path& directory) {
                     directory.string()));
   }
   if (!std::filesystem::is_directory(directory, error)) {
-    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {}, {} and {}",
-                                directory.string(), fits_file, normalisation_file, reflectance_file));
+    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {}, {}, {} and {}",
+                                directory.string(), fits_file, normalisation_file, reflectance_file,
+                                fresnel_file));
   }
   Baseline baseline{directory, {}};
-  for (const char* name : {fits_file, normalisation_file, reflectance_file})
+  for (const char* name : {fits_file, normalisation_file, reflectance_file, fresnel_file})
     baseline.files.push_back({name, read_file(directory / name)});
   return baseline;
 }

@@ -86,7 +86,8 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"digits", fit.digits},
           {"objective", objective_json(fit.metric)},
           {"target", target_of(fit)},
-          {"ior", fit.ior ? Json(*fit.ior) : Json()},
+          {"ior", fit.surface.is_named() ? Json(fit.surface.ior) : Json()},
+          {"extinction", fit.surface.is_named() ? Json(fit.surface.extinction) : Json()},
           {"form", to_text(family.form())},
           {"assessments", assessments}};
 }

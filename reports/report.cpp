@@ -274,7 +274,6 @@ std::string family_section(const Refit& refit, const std::vector<Figure>& figure
   } else {
     out += markdown(single_overview(refit)) + single_words(refit);
   }
-  if (refit.family->is_fresnel) out += exact_fresnel_section(*refit.family);
   return out + figures_section(figures, info.id) + variants_section(refit);
 }
 
@@ -348,8 +347,9 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
       "of the "
       "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";
-  out += exact_fresnel_lead(results) + markdown(summary_table(results));
+  out += exact_fresnel_lead(results.fresnel_chain) + markdown(summary_table(results));
   for (const Refit& refit : results.refits) out += family_section(refit, figures);
+  if (!results.fresnel_chain.empty()) out += exact_fresnel_section(results.fresnel_chain);
   if (!results.normalisations.empty()) out += normalisation_section(results);
   if (!results.reflectances.empty()) out += reflectance_section(results.reflectances);
   out.pop_back();  // sections end in an empty line, the file does not
@@ -366,6 +366,7 @@ std::string write_latex_tables(const Results& results) {
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {
   return {{"report.md", write_report(results, figures)},
           {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
+          {"fresnel.csv", write_csv(fresnel_table(results.fresnel_chain), Precision::report)},
           {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},
           {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)},
           {"tables.tex", write_latex_tables(results)}};

@@ -17,8 +17,8 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
 /// The summary and the normalisations as LaTeX tabulars, a paragraph each.
 std::string write_latex_tables(const Results& results);
 
-/// What `shadefit run` writes, but for plots/: report.md, fits.csv, normalization.csv, reflectance.csv,
-/// tables.tex.
+/// What `shadefit run` writes, but for plots/: report.md, fits.csv, fresnel.csv, normalization.csv,
+/// reflectance.csv, tables.tex.
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures = {});
 
 }  // namespace shadefit

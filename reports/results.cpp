@@ -69,11 +69,15 @@ void require_known(const std::string& id, const std::vector<std::string>& known,
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
   for (const std::string& id : ids) require_known(id, known_ids(), "constant");
   Results results;
+  std::vector<const FittableFamily*> fresnel_families;
   for (const FittableFamily& family : fittable_families()) {
     if (!is_family_wanted(ids, family.info)) continue;
     const auto exponents = family.has_exponent() ? parse_sweep(family.info.sweep) : std::vector<double>{};
     results.refits.push_back(refit(family, exponents, whole_domain_metrics(), checkpoint));
+    if (family.is_fresnel()) fresnel_families.push_back(&family);
   }
+  checkpoint();
+  results.fresnel_chain = fresnel_chain(fresnel_families);
   for (const Normalisation& record : normalisations) {
     if (!is_wanted(ids, record.id)) continue;
     checkpoint();

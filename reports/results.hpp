@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fit/checkpoint.hpp"
+#include "fit/fresnel_chain.hpp"
 #include "fit/normalisation_check.hpp"
 #include "fit/refit.hpp"
 #include "fit/reflectance.hpp"
@@ -13,6 +14,7 @@ namespace shadefit {
 
 struct Results {
   std::vector<Refit> refits;
+  std::vector<FresnelLink> fresnel_chain;  ///< of the Fresnel families among the refits
   std::vector<NormalisationCheck> normalisations;
   std::vector<ReflectanceCurve> reflectances;
 };

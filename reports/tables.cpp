@@ -230,8 +230,14 @@ Table list_table() {
 }
 
 std::string target_of(const Fit& fit) {
-  return fit.ior ? fmt::format("exact dielectric n = {}", *fit.ior)
-                 : to_text(find_family(fit.family->id)->target());
+  const Surface& surface = fit.surface;
+  const std::string formula = to_text(find_family(fit.family->id)->target());
+  if (!surface.is_named()) return formula;
+  const std::string index = surface.extinction == 0
+                                ? fmt::format("n = {}", surface.ior)
+                                : fmt::format("n = {}, k = {}", surface.ior, surface.extinction);
+  if (!surface.is_exact()) return fmt::format("{}, f0 of {}", formula, index);
+  return fmt::format("exact {} {}", surface.extinction == 0 ? "dielectric" : "conductor", index);
 }
 
 std::string citation(const Source& source) {

@@ -37,7 +37,7 @@ Table summary_table(const Results& results);
 /// Every record: id, printed value, what it is a value of, source.
 Table list_table();
 
-/// What a fit approximates: the family's target, or the exact dielectric of its index.
+/// What a fit approximates: the family's target, of which surface, or the exact reflectance of that.
 std::string target_of(const Fit& fit);
 
 /// "author year, title, place"

@@ -74,14 +74,24 @@ TEST(BadInput, Domains) {
 TEST(BadInput, Targets) {
   expect_refusal({"fit", "fresnel-quadratic", "--target", "snell"},
                  "--target 'snell' is unknown: it must be one of schlick, exact");
-  expect_refusal({"fit", "fresnel-quadratic", "--ior", "1.5"},
-                 "--ior '1.5' does not apply: it belongs to --target exact");
+  expect_refusal({"fit", "sg-offset", "--ior", "1.5"},
+                 "--ior '1.5' does not apply: sg-offset is no Fresnel form");
+  expect_refusal({"fit", "sg-offset", "--extinction", "2"},
+                 "--extinction '2' does not apply: sg-offset is no Fresnel form");
+  expect_refusal({"fit", "fresnel-quadratic", "--extinction", "2"},
+                 "--extinction '2' does not apply: it belongs to --ior");
+  expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--extinction", "-1"},
+                 "--extinction '-1' is negative: it must be 0 or more");
+  expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--extinction", "inf"},
+                 "--extinction 'inf' is not a finite number");
   expect_refusal({"fit", "sg-offset", "--target", "exact"},
                  "--target 'exact' does not apply: sg-offset is no Fresnel form");
-  for (const char* ior : {"0", "-1.5", "1"}) {
-    expect_refusal(
-        {"fit", "fresnel-quadratic", "--target", "exact", "--ior", ior},
-        "--ior '" + std::string(ior) + "' is no index of an interface: it must be greater than 0, and not 1");
+  for (const char* target : {"schlick", "exact"}) {
+    for (const char* ior : {"0", "-1.5", "1"}) {
+      expect_refusal({"fit", "fresnel-quadratic", "--target", target, "--ior", ior},
+                     "--ior '" + std::string(ior) +
+                         "' is no index of an interface: it must be greater than 0, and not 1");
+    }
   }
   expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", "nan"},
                  "--ior 'nan' is not a finite number");
@@ -110,14 +120,16 @@ TEST(BadInput, Baselines) {
       "baseline '" + none +
           "' is missing: name the directory with --baseline, or make one with 'shadefit run --out DIR'");
   const std::string file = directory.file("file", "");
-  expect_refusal({"check", "--baseline", file},
-                 "baseline '" + file +
-                     "' is not a directory: it must hold fits.csv, normalization.csv and reflectance.csv");
+  expect_refusal(
+      {"check", "--baseline", file},
+      "baseline '" + file +
+          "' is not a directory: it must hold fits.csv, normalization.csv, reflectance.csv and fresnel.csv");
   const std::string empty = directory / "empty";
   std::filesystem::create_directories(empty);
   expect_refusal({"check", "--baseline", empty},
                  "cannot read '" + empty + "/fits.csv': there is no such file");
 
+  directory.file("cut/fresnel.csv", read_file(committed + "/fresnel.csv"));
   directory.file("cut/normalization.csv", read_file(committed + "/normalization.csv"));
   directory.file("cut/reflectance.csv", read_file(committed + "/reflectance.csv"));
   const auto fits = read_file(committed + "/fits.csv");
@@ -149,7 +161,7 @@ TEST(BadInput, BaselinesThatAreNoTables) {
   const std::string quote = fits.substr(0, second_line) + "sg-offset,\"x";
 
   const TemporaryDirectory directory;
-  for (const char* name : {"normalization.csv", "reflectance.csv"})
+  for (const char* name : {"normalization.csv", "reflectance.csv", "fresnel.csv"})
     directory.file(name, read_file(committed + "/" + name));
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", " is empty: a table needs a header line"},

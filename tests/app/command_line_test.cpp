@@ -98,6 +98,14 @@ TEST(FitCommand, ExactTarget) {
   EXPECT_EQ(exact["target"], "exact dielectric n = 1.5");
   EXPECT_TRUE(exact["published"].is_null()) << "the published pair was fitted to Schlick";
   EXPECT_TRUE(fit_json({"fresnel-quadratic"})["ior"].is_null());
+  const auto glass = fit_json({"fresnel-quadratic", "--ior", "1.5"});
+  EXPECT_EQ(glass["target"], "(1 - c)^5, f0 of n = 1.5");
+  EXPECT_NEAR(glass["parameters"]["a"].get<double>(), -5.5547278126488, 1e-13) << "as without a surface";
+  const auto gold =
+      fit_json({"fresnel-one-term", "--target", "exact", "--ior", "0.43", "--extinction", "2.455"});
+  EXPECT_EQ(gold["target"], "exact conductor n = 0.43, k = 2.455");
+  EXPECT_EQ(gold["extinction"], 2.455);
+  EXPECT_NEAR(gold["parameters"]["A"].get<double>(), 9.2492, 0.0001);
 }
 
 TEST(FitCommand, CsvAndConsole) {
@@ -164,7 +172,8 @@ TEST(RunCommand, WritesTheReportAndTheTables) {
   const Outcome outcome = run_command_line({"run", "--out", directory / "out", "--no-plots"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.ends_with("\nReport: " + (directory / "out/report.md") + "\n"));
-  for (const char* name : {"report.md", "fits.csv", "normalization.csv", "reflectance.csv", "tables.tex"}) {
+  for (const char* name :
+       {"report.md", "fits.csv", "fresnel.csv", "normalization.csv", "reflectance.csv", "tables.tex"}) {
     EXPECT_EQ(read_file(directory / (std::string("out/") + name)),
               read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/" + std::string(name)))
         << name;
@@ -192,6 +201,7 @@ TEST(CheckCommand, PassesOnTheCommittedBaselineAndFailsOnAChangedDigit) {
   auto fits = read_file(committed + "/fits.csv");
   fits.replace(fits.find("0.7875446197"), 12, "0.7875446198");
   directory.file("fits.csv", fits);
+  directory.file("fresnel.csv", read_file(committed + "/fresnel.csv"));
   directory.file("normalization.csv", read_file(committed + "/normalization.csv"));
   directory.file("reflectance.csv", read_file(committed + "/reflectance.csv"));
   const Outcome bad = run_command_line({"check", "--baseline", directory.path().string(), "--all"});
@@ -204,7 +214,7 @@ TEST(CheckCommand, PassesOnTheCommittedBaselineAndFailsOnAChangedDigit) {
   EXPECT_TRUE(bad.out.ends_with("check failed: 1 difference from " + directory.path().string() + "\n"));
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()),
                           std::filesystem::directory_iterator()),
-            3)
+            4)
       << "a check writes nothing";
 }
 

@@ -4,6 +4,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
+#include "approx/optical_constants.hpp"
 #include "approx/phong_blinn.hpp"
 #include "tests/accuracy.hpp"
 
@@ -159,6 +160,58 @@ TEST(Dielectric, Landmarks) {
                        dielectric_reflectance(inside, Decimal50(1 / n)), 1e-45));
   EXPECT_EQ(dielectric_weight(0.0, 1.5), 1);
   EXPECT_NEAR(dielectric_weight(1.0, 1.5), 0, 1e-16);
+}
+
+/// |rs|^2 and |rp|^2 in complex arithmetic: Fresnel's equations as Born and Wolf write them, with n + i k for
+/// n.
+Decimal50 conductor_by_complex_numbers(const Decimal50& c, const Decimal50& n, const Decimal50& k) {
+  struct Complex {
+    Decimal50 re, im;
+  };
+  const auto times = [](const Complex& a, const Complex& b) {
+    return Complex{a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  };
+  const auto norm = [](const Complex& a) { return Decimal50(a.re * a.re + a.im * a.im); };
+  const Complex index{n, k}, square = times(index, index);
+  const Complex inside{square.re - (1 - c * c), square.im};
+  const Decimal50 modulus = sqrt(norm(inside));
+  const Decimal50 v = sqrt(Decimal50((modulus - inside.re) / 2));  // the root by v, the formula by u
+  const Complex t{v == 0 ? Decimal50(sqrt(inside.re)) : Decimal50(inside.im / (2 * v)), v};
+  const Decimal50 rs = norm({c - t.re, -t.im}) / norm({c + t.re, t.im});
+  const Complex n2c{square.re * c, square.im * c};
+  const Decimal50 rp = norm({n2c.re - t.re, n2c.im - t.im}) / norm({n2c.re + t.re, n2c.im + t.im});
+  return (rs + rp) / 2;
+}
+
+TEST(Conductor, IsFresnelsEquationsWithAComplexIndex) {
+  for (const OpticalConstants& metal : metals) {
+    const Decimal50 n(std::string(metal.ior)), k(std::string(metal.extinction));
+    for (const char* cosine : {"1e-6", "0.05", "0.3", "0.7", "1"}) {
+      const Decimal50 c(cosine);
+      EXPECT_TRUE(is_close(std::string(metal.material) + " " + std::string(metal.wavelength) + " " + cosine,
+                           conductor_by_complex_numbers(c, n, k), conductor_reflectance(c, n, k), 1e-40));
+    }
+    EXPECT_TRUE(is_close("normal", conductor_reflectance_at_normal(n, k),
+                         conductor_reflectance(Decimal50(1), n, k), 1e-45));
+    EXPECT_EQ(conductor_reflectance(Decimal50(0), n, k), 1) << "grazing";
+  }
+}
+
+TEST(Conductor, WithoutExtinctionIsADielectric) {
+  for (const char* index : {"1.33", "1.5", "2", "0.75"}) {
+    for (const char* cosine :
+         {"0.1", "0.5", "0.75", "1"}) {  // 0.75 inside is below the critical angle, 0.5 beyond
+      const Decimal50 n(index), c(cosine);
+      EXPECT_TRUE(is_close(std::string(index) + " " + cosine, dielectric_reflectance(c, n),
+                           conductor_reflectance(c, n, Decimal50(0)), 1e-40));
+    }
+  }
+}
+
+// Johnson and Christy 1972 and the colour of gold: most of red, half of blue.
+TEST(Conductor, GoldIsYellow) {
+  EXPECT_NEAR(conductor_reflectance_at_normal(0.14, 3.697), 0.963, 0.0005);
+  EXPECT_NEAR(conductor_reflectance_at_normal(1.38, 1.914), 0.408, 0.0005);
 }
 
 TEST(Srgb, LandmarksOfTheStandard) {

@@ -151,6 +151,7 @@ std::string refusal_of(const std::string& fits) {
     directory.file("fits.csv", fits);
     directory.file("normalization.csv", committed().files[1].content);
     directory.file("reflectance.csv", committed().files[2].content);
+    directory.file("fresnel.csv", committed().files[3].content);
     compare(read_baseline(directory.path()), all_results());
   } catch (const UserError& error) {
     return error.what();
