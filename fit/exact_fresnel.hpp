@@ -22,9 +22,8 @@ struct ReflectanceError {
 /// refined to either side of a kink; codes are the largest over the `search_points` and both ends.
 template <class Form>
 ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
-  const auto reflectance = [&]<class T>(const T& weight) {
-    return schlick_reflectance(normal_reflectance<T>(surface), weight);
-  };
+  const auto f0 = normal_reflectance<double>(surface);
+  const auto reflectance = [&]<class T>(const T& weight) { return schlick_reflectance(lift<T>(f0), weight); };
   const auto exact = [&]<class T>(const Cosine<T>& c) {
     return reflectance(target_weight(surface, c.cos_theta));
   };

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cctype>
+#include <cstdlib>
 #include <map>
 
 namespace shadefit {
@@ -205,7 +206,7 @@ void count_function(const Symbolic& e, Operations& count) {
 
 int multiplications(int exponent) {
   const auto n = static_cast<unsigned>(std::abs(exponent));
-  return n == 0 ? 0 : std::bit_width(n) + std::popcount(n) - 2;
+  return n == 0 ? 0 : static_cast<int>(std::bit_width(n)) + std::popcount(n) - 2;
 }
 
 }  // namespace
