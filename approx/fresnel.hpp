@@ -54,11 +54,6 @@ T weight_of_reflectance(const T& reflectance, const T& f0) {
   return (reflectance - f0) / (integer<T>(1) - f0);
 }
 
-template <class T>
-T dielectric_weight(const T& cos_theta, const T& ior) {
-  return weight_of_reflectance(dielectric_reflectance(cos_theta, ior), reflectance_at_normal(ior));
-}
-
 /// The reflectance at normal incidence of a conductor with complex index of refraction n + i k:
 /// ((n - 1)^2 + k^2)/((n + 1)^2 + k^2).
 template <class T>
@@ -93,12 +88,6 @@ T conductor_reflectance(const T& cos_theta, const T& ior, const T& extinction) {
   const T rs2 = (m - cross + c2) / (m + cross + c2);
   const T rp_over_rs2 = (c2 * m - cross * s2 + s2 * s2) / (c2 * m + cross * s2 + s2 * s2);
   return rs2 * (integer<T>(1) + rp_over_rs2) / two;
-}
-
-template <class T>
-T conductor_weight(const T& cos_theta, const T& ior, const T& extinction) {
-  return weight_of_reflectance(conductor_reflectance(cos_theta, ior, extinction),
-                               conductor_reflectance_at_normal(ior, extinction));
 }
 
 /// exp2(-A c), A > 0: one multiplication and one exp2.

@@ -24,11 +24,12 @@ template <class Form>
 ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
   const auto f0 = normal_reflectance<double>(surface);
   const auto reflectance = [&]<class T>(const T& weight) { return schlick_reflectance(lift<T>(f0), weight); };
-  const auto exact = [&]<class T>(const Cosine<T>& c) {
-    return reflectance(target_weight(surface, c.cos_theta));
+  const auto target = [&]<class T>(const Cosine<T>& c) {
+    return surface.is_exact() ? exact_reflectance(surface, c.cos_theta)
+                              : reflectance(schlick_weight(c.cos_theta));
   };
-  const auto error = [&](const auto& c) { return reflectance(form(c)) - exact(c); };
-  const auto relative = [&](const auto& c) { return error(c) / exact(c); };
+  const auto error = [&](const auto& c) { return reflectance(form(c)) - target(c); };
+  const auto relative = [&](const auto& c) { return error(c) / target(c); };
 
   ReflectanceError result{};
   std::vector<double> places = search_points();
@@ -40,7 +41,7 @@ ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
     for (const double s : places) {
       const Cosine<double> c = panel.at(s).cosine;
       const auto code = [](double f) { return 255 * srgb_encode(std::clamp(f, 0.0, 1.0)); };
-      result.srgb_codes = std::max(result.srgb_codes, std::abs(code(reflectance(form(c))) - code(exact(c))));
+      result.srgb_codes = std::max(result.srgb_codes, std::abs(code(reflectance(form(c))) - code(target(c))));
     }
   }
   return result;

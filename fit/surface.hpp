@@ -44,12 +44,18 @@ T normal_reflectance(const Surface& surface) {
   return conductor_reflectance_at_normal(lift<T>(surface.ior), lift<T>(surface.extinction));
 }
 
+/// The exact reflectance of a named surface at the cosine c.
+template <class T>
+T exact_reflectance(const Surface& surface, const T& cos_theta) {
+  if (surface.extinction == 0) return dielectric_reflectance(cos_theta, lift<T>(surface.ior));
+  return conductor_reflectance(cos_theta, lift<T>(surface.ior), lift<T>(surface.extinction));
+}
+
 /// How far the reflectance has gone from f0 to 1 at the cosine c: (F - f0)/(1 - f0).
 template <class T>
 T target_weight(const Surface& surface, const T& cos_theta) {
   if (!surface.is_exact()) return schlick_weight(cos_theta);
-  if (surface.extinction == 0) return dielectric_weight(cos_theta, lift<T>(surface.ior));
-  return conductor_weight(cos_theta, lift<T>(surface.ior), lift<T>(surface.extinction));
+  return weight_of_reflectance(exact_reflectance(surface, cos_theta), normal_reflectance<T>(surface));
 }
 
 /// From inside a dielectric (index below 1) everything beyond the critical angle, sin = n, is reflected: the

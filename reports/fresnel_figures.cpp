@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "approx/fresnel.hpp"
+#include "fit/surface.hpp"
 #include "reports/plot_data.hpp"
 #include "reports/plot_script.hpp"
 
@@ -38,7 +39,7 @@ double schlick(double c) {
 }
 
 double dielectric(double c) {
-  return dielectric_weight(c, constant<double>(glass));
+  return target_weight(exact_surface(constant<double>(glass)), c);
 }
 
 Form schlick_form(Look look) {

@@ -158,8 +158,8 @@ TEST(Dielectric, Landmarks) {
   const Decimal50 c("0.8"), inside = sqrt(Decimal50(1 - (1 - c * c) / (n * n)));
   EXPECT_TRUE(is_close("both sides", dielectric_reflectance(c, n),
                        dielectric_reflectance(inside, Decimal50(1 / n)), 1e-45));
-  EXPECT_EQ(dielectric_weight(0.0, 1.5), 1);
-  EXPECT_NEAR(dielectric_weight(1.0, 1.5), 0, 1e-16);
+  EXPECT_EQ(weight_of_reflectance(1.0, 0.04), 1);
+  EXPECT_EQ(weight_of_reflectance(0.04, 0.04), 0);
 }
 
 /// |rs|^2 and |rp|^2 in complex arithmetic: Fresnel's equations as Born and Wolf write them, with n + i k for
