@@ -1,0 +1,15 @@
+#pragma once
+
+/// The benchmarks of shadefit, by file. See bench/README.md.
+namespace shadefit::bench {
+
+/// Whole fits: with nodes and samples ready, and from nothing.
+void register_fits();
+
+/// What a run is made of, one by one: sampling, searches for the largest error, integrals.
+void register_parts();
+
+/// The command as a process: its time and its memory.
+void register_process();
+
+}  // namespace shadefit::bench
