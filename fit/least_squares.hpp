@@ -2,6 +2,7 @@
 
 #include <ceres/tiny_solver.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
@@ -79,12 +80,10 @@ struct Optimum {
   double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure)
 };
 
-/// The Newton step -H^-1 g. `is_minimum` says whether H is positive definite (its leading minors, by
-/// Sylvester).
+/// The Newton step -H^-1 g.
 template <class T, int N>
 struct NewtonStep {
   std::array<T, static_cast<std::size_t>(N)> step{};
-  bool is_minimum = true;
   bool is_finite = true;
 };
 
@@ -99,9 +98,14 @@ NewtonStep<T, N> newton_step(const Eigen::Matrix<T, N, 1>& gradient, const Eigen
     for (int j = 0; j < N; ++j) step -= static_cast<T>(inverse(i, j)) * gradient[j];
     result.step[static_cast<std::size_t>(i)] = step;
     result.is_finite = result.is_finite && std::isfinite(step);
-    result.is_minimum = result.is_minimum && hessian.topLeftCorner(i + 1, i + 1).determinant() > 0;
   }
   return result;
+}
+
+/// Whether a point with this Hessian is a minimum.
+template <int N>
+bool is_positive_definite(const Eigen::Matrix<double, N, N>& hessian) {
+  return hessian.llt().info() == Eigen::Success;
 }
 
 /// The largest |step / parameter|. A parameter whose optimum is 0 has no relative digits and never settles.
@@ -221,7 +225,8 @@ void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, d
     const double size = relative_size(newton.step, p);
     const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
     if (size < 1e-6 && left < rest) {
-      candidate.status = newton.is_minimum ? Status::converged : Status::not_converged;
+      candidate.status =
+          is_positive_definite<N>(*candidate.hessian) ? Status::converged : Status::not_converged;
       return;
     }
     if (!(size < last / 3)) candidate.hessian.reset();
