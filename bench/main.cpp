@@ -1,8 +1,8 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <iostream>
 #include <memory>
+#include <vector>
 
 #include "bench/benchmarks.hpp"
 

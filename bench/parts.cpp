@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <string>
+#include <utility>
 
 #include "approx/normalisation.hpp"
 #include "bench/benchmarks.hpp"
