@@ -158,7 +158,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
-    return {0, (chosen.empty() ? app : *chosen.front()).help(), ""};
+    return {0, chosen.empty() ? app.help() : chosen.front()->help("shadefit"), ""};
   } catch (const CLI::CallForVersion& version) {
     return {0, std::string(version.what()) + "\n", ""};
   } catch (const CLI::ExtrasError& error) {

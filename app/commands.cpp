@@ -114,8 +114,9 @@ Surface parse_surface(const FittableFamily& family, const FitOptions& options) {
   if (!(extinction >= 0))
     throw UserError(fmt::format("--extinction '{}' is negative: it must be 0 or more", *options.extinction));
   if (!(ior > 0) || (ior == 1 && extinction == 0))
-    throw UserError(
-        fmt::format("--ior '{}' is no index of an interface: it must be greater than 0, and not 1", index));
+    throw UserError(fmt::format(
+        "--ior '{}' is no index of an interface: it must be greater than 0, and without extinction not 1",
+        index));
   return {is_exact ? Surface::Formula::exact : Surface::Formula::schlick, ior, extinction};
 }
 
@@ -137,10 +138,13 @@ Outcome derived_command(const FittableFamily& family, const Published& published
     throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
                                 *options.exponent, published.id));
   }
+  parse_surface(family, options);  // no such number is of a Fresnel form: refuses what would be ignored
   FitCache fits(family);
   const auto assessment = assess(fits, published, parse_metric(options));
   if (!assessment)
-    return {1, "", fmt::format("shadefit: {} rests on a fit that did not converge\n", published.id)};
+    return {1, "",
+            fmt::format("shadefit: {} rests on fits that did not converge, or has no limit on this domain\n",
+                        published.id)};
   const Refit refit{&family, {}, {*assessment}};
   if (options.json) return {0, json_text(write_derived_json(*assessment)), ""};
   const Table table = fits_table({refit}).table;
@@ -210,6 +214,35 @@ PlotsNews write_results(const RunOptions& options, const Results& results, const
   return news;
 }
 
+/// One line for each check that failed.
+std::string failed_lines(const Results& results) {
+  if (all_checks_passed(results)) return "";
+  std::string err;
+  for (const Refit& refit : results.refits) err += not_converged_lines(refit);
+  for (const FresnelLink& link : results.fresnel_chain) {
+    if (link.status == Status::converged) continue;
+    err +=
+        fmt::format("shadefit: {} on {} (n = {}, k = {}) did not converge: {}\n", link.family->info.id,
+                    link.surface->material, link.surface->ior, link.surface->extinction, name(link.status));
+  }
+  for (const auto& check : results.normalisations) {
+    if (check.verdict == Verdict::confirmed) continue;
+    err +=
+        fmt::format("shadefit: {} at exponent {} failed: closed form {}, integral {}, estimated error {}\n",
+                    check.record->id, check.exponent.value_or(0), check.closed_form, check.integral,
+                    check.estimated_error);
+  }
+  for (const auto& curve : results.reflectances) {
+    for (const auto& point : curve.points) {
+      if (point.estimated_error <= reflectance_tolerance) continue;
+      err += fmt::format(
+          "shadefit: the reflectance of {} at exponent {}, view angle {} failed: estimated error {}\n",
+          curve.record->id, curve.exponent, point.view_angle, point.estimated_error);
+    }
+  }
+  return err;
+}
+
 }  // namespace
 
 Outcome list_command(const ListOptions& options) {
@@ -226,25 +259,8 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   const PlotsNews news = write_results(options, results, checkpoint);
   std::string out = write_console(summary_table(results), Precision::report) + news.out;
   out += fmt::format("\nReport: {}\n", (std::filesystem::path(options.out) / "report.md").string());
-  if (all_checks_passed(results)) return {news.err.empty() ? 0 : 1, out, news.err};
-  std::string err = news.err;
-  for (const Refit& refit : results.refits) err += not_converged_lines(refit);
-  for (const auto& check : results.normalisations) {
-    if (check.verdict == Verdict::confirmed) continue;
-    err +=
-        fmt::format("shadefit: {} at exponent {} failed: closed form {}, integral {}, estimated error {}\n",
-                    check.record->id, check.exponent.value_or(0), check.closed_form, check.integral,
-                    check.estimated_error);
-  }
-  for (const auto& curve : results.reflectances) {
-    for (const auto& point : curve.points) {
-      if (point.estimated_error <= reflectance_tolerance) continue;
-      err += fmt::format(
-          "shadefit: the reflectance of {} at exponent {}, view angle {} failed: estimated error {}\n",
-          curve.record->id, curve.exponent, point.view_angle, point.estimated_error);
-    }
-  }
-  return {1, out, err};
+  const std::string err = news.err + failed_lines(results);
+  return {err.empty() ? 0 : 1, out, err};
 }
 
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {

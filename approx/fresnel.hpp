@@ -36,16 +36,19 @@ T reflectance_at_normal(const T& ior) {
 ///   rs = (c - n t)/(c + n t), rp = (n c - t)/(n c + t), t = sqrt(1 - (1 - c^2)/n^2) the cosine of the
 ///   refracted ray.
 /// n > 0 is the index behind the surface over the one in front: above 1 from outside, below 1 from inside,
-/// where beyond the critical angle t = 0 and everything is reflected (c > 0 there: at c = 0 the quotients are
-/// 0/0). Source: Born, Wolf 1999, "Principles of Optics", 7th edition, section 1.5.2.
+/// where beyond the critical angle everything is reflected. Source: Born, Wolf 1999, "Principles of Optics",
+/// 7th edition, section 1.5.2.
 template <class T>
 T dielectric_reflectance(const T& cos_theta, const T& ior) {
-  const T one = integer<T>(1);
-  const T sine_over_n = (one - cos_theta) * (one + cos_theta) / (ior * ior);
-  const T refracted = sqrt(positive_part(one - sine_over_n));
-  const T rs = (cos_theta - ior * refracted) / (cos_theta + ior * refracted);
-  const T rp = (ior * cos_theta - refracted) / (ior * cos_theta + refracted);
-  return (rs * rs + rp * rp) / integer<T>(2);
+  const T one = integer<T>(1), none = integer<T>(0);
+  const T squared = one - (one - cos_theta) * (one + cos_theta) / (ior * ior);  // t^2
+  const auto partial = [&] {
+    const T refracted = sqrt(positive_part(squared));
+    const T rs = (cos_theta - ior * refracted) / (cos_theta + ior * refracted);
+    const T rp = (ior * cos_theta - refracted) / (ior * cos_theta + refracted);
+    return T((rs * rs + rp * rp) / integer<T>(2));
+  };
+  return choose(less(none, squared), partial, [&] { return one; });
 }
 
 /// How far a reflectance F has gone from f0 to 1, as `schlick_weight` says it: (F - f0)/(1 - f0).

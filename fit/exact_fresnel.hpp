@@ -18,8 +18,7 @@ struct ReflectanceError {
   double srgb_codes;  ///< the largest, in 8-bit sRGB codes (a real number: 1 is one code)
 };
 
-/// A form, which maps a Cosine<T> to its weight, against the target of a surface, over all of c. Extrema are
-/// refined to either side of a kink; codes are the largest over the `search_points` and both ends.
+/// A form, which maps a Cosine<T> to its weight, against the target of a surface, over all of c.
 template <class Form>
 ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
   const auto f0 = normal_reflectance<double>(surface);
@@ -31,18 +30,15 @@ ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
   const auto error = [&](const auto& c) { return reflectance(form(c)) - target(c); };
   const auto relative = [&](const auto& c) { return error(c) / target(c); };
 
-  ReflectanceError result{};
-  std::vector<double> places = search_points();
-  places.insert(places.end(), {0.0, 1.0});
-  for (const Substitution& panel : Substitution::panels({}, {.kink = critical_cosine(surface)})) {
-    const Extremum absolute = largest_magnitude(error, panel), rel = largest_magnitude(relative, panel);
-    if (absolute.magnitude > result.absolute.magnitude) result.absolute = absolute;
-    if (rel.magnitude > result.relative.magnitude) result.relative = rel;
-    for (const double s : places) {
+  const auto panels = Substitution::panels({}, Shape{.joint = joint_of(surface)}.for_search());
+  ReflectanceError result{largest_magnitude(error, panels), largest_magnitude(relative, panels), 0};
+  for (const Substitution& panel : panels) {
+    const auto codes = [&](double s) {
       const Cosine<double> c = panel.at(s).cosine;
       const auto code = [](double f) { return 255 * srgb_encode(std::clamp(f, 0.0, 1.0)); };
-      result.srgb_codes = std::max(result.srgb_codes, std::abs(code(reflectance(form(c))) - code(target(c))));
-    }
+      return std::abs(code(reflectance(form(c))) - code(target(c)));
+    };
+    result.srgb_codes = std::max(result.srgb_codes, largest_sampled(codes));
   }
   return result;
 }

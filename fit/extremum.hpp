@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -32,6 +33,24 @@ inline std::vector<double> search_points() {
   for (int i = 0; i < cells; ++i) points.push_back((i + 0.5) / cells);
   for (int j = 10; j <= powers; ++j) points.push_back(1 - std::ldexp(1.0, -j));
   return points;
+}
+
+/// The largest value of a function of s in [0, 1] that has no derivative to go by: the best of the
+/// `search_points` and both ends, refined between its neighbours to half the digits of its place, which is
+/// all that a maximum has.
+template <class F>
+double largest_sampled(const F& f) {
+  std::vector<double> points = search_points();
+  points.insert(points.begin(), 0.0);
+  points.push_back(1.0);
+  std::vector<double> values;
+  for (const double s : points) values.push_back(f(s));
+  const auto best = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());
+  const std::size_t left = best == 0 ? 0 : best - 1, right = std::min(best + 1, points.size() - 1);
+  std::uintmax_t steps = 50;
+  const auto refined = boost::math::tools::brent_find_minima([&](double s) { return -f(s); }, points[left],
+                                                             points[right], 26, steps);
+  return std::max(values[best], -refined.second);
 }
 
 /// The largest |f| over the domain of the substitution. Sampled: sign changes of f' are looked for between
@@ -75,6 +94,19 @@ Extremum largest_magnitude(const F& f, const Substitution& substitution) {
     if (is_equal && candidate.at.cos_theta < chosen.at.cos_theta) chosen.at = candidate.at;
   }
   return chosen;
+}
+
+/// The largest |f| over several panels; of equal ones the smallest c, as within a panel.
+template <class F>
+Extremum largest_magnitude(const F& f, const std::vector<Substitution>& panels) {
+  Extremum largest;
+  for (const Substitution& panel : panels) {  // from the peak down, so that a later one has the smaller c
+    const Extremum found = largest_magnitude(f, panel);
+    if (found.magnitude >= largest.magnitude * (1 - equal_extrema)) {
+      largest = {std::max(found.magnitude, largest.magnitude), found.at};
+    }
+  }
+  return largest;
 }
 
 }  // namespace shadefit

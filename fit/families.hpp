@@ -174,7 +174,10 @@ struct FresnelFamily {
     return surface.is_exact() ? "the exact F" : "Schlick's F, f0 of the surface";
   }
 
-  Shape shape() const { return {.kink = critical_cosine(surface)}; }
+  Shape shape() const { return {.joint = joint_of(surface)}; }
+
+  /// Where a form falls to one half by 2^-1 at the cosine where its target does.
+  double half_sharpness() const { return 1 / half_weight_cosine(surface); }
 
   template <class T>
   struct Sample {
@@ -227,7 +230,10 @@ struct QuadraticForm {
 struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
   static constexpr const Family& info = fresnel_one_term_family;
   static constexpr std::array<std::string_view, 1> parameters{"A"};
-  static std::array<std::array<double, 1>, 3> starts() { return {{{2.0}, {8.0}, {16.0}}}; }
+  std::array<std::array<double, 1>, 3> starts() const {
+    const double half = half_sharpness();
+    return {{{half / 3}, {half}, {2 * half}}};
+  }
 };
 
 /// The same by exp2((a c + b) c).
@@ -236,8 +242,10 @@ struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
   /// From inside, all is reflected down to the critical angle: the curve leaves 1 rising before it falls.
   std::array<std::array<double, 2>, 3> starts() const {
-    if (shape().kink) return {{{-5.0, 2.0}, {-10.0, 5.0}, {-20.0, 10.0}}};
-    return {{{-1.0, -12.0}, {-5.0, -5.0}, {-10.0, -2.0}}};
+    const double b = half_sharpness(), a = b * b;
+    if (surface.is_exact() && surface.ior < 1 && surface.extinction < surface.ior)
+      return {{{-2 * a, b}, {-a, 0}, {-4 * a, 3 * b}}};
+    return {{{0, -b}, {-a / 2, -b / 2}, {-a, 0}}};
   }
 };
 

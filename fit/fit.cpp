@@ -52,7 +52,7 @@ Extremum max_abs_error(const Setting& setting, const Domain& domain, std::span<c
   const auto error =
       at_parameters(family, parameter_array<F>(parameters),
                     [](const F& f, const auto& sample, const auto& p) { return f.error(sample, p); });
-  return largest_magnitude(error, Substitution({.domain = domain}, family.shape()));
+  return largest_magnitude(error, Substitution::panels({.domain = domain}, family.shape().for_search()));
 }
 
 /// The part of the domain in which a relative error has a meaning: its upper and lower end; empty where there
@@ -78,7 +78,8 @@ std::optional<Extremum> max_rel_error(const Setting& setting, const Domain& doma
   const auto error = at_parameters(
       family, parameter_array<F>(parameters),
       [](const F& f, const auto& sample, const auto& p) { return f.relative_error(sample, p); });
-  return largest_magnitude(error, Substitution::between(ends->first, ends->second));
+  return largest_magnitude(error,
+                           Substitution::between(ends->first, ends->second, family.shape().for_search()));
 }
 
 template <class F>

@@ -13,7 +13,7 @@
 namespace shadefit {
 namespace {
 
-constexpr std::array<double, 3> exponents_of_a_limit{1e4, 1e5, 1e6};
+constexpr std::array<double, 4> exponents_of_a_limit{1e4, 1e5, 1e6, 1e7};
 
 std::optional<double> fitted(FitCache& fits, double exponent, const Metric& metric, std::size_t parameter) {
   const Fit& fit = fits.at(exponent, metric);
@@ -70,7 +70,7 @@ const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
 }
 
 std::vector<double> exponents_of(const Published& published) {
-  if (published.statement == Statement::limit_of_fits) return {exponents_of_a_limit.back()};
+  if (published.statement == Statement::limit_of_fits) return {exponents_of_a_limit[2]};
   if (published.exponents.empty()) return {0};
   return parse_sweep(published.exponents);
 }
@@ -195,11 +195,16 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents, std::sp
   return result;
 }
 
-std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter) {
+namespace {
+
+/// The law through the fits at three of the `exponents_of_a_limit`, from the `first` on.
+std::optional<ApproachLaw<double>> law_through(FitCache& fits, const Metric& metric, std::size_t parameter,
+                                               std::size_t first) {
   std::array<double, 3> f, x;
   for (std::size_t i = 0; i < 3; ++i) {
-    f[i] = 1 / exponents_of_a_limit[i];
-    const auto value = fitted(fits, exponents_of_a_limit[i], metric, parameter);
+    const double exponent = exponents_of_a_limit.at(first + i);
+    f[i] = 1 / exponent;
+    const auto value = fitted(fits, exponent, metric, parameter);
     if (!value) return std::nullopt;
     x[i] = *value;
   }
@@ -208,6 +213,16 @@ std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& met
   const double d12 = (x[2] - x[1]) / (f[2] - f[1]);
   const double d012 = (d12 - d01) / (f[2] - f[0]);
   return ApproachLaw<double>{x[0] - d01 * f[0] + d012 * f[0] * f[1], d01 - d012 * (f[0] + f[1])};
+}
+
+}  // namespace
+
+std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter) {
+  const auto law = law_through(fits, metric, parameter, 0), further = law_through(fits, metric, parameter, 1);
+  if (!law || !further) return std::nullopt;
+  // Where there is a limit both are right to the 1e-12 that terms in 1/k^3 leave, and the rounding of x.
+  const bool is_limit = std::abs(further->limit - law->limit) < 1e-10 * std::abs(law->limit);
+  return is_limit ? law : std::nullopt;
 }
 
 }  // namespace shadefit

@@ -73,7 +73,8 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents, std::sp
 std::optional<Assessment> assess(FitCache& fits, const Published& published, const Metric& metric);
 
 /// Quadratic extrapolation in 1/k to 1/k = 0 from the fits at k = 1e4, 1e5, 1e6: exact but for terms in
-/// 1/k^3. Empty where one of them did not converge.
+/// 1/k^3. Empty where a fit did not converge, or where those at k = 1e5, 1e6, 1e7 lead elsewhere: on a domain
+/// that leaves the peak out the best parameter grows without bound.
 std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter);
 
 /// Where the fitted parameter takes the printed value: its crossings of that value and of the two numbers

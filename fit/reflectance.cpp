@@ -50,20 +50,26 @@ LobeIntegrals integrate_lobe(ReflectedLobe lobe, double alpha) {
   return result;
 }
 
-/// Where the reflectance with n.l falls to 1 for good: between the last view angle of the table at which it
-/// exceeds 1, and the next.
+/// Where the reflectance with n.l falls to 1 for good: between the last place at which it is known to exceed
+/// 1, at a view angle of the table or at its peak, and the next; the horizon where there is no next.
 std::optional<double> conserving_from(const ReflectedConstant& constant, double alpha,
-                                      const std::vector<Reflectance>& points) {
-  const auto creates = [](const Reflectance& p) { return p.with_cosine > 1 + energy_tolerance; };
-  const auto last = std::find_if(points.rbegin(), points.rend(), creates);
-  if (last == points.rend()) return std::nullopt;
-  if (last == points.rbegin()) return last->view_angle;
+                                      const std::vector<Reflectance>& points, const ReflectancePeak& peak) {
+  std::vector<ReflectancePeak> known{peak};
+  for (const Reflectance& point : points) known.push_back({point.with_cosine, point.view_angle});
+  std::sort(known.begin(), known.end(),
+            [](const auto& a, const auto& b) { return a.view_angle < b.view_angle; });
+  const auto last = std::find_if(known.rbegin(), known.rend(),
+                                 [](const auto& place) { return place.value > 1 + energy_tolerance; });
+  if (last == known.rend()) return std::nullopt;
+  if (last == known.rbegin()) return 90;
+  const auto next = last - 1;
+  if (next->value >= 1) return next->view_angle;  // there it is 1
   const auto integral = over_view(constant.lobe, alpha, &LobeIntegrand<double>::with_cosine);
   const double factor = constant.constant(alpha);
   std::uintmax_t steps = 50;  // of about ten
   const auto root = boost::math::tools::toms748_solve(
-      [&](double degrees) { return factor * integral(degrees) - 1; }, last->view_angle,
-      (last - 1)->view_angle, boost::math::tools::eps_tolerance<double>(40), steps);
+      [&](double degrees) { return factor * integral(degrees) - 1; }, last->view_angle, next->view_angle,
+      boost::math::tools::eps_tolerance<double>(40), steps);
   return (root.first + root.second) / 2;
 }
 
@@ -82,7 +88,7 @@ ReflectanceCurve curve_of(const ReflectedConstant& constant, double alpha, const
          constant.has_cosine ? error.with_cosine : std::max(error.plain, error.with_cosine)});
   }
   curve.largest = constant.has_cosine ? curve.largest_with_cosine : scaled(integrals.largest);
-  curve.conserves_from = conserving_from(constant, alpha, curve.points);
+  curve.conserves_from = conserving_from(constant, alpha, curve.points, curve.largest_with_cosine);
   return curve;
 }
 

@@ -20,8 +20,19 @@ struct Shape {
   double concentration = 0;
   /// It behaves as c^end_power at c = 0; a whole number is smooth there.
   double end_power = 0;
-  /// The cosine at which it has a kink, with the behaviour of a square root on the side of the peak.
-  std::optional<double> kink = std::nullopt;
+  /// A cosine at which the domain is better cut in two.
+  struct Joint {
+    double cosine;
+    bool is_kink = false;  ///< and a kink, with the behaviour of a square root on the side of the peak
+  };
+  std::optional<Joint> joint = std::nullopt;
+
+  /// For a search, which does not mind what is steep: cut at a kink alone.
+  Shape for_search() const {
+    Shape shape = *this;
+    if (joint && !joint->is_kink) shape.joint.reset();
+    return shape;
+  }
 };
 
 /// A map of s in [0, 1] onto the domain: s = 0 at its upper end (the peak), s = 1 at its lower end.
@@ -35,11 +46,13 @@ class Substitution {
  public:
   Substitution(const Metric& metric, const Shape& shape);
 
-  /// The domain in panels on each of which the integrand is smooth: two where its kink lies inside, else one.
+  /// The domain in panels on each of which the integrand is smooth: two where its joint lies inside, else
+  /// one.
   static std::vector<Substitution> panels(const Metric& metric, const Shape& shape);
 
-  /// The cosine measure between two places that are known to full precision, uncut.
-  static Substitution between(const Cosine<double>& top, const Cosine<double>& bottom);
+  /// The cosine measure between two places that are known to full precision, uncut; in panels as above.
+  static std::vector<Substitution> between(const Cosine<double>& top, const Cosine<double>& bottom,
+                                           const Shape& shape = {});
 
   /// exp(-48) = 1.4e-21; with the t^3 that a gradient carries in t = k(1-c) the cut moves a fit by 2e-17 of
   /// itself.
@@ -90,22 +103,32 @@ class Substitution {
   long double total_ = 1;
 };
 
-inline Substitution Substitution::between(const Cosine<double>& top, const Cosine<double>& bottom) {
+inline std::vector<Substitution> Substitution::between(const Cosine<double>& top,
+                                                       const Cosine<double>& bottom, const Shape& shape) {
+  const auto& joint = shape.joint;
+  if (joint && bottom.cos_theta < joint->cosine && joint->cosine < top.cos_theta) {
+    const Cosine<double> middle{joint->cosine, 1 - joint->cosine};
+    std::vector<Substitution> result = between(top, middle);
+    if (joint->is_kink) result.front().power_ = 2;
+    result.push_back(between(middle, bottom).front());
+    return result;
+  }
   Substitution result(Metric{}, Shape{});
   result.near_ = top.one_minus_cos;
   result.length_ = bottom.one_minus_cos - top.one_minus_cos;
   result.rest_ = bottom.cos_theta;
   result.total_ = result.length_;
-  return result;
+  return {result};
 }
 
 inline std::vector<Substitution> Substitution::panels(const Metric& metric, const Shape& shape) {
   const Domain& domain = metric.domain;
-  if (!shape.kink || *shape.kink <= domain.lower || *shape.kink >= domain.upper) return {{metric, shape}};
+  const auto& joint = shape.joint;
+  if (!joint || joint->cosine <= domain.lower || joint->cosine >= domain.upper) return {{metric, shape}};
   Metric above = metric, below = metric;
-  above.domain.lower = below.domain.upper = *shape.kink;
+  above.domain.lower = below.domain.upper = joint->cosine;
   std::vector<Substitution> result{{above, {}}, {below, {}}};
-  result.front().power_ = 2;  // the square root of a square is smooth
+  if (joint->is_kink) result.front().power_ = 2;  // the square root of a square is smooth
   return result;
 }
 

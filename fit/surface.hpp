@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <optional>
@@ -7,6 +8,7 @@
 
 #include "approx/fresnel.hpp"
 #include "fit/jet.hpp"
+#include "fit/substitution.hpp"
 
 /// What a Fresnel form is fitted to: Schlick's formula or the exact one, of a surface or of none in
 /// particular.
@@ -63,6 +65,25 @@ T target_weight(const Surface& surface, const T& cos_theta) {
 inline std::optional<double> critical_cosine(const Surface& surface) {
   const bool is_inside = surface.is_exact() && surface.extinction == 0 && surface.ior < 1;
   return is_inside ? std::optional(std::sqrt((1 - surface.ior) * (1 + surface.ior))) : std::nullopt;
+}
+
+/// The cosine at which the target's weight has first fallen to one half on the way from grazing (c = 0) to
+/// normal incidence: the scale of what is to be fitted. 1 - 2^(-1/5) of Schlick's; a metal may lose its
+/// grazing reflectance within a hundredth. Between powers of 2^(1/4), which is near enough for a scale.
+inline double half_weight_cosine(const Surface& surface) {
+  double c = std::ldexp(1.0, -40);
+  while (c < 1 && target_weight(surface, c) > 0.5) c *= std::exp2(0.25);
+  return std::min(c, 1.0);
+}
+
+/// Where the domain of a surface's target is cut: at its kink; or, where it falls within a small part of the
+/// domain, at eight times the cosine at which it has fallen to one half, so that the fall and the long rest
+/// each have their nodes.
+inline std::optional<Shape::Joint> joint_of(const Surface& surface) {
+  if (const auto kink = critical_cosine(surface)) return Shape::Joint{*kink, true};
+  if (!surface.is_exact()) return std::nullopt;
+  const double joint = 8 * half_weight_cosine(surface);
+  return joint < 0.6 ? std::optional(Shape::Joint{joint}) : std::nullopt;
 }
 
 }  // namespace shadefit

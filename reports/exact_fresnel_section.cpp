@@ -104,7 +104,7 @@ Table fresnel_table(const std::vector<FresnelLink>& chain) {
   Table table{
       {"surface", "wavelength", "ior", "extinction", "f0", "curve", "parameters", "schlick_max_abs_error",
        "schlick_max_rel_error", "schlick_srgb_codes", "exact_max_abs_error", "exact_max_abs_error_at",
-       "exact_max_rel_error", "exact_max_rel_error_at", "exact_srgb_codes", "source"},
+       "exact_max_rel_error", "exact_max_rel_error_at", "exact_srgb_codes", "source", "status"},
       {}};
   const auto number = [](std::string_view text) {
     return text.empty() ? Cell() : Cell(Number{constant<double>(text), 10});
@@ -123,7 +123,8 @@ Table fresnel_table(const std::vector<FresnelLink>& chain) {
                           cell(link.from_exact.absolute.magnitude), at(link.from_exact.absolute),
                           cell(link.from_exact.relative.magnitude), at(link.from_exact.relative),
                           cell(link.from_exact.srgb_codes),
-                          fmt::format("{} {}", link.surface->source.author, link.surface->source.year)});
+                          fmt::format("{} {}", link.surface->source.author, link.surface->source.year),
+                          std::string(name(link.status))});
   }
   return table;
 }

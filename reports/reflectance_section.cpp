@@ -90,8 +90,8 @@ std::string energy_sentence(const Normalisation& record, const Curves& curves) {
       fmt::format("{} at {} degrees for a = {}", text(rounded(largest), Precision::report),
                   angle_text(worst.front()->largest_with_cosine.view_angle), exponents_text(worst));
   if (creating.empty()) {
-    return fmt::format("- `{}` creates no energy: its reflectance with n.l is at most {}.\n", record.id,
-                       peak);
+    return fmt::format("- `{}` creates no energy for a = {}: its reflectance with n.l is at most {}.\n",
+                       record.id, exponents_text(curves), peak);
   }
   std::string where;
   for (const auto* curve : creating) {

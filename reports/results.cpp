@@ -99,7 +99,9 @@ bool all_checks_passed(const Results& results) {
         return std::all_of(curve.points.begin(), curve.points.end(),
                            [](const auto& point) { return point.estimated_error <= reflectance_tolerance; });
       });
-  return converged && confirmed && exact;
+  const bool linked = std::all_of(results.fresnel_chain.begin(), results.fresnel_chain.end(),
+                                  [](const FresnelLink& link) { return link.status == Status::converged; });
+  return converged && linked && confirmed && exact;
 }
 
 }  // namespace shadefit

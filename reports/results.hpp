@@ -27,8 +27,8 @@ std::vector<std::string> known_ids();
 /// normalisations.
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint = keep_going);
 
-/// Whether every fit converged and every normalisation was confirmed, and every reflectance is
-/// as exact as promised.
+/// Whether every fit converged, those against exact surfaces too, and every normalisation was confirmed, and
+/// every reflectance is as exact as promised.
 bool all_checks_passed(const Results& results);
 
 /// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of

@@ -76,6 +76,10 @@ TEST(BadInput, Targets) {
                  "--target 'snell' is unknown: it must be one of schlick, exact");
   expect_refusal({"fit", "sg-offset", "--ior", "1.5"},
                  "--ior '1.5' does not apply: sg-offset is no Fresnel form");
+  expect_refusal({"fit", "sg-offset-limit", "--target", "bogus"},
+                 "--target 'bogus' is unknown: it must be one of schlick, exact");
+  expect_refusal({"fit", "phong-blinn-gotanda", "--ior", "-3"},
+                 "--ior '-3' does not apply: phong-blinn is no Fresnel form");
   expect_refusal({"fit", "sg-offset", "--extinction", "2"},
                  "--extinction '2' does not apply: sg-offset is no Fresnel form");
   expect_refusal({"fit", "fresnel-quadratic", "--extinction", "2"},
@@ -88,9 +92,10 @@ TEST(BadInput, Targets) {
                  "--target 'exact' does not apply: sg-offset is no Fresnel form");
   for (const char* target : {"schlick", "exact"}) {
     for (const char* ior : {"0", "-1.5", "1"}) {
-      expect_refusal({"fit", "fresnel-quadratic", "--target", target, "--ior", ior},
-                     "--ior '" + std::string(ior) +
-                         "' is no index of an interface: it must be greater than 0, and not 1");
+      expect_refusal(
+          {"fit", "fresnel-quadratic", "--target", target, "--ior", ior},
+          "--ior '" + std::string(ior) +
+              "' is no index of an interface: it must be greater than 0, and without extinction not 1");
     }
   }
   expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", "nan"},

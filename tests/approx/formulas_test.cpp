@@ -155,6 +155,7 @@ TEST(Dielectric, Landmarks) {
   // beyond the critical angle, sin = n, everything is reflected; and F is the same along one ray from both
   // sides
   EXPECT_EQ(dielectric_reflectance(0.5, 1 / 1.5), 1);
+  EXPECT_EQ(dielectric_reflectance(0.0, 1 / 1.5), 1) << "grazing from inside, where the quotients are 0/0";
   const Decimal50 c("0.8"), inside = sqrt(Decimal50(1 - (1 - c * c) / (n * n)));
   EXPECT_TRUE(is_close("both sides", dielectric_reflectance(c, n),
                        dielectric_reflectance(inside, Decimal50(1 / n)), 1e-45));

@@ -197,5 +197,13 @@ TEST(Refit, DoesNotJudgeByAFitThatFailed) {
   EXPECT_TRUE(reports[0].assessments.empty());
 }
 
+// On a domain that leaves the peak out the best offset grows without bound: no limit may pass for one.
+TEST(Extrapolate, WithoutTheShareOfThePeakThereIsNoLimit) {
+  FitCache fits(*find_family("sg-offset"));
+  EXPECT_TRUE(extrapolate(fits, {.domain = {0.5, 1}}, 0));
+  EXPECT_FALSE(extrapolate(fits, {.domain = {0.5, 0.999999}}, 0));
+  EXPECT_FALSE(extrapolate(fits, {.domain = {0.9, 0.999999999}}, 0));
+}
+
 }  // namespace
 }  // namespace shadefit

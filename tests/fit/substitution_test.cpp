@@ -59,9 +59,9 @@ TEST(Substitution, CosineAndComplementKeepTheirDigits) {
 }
 
 TEST(Substitution, BetweenTwoPlacesKeepsBothEnds) {
-  const auto substitution = Substitution::between({1, 0}, {1e-24, 1});
+  const auto substitution = Substitution::between({1, 0}, {1e-24, 1}).front();
   EXPECT_EQ(substitution.at(1.0).cosine.cos_theta, 1e-24) << "1 - (1 - 1e-24) would be 0";
-  const auto narrow = Substitution::between({1, 0}, {1 - 1e-12, 1e-12});
+  const auto narrow = Substitution::between({1, 0}, {1 - 1e-12, 1e-12}).front();
   EXPECT_EQ(narrow.at(1.0).cosine.one_minus_cos, 1e-12);
 }
 
@@ -156,12 +156,13 @@ TEST(Substitution, PanelsMeetAtAKinkAndSmoothItsRoot) {
     const long double truth = std::pow(2.0L / 3, 2.5L);
     return std::abs(static_cast<double>(sum / truth - 1));
   };
-  EXPECT_LT(integral({.kink = 1.0 / 3}), 1e-15);
+  EXPECT_LT(integral({.joint = Shape::Joint{1.0 / 3, true}}), 1e-15);
   EXPECT_GT(integral({}), 1e-4);
-  EXPECT_EQ(Substitution::panels({.domain = {0.5, 1}}, {.kink = 1.0 / 3}).size(), 1U)
+  EXPECT_EQ(Substitution::panels({.domain = {0.5, 1}}, {.joint = Shape::Joint{1.0 / 3, true}}).size(), 1U)
       << "a kink outside the domain";
   long double total = 0;
-  for (const auto& panel : Substitution::panels({.measure = Measure::angle}, {.kink = 1.0 / 3}))
+  for (const auto& panel :
+       Substitution::panels({.measure = Measure::angle}, {.joint = Shape::Joint{1.0 / 3, true}}))
     total += panel.total();
   EXPECT_NEAR(static_cast<double>(total), std::acos(0.0), 1e-16);
 }

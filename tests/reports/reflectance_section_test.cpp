@@ -45,8 +45,9 @@ TEST(ReflectanceSection, SaysWhoCreatesEnergyAndWhere) {
       << cheap;
   const auto exact = reflectance_section(curves_of("norm-blinn-phong-brdf"));
   EXPECT_NE(
-      exact.find("- `norm-blinn-phong-brdf` creates no energy: its reflectance with n.l is at most 1 at 0 "
-                 "degrees for a = 1, 8, 64, 2048.\n"),
+      exact.find(
+          "- `norm-blinn-phong-brdf` creates no energy for a = 1, 8, 64, 2048: its reflectance with n.l is at most 1 at 0 "
+          "degrees for a = 1, 8, 64, 2048.\n"),
       std::string::npos)
       << "equal peaks are named together, not picked by rounding\n"
       << exact;
