@@ -17,35 +17,6 @@
 namespace shadefit {
 namespace {
 
-/// The pieces of a text that a terminal can show: code points, and as \xNN each byte of a control character
-/// (C0 and C1) or of what is no UTF-8.
-std::vector<std::string> printable(const std::string& text) {
-  std::vector<std::string> pieces;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(std::string_view(text).substr(i));
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool is_c1 = byte == 0xC2 && length == 2 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    if (length == 0 || byte < 0x20 || byte == 0x7F || is_c1) {
-      pieces.push_back(fmt::format("\\x{:02x}", byte));
-      ++i;
-    } else {
-      pieces.push_back(text.substr(i, length));
-      i += length;
-    }
-  }
-  return pieces;
-}
-
-/// One line that a terminal can show, the middle of a very long text left out.
-std::string one_line(const std::string& text) {
-  constexpr std::size_t longest = 600;
-  const auto pieces = printable(text);
-  if (pieces.size() <= longest) return fmt::format("{}", fmt::join(pieces, ""));
-  const auto half = static_cast<std::ptrdiff_t>(longest / 2);
-  return fmt::format("{} .. {}", fmt::join(pieces.begin(), pieces.begin() + half, ""),
-                     fmt::join(pieces.end() - half, pieces.end(), ""));
-}
-
 Outcome usage_error(const std::string& message) {
   return {2, "", fmt::format("shadefit: {} (see 'shadefit --help')\n", one_line(message))};
 }

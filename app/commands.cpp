@@ -15,6 +15,7 @@
 #include "reports/plots.hpp"
 #include "reports/report.hpp"
 #include "reports/tables.hpp"
+#include "reports/utf8.hpp"
 #include "reports/writers.hpp"
 
 namespace shadefit {
@@ -191,26 +192,31 @@ PlotsNews write_results(const RunOptions& options, const Results& results, const
   auto figures = options.plots ? make_figures(results) : std::vector<Figure>{};
   auto files = plot_files(figures);
   const std::size_t all = figures.size();
-  const auto directory = std::filesystem::path(options.out) / "plots";
+  const auto directory = printable((without_detours(options.out) / "plots").string());
+  // Of the pictures that this run does not draw, none of an older run may stand beside the new data.
+  std::vector<std::string> missing;
+  for (const Figure& figure : figures) missing.push_back("plots/" + figure.name + ".svg");
   PlotsNews news;
   if (const auto gnuplot = all > 0 ? find_gnuplot() : std::nullopt) {
     std::vector<std::string> names;
     for (const Figure& figure : figures) names.push_back(figure.name);
     const Pictures pictures = draw_pictures(*gnuplot, files, names, checkpoint);
     files.insert(files.end(), pictures.files.begin(), pictures.files.end());
+    for (const File& drawn : pictures.files) std::erase(missing, drawn.name);
     for (const FailedPlot& failed : pictures.failed) {
-      news.err += fmt::format("shadefit: plot {} was not drawn: {}\n", failed.name, failed.complaint);
+      news.err +=
+          fmt::format("shadefit: plot {} was not drawn: {}\n", failed.name, one_line(failed.complaint));
       std::erase_if(figures, [&](const Figure& figure) { return figure.name == failed.name; });
     }
-    news.out = fmt::format("\nPlots: {} of {} drawn in {}\n", figures.size(), all, directory.string());
+    news.out = fmt::format("\nPlots: {} of {} drawn in {}\n", figures.size(), all, directory);
   } else if (all > 0) {
     figures.clear();
-    news.out = fmt::format("\nPlots skipped: gnuplot was not found; their data and scripts are in {}\n",
-                           directory.string());
+    news.out =
+        fmt::format("\nPlots skipped: gnuplot was not found; their data and scripts are in {}\n", directory);
   }
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
-  write_files(options.out, files, checkpoint);
+  write_files(options.out, files, checkpoint, missing);
   return news;
 }
 
@@ -258,7 +264,9 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   const Results results = compute_results(options.only, checkpoint);
   const PlotsNews news = write_results(options, results, checkpoint);
   std::string out = write_console(summary_table(results), Precision::report) + news.out;
-  out += fmt::format("\nReport: {}\n", (std::filesystem::path(options.out) / "report.md").string());
+  out += fmt::format("
+Report: {}
+", printable((without_detours(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(results);
   return {err.empty() ? 0 : 1, out, err};
 }

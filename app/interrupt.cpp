@@ -7,7 +7,7 @@ namespace shadefit {
 HeldSignals hold_interrupts() {
   HeldSignals signals{};
   sigemptyset(&signals.held);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler != SIG_IGN) sigaddset(&signals.held, signal);

@@ -4,8 +4,8 @@
 
 #include "fit/checkpoint.hpp"
 
-/// SIGINT and SIGTERM as something that work looks for at its checkpoints, instead of a handler that strikes
-/// anywhere.
+/// SIGINT, SIGTERM and SIGHUP as something that work looks for at its checkpoints, instead of a handler that
+/// strikes anywhere.
 namespace shadefit {
 
 /// Thrown by a checkpoint that found a signal. No UserError, and no std::exception: nothing is wrong with the
@@ -20,8 +20,9 @@ struct HeldSignals {
   sigset_t mask_before;
 };
 
-/// Blocks SIGINT and SIGTERM in this thread and in those it will start; one that is ignored (a job in the
-/// background of a script ignores SIGINT) stays so. From then on they wait until a checkpoint looks for them.
+/// Blocks SIGINT, SIGTERM and SIGHUP in this thread and in those it will start; one that is ignored (a job in
+/// the background of a script ignores SIGINT, one under nohup SIGHUP) stays so. From then on they wait until
+/// a checkpoint looks for them.
 ///
 /// A blocked mask outlives exec: a program that the command starts must be given `mask_before`, or Ctrl-C
 /// will not end it.

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <iterator>
 #include <list>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "fit/user_error.hpp"
@@ -22,92 +24,161 @@ std::string quoted(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
-/// A file that takes its place in steps: written beside it, the old one kept aside, renamed, finished. Unless
-/// it comes to the last step, everything is as it was before the first.
-class Replacement {
+void remove_quietly(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+}
+
+/// Names beside `place` that this process may use until it ends: ".NAME.PID.SUFFIX", then with a counter. A
+/// killed run leaves such a file, and in a container the next one has the same PID each time.
+class NamesBeside {
  public:
-  /// Writes the new file beside the place, under a name of this process's own.
-  Replacement(const fs::path& place, const std::string& content)
-      : place_(place), partial_(beside("partial")), old_(beside("old")) {
-    errno = 0;
-    std::FILE* file =
-        std::fopen(partial_.c_str(), "wbx");  // x: never through a file or link that is already there
-    if (file == nullptr) fail(errno);
-    const bool is_written = std::fwrite(content.data(), 1, content.size(), file) == content.size();
-    const bool is_flushed = std::fclose(file) == 0;
+  NamesBeside(const fs::path& place, const char* suffix) : place_(place), suffix_(suffix) {}
+
+  fs::path next() {
+    const std::string counter = tried_++ == 0 ? "" : fmt::format("{}.", tried_ - 1);
+    return place_.parent_path() /
+           fmt::format(".{}.{}.{}{}", place_.filename().string(), ::getpid(), counter, suffix_);
+  }
+  /// Against a search without end where a file system says of every name that it is taken.
+  bool is_exhausted() const { return tried_ >= 1000; }
+
+ private:
+  fs::path place_;
+  const char* suffix_;
+  int tried_ = 0;
+};
+
+/// A new file beside `place`, never through a file or link that is already there, and the name that it has
+/// or, where errno says why there is none, should have had.
+struct NewFile {
+  std::FILE* stream;
+  fs::path path;
+
+  NewFile(const fs::path& place, const char* suffix) {
+    NamesBeside names(place, suffix);
+    do {
+      path = names.next();
+      errno = 0;
+      stream = std::fopen(path.c_str(), "wbx");
+    } while (stream == nullptr && errno == EEXIST && !names.is_exhausted());
+  }
+};
+
+/// A place that gets a file, or loses it, in steps: the new file written beside it, the old one kept aside,
+/// put, finished. Unless it comes to the last step, everything is as it was before the first.
+class Change {
+ public:
+  /// Writes the new file beside the place, under a name of this process's own; without content the place is
+  /// to be empty.
+  Change(const fs::path& place, const std::optional<std::string_view>& content) : place_(place) {
+    if (!content) return;
+    const NewFile file(place, "partial");
+    const int error = errno;
+    partial_ = file.path;
+    if (file.stream == nullptr) fail("cannot create " + quoted(file.path) + ": " + words_of(error));
+    const bool is_written = std::fwrite(content->data(), 1, content->size(), file.stream) == content->size();
+    const int write_error = errno;
+    const bool is_flushed = std::fclose(file.stream) == 0;
     if (!is_written || !is_flushed) {
-      const int error = errno;
-      remove(partial_);
-      fail(error);
+      const std::string words = words_of(is_written ? errno : write_error);
+      remove_quietly(*partial_);
+      fail(words);
     }
   }
-  ~Replacement() {
+  ~Change() {
     if (!is_finished_) undo();
-    if (has_old_) remove(old_);
-    if (!is_placed_) remove(partial_);
+    if (old_) remove_quietly(*old_);
+    if (!is_put_ && partial_) remove_quietly(*partial_);
   }
-  Replacement(const Replacement&) = delete;
-  Replacement& operator=(const Replacement&) = delete;
+  Change(const Change&) = delete;
+  Change& operator=(const Change&) = delete;
 
   /// Gives the old file, where there is one, a second name; where the file system has none to give, its only
   /// one.
   void keep_old() {
     std::error_code error;
-    if (fs::is_directory(place_, error))
-      throw UserError("cannot write " + quoted(place_) + ": it is a directory");
-    if (!fs::exists(fs::symlink_status(place_, error))) return;
-    fs::create_hard_link(place_, old_, error);
-    if (error && error != std::errc::file_exists) {
-      fs::rename(place_, old_, error);
-      is_moved_ = !error;
+    if (fs::is_directory(place_, error)) {
+      if (partial_) fail("it is a directory");
+      return;
     }
+    if (!fs::exists(fs::symlink_status(place_, error))) return;
+    NamesBeside names(place_, "old");
+    fs::path name;
+    do {
+      name = names.next();
+      fs::create_hard_link(place_, name, error);
+    } while (error == std::errc::file_exists && !names.is_exhausted());
+    if (error && error != std::errc::file_exists) name = move_aside(error);
     if (error) {
-      throw UserError("cannot keep the old " + quoted(place_) + " as " + quoted(old_) + ": " +
+      throw UserError("cannot keep the old " + quoted(place_) + " as " + quoted(name) + ": " +
                       error.message());
     }
-    has_old_ = true;
+    old_ = name;
   }
 
   void put() {
     std::error_code error;
-    fs::rename(partial_, place_, error);
-    if (error) throw UserError("cannot write " + quoted(place_) + ": " + error.message());
-    is_placed_ = true;
+    if (partial_) {
+      fs::rename(*partial_, place_, error);
+    } else if (old_ && !is_moved_) {
+      fs::remove(place_, error);
+    }
+    if (error) fail(error.message());
+    is_put_ = true;
   }
 
   void finish() { is_finished_ = true; }
 
  private:
   void undo() {
-    if (has_old_ && (is_moved_ || is_placed_)) {
+    if (old_ && (is_moved_ || is_put_)) {
       std::error_code ignored;  // the old file then stays under its other name
-      fs::rename(old_, place_, ignored);
-      has_old_ = false;
-    } else if (is_placed_) {
-      remove(place_);
+      fs::rename(*old_, place_, ignored);
+      old_.reset();
+    } else if (is_put_ && partial_) {
+      remove_quietly(place_);
     }
   }
-  fs::path beside(const char* suffix) const {
-    return place_.parent_path() / fmt::format(".{}.{}.{}", place_.filename().string(), ::getpid(), suffix);
+  /// Renames the old file over an empty one of ours, because renaming asks nobody whose file it replaces.
+  fs::path move_aside(std::error_code& error) {
+    const NewFile reserved(place_, "old");
+    error.assign(errno, std::generic_category());
+    if (reserved.stream == nullptr) return reserved.path;
+    std::fclose(reserved.stream);
+    fs::rename(place_, reserved.path, error);
+    if (error) remove_quietly(reserved.path);
+    is_moved_ = !error;
+    return reserved.path;
   }
-  [[noreturn]] void fail(int error) const {
-    throw UserError("cannot write " + quoted(place_) + ": " + std::strerror(error != 0 ? error : EIO));
-  }
-  static void remove(const fs::path& path) {
-    std::error_code ignored;
-    fs::remove(path, ignored);
+  static std::string words_of(int error) { return std::strerror(error != 0 ? error : EIO); }
+  [[noreturn]] void fail(const std::string& words) const {
+    throw UserError(fmt::format("cannot {} {}: {}", partial_ ? "write" : "remove", quoted(place_), words));
   }
 
-  fs::path place_, partial_, old_;
-  bool has_old_ = false, is_moved_ = false, is_placed_ = false, is_finished_ = false;
+  fs::path place_;
+  std::optional<fs::path> partial_, old_;
+  bool is_moved_ = false, is_put_ = false, is_finished_ = false;
 };
+
+/// A path from the root, for which a relative one needs the working directory, and that may have been
+/// removed.
+fs::path from_the_root(const fs::path& directory) {
+  std::error_code error;
+  fs::path path = fs::absolute(directory, error);
+  if (error) {
+    throw UserError("output directory " + quoted(directory) +
+                    " is relative to a working directory that cannot be told: " + error.message());
+  }
+  return path;
+}
 
 /// A directory, created with those above it that were missing; unless they are kept, those are removed again.
 class Directory {
  public:
   explicit Directory(const fs::path& directory) {
     std::error_code error;
-    for (fs::path part = fs::absolute(directory); !fs::exists(part, error); part = part.parent_path())
+    for (fs::path part = from_the_root(directory); !fs::exists(part, error); part = part.parent_path())
       created_.push_back(part);
     fs::create_directories(directory, error);
     if (error) {
@@ -132,13 +203,30 @@ class Directory {
 
 }  // namespace
 
+fs::path without_detours(const fs::path& directory) {
+  fs::path shorter;
+  for (const fs::path& part : directory) {
+    std::error_code ignored;
+    const bool is_nothing = !shorter.empty() && (part.empty() || part == ".");
+    const bool is_detour = !shorter.empty() && part == ".." &&
+                           fs::symlink_status(shorter, ignored).type() == fs::file_type::not_found;
+    if (is_detour) {
+      shorter = shorter.parent_path();
+    } else if (!is_nothing) {
+      shorter /= part;
+    }
+  }
+  return shorter.empty() && !directory.empty() ? "." : shorter;
+}
+
 void require_directory(const fs::path& directory) {
   if (directory.empty()) throw UserError("output directory '' is empty: name a directory");
   std::error_code ignored;
-  for (fs::path part = fs::absolute(directory); part != part.root_path(); part = part.parent_path()) {
+  const fs::path whole = from_the_root(without_detours(directory));
+  for (fs::path part = whole; part != part.root_path(); part = part.parent_path()) {
     if (fs::is_directory(part, ignored)) return;
     if (fs::exists(fs::symlink_status(part, ignored))) {
-      const bool below = fs::absolute(directory).lexically_normal() != part.lexically_normal();
+      const bool below = whole.lexically_normal() != part.lexically_normal();
       throw UserError(
           "output directory " + quoted(directory) +
           (below ? " lies below " + quoted(part) + ", which is no directory" : " is no directory") +
@@ -147,21 +235,24 @@ void require_directory(const fs::path& directory) {
   }
 }
 
-void write_files(const fs::path& directory, const std::vector<File>& files, const Checkpoint& checkpoint) {
-  require_directory(directory);
+void write_files(const fs::path& named, const std::vector<File>& files, const Checkpoint& checkpoint,
+                 const std::vector<std::string>& obsolete) {
+  require_directory(named);
+  const fs::path directory = without_detours(named);
   // Destroyed from the front: what lies within another directory, before it.
   std::list<Directory> created;
   created.emplace_front(directory);
   for (const File& file : files) created.emplace_front((directory / file.name).parent_path());
-  std::list<Replacement> replacements;
+  std::list<Change> changes;
   for (const File& file : files) {
     checkpoint();
-    replacements.emplace_back(directory / file.name, file.content);
+    changes.emplace_back(directory / file.name, file.content);
   }
-  for (Replacement& file : replacements) file.keep_old();
+  for (const std::string& name : obsolete) changes.emplace_back(directory / name, std::nullopt);
+  for (Change& change : changes) change.keep_old();
   checkpoint();
-  for (Replacement& file : replacements) file.put();
-  for (Replacement& file : replacements) file.finish();
+  for (Change& change : changes) change.put();
+  for (Change& change : changes) change.finish();
   for (Directory& made : created) made.keep();
 }
 

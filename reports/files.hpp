@@ -14,17 +14,23 @@ struct File {
   std::string content;
 };
 
-/// Throws UserError where `directory` cannot become one: it is a file, or lies below one. Creates nothing, so
-/// that a long run can refuse before it starts.
+/// `directory` without each "x/.." whose x is not there and so no link to elsewhere: nobody wants an empty x.
+/// Any other ".." stays, because what x is decides where it leads.
+std::filesystem::path without_detours(const std::filesystem::path& directory);
+
+/// Throws UserError where `directory` cannot become one: it is a file, lies below one, or is relative to a
+/// working directory that is gone. Creates nothing, so that a long run can refuse before it starts.
 void require_directory(const std::filesystem::path& directory);
 
-/// Creates the directory, those that names begin with, and writes all the files: each beside its place first,
-/// and when all stand, renames them, keeping what they replace until the last one is in place. The checkpoint
-/// is called before each file and once more before the first is renamed; after that nothing ends the work any
-/// more. Throws UserError naming the path and what went wrong. Then, and when the checkpoint throws, old
-/// files are as they were and nothing new is left over.
+/// Creates the directory (`without_detours`), those that names begin with, and writes all the files: each
+/// beside its place first, and when all stand, renames them and removes the files named `obsolete`, keeping
+/// what they replace until the last one is in place. An obsolete name that is not there, or is a directory,
+/// is passed over. The checkpoint is called before each file and once more before the first is renamed; after
+/// that nothing ends the work any more. Throws UserError naming the path and what went wrong. Then, and when
+/// the checkpoint throws, old files are as they were and nothing new is left over. What others left under a
+/// name that would be used on the way is neither written, nor taken for ours.
 void write_files(const std::filesystem::path& directory, const std::vector<File>& files,
-                 const Checkpoint& checkpoint = keep_going);
+                 const Checkpoint& checkpoint = keep_going, const std::vector<std::string>& obsolete = {});
 
 /// The whole of a file. Throws UserError naming the path.
 std::string read_file(const std::filesystem::path& path);

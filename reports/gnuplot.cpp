@@ -10,15 +10,17 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <list>
 #include <sstream>
 #include <string_view>
 #include <system_error>
 
-#include "fit/user_error.hpp"
+#include "reports/scratch_directory.hpp"
 
 extern char** environ;
 
@@ -46,19 +48,28 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// A temporary file that nobody else sees. Its descriptor is above the standard ones even where those were
-/// closed, and is not inherited.
+/// What gnuplot says, in a file of `directory` that has lost its name already. Its descriptor is above the
+/// standard ones even where those were closed, and is not inherited.
 class Transcript {
  public:
-  Transcript()
-      : file_(std::tmpfile()), descriptor_(file_ ? ::fcntl(::fileno(file_), F_DUPFD_CLOEXEC, 3) : -1) {}
+  explicit Transcript(const fs::path& directory) {
+    std::string name = (directory / ".transcript-XXXXXX").string();
+    const int file = ::mkostemp(name.data(), O_CLOEXEC);
+    if (file >= 0) descriptor_ = ::fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    if (descriptor_ < 0)
+      error_ = fmt::format("cannot create a file in '{}': {}", directory.string(), std::strerror(errno));
+    if (file < 0) return;
+    ::unlink(name.c_str());
+    ::close(file);
+  }
   ~Transcript() {
     if (descriptor_ >= 0) ::close(descriptor_);
-    if (file_ != nullptr) std::fclose(file_);
   }
   Transcript(const Transcript&) = delete;
   Transcript& operator=(const Transcript&) = delete;
 
+  /// Why there is none; empty where there is one.
+  const std::string& error() const { return error_; }
   int descriptor() const { return descriptor_; }
 
   /// The first line that names a place in the script and is no warning, else the first that says something.
@@ -78,8 +89,8 @@ class Transcript {
   }
 
  private:
-  std::FILE* file_;
-  int descriptor_;
+  int descriptor_ = -1;
+  std::string error_;
 };
 
 /// What posix_spawn wants, freed again.
@@ -98,51 +109,28 @@ struct SpawnSettings {
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 };
 
-/// A directory of this run's own among the temporary files, removed with all that it holds.
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "shadefit-XXXXXX").string();
-    if (error) throw UserError("there is no directory for temporary files: " + error.message());
-    if (::mkdtemp(name.data()) == nullptr)
-      throw UserError(
-          fmt::format("cannot create a directory for temporary files, '{}': {}", name, std::strerror(errno)));
-    path_ = name;
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-/// gnuplot at work on one script. Ends with `finish`; otherwise the destructor waits for it.
+/// gnuplot at work on one script. Ends with `finish`; otherwise the destructor ends it.
 class Drawing {
  public:
   Drawing(const fs::path& gnuplot, const fs::path& directory, const std::string& name)
       : name_(name),
         place_(directory / (name + ".svg")),
-        partial_(directory / fmt::format(".{}.svg.{}.partial", name, ::getpid())) {
+        partial_(directory / fmt::format(".{}.svg.{}.partial", name, ::getpid())),
+        transcript_(directory),
+        error_(transcript_.error()) {
     remove(partial_);
-    error_ = transcript_.descriptor() < 0 ? EMFILE : start(gnuplot, directory);
+    if (error_.empty()) start(gnuplot, directory);
   }
   ~Drawing() {
-    if (process_ > 0) wait();
+    if (process_ > 0) kill();
     remove(partial_);
   }
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
 
   /// Waits for gnuplot and puts the picture in its place, or says why there is none.
-  std::optional<FailedPlot> finish() {
-    std::string complaint = outcome();
+  std::optional<FailedPlot> finish(std::chrono::seconds longest, const Checkpoint& checkpoint) {
+    std::string complaint = outcome(longest, checkpoint);
     std::error_code error;
     if (complaint.empty()) fs::rename(partial_, place_, error);
     if (error) complaint = error.message();
@@ -152,8 +140,7 @@ class Drawing {
   }
 
  private:
-  /// 0, or the error of starting it.
-  int start(const fs::path& gnuplot, const fs::path& directory) {
+  void start(const fs::path& gnuplot, const fs::path& directory) {
     SpawnSettings settings;
     auto* actions = &settings.actions;
     posix_spawn_file_actions_addopen(actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -175,26 +162,54 @@ class Drawing {
     auto environment = environment_of_gnuplot();
     const int error = ::posix_spawn(&process_, gnuplot.c_str(), actions, &settings.attributes,
                                     pointers_to(arguments).data(), pointers_to(environment).data());
-    if (error != 0) process_ = 0;
-    return error;
+    if (error == 0) return;
+    process_ = 0;
+    error_ = std::strerror(error);
   }
 
   /// What went wrong; empty where nothing did.
-  std::string outcome() {
-    if (error_ != 0) return std::strerror(error_);
-    const int status = wait();
-    if (WIFSIGNALED(status)) return fmt::format("gnuplot was ended: {}", ::strsignal(WTERMSIG(status)));
-    if (status != 0) return transcript_.complaint();
+  std::string outcome(std::chrono::seconds longest, const Checkpoint& checkpoint) {
+    if (!error_.empty()) return error_;
+    const auto status = wait(longest, checkpoint);
+    if (!status) {
+      kill();
+      return fmt::format("gnuplot took longer than {} s", longest.count());
+    }
+    if (WIFSIGNALED(*status)) return fmt::format("gnuplot was ended: {}", ::strsignal(WTERMSIG(*status)));
+    if (*status != 0) return transcript_.complaint();
     return is_whole_picture() ? "" : "gnuplot left no whole picture";
   }
 
-  /// gnuplot's status as waitpid tells it; 0 is success.
-  int wait() {
-    int status = -1;
-    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  /// gnuplot's status as waitpid tells it, 0 is success; nothing where it has not ended after `longest`. That
+  /// is counted in pauses: a run that was stopped for a while has not waited meanwhile.
+  std::optional<int> wait(std::chrono::milliseconds longest, const Checkpoint& checkpoint) {
+    for (std::chrono::milliseconds waited{0};; waited += pause) {
+      int status = -1;
+      if (::waitpid(process_, &status, WNOHANG) != 0) {
+        process_ = 0;
+        return status;
+      }
+      checkpoint();
+      if (waited >= longest) return std::nullopt;
+      sleep_for_a_pause();
+    }
+  }
+
+  /// Asks gnuplot to end, and makes it end where it does not within a second.
+  void kill() {
+    ::kill(process_, SIGTERM);
+    if (wait(std::chrono::seconds(1), keep_going)) return;
+    ::kill(process_, SIGKILL);
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
     process_ = 0;
-    return status;
+  }
+
+  /// Short beside the 50 ms that a picture takes, long beside the microseconds of a look.
+  static constexpr std::chrono::milliseconds pause{2};
+  static void sleep_for_a_pause() {
+    const std::timespec time{0, std::chrono::nanoseconds(pause).count()};
+    ::nanosleep(&time, nullptr);
   }
 
   /// gnuplot ends in success where the disk was full.
@@ -218,7 +233,7 @@ class Drawing {
   fs::path place_, partial_;
   Transcript transcript_;
   pid_t process_ = 0;
-  int error_ = 0;
+  std::string error_;  ///< why it was not started
 };
 
 }  // namespace
@@ -229,19 +244,22 @@ std::optional<fs::path> find_gnuplot() {
   for (std::string directory; std::getline(directories, directory, ':');) {
     if (directory.empty()) continue;
     std::error_code ignored;
-    const fs::path candidate = fs::absolute(fs::path(directory) / "gnuplot");
+    std::error_code without_working_directory;
+    const fs::path candidate = fs::absolute(fs::path(directory) / "gnuplot", without_working_directory);
+    if (without_working_directory) continue;
     if (fs::is_regular_file(candidate, ignored) && ::access(candidate.c_str(), X_OK) == 0) return candidate;
   }
   return std::nullopt;
 }
 
 std::vector<FailedPlot> draw_plots(const fs::path& gnuplot, const fs::path& directory,
-                                   const std::vector<std::string>& names, const Checkpoint& checkpoint) {
+                                   const std::vector<std::string>& names, const Checkpoint& checkpoint,
+                                   std::chrono::seconds longest) {
   constexpr std::size_t at_once = 2;
   std::vector<FailedPlot> failed;
   std::list<Drawing> running;
   const auto finish_oldest = [&] {
-    if (auto failure = running.front().finish()) failed.push_back(*failure);
+    if (auto failure = running.front().finish(longest, checkpoint)) failed.push_back(*failure);
     running.pop_front();
   };
   for (const std::string& name : names) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,13 +21,20 @@ struct FailedPlot {
   std::string complaint;
 };
 
+/// How long gnuplot may take for one picture: each of ours takes less than 0.1 s, so that even a busy machine
+/// a hundred times slower draws it, while one that hangs does not hold a run up for ever.
+inline constexpr std::chrono::seconds longest_drawing{60};
+
 /// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg, beside its place first
-/// and renamed once whole. Returns the plots that failed: of those there is no NAME.svg then, neither a part
-/// nor an older one. The checkpoint is called before each.
+/// and renamed once whole. Returns the plots that failed, gnuplot's words as it put them: of those there is
+/// no NAME.svg in `directory` then, neither a part nor an older one. (Where results go, older pictures are
+/// for `write_files` to remove.) The checkpoint is called before each and again and again while gnuplot
+/// works; when it throws, and when a picture takes `longest`, gnuplot is ended.
 std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
                                    const std::filesystem::path& directory,
                                    const std::vector<std::string>& names,
-                                   const Checkpoint& checkpoint = keep_going);
+                                   const Checkpoint& checkpoint = keep_going,
+                                   std::chrono::seconds longest = longest_drawing);
 
 /// Pictures, and the plots that there is none of.
 struct Pictures {

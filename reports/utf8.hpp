@@ -1,9 +1,13 @@
 #pragma once
 
-#include <cstddef>
-#include <string_view>
+#include <fmt/format.h>
 
-/// UTF-8 as RFC 3629 has it.
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// UTF-8 as RFC 3629 has it, and what of a text a terminal can show.
 namespace shadefit {
 
 /// The length in bytes of the code point that `text` begins with; 0 where it is empty or begins with none: a
@@ -26,6 +30,40 @@ inline std::size_t utf8_length(std::string_view text) {
   const bool is_four = first >= 0xF0 && first <= 0xF4 && !(first == 0xF0 && second < 0x90) &&
                        !(first == 0xF4 && second >= 0x90);
   return is_four && follows(1) && follows(2) && follows(3) ? 4 : 0;
+}
+
+/// The pieces of a text that a terminal can show: code points, and as \xNN each byte of a control character
+/// (C0 and C1) or of what is no UTF-8.
+inline std::vector<std::string> printable_pieces(std::string_view text) {
+  std::vector<std::string> pieces;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text.substr(i));
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool is_c1 = byte == 0xC2 && length == 2 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    if (length == 0 || byte < 0x20 || byte == 0x7F || is_c1) {
+      pieces.push_back(fmt::format("\\x{:02x}", byte));
+      ++i;
+    } else {
+      pieces.emplace_back(text.substr(i, length));
+      i += length;
+    }
+  }
+  return pieces;
+}
+
+/// All of a text, such as a path, as a terminal can show it.
+inline std::string printable(std::string_view text) {
+  return fmt::format("{}", fmt::join(printable_pieces(text), ""));
+}
+
+/// One line that a terminal can show, the middle of a very long text left out.
+inline std::string one_line(std::string_view text) {
+  constexpr std::size_t longest = 600;
+  const auto pieces = printable_pieces(text);
+  if (pieces.size() <= longest) return fmt::format("{}", fmt::join(pieces, ""));
+  const auto half = static_cast<std::ptrdiff_t>(longest / 2);
+  return fmt::format("{} .. {}", fmt::join(pieces.begin(), pieces.begin() + half, ""),
+                     fmt::join(pieces.end() - half, pieces.end(), ""));
 }
 
 }  // namespace shadefit
