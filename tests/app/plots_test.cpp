@@ -82,6 +82,41 @@ TEST(RunPlots, OneThatFailsIsToldAndNotShown) {
   EXPECT_EQ(report.find("](plots/fresnel-errors.svg)"), std::string::npos);
 }
 
+TEST(RunPlots, AnOlderPictureDoesNotStandBesideNewData) {
+  const TemporaryDirectory directory;
+  const EnvironmentVariable path("PATH", directory / "bin");
+  directory.file("out/plots/mine.svg", "of the user");
+  auto expected = data_and_scripts;
+  expected.insert({"fresnel.svg", "mine.svg"});
+  for (const std::string name : {"fresnel", "fresnel-errors"})
+    directory.file("out/plots/" + name + ".svg", "older");
+  fake_gnuplot(directory, "[ $script = fresnel.gnuplot ] && echo '</svg>' > \"$picture\"");
+  EXPECT_EQ(run_fresnel(directory).exit_code, 1);
+  EXPECT_EQ(plots_in(directory), expected) << "not the one that failed";
+  EXPECT_EQ(read_file(directory / "out/plots/fresnel.svg"), "</svg>\n");
+
+  fs::remove(directory / "bin/gnuplot");
+  EXPECT_EQ(run_fresnel(directory).exit_code, 0);
+  expected.erase("fresnel.svg");
+  EXPECT_EQ(plots_in(directory), expected) << "without gnuplot none";
+}
+
+TEST(RunPlots, WhatIsPrintedOfThemIsPrintable) {
+  const TemporaryDirectory directory;
+  fake_gnuplot(directory, "printf '\\033[2J%01000d\\n' 0; exit 1");
+  const EnvironmentVariable path("PATH", directory / "bin");
+  const Outcome outcome =
+      run_command_line({"run", "--out", directory / "\x1B[31m", "--only", "fresnel-one-term"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ((outcome.out + outcome.err).find('\x1B'), std::string::npos);
+  EXPECT_NE(outcome.err.find("was not drawn: \\x1b[2J000"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("000 .. 000"), std::string::npos) << "and not endless";
+  EXPECT_NE(outcome.out.find("drawn in " + (directory / "\\x1b[31m/plots\n")), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("\nReport: " + (directory / "\\x1b[31m/report.md\n")), std::string::npos)
+      << outcome.out;
+}
+
 TEST(RunPlots, NoPlotsMeansNoneOfTheirFiles) {
   const TemporaryDirectory directory;
   fake_gnuplot(directory, "echo '</svg>' > \"$picture\"");

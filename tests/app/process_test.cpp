@@ -1,8 +1,10 @@
 #include "tests/process.hpp"
 
+#include <cstdlib>
 #include <filesystem>
 
 #include "reports/files.hpp"
+#include "tests/fake_gnuplot.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
@@ -63,6 +65,60 @@ TEST(Process, AnInterruptionEndsARunWithNothingWritten) {
     EXPECT_EQ(finished.err, "shadefit: interrupted, nothing was written\n");
     EXPECT_EQ(snapshot(directory.path()), before);
   }
+}
+
+// The signal comes while gnuplot hangs, and to the command alone.
+TEST(Process, AnInterruptionEndsARunWhoseGnuplotHangs) {
+  const TemporaryDirectory directory;
+  directory.file("out/report.md", "old\n");
+  std::filesystem::create_directories(directory / "temporary");
+  const testing::EnvironmentVariable temporary("TMPDIR", directory / "temporary");
+  const testing::EnvironmentVariable path("PATH", (directory / "bin") + ":" + std::getenv("PATH"));
+  for (const auto& [signal, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
+    testing::fake_gnuplot(directory, "kill -" + std::to_string(signal) + " $PPID; exec sleep 1000");
+    const auto before = snapshot(directory.path());
+    const auto finished = run_process({"run", "--out", directory / "out", "--only", "fresnel-quadratic"},
+                                      [number = signal] { std::signal(number, SIG_DFL); });
+    EXPECT_EQ(finished.exit_code, exit_code);
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(finished.err, "shadefit: interrupted, nothing was written\n");
+    EXPECT_EQ(snapshot(directory.path()), before) << "nothing among the temporary files either";
+  }
+}
+
+TEST(Process, TemporaryFilesThatHaveNoDirectory) {
+  const TemporaryDirectory directory;
+  testing::fake_gnuplot(directory, "exit 1");
+  const testing::EnvironmentVariable path("PATH", directory / "bin");
+  const auto before = snapshot(directory.path());
+  const std::string none = directory / "none";
+  const auto finished = run_process({"run", "--out", directory / "out", "--only", "fresnel-quadratic"},
+                                    [&] { ::setenv("TMPDIR", none.c_str(), 1); });
+  EXPECT_EQ(finished.exit_code, 2);
+  EXPECT_EQ(finished.out, "");
+  EXPECT_EQ(finished.err, "shadefit: TMPDIR '" + none + "' is no directory: No such file or directory\n");
+  EXPECT_EQ(snapshot(directory.path()), before);
+}
+
+TEST(Process, AWorkingDirectoryThatIsGone) {
+  const TemporaryDirectory directory;
+  const std::string gone = directory / "gone";
+  const auto leave = [&] {
+    std::filesystem::create_directories(gone);
+    std::filesystem::current_path(gone);
+    std::filesystem::remove(gone);
+  };
+  const std::vector<std::string> run{"run", "--only", "norm-lambert", "--no-plots", "--out"};
+  auto relative = run, absolute = run;
+  relative.emplace_back("y");
+  absolute.push_back(directory / "y");
+  const auto refused = run_process(relative, leave);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err,
+            "shadefit: output directory 'y' is relative to a working directory that cannot be told: "
+            "No such file or directory\n");
+  EXPECT_EQ(run_process(absolute, leave).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(directory / "y/report.md"));
 }
 
 // As a script starts what it leaves in the background: Ctrl-C is not meant for it.

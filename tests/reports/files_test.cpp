@@ -65,17 +65,34 @@ TEST(Files, AFailureLeavesOldFilesAndNothingHalfWritten) {
   EXPECT_EQ(std::distance(fs::directory_iterator(directory / "out"), fs::directory_iterator()), 2);
 }
 
+/// The names that this process uses on the way to `name`, first ".NAME.PID.SUFFIX".
+std::string beside(const std::string& name, const std::string& suffix) {
+  return "." + name + "." + std::to_string(::getpid()) + "." + suffix;
+}
+
+// As a killed run leaves it, whose PID the next one has in a container.
 TEST(Files, WritesThroughNothingThatIsAlreadyThere) {
   const TemporaryDirectory directory;
   const std::string precious = directory.file("precious", "kept");
-  const auto partial = directory.path() / (".one." + std::to_string(::getpid()) + ".partial");
-  fs::create_symlink(precious, partial);
+  fs::create_symlink(precious, directory / beside("one", "partial"));
+  directory.file(beside("one", "1.partial"), "half");
+  auto expected = snapshot(directory.path());
+  expected["one"] = "new\n";
+  write_files(directory.path(), {{"one", "new\n"}});
+  EXPECT_EQ(snapshot(directory.path()), expected) << "what we did not make we neither write nor remove";
+  EXPECT_TRUE(fs::is_symlink(directory / beside("one", "partial")));
+}
+
+TEST(Files, AFileThatCannotBeCreatedIsNamed) {
+  const TemporaryDirectory directory;
+  directory.file(beside("one", "partial"), "");
+  for (int i = 1; i < 1000; ++i) directory.file(beside("one", std::to_string(i) + ".partial"), "");
   EXPECT_EQ(refusal([&] {
               write_files(directory.path(), {{"one", "new\n"}});
             }),
-            "cannot write '" + (directory / "one") + "': File exists");
-  EXPECT_EQ(read_file(precious), "kept");
-  EXPECT_TRUE(fs::is_symlink(partial)) << "what we did not make we do not remove";
+            "cannot write '" + (directory / "one") + "': cannot create '" +
+                (directory / beside("one", "999.partial")) + "': File exists");
+  EXPECT_FALSE(fs::exists(directory / "one"));
 }
 
 TEST(Files, ADirectoryMadeForNothingIsRemoved) {
@@ -159,14 +176,80 @@ TEST(Files, ARenameThatFailsTakesTheEarlierOnesBack) {
 
 TEST(Files, AnOldFileIsKeptUnderNoNameThatIsTaken) {
   const TemporaryDirectory directory;
-  const std::string one = directory.file("one", "old\n");
-  const std::string taken = directory.file(".one." + std::to_string(::getpid()) + ".old", "precious");
-  const auto before = snapshot(directory.path());
-  EXPECT_EQ(refusal([&] {
-              write_files(directory.path(), {{"zero", "new\n"}, {"one", "new\n"}});
+  directory.file("one", "old\n");
+  directory.file(beside("one", "old"), "precious");
+  directory.file(beside("one", "1.old"), "precious too");
+  auto expected = snapshot(directory.path());
+  // The last file's place becomes a directory: what was renamed before is taken back.
+  const auto appear = at_call(3, [&] { fs::create_directories(directory / "last"); });
+  EXPECT_NE(refusal([&] {
+              write_files(directory.path(), {{"one", "new\n"}, {"last", "new\n"}}, appear);
             }),
-            "cannot keep the old '" + one + "' as '" + taken + "': File exists");
-  EXPECT_EQ(snapshot(directory.path()), before);
+            "nothing was refused");
+  fs::remove(directory / "last");
+  EXPECT_EQ(snapshot(directory.path()), expected);
+  write_files(directory.path(), {{"one", "new\n"}});
+  expected["one"] = "new\n";
+  EXPECT_EQ(snapshot(directory.path()), expected);
+}
+
+TEST(Files, ObsoleteFilesGoWithTheOthersOrNotAtAll) {
+  const TemporaryDirectory directory;
+  directory.file("out/one", "old 1\n");
+  directory.file("out/plots/gone", "old 2\n");
+  directory.file("out/folder/precious", "kept");
+  fs::create_symlink("one", directory / "out/link");
+  const auto before = snapshot(directory.path());
+  const std::vector<std::string> obsolete{"plots/gone", "link", "none", "none/at-all", "folder"};
+  for (int n = 1; n <= 3; ++n) {
+    EXPECT_THROW(write_files(directory / "out", {{"one", "new\n"}, {"two", "new\n"}},
+                             at_call(n, [] { throw Stop{}; }), obsolete),
+                 Stop);
+    EXPECT_EQ(snapshot(directory.path()), before) << n;
+  }
+  // The place of the second becomes a directory that cannot be removed, when the first is to go.
+  const auto appear = at_call(2, [&] {
+    fs::remove(directory / "out/link");
+    directory.file("out/link/precious", "kept");
+  });
+  EXPECT_TRUE(refusal([&] {
+                write_files(directory / "out", {{"one", "new\n"}}, appear, obsolete);
+              }).starts_with("cannot remove '" + (directory / "out/link") + "': "));
+  EXPECT_EQ(read_file(directory / "out/link/precious"), "kept");
+  fs::remove_all(directory / "out/link");
+  fs::create_symlink("one", directory / "out/link");
+  EXPECT_EQ(snapshot(directory.path()), before) << "what was renamed and removed is back";
+
+  write_files(directory / "out", {{"one", "new\n"}}, keep_going, obsolete);
+  EXPECT_EQ(snapshot(directory / "out"),
+            (std::map<std::string, std::string>{
+                {"one", "new\n"}, {"plots", "/"}, {"folder", "/"}, {"folder/precious", "kept"}}));
+}
+
+TEST(Files, ADetourLeavesNoDirectory) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory / "there/below");
+  fs::create_directory_symlink("there/below", directory / "link");
+  fs::create_symlink("nowhere", directory / "dangling");
+  const auto shortened = [&](const std::string& name) {
+    return without_detours(directory / name).lexically_relative(directory.path()).string();
+  };
+  EXPECT_EQ(shortened("new/../new2"), "new2");
+  EXPECT_EQ(shortened("new/.//er/../../new2/"), "new2");
+  // The system knows where these lead; lexically_relative would shorten them.
+  for (const std::string name : {"link/../x", "there/../x", "dangling/../x"})
+    EXPECT_EQ(without_detours(directory / name), directory / name);
+  EXPECT_EQ(without_detours("none-of-this-name/.."), ".");
+  EXPECT_EQ(without_detours("../x"), "../x");
+  EXPECT_EQ(without_detours("./x"), "./x");
+  EXPECT_EQ(without_detours("/"), "/");
+  EXPECT_EQ(without_detours(""), "");
+
+  write_files(directory / "new/../new2", {{"one", "1\n"}});
+  EXPECT_EQ(read_file(directory / "new2/one"), "1\n");
+  EXPECT_FALSE(fs::exists(directory / "new"));
+  write_files(directory / "link/../linked", {{"one", "1\n"}});
+  EXPECT_EQ(read_file(directory / "there/linked/one"), "1\n") << "beside what the link leads to";
 }
 
 // Linux refuses hard links to files of others (protected_hardlinks), as some file systems refuse any.
@@ -193,6 +276,19 @@ TEST(Files, WithoutHardLinksTheOldFileIsMovedAsideAndBack) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   };
   EXPECT_EQ(as_nobody(at_call(2, [] { throw Stop{}; })), 1);
+  EXPECT_EQ(snapshot(directory / "out"), before);
+  // A file of somebody else has the name that the old one would be moved to.
+  const auto take_and_stop = [&, calls = 0]() mutable {
+    if (++calls == 1) directory.file("out/" + beside("one", "old"), "precious");
+    if (calls == 2) throw Stop{};
+  };
+  EXPECT_EQ(as_nobody(take_and_stop), 1);
+  std::size_t precious = 0;
+  for (const auto& [name, content] : snapshot(directory / "out")) {
+    precious += content == "precious" ? 1 : 0;
+    if (content == "precious") fs::remove(directory / ("out/" + name));
+  }
+  EXPECT_EQ(precious, 1U);
   EXPECT_EQ(snapshot(directory / "out"), before);
   EXPECT_EQ(as_nobody(keep_going), 0);
   EXPECT_EQ(snapshot(directory / "out"), (std::map<std::string, std::string>{{"one", "new\n"}}));

@@ -1,7 +1,12 @@
 #include "reports/gnuplot.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cerrno>
+#include <csignal>
+
+#include "fit/user_error.hpp"
 #include "reports/files.hpp"
 #include "tests/fake_gnuplot.hpp"
 
@@ -88,6 +93,105 @@ TEST(Gnuplot, APlaceThatIsTakenIsAFailure) {
   EXPECT_EQ(failed[0].complaint, "Is a directory");
   EXPECT_EQ(read_file(directory / "plots/a.svg/precious"), "kept");
   EXPECT_EQ(count_entries(directory / "plots"), 1U);
+}
+
+/// What a checkpoint of these tests throws: of no kind that the drawing could know.
+struct Stop {};
+
+bool has_children() {
+  return ::waitpid(-1, nullptr, WNOHANG) >= 0 || errno != ECHILD;
+}
+
+TEST(Gnuplot, OneThatHangsEndsWithTheCheckpointThatThrows) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory / "temporary");
+  const EnvironmentVariable temporary("TMPDIR", directory / "temporary");
+  const std::string pid = directory / "pid";
+  const auto program = fake_gnuplot(directory, "echo $$ > " + pid + "; exec sleep 1000");
+  const std::vector<File> files{{"plots/a.gnuplot", ""}, {"plots/b.gnuplot", ""}, {"plots/c.gnuplot", ""}};
+  // The first calls are those of the files and those before each start, all others those of waiting.
+  for (int n = 1; n <= 12; ++n) {
+    const auto stop = [n, calls = 0]() mutable {
+      if (++calls == n) throw Stop{};
+    };
+    EXPECT_THROW(draw_pictures(program, files, {"a", "b", "c"}, stop), Stop) << n;
+    EXPECT_FALSE(has_children()) << n;
+    EXPECT_EQ(count_entries(directory / "temporary"), 0U) << n;
+  }
+  // And once one is known to hang, not only to have been started.
+  fs::remove(pid);
+  const auto stop_once_it_hangs = [&, calls = 0]() mutable {
+    constexpr int too_many = 100000;
+    if (++calls == too_many || (fs::exists(pid) && fs::file_size(pid) > 0)) throw Stop{};
+  };
+  EXPECT_THROW(draw_pictures(program, files, {"a"}, stop_once_it_hangs), Stop);
+  const std::string process = read_file(pid);
+  ASSERT_FALSE(process.empty());
+  EXPECT_NE(::kill(std::stoi(process), 0), 0);
+  EXPECT_FALSE(has_children());
+  EXPECT_EQ(count_entries(directory / "temporary"), 0U);
+}
+
+TEST(Gnuplot, OneThatDoesNotHearIsKilled) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory / "plots");
+  const std::string deaf = directory / "deaf";
+  const auto program = fake_gnuplot(directory, "trap '' TERM; : > " + deaf + "; exec sleep 1000");
+  const auto stop_once_it_is_deaf = [&, calls = 0]() mutable {
+    constexpr int too_many = 100000;
+    if (++calls == too_many || fs::exists(deaf)) throw Stop{};
+  };
+  EXPECT_THROW(draw_plots(program, directory / "plots", {"a"}, stop_once_it_is_deaf), Stop);
+  EXPECT_TRUE(fs::exists(deaf));
+  EXPECT_FALSE(has_children());
+  EXPECT_EQ(count_entries(directory / "plots"), 0U);
+}
+
+TEST(Gnuplot, APictureThatTakesTooLongIsAFailure) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory / "plots");
+  const auto program = fake_gnuplot(directory, "exec sleep 1000");
+  const auto failed =
+      draw_plots(program, directory / "plots", {"a", "b"}, keep_going, std::chrono::seconds(0));
+  ASSERT_EQ(failed.size(), 2U);
+  EXPECT_EQ(failed[0].complaint, "gnuplot took longer than 0 s");
+  EXPECT_EQ(failed[1].name, "b") << "and the next is tried";
+  EXPECT_FALSE(has_children());
+  EXPECT_EQ(count_entries(directory / "plots"), 0U);
+}
+
+TEST(Gnuplot, WhatItSaysIsKeptWhereItWorks) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory / "plots");
+  const auto program = fake_gnuplot(directory, "readlink /proc/$$/fd/1 /proc/$$/fd/2; exit 1");
+  const auto failed = draw_plots(program, directory / "plots", {"a"});
+  ASSERT_EQ(failed.size(), 1U);
+  EXPECT_TRUE(failed[0].complaint.starts_with(fs::canonical(directory / "plots").string() + "/.transcript-"))
+      << failed[0].complaint;
+  EXPECT_EQ(count_entries(directory / "plots"), 0U);
+
+  const auto nowhere = draw_plots(program, directory / "none", {"a"});
+  ASSERT_EQ(nowhere.size(), 1U);
+  EXPECT_EQ(nowhere[0].complaint,
+            "cannot create a file in '" + (directory / "none") + "': No such file or directory");
+}
+
+TEST(Gnuplot, TemporaryFilesThatHaveNoDirectory) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("file", "x");
+  for (const auto& [value, reason] :
+       {std::pair{directory / "none", "No such file or directory"}, {file, "Not a directory"}}) {
+    const EnvironmentVariable temporary("TMPDIR", value);
+    try {
+      draw_pictures(directory / "none", {}, {});
+      ADD_FAILURE() << value;
+    } catch (const UserError& error) {
+      EXPECT_EQ(error.what(), "TMPDIR '" + value + "' is no directory: " + reason);
+    }
+  }
+  const EnvironmentVariable unset("TMPDIR", "");
+  const EnvironmentVariable next("TMP", directory / "none");
+  EXPECT_THROW(draw_pictures(directory / "none", {}, {}), UserError) << "one that is empty is passed over";
 }
 
 }  // namespace

@@ -49,5 +49,14 @@ TEST(Utf8, TakesNothingThatIsCutOffOrOutOfPlace) {
   EXPECT_EQ(utf8_length("\xFF"), 0U);
 }
 
+TEST(Utf8, OneLineShowsNoControlCharacterAndIsBounded) {
+  EXPECT_EQ(one_line("a\x1B[2J\r\n\x7F\xC2\x9B\xFF \xC3\xA9"),
+            "a\\x1b[2J\\x0d\\x0a\\x7f\\xc2\\x9b\\xff \xC3\xA9");
+  EXPECT_EQ(one_line(std::string(600, 'x')), std::string(600, 'x'));
+  EXPECT_EQ(one_line(std::string(301, 'x') + std::string(300, 'y')),
+            std::string(300, 'x') + " .. " + std::string(300, 'y'));
+  EXPECT_EQ(printable(std::string(601, 'x') + "\n"), std::string(601, 'x') + "\\x0a") << "a path is whole";
+}
+
 }  // namespace
 }  // namespace shadefit
