@@ -205,7 +205,7 @@ class Drawing {
     process_ = 0;
   }
 
-  /// Short beside the 50 ms that a picture takes, long beside the microseconds of a look.
+  /// Short beside the 10 to 40 ms that a picture takes, long beside the microseconds of a look.
   static constexpr std::chrono::milliseconds pause{2};
   static void sleep_for_a_pause() {
     const std::timespec time{0, std::chrono::nanoseconds(pause).count()};
