@@ -4,6 +4,16 @@
 
 namespace shadefit {
 
+namespace {
+
+/// A waiting one of the signals, taken; not positive where none waits.
+int take_one(const sigset_t& held) {
+  constexpr std::timespec no_time{};
+  return sigtimedwait(&held, nullptr, &no_time);
+}
+
+}  // namespace
+
 HeldSignals hold_interrupts() {
   HeldSignals signals{};
   sigemptyset(&signals.held);
@@ -16,14 +26,18 @@ HeldSignals hold_interrupts() {
   return signals;
 }
 
+void take_waiting(const HeldSignals& signals) {
+  while (take_one(signals.held) > 0) {
+  }
+}
+
 void release(const HeldSignals& signals) {
   pthread_sigmask(SIG_SETMASK, &signals.mask_before, nullptr);
 }
 
 Checkpoint interruptible(const HeldSignals& signals) {
   return [held = signals.held] {
-    constexpr std::timespec no_time{};
-    const int signal = sigtimedwait(&held, nullptr, &no_time);
+    const int signal = take_one(held);
     if (signal > 0) throw Interrupted{signal};
   };
 }

@@ -28,6 +28,9 @@ struct HeldSignals {
 /// will not end it.
 HeldSignals hold_interrupts();
 
+/// Takes the signals that wait, as of somebody who pressed Ctrl-C again while the first was being obeyed.
+void take_waiting(const HeldSignals& signals);
+
 /// Lets the signals of `hold_interrupts` do again what they did. One that still waits strikes now.
 void release(const HeldSignals& signals);
 

@@ -20,6 +20,8 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   const auto signals = shadefit::hold_interrupts();
   const auto outcome = shadefit::run_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals));
+  const bool is_interrupted = outcome.exit_code > 128;
+  if (is_interrupted) shadefit::take_waiting(signals);
   // What is left is to print, which a reader may keep waiting for as long as it likes.
   shadefit::release(signals);
   errno = 0;

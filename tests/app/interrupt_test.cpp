@@ -50,6 +50,12 @@ TEST_F(Interrupt, ACheckpointThrowsTheSignalThatWaitsAndTakesIt) {
   }
 }
 
+TEST_F(Interrupt, ThoseThatWaitCanBeTakenAtOnce) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::raise(signal);
+  take_waiting(signals_);
+  EXPECT_NO_THROW(interruptible(signals_)());
+}
+
 TEST_F(Interrupt, AnIgnoredSignalStaysIgnored) {
   release(signals_);
   std::signal(SIGINT, SIG_IGN);

@@ -67,7 +67,8 @@ TEST(Process, AnInterruptionEndsARunWithNothingWritten) {
   }
 }
 
-// The signal comes while gnuplot hangs, and to the command alone.
+// The signal comes while gnuplot hangs, and to the command alone; once or, as two plots are drawn at a time,
+// again while the command is ending.
 TEST(Process, AnInterruptionEndsARunWhoseGnuplotHangs) {
   const TemporaryDirectory directory;
   directory.file("out/report.md", "old\n");
