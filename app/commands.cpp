@@ -264,9 +264,7 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   const Results results = compute_results(options.only, checkpoint);
   const PlotsNews news = write_results(options, results, checkpoint);
   std::string out = write_console(summary_table(results), Precision::report) + news.out;
-  out += fmt::format("
-Report: {}
-", printable((without_detours(options.out) / "report.md").string()));
+  out += fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(results);
   return {err.empty() ? 0 : 1, out, err};
 }

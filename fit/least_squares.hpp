@@ -1,24 +1,16 @@
 #pragma once
 
-#include <ceres/tiny_solver.h>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
-#include <span>
-#include <string_view>
 #include <vector>
 
-#include "fit/gauss.hpp"
-#include "fit/jet.hpp"
+#include "fit/descent.hpp"
 #include "fit/metric.hpp"
 #include "fit/sampled_problem.hpp"
+#include "fit/status.hpp"
 #include "fit/substitution.hpp"
 
 /// Continuous least squares: minimise the integral of measure * error^2 over the parameters of a family.
@@ -32,39 +24,11 @@ namespace shadefit {
 static_assert(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits,
               "the digits of a fit are measured in an arithmetic wider than double");
 
-enum class Status {
-  converged,  ///< one optimum; in wider arithmetic the Newton step there is below `settled` of each parameter
-  ambiguous,  ///< the three starts did not meet within `same_optimum` of each other
-  not_converged,  ///< no quadrature rule settled the answer, or the gradient is not zero there
-  not_finite,     ///< a value was infinite or not a number
-};
-
-constexpr std::string_view name(Status status) {
-  switch (status) {
-    case Status::converged:
-      return "converged";
-    case Status::ambiguous:
-      return "ambiguous";
-    case Status::not_converged:
-      return "not-converged";
-    case Status::not_finite:
-      return "not-finite";
-  }
-  return "unknown";
-}
-
-/// Relative. Polishing in double leaves a few units of 1e-16; two different optima differ visibly.
-inline constexpr double same_optimum = 1e-12;
 /// Relative. A parameter rounded to double is off by up to 1.1e-16; 1e-14 is promised, the next larger rule
 /// adds more.
 inline constexpr double settled = 2e-15;
-/// The rules, as indices of `gauss_sizes`: Ceres looks for the basin on twelve nodes, on one panel or on two.
-constexpr std::size_t basin_rule(std::size_t panels) {
-  return panels == 1 ? 1 : 0;
-}
-inline constexpr int basin_nodes = 12;
-/// Newton polishes on this one, and then these have to agree, in the order in which they are asked: first the
-/// next smaller one, which is the cheapest that can, then ever larger ones.
+/// Newton polishes on this rule, an index of `gauss_sizes`, and then these have to agree, in the order in
+/// which they are asked: first the next smaller one, which is the cheapest that can, then ever larger ones.
 inline constexpr std::size_t polish_rule = 3;
 inline constexpr std::array<std::size_t, 5> check_rules{2, 4, 5, 6, 7};
 /// The most that `digits` says: a claim of 15 digits would rest on the last bit of a double.
@@ -80,197 +44,12 @@ struct Optimum {
   double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure)
 };
 
-/// The Newton step -H^-1 g.
-template <class T, int N>
-struct NewtonStep {
-  std::array<T, static_cast<std::size_t>(N)> step{};
-  bool is_finite = true;
-};
-
-/// The gradient may be in wider arithmetic than the Hessian, whose own rounding only shortens or lengthens a
-/// step.
-template <class T, class H, int N>
-NewtonStep<T, N> newton_step(const Eigen::Matrix<T, N, 1>& gradient, const Eigen::Matrix<H, N, N>& hessian) {
-  const Eigen::Matrix<H, N, N> inverse = hessian.inverse();
-  NewtonStep<T, N> result;
-  for (int i = 0; i < N; ++i) {
-    T step = 0;
-    for (int j = 0; j < N; ++j) step -= static_cast<T>(inverse(i, j)) * gradient[j];
-    result.step[static_cast<std::size_t>(i)] = step;
-    result.is_finite = result.is_finite && std::isfinite(step);
-  }
-  return result;
-}
-
-/// Whether a point with this Hessian is a minimum.
-template <int N>
-bool is_positive_definite(const Eigen::Matrix<double, N, N>& hessian) {
-  return hessian.llt().info() == Eigen::Success;
-}
-
-/// The largest |step / parameter|. A parameter whose optimum is 0 has no relative digits and never settles.
-template <class T, std::size_t N>
-T relative_size(const std::array<T, N>& step, const std::array<T, N>& p) {
-  T largest = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    if (step[i] != 0) largest = std::max(largest, std::abs(step[i] / p[i]));
-  }
-  return largest;
-}
-
 /// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
 inline int correct_digits(long double relative_step) {
   if (std::isnan(relative_step)) return 0;
   const long double digits = std::floor(-std::log10(relative_step));  // infinite for a step of 0
   return static_cast<int>(std::clamp(digits, 0.0L, static_cast<long double>(most_digits)));
 }
-
-namespace detail {
-
-/// What ceres::TinySolver minimises: sqrt(weight) * error, scaled to norm 1 at the start. TinySolver stops at
-/// absolute changes of the cost, and the cost of a lobe of exponent 1e6 is 1e-19 from the beginning.
-template <class F>
-struct TinyFunction {
-  using Scalar = double;
-  static constexpr int N = SampledProblem<F, double>::N;
-  enum { NUM_RESIDUALS = basin_nodes, NUM_PARAMETERS = N };
-
-  const SampledProblem<F, double>& problem;
-  std::array<double, basin_nodes> roots;  ///< of the weights, scaled
-
-  TinyFunction(const SampledProblem<F, double>& sampled, double square) : problem(sampled), roots() {
-    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = std::sqrt(problem.weight(i) / square);
-  }
-
-  bool operator()(const double* parameters, double* residuals, double* jacobian) const {
-    using Jet = ceres::Jet<double, N>;
-    std::array<double, N> p;
-    std::array<Jet, N> seeds;
-    for (int i = 0; i < N; ++i) {
-      p[static_cast<std::size_t>(i)] = parameters[i];
-      seeds[static_cast<std::size_t>(i)] = Jet(parameters[i], i);
-    }
-    for (std::size_t node = 0; node < roots.size(); ++node) {
-      if (jacobian == nullptr) {
-        residuals[node] = roots[node] * problem.error(node, p);
-        continue;
-      }
-      const Jet r = problem.error(node, seeds);
-      residuals[node] = roots[node] * r.a;
-      for (std::size_t i = 0; i < N; ++i)
-        jacobian[i * roots.size() + node] = roots[node] * r.v[static_cast<int>(i)];
-    }
-    return true;
-  }
-};
-
-/// A point on the way down, and a Hessian from nearby, if there is one.
-template <int N>
-struct Candidate {
-  std::array<double, static_cast<std::size_t>(N)> parameters{};
-  std::optional<Eigen::Matrix<double, N, N>> hessian = std::nullopt;
-  int iterations = 0;
-  Status status = Status::not_converged;
-};
-
-/// The largest relative distance of two points, measured in the second.
-template <std::size_t N>
-double distance(std::array<double, N> p, const std::array<double, N>& from) {
-  for (std::size_t j = 0; j < N; ++j) p[j] -= from[j];
-  return relative_size(p, from);
-}
-
-template <class F>
-using TinySolver = ceres::TinySolver<TinyFunction<F>>;
-
-/// Only the basin is wanted: a step of 1e-2 (|x| + 1e-2) is inside Newton's; cost tests are off.
-template <class F>
-TinySolver<F> basin_solver() {
-  TinySolver<F> solver;
-  solver.options.parameter_tolerance = 1e-2;
-  solver.options.function_tolerance = 0;
-  solver.options.gradient_tolerance = 0;
-  solver.options.cost_threshold = 0;
-  return solver;
-}
-
-/// Newton in double to the bottom of the basin, until what is left of the way is below `rest` of the
-/// parameters. The Hessian is dearer than the gradient, up to seven times, and kept for as long as steps
-/// shrink to a third or less.
-template <class F, int N>
-void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, double rest) {
-  auto& p = candidate.parameters;
-  double last = 1;
-  // Four to seven steps are the rule; thirty leave room for a start that Ceres gave up on.
-  for (int i = 0; i < 30; ++i) {
-    const bool is_own = !candidate.hessian;
-    typename SampledProblem<F, double>::Vector gradient;
-    if (is_own) {
-      const auto derivatives = problem.derivatives(p);
-      gradient = derivatives.gradient;
-      candidate.hessian = derivatives.hessian;
-    } else {
-      gradient = problem.gradient(p).gradient;
-    }
-    const auto newton = newton_step<double, double, N>(gradient, *candidate.hessian);
-    if (!newton.is_finite) {
-      candidate.status = Status::not_finite;
-      return;
-    }
-    for (std::size_t j = 0; j < p.size(); ++j) p[j] += newton.step[j];
-    ++candidate.iterations;
-    // With the Hessian of the place a step squares what was left. With another's, what it leaves of itself is
-    // the Hessian's error: as much as of the step before, and 1 % at least, where that one was small by
-    // chance.
-    const double size = relative_size(newton.step, p);
-    const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
-    if (size < 1e-6 && left < rest) {
-      candidate.status =
-          is_positive_definite<N>(*candidate.hessian) ? Status::converged : Status::not_converged;
-      return;
-    }
-    if (!(size < last / 3)) candidate.hessian.reset();
-    last = size;
-  }
-  candidate.status = Status::not_converged;
-}
-
-/// The optimum on few nodes, if all three starts lead to it; else the status says why not. The Hessian that
-/// led the first one serves the other starts, and the larger rules after them.
-template <class F>
-auto common_optimum(const F& family, const SampledProblem<F, double>& problem) {
-  constexpr int N = SampledProblem<F, double>::N;
-  const auto starts = family.starts();
-  Candidate<N> common{.parameters = starts[0]};
-  const double square = problem.square(starts[0]);
-  if (!std::isfinite(square)) common.status = Status::not_finite;
-  if (!(square > 0) || !std::isfinite(square)) return common;  // a square of 0 has underflowed
-
-  const TinyFunction<F> function(problem, square);
-  auto solver = basin_solver<F>();
-  const auto descend = [&](Candidate<N> candidate) {
-    typename TinySolver<F>::Parameters parameters(candidate.parameters.data());
-    candidate.iterations = solver.Solve(function, &parameters).iterations;
-    std::copy_n(parameters.data(), N, candidate.parameters.begin());
-    polish(problem, candidate, same_optimum / 10);
-    return candidate;
-  };
-  common = descend(common);
-  if (common.status != Status::converged) return common;
-  const auto first = common;
-  for (const auto& start : {starts[1], starts[2]}) {
-    const auto candidate = descend({.parameters = start, .hessian = first.hessian});
-    if (candidate.status != Status::converged) {
-      common.status = candidate.status;
-    } else if (distance(candidate.parameters, first.parameters) > same_optimum &&
-               common.status == Status::converged) {
-      common.status = Status::ambiguous;
-    }
-  }
-  return common;
-}
-
-}  // namespace detail
 
 /// A family under a metric (norm: least squares), sampled and ready to be solved.
 template <class F>
@@ -288,9 +67,9 @@ class LeastSquares {
   /// Never throws for a hard problem: the status says how it went, and parameters are an answer only where it
   /// is `converged`.
   Optimum<N> solve() const {
-    auto candidate = detail::common_optimum(family_, basin_);
+    auto candidate = common_optimum(family_, basin_);
     // A step below 2e-16 hardly changes a double.
-    if (candidate.status == Status::converged) detail::polish(fine_, candidate, 2e-16);
+    if (candidate.status == Status::converged) polish(fine_, candidate, 2e-16);
     Optimum<N> optimum{
         .parameters = candidate.parameters, .status = candidate.status, .iterations = candidate.iterations};
     if (candidate.status != Status::converged) return optimum;
@@ -315,7 +94,7 @@ class LeastSquares {
   /// Asks a rule for one more step in long double, at the parameters as they are returned, rounded to double.
   /// Where it is nothing the answer has settled; else it is taken, and true says that another rule has to be
   /// asked.
-  static bool settle(Optimum<N>& optimum, const detail::Candidate<N>& candidate,
+  static bool settle(Optimum<N>& optimum, const Candidate<N>& candidate,
                      const SampledProblem<F, long double>& problem, std::size_t rule) {
     std::array<long double, N> p;
     std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+
+/// How a fit ended.
+namespace shadefit {
+
+enum class Status {
+  converged,  ///< one optimum; in wider arithmetic the Newton step there is below `settled` of each parameter
+  ambiguous,  ///< the three starts did not meet within `same_optimum` of each other
+  not_converged,  ///< no quadrature rule settled the answer, or the gradient is not zero there
+  not_finite,     ///< a value was infinite or not a number
+};
+
+constexpr std::string_view name(Status status) {
+  switch (status) {
+    case Status::converged:
+      return "converged";
+    case Status::ambiguous:
+      return "ambiguous";
+    case Status::not_converged:
+      return "not-converged";
+    case Status::not_finite:
+      return "not-finite";
+  }
+  return "unknown";
+}
+
+}  // namespace shadefit
