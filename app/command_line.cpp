@@ -56,70 +56,87 @@ void require_known_command(const CLI::App& app, const std::vector<std::string>& 
   require_known(arguments.front(), known, "command");
 }
 
+/// What the arguments set, and what came of it.
+struct Call {
+  const Checkpoint& checkpoint;
+  ListOptions list = {};
+  RunOptions run = {};
+  bool no_plots = false;
+  FitOptions fit = {};
+  CheckOptions check = {};
+  bool all = false;
+  Outcome outcome = {};
+};
+
+void add_list(CLI::App& app, Call& call) {
+  auto* list = app.add_subcommand("list", "every constant: id, published value, source");
+  auto* list_json = list->add_flag("--json", call.list.json, "print JSON");
+  list->add_flag("--latex", call.list.latex, "print a LaTeX tabular")->excludes(list_json);
+  list->callback([&call] { call.outcome = list_command(call.list); });
+}
+
+void add_run(CLI::App& app, Call& call) {
+  auto* run = app.add_subcommand("run", "fit and check everything, write report.md and the tables");
+  run->add_option("--out", call.run.out, "directory to write")->capture_default_str()->type_name("DIR");
+  run->add_option("--only", call.run.only, "only the families and normalisations of these ids, one or more")
+      ->type_name("ID");
+  run->add_flag("--no-plots", call.no_plots, "neither plots nor their data and scripts");
+  run->callback([&call] {
+    call.run.plots = !call.no_plots;
+    call.outcome = run_command(call.run, call.checkpoint);
+  });
+}
+
+void add_fit(CLI::App& app, Call& call) {
+  auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
+  fit->add_option("id", call.fit.id, "a family or a published constant, see 'shadefit list'")->required();
+  fit->add_option("--exponent", call.fit.exponent, "K or A:B:STEP, by commas; default: the record's own")
+      ->type_name("K");
+  fit->add_option("--measure", call.fit.measure, "cosine, angle or cosine-weighted")
+      ->capture_default_str()
+      ->type_name("NAME");
+  fit->add_option("--domain", call.fit.domain, "A:B, the cosines to fit over; default: 0:1")
+      ->type_name("A:B");
+  fit->add_option("--target", call.fit.target,
+                  "of a Fresnel family: schlick, or exact for the reflectance of a surface")
+      ->capture_default_str()
+      ->type_name("NAME");
+  fit->add_option(
+         "--ior", call.fit.ior,
+         "index of refraction of a surface, whose F the errors are then of; with exact by default 1.5")
+      ->type_name("N");
+  fit->add_option("--extinction", call.fit.extinction, "extinction k of a conductor n + i k; default: 0")
+      ->type_name("K");
+  auto* json = fit->add_flag("--json", call.fit.json, "print JSON, every number to its last bit");
+  auto* csv =
+      fit->add_flag("--csv", call.fit.csv, "print the columns of fits.csv, every number to its last bit")
+          ->excludes(json);
+  fit->add_flag("--latex", call.fit.latex, "print the table as a LaTeX tabular")
+      ->excludes(json)
+      ->excludes(csv);
+  fit->callback([&call] { call.outcome = fit_command(call.fit, call.checkpoint); });
+}
+
+void add_check(CLI::App& app, Call& call) {
+  auto* check =
+      app.add_subcommand("check", "recompute and compare with the committed tables; writes nothing");
+  check->add_option("--baseline", call.check.baseline, "directory of the tables")
+      ->capture_default_str()
+      ->type_name("DIR");
+  check->add_flag("--all", call.all, "the slow tables too (this version has none)");
+  check->callback([&call] { call.outcome = check_command(call.check, call.checkpoint); });
+}
+
 Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint) {
   CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
                "shadefit"};
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION);
   app.require_subcommand(1);
-  Outcome outcome;
-
-  ListOptions list_options;
-  auto* list = app.add_subcommand("list", "every constant: id, published value, source");
-  auto* list_json = list->add_flag("--json", list_options.json, "print JSON");
-  list->add_flag("--latex", list_options.latex, "print a LaTeX tabular")->excludes(list_json);
-  list->callback([&] { outcome = list_command(list_options); });
-
-  RunOptions run_options;
-  bool no_plots = false;
-  auto* run = app.add_subcommand("run", "fit and check everything, write report.md and the tables");
-  run->add_option("--out", run_options.out, "directory to write")->capture_default_str()->type_name("DIR");
-  run->add_option("--only", run_options.only,
-                  "only the families and normalisations of these ids, one or more")
-      ->type_name("ID");
-  run->add_flag("--no-plots", no_plots, "neither plots nor their data and scripts");
-  run->callback([&] {
-    run_options.plots = !no_plots;
-    outcome = run_command(run_options, checkpoint);
-  });
-
-  FitOptions fit_options;
-  auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
-  fit->add_option("id", fit_options.id, "a family or a published constant, see 'shadefit list'")->required();
-  fit->add_option("--exponent", fit_options.exponent, "K or A:B:STEP, by commas; default: the record's own")
-      ->type_name("K");
-  fit->add_option("--measure", fit_options.measure, "cosine, angle or cosine-weighted")
-      ->capture_default_str()
-      ->type_name("NAME");
-  fit->add_option("--domain", fit_options.domain, "A:B, the cosines to fit over; default: 0:1")
-      ->type_name("A:B");
-  fit->add_option("--target", fit_options.target,
-                  "of a Fresnel family: schlick, or exact for the reflectance of a surface")
-      ->capture_default_str()
-      ->type_name("NAME");
-  fit->add_option(
-         "--ior", fit_options.ior,
-         "index of refraction of a surface, whose F the errors are then of; with exact by default 1.5")
-      ->type_name("N");
-  fit->add_option("--extinction", fit_options.extinction, "extinction k of a conductor n + i k; default: 0")
-      ->type_name("K");
-  auto* json = fit->add_flag("--json", fit_options.json, "print JSON, every number to its last bit");
-  auto* csv =
-      fit->add_flag("--csv", fit_options.csv, "print the columns of fits.csv, every number to its last bit")
-          ->excludes(json);
-  fit->add_flag("--latex", fit_options.latex, "print the table as a LaTeX tabular")
-      ->excludes(json)
-      ->excludes(csv);
-  fit->callback([&] { outcome = fit_command(fit_options, checkpoint); });
-
-  CheckOptions check_options;
-  bool all = false;
-  auto* check =
-      app.add_subcommand("check", "recompute and compare with the committed tables; writes nothing");
-  check->add_option("--baseline", check_options.baseline, "directory of the tables")
-      ->capture_default_str()
-      ->type_name("DIR");
-  check->add_flag("--all", all, "the slow tables too (this version has none)");
-  check->callback([&] { outcome = check_command(check_options, checkpoint); });
+  Call call{.checkpoint = checkpoint};
+  add_list(app, call);
+  add_run(app, call);
+  add_fit(app, call);
+  add_check(app, call);
 
   try {
     require_known_command(app, arguments);
@@ -137,7 +154,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   } catch (const CLI::ParseError& error) {
     return usage_error(error.what());
   }
-  return outcome;
+  return call.outcome;
 }
 
 }  // namespace
