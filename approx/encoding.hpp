@@ -15,4 +15,11 @@ T srgb_encode(const T& linear) {
   return select(less(constant<T>("0.0031308"), linear), curved, straight);
 }
 
+/// The 8-bit code, as a real number in [0, 255], that a display is sent for a linear value, which is clamped
+/// to [0, 1].
+template <class T>
+T srgb_code(const T& linear) {
+  return integer<T>(255) * srgb_encode(min(positive_part(linear), integer<T>(1)));
+}
+
 }  // namespace shadefit

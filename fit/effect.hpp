@@ -53,9 +53,7 @@ Effect effect_of_change(const F& family, const Domain& domain, const std::array<
     const double step = std::abs(after - before);
     if (before >= visible) effect.relative = std::max(effect.relative, step / before);
     effect.half_ulps = std::max(effect.half_ulps, step / half_ulp(before));
-    const double codes =
-        255 * std::abs(srgb_encode(std::clamp(after, 0.0, 1.0)) - srgb_encode(std::clamp(before, 0.0, 1.0)));
-    effect.srgb_codes = std::max(effect.srgb_codes, codes);
+    effect.srgb_codes = std::max(effect.srgb_codes, std::abs(srgb_code(after) - srgb_code(before)));
   }
   return effect;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "approx/encoding.hpp"
 #include "fit/extremum.hpp"
@@ -35,8 +34,7 @@ ReflectanceError compare_reflectance(const Surface& surface, const Form& form) {
   for (const Substitution& panel : panels) {
     const auto codes = [&](double s) {
       const Cosine<double> c = panel.at(s).cosine;
-      const auto code = [](double f) { return 255 * srgb_encode(std::clamp(f, 0.0, 1.0)); };
-      return std::abs(code(reflectance(form(c))) - code(target(c)));
+      return std::abs(srgb_code(reflectance(form(c))) - srgb_code(target(c)));
     };
     result.srgb_codes = std::max(result.srgb_codes, largest_sampled(codes));
   }

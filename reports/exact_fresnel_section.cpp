@@ -158,8 +158,8 @@ std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
         std::find_if(first, chain.end(), [&](const FresnelLink& l) { return l.surface != first->surface; });
     Table table{chain_columns, {}};
     std::transform(first, last, std::back_inserter(table.rows), chain_row);
-    out += fmt::format("{}, f0 = {:.4g}:\n\n", surface_text(*first->surface), first->f0) +
-           write_markdown(table, Precision::report) + "\n";
+    out +=
+        fmt::format("{}, f0 = {:.4g}:\n\n", surface_text(*first->surface), first->f0) + markdown_block(table);
     first = last;
   }
   return out;

@@ -17,10 +17,6 @@ std::string number(double value) {
   return text(converged(value), Precision::report);
 }
 
-std::string markdown(const Table& table) {
-  return write_markdown(table, Precision::report) + "\n";
-}
-
 std::vector<const Assessment*> assessments_of(const Refit& refit, const Published& published) {
   std::vector<const Assessment*> found;
   const auto collect = [&](const std::vector<Assessment>& assessments) {
@@ -179,7 +175,7 @@ std::string variants_section(const Refit& refit) {
                             sentence(family.effect(setting_of(best), best.metric.domain, from, to))});
     }
   }
-  return table.rows.empty() ? "" : "Mistyped copies in circulation:\n\n" + markdown(table);
+  return table.rows.empty() ? "" : "Mistyped copies in circulation:\n\n" + markdown_block(table);
 }
 
 /// The law that was derived for a family under a measure, if one was.
@@ -208,7 +204,7 @@ std::string law_section(const Refit& refit) {
       "For large k the best {0} follows {0}(k) = limit + slope / k. Derived by asymptotic expansion (in "
       "approx/), and "
       "extrapolated from the fits at k = 1e4, 1e5, 1e6:\n\n{1}",
-      refit.family->parameters[0], markdown(table));
+      refit.family->parameters[0], markdown_block(table));
 }
 
 std::string sweep_words(const Refit& refit) {
@@ -263,16 +259,16 @@ std::string figures_section(const std::vector<Figure>& figures, std::string_view
 std::string family_section(const Refit& refit, const std::vector<Figure>& figures) {
   const Family& info = refit.family->info;
   std::string out = fmt::format("## {} (`{}`)\n\n", info.title, info.id) +
-                    markdown(formulas_table(*refit.family)) + fmt::format("{}.\n\n", info.variables);
+                    markdown_block(formulas_table(*refit.family)) + fmt::format("{}.\n\n", info.variables);
   const bool all_converged = std::all_of(refit.fits.begin(), refit.fits.end(), [](const FitReport& r) {
     return r.fit.status == Status::converged;
   });
   if (!all_converged) return out + "Not every fit converged: see the verdicts in `fits.csv`.\n\n";
   out += published_section(refit);
   if (refit.family->has_exponent()) {
-    out += markdown(sweep_overview(refit)) + sweep_words(refit) + law_section(refit);
+    out += markdown_block(sweep_overview(refit)) + sweep_words(refit) + law_section(refit);
   } else {
-    out += markdown(single_overview(refit)) + single_words(refit);
+    out += markdown_block(single_overview(refit)) + single_words(refit);
   }
   return out + figures_section(figures, info.id) + variants_section(refit);
 }

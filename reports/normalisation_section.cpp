@@ -11,10 +11,6 @@
 namespace shadefit {
 namespace {
 
-std::string markdown(const Table& table) {
-  return write_markdown(table, Precision::report) + "\n";
-}
-
 bool is_checked(const Results& results, const Normalisation& record) {
   return std::any_of(results.normalisations.begin(), results.normalisations.end(),
                      [&](const auto& check) { return check.record->id == record.id; });
@@ -35,7 +31,7 @@ std::string stand_in_words(const Results& results) {
       "Naty Hoffman, is read as within {5:g}. The ratio is 1 in the limits a = 0 and infinity and largest at a = "
       "{6:.6g}: {7:.10g}, that is {8:.3g} % too bright.\n\n{9}",
       record.id, record.printed, BlinnPhongBrdfLobe::record.printed, record.source.author, record.source.year,
-      record.closeness, exponent, ratio, 100 * (ratio - 1), markdown(ratios));
+      record.closeness, exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));
 }
 
 /// What the constant of the microfacet BRDF rests on; empty where it was not checked.
@@ -66,8 +62,8 @@ std::string normalisation_section(const Results& results) {
                           fmt::format("`{}`", record.printed),
                           fmt::format("{} {}", record.source.author, record.source.year)});
   }
-  return out + markdown(lobes) + stand_in_words(results) + microfacet_words(results) +
-         markdown(normalisation_table(results.normalisations));
+  return out + markdown_block(lobes) + stand_in_words(results) + microfacet_words(results) +
+         markdown_block(normalisation_table(results.normalisations));
 }
 
 }  // namespace shadefit

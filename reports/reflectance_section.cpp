@@ -48,12 +48,11 @@ Table constant_table(const Curves& curves, double Reflectance::*value) {
 std::string constant_part(const ReflectedConstant& constant, const Curves& curves) {
   const auto& record = *constant.record;
   std::string out = fmt::format("`{}`, `{} {}`:\n\n", record.id, record.printed, record.lobe) +
-                    write_markdown(constant_table(curves, &Reflectance::reflectance), Precision::report) +
-                    "\n";
+                    markdown_block(constant_table(curves, &Reflectance::reflectance));
   if (constant.has_cosine) return out;
   return out +
          fmt::format("`{}` with n.l beside it, `{} {} (n.l)`:\n\n", record.id, record.printed, record.lobe) +
-         write_markdown(constant_table(curves, &Reflectance::with_cosine), Precision::report) + "\n";
+         markdown_block(constant_table(curves, &Reflectance::with_cosine));
 }
 
 Table largest_table(const std::vector<ReflectanceCurve>& curves) {
@@ -135,7 +134,7 @@ std::string reflectance_section(const std::vector<ReflectanceCurve>& curves) {
     sentences += energy_sentence(*constant.record, found);
   }
   return out + "The largest over all view angles, and below which of them R with n.l exceeds 1:\n\n" +
-         write_markdown(largest_table(curves), Precision::report) + "\n" + sentences + "\n";
+         markdown_block(largest_table(curves)) + sentences + "\n";
 }
 
 }  // namespace shadefit

@@ -26,8 +26,7 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
       "of the "
       "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";
-  out += exact_fresnel_lead(results.fresnel_chain) +
-         write_markdown(summary_table(results), Precision::report) + "\n";
+  out += exact_fresnel_lead(results.fresnel_chain) + markdown_block(summary_table(results));
   for (const Refit& refit : results.refits) out += family_section(refit, figures);
   if (!results.fresnel_chain.empty()) out += exact_fresnel_section(results.fresnel_chain);
   if (!results.normalisations.empty()) out += normalisation_section(results);

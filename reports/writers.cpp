@@ -144,6 +144,10 @@ std::string write_latex(const Table& table, Precision precision) {
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
+std::string markdown_block(const Table& table) {
+  return write_markdown(table, Precision::report) + "\n";
+}
+
 std::string write_console(const Table& table, Precision precision) {
   const auto rows = texts(table, precision);
   const auto width_of = widths(table, rows, 0);

@@ -18,10 +18,13 @@
 #include "fit/multiprecision.hpp"
 #include "fit/symbolic.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/intervals.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::contains;
+using testing::end;
 using testing::is_close;
 
 /// A formula as a callable on any scalar, with arguments that every scalar (half included) holds exactly, and
@@ -178,6 +181,7 @@ auto formulas() {
                 return blinn_phong_meridian(g, a, e, {one, one * one}).with_cosine;
               },
               meridians, 64},
+      Formula{"srgb_code", [](auto x) { return srgb_code(x); }, Lobes{{"0.5"}, {"1.5"}}, 16},
       Formula{"srgb_encode", [](auto x) { return srgb_encode(x); }, Lobes{{"0.001953125"}, {"0.5"}, {"1"}},
               16},
   };
@@ -279,15 +283,6 @@ TEST(SymbolicScalar, EveryFormulaIsItsExpression) {
   std::apply([&](const auto&... formula) { (check(formula), ...); }, formulas());
 }
 
-Decimal100 end(const Interval& x, bool upper) {
-  const auto bound = upper ? boost::multiprecision::upper(x) : boost::multiprecision::lower(x);
-  return Decimal100(bound.str(100));
-}
-
-bool contains(const Interval& x, const Decimal100& truth) {
-  return end(x, false) <= truth && truth <= end(x, true);
-}
-
 TEST(IntervalScalar, EveryFormulaContainsTheTruth) {
   const auto check = [](const auto& formula) {
     for (const auto& arguments : formula.arguments) {
@@ -302,62 +297,6 @@ TEST(IntervalScalar, EveryFormulaContainsTheTruth) {
     }
   };
   std::apply([&](const auto&... formula) { (check(formula), ...); }, formulas());
-}
-
-Interval span(const char* low, const char* high) {
-  return Scalar<Interval>::hull(constant<Interval>(low), constant<Interval>(high));
-}
-
-TEST(IntervalScalar, UndecidedComparisonsTakeTheHull) {
-  const Interval x = span("0.25", "0.75"), half = constant<Interval>("0.5");
-  EXPECT_EQ(less(x, half), Certainty::unknown);
-  EXPECT_EQ(less(x, integer<Interval>(1)), Certainty::yes);
-  EXPECT_EQ(less(integer<Interval>(1), x), Certainty::no);
-  const Interval chosen = select(less(x, half), integer<Interval>(2), integer<Interval>(3));
-  EXPECT_TRUE(contains(chosen, 2) && contains(chosen, 3));
-  EXPECT_FALSE(contains(select(less(half, x - x + half), half, half), 1));
-  EXPECT_TRUE(contains(srgb_encode(span("0", "1")), srgb_encode(Decimal100("0.002"))));
-}
-
-TEST(IntervalScalar, WhatIsNotANumberStaysSo) {
-  const Interval root = sqrt(span("-1", "4"));
-  const auto is_nan = [](const Interval& x) { return mpfi_nan_p(x.backend().data()) != 0; };
-  EXPECT_TRUE(is_nan(root));
-  EXPECT_EQ(less(root, integer<Interval>(1)), Certainty::unknown);
-  EXPECT_TRUE(is_nan(min(root, integer<Interval>(1)))) << "the truth may be 0, or nothing";
-  EXPECT_TRUE(is_nan(max(integer<Interval>(1), root)));
-  EXPECT_TRUE(is_nan(select(less(root, integer<Interval>(1)), root, integer<Interval>(1))));
-  EXPECT_TRUE(is_nan(log1p_remainder(span("-2", "0"))));
-  EXPECT_TRUE(is_nan(power(span("-1e-60", "0.4"), constant<Interval>("2.5"))));
-}
-
-TEST(IntervalScalar, PowersReachZero) {
-  const Interval wide = power(span("0", "0.4"), constant<Interval>("2.5"));
-  EXPECT_TRUE(contains(wide, 0) && contains(wide, pow(Decimal100("0.4"), Decimal100("2.5"))));
-  EXPECT_FALSE(contains(wide, Decimal100("0.11")));
-  const Interval square = power(span("-1", "2"), 2);
-  EXPECT_EQ(end(square, false), 0) << "a square is not negative";
-  EXPECT_EQ(end(square, true), 4);
-  EXPECT_TRUE(contains(power(span("2", "4"), -2), Decimal100("0.0625")));
-}
-
-TEST(IntervalScalar, MinMaxAndClamp) {
-  const Interval a = span("-1", "2"), b = span("0", "1");
-  EXPECT_EQ(end(min(a, b), false), -1);
-  EXPECT_EQ(end(min(a, b), true), 1);
-  EXPECT_EQ(end(max(a, b), false), 0);
-  EXPECT_EQ(end(max(a, b), true), 2);
-  EXPECT_EQ(end(positive_part(a), false), 0);
-  const Interval remainder = log1p_remainder(span("-0.5", "0.5"));
-  EXPECT_TRUE(contains(remainder, 0)) << "its maximum lies inside";
-  EXPECT_TRUE(contains(remainder, log(Decimal100("0.5")) + Decimal100("0.5")));
-}
-
-TEST(IntervalScalar, EnclosesDecimalTexts) {
-  const auto x = constant<Interval>("0.775");
-  EXPECT_LT(end(x, false), end(x, true)) << "0.775 is no binary number";
-  EXPECT_TRUE(contains(x, Decimal100("0.775")));
-  EXPECT_THROW(constant<Interval>("0.7x"), std::invalid_argument);
 }
 
 TEST(DecimalText, IsConvertedPerScalarNotThroughDouble) {

@@ -76,12 +76,12 @@ TEST(FresnelChain, CodesAreTheLargest) {
   for (const FresnelLink& link : chain()) {
     if (link.published != "fresnel-one-term") continue;
     const double n = constant<double>(link.surface->ior), k = constant<double>(link.surface->extinction);
-    const auto code = [](double f) { return 255 * srgb_encode(f); };
     double largest = 0;
     for (int i = 0; i <= 20000; ++i) {
       const double c = i / 20000.0;
       const double form = schlick_reflectance(link.f0, fresnel_one_term(c, link.parameters[0]));
-      largest = std::max(largest, std::abs(code(form) - code(conductor_reflectance(c, n, k))));
+      largest =
+          std::max(largest, 255 * std::abs(srgb_encode(form) - srgb_encode(conductor_reflectance(c, n, k))));
     }
     EXPECT_GE(link.from_exact.srgb_codes, largest * (1 - 1e-12))
         << link.surface->material << link.surface->wavelength;

@@ -252,9 +252,9 @@ TEST(Files, ADetourLeavesNoDirectory) {
   EXPECT_EQ(read_file(directory / "there/linked/one"), "1\n") << "beside what the link leads to";
 }
 
-// Linux refuses hard links to files of others (protected_hardlinks), as some file systems refuse any.
+// Linux refuses hard links to files of others (protected_hardlinks), as some file systems refuse any. Only
+// root can become somebody else; for all others the links succeed and the outcome has to be the same.
 TEST(Files, WithoutHardLinksTheOldFileIsMovedAsideAndBack) {
-  if (::geteuid() != 0) GTEST_SKIP() << "only root can become somebody who may not link to a file";
   const TemporaryDirectory directory;
   const std::string one = directory.file("out/one", "old\n");
   fs::permissions(one, fs::perms::owner_read | fs::perms::owner_write);
@@ -263,7 +263,7 @@ TEST(Files, WithoutHardLinksTheOldFileIsMovedAsideAndBack) {
   const auto as_nobody = [&](const Checkpoint& checkpoint) {
     const pid_t child = ::fork();
     if (child == 0) {
-      if (::setgid(65534) != 0 || ::setuid(65534) != 0) ::_exit(3);
+      if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(3);
       try {
         write_files(directory / "out", {{"one", "new\n"}}, checkpoint);
       } catch (const Stop&) {
