@@ -27,7 +27,7 @@ void require_values(const std::vector<std::string>& arguments) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
     const bool takes_text = option == "--out" || option == "--baseline" || option == "--measure" ||
-                            option == "--target" || option == "--only";
+                            option == "--target" || option == "--only" || option == "--verdict";
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
                                   option, arguments[i + 1]));
@@ -63,22 +63,27 @@ struct Call {
   RunOptions run = {};
   bool no_plots = false;
   FitOptions fit = {};
+  ExplainOptions explain = {};
   CheckOptions check = {};
   bool all = false;
   Outcome outcome = {};
 };
 
 void add_list(CLI::App& app, Call& call) {
-  auto* list = app.add_subcommand("list", "every constant: id, published value, source");
+  auto* list = app.add_subcommand("list", "every constant and claim: id, printed value, source");
   auto* list_json = list->add_flag("--json", call.list.json, "print JSON");
   list->add_flag("--latex", call.list.latex, "print a LaTeX tabular")->excludes(list_json);
-  list->callback([&call] { call.outcome = list_command(call.list); });
+  list->add_option("--verdict", call.list.verdict,
+                   "only what is confirmed, rounding, other-objective, conditional or refuted; computes it")
+      ->type_name("NAME");
+  list->callback([&call] { call.outcome = list_command(call.list, call.checkpoint); });
 }
 
 void add_run(CLI::App& app, Call& call) {
   auto* run = app.add_subcommand("run", "fit and check everything, write report.md and the tables");
   run->add_option("--out", call.run.out, "directory to write")->capture_default_str()->type_name("DIR");
-  run->add_option("--only", call.run.only, "only the families and normalisations of these ids, one or more")
+  run->add_option("--only", call.run.only,
+                  "only the families, normalisations and claims of these ids, one or more")
       ->type_name("ID");
   run->add_flag("--no-plots", call.no_plots, "neither plots nor their data and scripts");
   run->callback([&call] {
@@ -117,6 +122,13 @@ void add_fit(CLI::App& app, Call& call) {
   fit->callback([&call] { call.outcome = fit_command(call.fit, call.checkpoint); });
 }
 
+void add_explain(CLI::App& app, Call& call) {
+  auto* explain =
+      app.add_subcommand("explain", "one claim: what is said, by whom, what is computed, and why");
+  explain->add_option("id", call.explain.id, "a claim, see 'shadefit list'")->required();
+  explain->callback([&call] { call.outcome = explain_command(call.explain); });
+}
+
 void add_check(CLI::App& app, Call& call) {
   auto* check =
       app.add_subcommand("check", "recompute and compare with the committed tables; writes nothing");
@@ -136,6 +148,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_list(app, call);
   add_run(app, call);
   add_fit(app, call);
+  add_explain(app, call);
   add_check(app, call);
 
   try {

@@ -7,11 +7,14 @@
 #include <filesystem>
 
 #include "approx/catalogue.hpp"
+#include "approx/ledger.hpp"
+#include "fit/ledger.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 #include "reports/baseline.hpp"
 #include "reports/fit_json.hpp"
 #include "reports/gnuplot.hpp"
+#include "reports/ledger_section.hpp"
 #include "reports/plots.hpp"
 #include "reports/report.hpp"
 #include "reports/tables.hpp"
@@ -238,6 +241,10 @@ std::string failed_lines(const Results& results) {
                     check.record->id, check.exponent.value_or(0), check.closed_form, check.integral,
                     check.estimated_error);
   }
+  for (const JudgedClaim& judged : results.claims) {
+    if (judged.finding.verdict) continue;
+    err += fmt::format("shadefit: {} could not be judged: {}\n", judged.claim->id, judged.finding.evidence);
+  }
   for (const auto& curve : results.reflectances) {
     for (const auto& point : curve.points) {
       if (point.estimated_error <= reflectance_tolerance) continue;
@@ -249,21 +256,54 @@ std::string failed_lines(const Results& results) {
   return err;
 }
 
+Verdict parse_verdict(const std::string& text) {
+  std::vector<std::string> known;
+  for (const Verdict verdict : all_verdicts) {
+    if (text == name(verdict)) return verdict;
+    known.emplace_back(name(verdict));
+  }
+  throw UserError(
+      fmt::format("--verdict '{}' is unknown: it must be one of {}", text, fmt::join(known, ", ")));
+}
+
+std::vector<JudgedClaim> claims_with(Verdict verdict, const Checkpoint& checkpoint) {
+  auto claims = judge_claims([](std::string_view) { return true; }, checkpoint);
+  std::erase_if(claims, [&](const JudgedClaim& judged) { return judged.finding.verdict != verdict; });
+  return claims;
+}
+
+std::vector<JudgedClaim> unjudged_claims() {
+  std::vector<JudgedClaim> claims;
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) claims.push_back({&topic, &claim, {}});
+  }
+  return claims;
+}
+
 }  // namespace
 
-Outcome list_command(const ListOptions& options) {
-  if (!options.json) {
-    const auto write = options.latex ? write_latex : write_console;
-    return {0, write(list_table(), Precision::report), ""};
-  }
-  return {0, json_text({{"schema", 1}, {"constants", write_json(list_table())}}), ""};
+Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
+  const Table table = options.verdict
+                          ? claims_list(claims_with(parse_verdict(*options.verdict), checkpoint), true)
+                          : claims_list(unjudged_claims(), false);
+  if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(table)}}), ""};
+  const auto write = options.latex ? write_latex : write_console;
+  return {0, write(table, Precision::report), ""};
+}
+
+Outcome explain_command(const ExplainOptions& options) {
+  require_known(options.id, claim_ids(), "claim");
+  const auto judged = judge_claims([&](std::string_view id) { return id == options.id; });
+  return {judged.front().finding.verdict ? 0 : 1, explanation(judged.front()), ""};
 }
 
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   require_directory(options.out);
   const Results results = compute_results(options.only, checkpoint);
   const PlotsNews news = write_results(options, results, checkpoint);
-  std::string out = write_console(summary_table(results), Precision::report) + news.out;
+  std::string out = write_console(summary_table(results), Precision::report);
+  if (!results.claims.empty()) out += fmt::format("\nLedger: {}\n", verdict_counts(results.claims));
+  out += news.out;
   out += fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(results);
   return {err.empty() ? 0 : 1, out, err};

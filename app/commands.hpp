@@ -11,6 +11,7 @@
 namespace shadefit {
 
 struct ListOptions {
+  std::optional<std::string> verdict;  ///< only the claims with this one; computes them
   bool json = false;
   bool latex = false;
 };
@@ -34,13 +35,18 @@ struct FitOptions {
   bool latex = false;
 };
 
+struct ExplainOptions {
+  std::string id;
+};
+
 struct CheckOptions {
   std::string baseline = "reports/baseline";
 };
 
-Outcome list_command(const ListOptions& options);
+Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
+Outcome explain_command(const ExplainOptions& options);
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

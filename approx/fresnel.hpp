@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "approx/claim.hpp"
 #include "approx/record.hpp"
 #include "approx/scalar.hpp"
 #include "approx/sources.hpp"
@@ -178,5 +179,8 @@ inline constexpr std::array fresnel_published{
               .source = sources::lagarde_2012,
               .variants = fresnel_quadratic_b_variants},
 };
+
+/// The rows of the ledger on this topic.
+inline constexpr std::array<Claim, 0> fresnel_claims{};
 
 }  // namespace shadefit

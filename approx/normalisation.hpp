@@ -4,6 +4,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "approx/claim.hpp"
 #include "approx/lobe.hpp"
 #include "approx/record.hpp"
 #include "approx/scalar.hpp"
@@ -159,5 +160,8 @@ using NormalisedLobes = std::tuple<LambertLobe, PhongLobe, PhongBrdfLobe, BlinnP
 inline constexpr auto normalisations = []<class... Lobe>(std::type_identity<std::tuple<Lobe...>>) {
   return std::array{Lobe::record...};
 }(std::type_identity<NormalisedLobes>{});
+
+/// The rows of the ledger on this topic.
+inline constexpr std::array<Claim, 0> normalisation_claims{};
 
 }  // namespace shadefit

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "approx/claim.hpp"
 #include "approx/lobe.hpp"
 #include "approx/record.hpp"
 #include "approx/scalar.hpp"
@@ -80,5 +81,8 @@ inline constexpr std::array phong_blinn_published{
               .source = sources::gotanda_2010,
               .variants = {}},
 };
+
+/// The rows of the ledger on this topic.
+inline constexpr std::array<Claim, 0> phong_blinn_claims{};
 
 }  // namespace shadefit

@@ -30,4 +30,19 @@ inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
 
+/// The wording of the post of 2012 before its corrections.
+inline constexpr Source lagarde_2012_first{
+    "Lagarde", 2012, "Spherical gaussien approximation for Blinn-Phong, Phong and Fresnel (first version)",
+    "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
+
+inline constexpr Source mcguire_2013{"McGuire, Evangelakos, Wilcox, Donow, Mara", 2013,
+                                     "Plausible Environment Lighting in Two Lines of Code",
+                                     "graphics.cs.williams.edu/papers/EnvMipReport2013"};
+
+inline constexpr Source pestana_workflows_2014{
+    "Pestana", 2014, "Physically Based Shading, Metallic and Specular workflows", "alexandre-pestana.com"};
+
+inline constexpr Source pestana_volumes_2014{"Pestana", 2014, "Volumetric lights",
+                                             "alexandre-pestana.com/volumetric-lights"};
+
 }  // namespace shadefit::sources

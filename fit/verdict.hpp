@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,6 +9,10 @@
 namespace shadefit {
 
 enum class Verdict { confirmed, rounding, other_objective, conditional, refuted };
+
+/// All of them, each further from `confirmed` than the one before.
+inline constexpr std::array all_verdicts{Verdict::confirmed, Verdict::rounding, Verdict::other_objective,
+                                         Verdict::conditional, Verdict::refuted};
 
 constexpr std::string_view name(Verdict verdict) {
   switch (verdict) {

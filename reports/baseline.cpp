@@ -13,6 +13,7 @@
 #include "fit/user_error.hpp"
 #include "reports/csv.hpp"
 #include "reports/exact_fresnel_section.hpp"
+#include "reports/ledger_section.hpp"
 #include "reports/reflectance_section.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
@@ -20,13 +21,17 @@
 namespace shadefit {
 namespace {
 
+constexpr const char* claims_file = "claims.csv";
 constexpr const char* fits_file = "fits.csv";
 constexpr const char* fresnel_file = "fresnel.csv";
 constexpr const char* normalisation_file = "normalization.csv";
 constexpr const char* reflectance_file = "reflectance.csv";
 
-constexpr std::array key_columns{"constant", "parameter", "exponent",   "measure", "view_angle",
-                                 "surface",  "ior",       "wavelength", "curve"};
+constexpr std::array baseline_files{fits_file, normalisation_file, reflectance_file, fresnel_file,
+                                    claims_file};
+
+constexpr std::array key_columns{"claim",      "constant", "parameter", "exponent",   "measure",
+                                 "view_angle", "surface",  "ior",       "wavelength", "curve"};
 
 /// The columns whose words name a row; the n-th row of the same name is matched with the n-th.
 std::vector<std::string> keys_of(const CsvTable& table) {
@@ -118,7 +123,8 @@ struct NamedTable {
 std::vector<NamedTable> plain_tables(const Results& results) {
   return {{normalisation_file, normalisation_table(results.normalisations)},
           {reflectance_file, reflectance_table(results.reflectances)},
-          {fresnel_file, fresnel_table(results.fresnel_chain)}};
+          {fresnel_file, fresnel_table(results.fresnel_chain)},
+          {claims_file, claims_table(results.claims)}};
 }
 
 }  // namespace
@@ -132,13 +138,11 @@ Baseline read_baseline(const std::filesystem::path& directory) {
                     directory.string()));
   }
   if (!std::filesystem::is_directory(directory, error)) {
-    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {}, {}, {} and {}",
-                                directory.string(), fits_file, normalisation_file, reflectance_file,
-                                fresnel_file));
+    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {}", directory.string(),
+                                fmt::join(baseline_files, ", ")));
   }
   Baseline baseline{directory, {}};
-  for (const char* name : {fits_file, normalisation_file, reflectance_file, fresnel_file})
-    baseline.files.push_back({name, read_file(directory / name)});
+  for (const char* name : baseline_files) baseline.files.push_back({name, read_file(directory / name)});
   return baseline;
 }
 

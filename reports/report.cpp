@@ -4,6 +4,7 @@
 
 #include "reports/exact_fresnel_section.hpp"
 #include "reports/family_section.hpp"
+#include "reports/ledger_section.hpp"
 #include "reports/normalisation_section.hpp"
 #include "reports/reflectance_section.hpp"
 #include "reports/tables.hpp"
@@ -31,6 +32,7 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
   if (!results.fresnel_chain.empty()) out += exact_fresnel_section(results.fresnel_chain);
   if (!results.normalisations.empty()) out += normalisation_section(results);
   if (!results.reflectances.empty()) out += reflectance_section(results.reflectances);
+  if (!results.claims.empty()) out += ledger_section(results.claims);
   out.pop_back();  // sections end in an empty line, the file does not
   return out;
 }
@@ -39,11 +41,13 @@ std::string write_latex_tables(const Results& results) {
   std::string out = write_latex(summary_table(results), Precision::report);
   if (!results.normalisations.empty())
     out += "\n" + write_latex(normalisation_table(results.normalisations), Precision::report);
+  if (!results.claims.empty()) out += "\n" + write_latex(claims_overview(results.claims), Precision::report);
   return out;
 }
 
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {
   return {{"report.md", write_report(results, figures)},
+          {"claims.csv", write_csv(claims_table(results.claims), Precision::report)},
           {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
           {"fresnel.csv", write_csv(fresnel_table(results.fresnel_chain), Precision::report)},
           {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "approx/catalogue.hpp"
+#include "approx/ledger.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 
@@ -51,6 +52,15 @@ std::vector<std::string> known_ids() {
     }
   }
   for (const Normalisation& record : normalisations) add(record.id);
+  for (const std::string& id : claim_ids()) add(id);
+  return ids;
+}
+
+std::vector<std::string> claim_ids() {
+  std::vector<std::string> ids;
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) ids.emplace_back(claim.id);
+  }
   return ids;
 }
 
@@ -83,7 +93,9 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
     checkpoint();
     for (const auto& check : check_normalisation(record)) results.normalisations.push_back(check);
   }
-  results.reflectances = reflectance_curves([&](std::string_view id) { return is_wanted(ids, id); });
+  const auto wanted = [&](std::string_view id) { return is_wanted(ids, id); };
+  results.reflectances = reflectance_curves(wanted);
+  results.claims = judge_claims(wanted, checkpoint);
   return results;
 }
 
@@ -101,7 +113,9 @@ bool all_checks_passed(const Results& results) {
       });
   const bool linked = std::all_of(results.fresnel_chain.begin(), results.fresnel_chain.end(),
                                   [](const FresnelLink& link) { return link.status == Status::converged; });
-  return converged && linked && confirmed && exact;
+  const bool judged = std::all_of(results.claims.begin(), results.claims.end(),
+                                  [](const JudgedClaim& claim) { return claim.finding.verdict.has_value(); });
+  return converged && linked && confirmed && exact && judged;
 }
 
 }  // namespace shadefit

@@ -5,6 +5,7 @@
 
 #include "fit/checkpoint.hpp"
 #include "fit/fresnel_chain.hpp"
+#include "fit/ledger.hpp"
 #include "fit/normalisation_check.hpp"
 #include "fit/refit.hpp"
 #include "fit/reflectance.hpp"
@@ -17,10 +18,15 @@ struct Results {
   std::vector<FresnelLink> fresnel_chain;  ///< of the Fresnel families among the refits
   std::vector<NormalisationCheck> normalisations;
   std::vector<ReflectanceCurve> reflectances;
+  std::vector<JudgedClaim> claims;
 };
 
-/// The ids that name something: families, published constants, normalisations, in the order of the report.
+/// The ids that name something: families, published constants, normalisations, claims, in the order of the
+/// report.
 std::vector<std::string> known_ids();
+
+/// Those of the ledger alone.
+std::vector<std::string> claim_ids();
 
 /// Computes what `ids` name, or everything where it is empty; a published constant stands for its family.
 /// Throws UserError for an id that names nothing. The checkpoint is called between fits and between
@@ -28,7 +34,7 @@ std::vector<std::string> known_ids();
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint = keep_going);
 
 /// Whether every fit converged, those against exact surfaces too, and every normalisation was confirmed, and
-/// every reflectance is as exact as promised.
+/// every reflectance is as exact as promised, and every claim could be judged.
 bool all_checks_passed(const Results& results);
 
 /// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of

@@ -213,22 +213,6 @@ Table summary_table(const Results& results) {
   return table;
 }
 
-Table list_table() {
-  Table table{{"id", "printed", "of", "source"}, {}};
-  for (const Published& published : published_constants) {
-    const FittableFamily& family = *find_family(published.family);
-    table.rows.push_back(
-        {word(published.id), word(published.printed),
-         fmt::format("{} in {} ~ {}", published.parameter, to_text(family.target()), to_text(family.form())),
-         word(citation(published.source))});
-  }
-  for (const Normalisation& record : normalisations) {
-    table.rows.push_back({word(record.id), word(record.printed), fmt::format("normalises {}", record.lobe),
-                          word(citation(record.source))});
-  }
-  return table;
-}
-
 std::string target_of(const Fit& fit) {
   const Surface& surface = fit.surface;
   const std::string formula = to_text(find_family(fit.family->id)->target());
@@ -242,17 +226,6 @@ std::string target_of(const Fit& fit) {
 
 std::string citation(const Source& source) {
   return fmt::format("{} {}, {}, {}", source.author, source.year, source.title, source.place);
-}
-
-std::string sentence(const Effect& effect) {
-  if (effect.absolute.magnitude == 0) return "none";
-  if (!std::isfinite(effect.absolute.magnitude)) return "the curve leaves the range of a double";
-  return fmt::format(
-      "moves the curve by at most {:.2g} (at c = {:.3g}), {:.2g} of its value, {:.2g} ulps of a half float, "
-      "{:.2g} "
-      "8-bit sRGB codes, each at its own worst c",
-      effect.absolute.magnitude, effect.absolute.at.cos_theta, effect.relative, effect.half_ulps,
-      effect.srgb_codes);
 }
 
 }  // namespace shadefit

@@ -34,16 +34,10 @@ Table normalisation_table(const std::vector<NormalisationCheck>& checks);
 /// Every published number and what becomes of it: the summary of the report and of the console.
 Table summary_table(const Results& results);
 
-/// Every record: id, printed value, what it is a value of, source.
-Table list_table();
-
 /// What a fit approximates: the family's target, of which surface, or the exact reflectance of that.
 std::string target_of(const Fit& fit);
 
 /// "author year, title, place"
 std::string citation(const Source& source);
-
-/// "moves the curve by at most 3.7e-06 (at c = 0.284), 0.00013 of its value, ..", or "none".
-std::string sentence(const Effect& effect);
 
 }  // namespace shadefit

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "approx/claim.hpp"
+#include "fit/verdict.hpp"
+
+/// What computing a claim gave, and what the computations of the ledger share.
+namespace shadefit {
+
+/// A claim's verdict with what it rests on.
+struct Finding {
+  std::optional<Verdict> verdict;  ///< empty where the evidence is weaker than the printed digits
+  std::string computed;            ///< what stands beside the printed numbers
+  std::string evidence;            ///< one sentence with its numbers, without a full stop
+  std::string effect = "none";     ///< what the difference does to a picture, or "none"
+};
+
+/// How a claim is computed: of the record alone, so that a test may change what is printed or given and see
+/// the finding change. Throws std::exception for a record that cannot be read.
+using Evaluate = Finding (*)(const Claim& claim);
+
+struct Evaluator {
+  std::string_view id;
+  Evaluate evaluate;
+};
+
+/// The verdict of a row with several parts: of all parts the one furthest from `confirmed`; empty where one
+/// part is.
+std::optional<Verdict> worst(std::span<const std::optional<Verdict>> parts);
+Verdict worst(std::span<const Verdict> parts);
+
+/// `confirmed` or `refuted`, for what is either so or not.
+constexpr Verdict verdict_of(bool holds) {
+  return holds ? Verdict::confirmed : Verdict::refuted;
+}
+
+/// Judges a printed number against a value that is known to `error` (absolute). Empty where that is not
+/// enough to say: where both ends of value +- error do not lead to one verdict.
+std::optional<Verdict> judge_known_to(std::string_view printed, double value, double error);
+
+/// A quantity of the record as a number. Throws std::invalid_argument where it is none.
+double number_of(std::string_view text);
+
+/// What a wrong constant does to what it multiplies, in words: its relative difference, and the largest shift
+/// in 8-bit sRGB codes over all colours in [0, 1] and in half-precision ulps of the constant. "none" where
+/// printed and exact are equal.
+std::string effect_of_factor(double printed, double exact);
+
+}  // namespace shadefit

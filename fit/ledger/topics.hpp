@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include "fit/ledger/finding.hpp"
+
+/// How the claims of each topic are computed: one function a topic, one file behind each.
+namespace shadefit {
+
+std::span<const Evaluator> lobe_evaluators();
+std::span<const Evaluator> gloss_evaluators();
+std::span<const Evaluator> arithmetic_evaluators();
+std::span<const Evaluator> cost_evaluators();
+std::span<const Evaluator> kernels_evaluators();
+std::span<const Evaluator> von_mises_fisher_evaluators();
+std::span<const Evaluator> fresnel_evaluators();
+std::span<const Evaluator> phong_blinn_evaluators();
+std::span<const Evaluator> normalisation_evaluators();
+std::span<const Evaluator> environment_map_evaluators();
+std::span<const Evaluator> harmonics_evaluators();
+std::span<const Evaluator> material_evaluators();
+std::span<const Evaluator> phase_evaluators();
+std::span<const Evaluator> dither_evaluators();
+std::span<const Evaluator> microfacet_evaluators();
+
+}  // namespace shadefit

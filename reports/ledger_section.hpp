@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/ledger.hpp"
+#include "reports/table.hpp"
+
+/// The ledger: every claim of the source documents with its verdict, as rows, as sections and one by one.
+namespace shadefit {
+
+/// "a = -5.55473, b = -6.98316"; "-" for a claim without a number.
+std::string printed_text(const Claim& claim);
+
+/// The verdict's name; "not-converged" where the evidence is weaker than what is printed.
+std::string verdict_text(const Finding& finding);
+
+/// One row per claim: claims.csv.
+Table claims_table(const std::vector<JudgedClaim>& claims);
+
+/// What a table for people shows of them: claim, printed, computed, verdict.
+Table claims_overview(const std::vector<JudgedClaim>& claims);
+
+/// Every record, with its verdict where claims are judged: `shadefit list`.
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts);
+
+/// "82 claims: 61 confirmed, 4 rounding, ..": verdicts that occur, in their order.
+std::string verdict_counts(const std::vector<JudgedClaim>& claims);
+
+/// A section for each topic: a table of verdicts, and each claim's evidence and effect.
+std::string ledger_section(const std::vector<JudgedClaim>& claims);
+
+/// One claim in full, for a terminal: record, derivation, evidence, effect, plot.
+std::string explanation(const JudgedClaim& judged);
+
+}  // namespace shadefit
