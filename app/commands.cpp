@@ -283,9 +283,10 @@ std::vector<JudgedClaim> unjudged_claims() {
 }  // namespace
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
-  const Table table = options.verdict
-                          ? claims_list(claims_with(parse_verdict(*options.verdict), checkpoint), true)
-                          : claims_list(unjudged_claims(), false);
+  const bool is_console = !options.json && !options.latex;
+  const Table table = options.verdict ? claims_list(claims_with(parse_verdict(*options.verdict), checkpoint),
+                                                    true, !is_console)
+                                      : claims_list(unjudged_claims(), false, !is_console);
   if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(table)}}), ""};
   const auto write = options.latex ? write_latex : write_console;
   return {0, write(table, Precision::report), ""};

@@ -55,7 +55,7 @@ std::vector<JudgedClaim> of_topic(const std::vector<JudgedClaim>& claims, const 
 std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& claims) {
   std::string out = fmt::format("### {}\n\n", topic.title) + markdown_block(claims_overview(claims));
   for (const auto& [_, claim, finding] : claims) {
-    out += fmt::format("- **`{}`** ({} {}): {}. Verdict: **{}**. {}. Effect: {}.", claim->id,
+    out += fmt::format("- **`{}`** ({} {}): {}. Verdict: **{}**: {}. Effect: {}.", claim->id,
                        claim->source.author, claim->source.year, claim->statement, verdict_text(finding),
                        finding.evidence, finding.effect);
     if (!claim->figure.empty()) out += fmt::format(" Plot: `plots/{}.svg`.", claim->figure);
@@ -90,12 +90,13 @@ Table claims_overview(const std::vector<JudgedClaim>& claims) {
   return table;
 }
 
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts) {
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bool with_full_sources) {
   Table table{{"id", "printed", "of", "source"}, {}};
   if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
   for (const auto& [_, claim, finding] : claims) {
     std::vector<Cell> row{word(claim->id), printed_text(*claim), word(claim->statement),
-                          citation(claim->source)};
+                          with_full_sources ? citation(claim->source)
+                                            : fmt::format("{} {}", claim->source.author, claim->source.year)};
     if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
     table.rows.push_back(row);
   }

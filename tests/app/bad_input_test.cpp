@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "reports/baseline.hpp"
 #include "reports/files.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -27,10 +28,15 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
   expect_refusal({"fit", "fresnel-quadratc"},
                  "unknown constant to fit 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
   expect_refusal({"fit", "sg-ofset"}, "unknown constant to fit 'sg-ofset': did you mean 'sg-offset'?");
+  expect_refusal({"explain", "sg-offset-men"},
+                 "unknown claim 'sg-offset-men': did you mean 'sg-offset-mean'?");
+  expect_refusal({"list", "--verdict", "wrong"},
+                 "--verdict 'wrong' is unknown: it must be one of confirmed, rounding, other-objective, "
+                 "conditional, refuted");
   expect_refusal({"run", "--only", "norm-fong"}, "unknown constant 'norm-fong': did you mean 'norm-phong'?");
   expect_refusal({"fit", "norm-phong"},
                  "'norm-phong' is integrated, not fitted: see 'shadefit run --only norm-phong'");
-  expect_refusal({"plot"}, "unknown command 'plot': it must be one of list, run, fit, check");
+  expect_refusal({"plot"}, "unknown command 'plot': it must be one of list, run, fit, explain, check");
   expect_refusal({"fit", "sg\n-offset"},
                  "unknown constant to fit 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");
@@ -128,15 +134,14 @@ TEST(BadInput, Baselines) {
   expect_refusal(
       {"check", "--baseline", file},
       "baseline '" + file +
-          "' is not a directory: it must hold fits.csv, normalization.csv, reflectance.csv and fresnel.csv");
+          "' is not a directory: it must hold fits.csv, normalization.csv, reflectance.csv, fresnel.csv, "
+          "claims.csv");
   const std::string empty = directory / "empty";
   std::filesystem::create_directories(empty);
   expect_refusal({"check", "--baseline", empty},
                  "cannot read '" + empty + "/fits.csv': there is no such file");
 
-  directory.file("cut/fresnel.csv", read_file(committed + "/fresnel.csv"));
-  directory.file("cut/normalization.csv", read_file(committed + "/normalization.csv"));
-  directory.file("cut/reflectance.csv", read_file(committed + "/reflectance.csv"));
+  for (const File& table : read_baseline(committed).files) directory.file("cut/" + table.name, table.content);
   const auto fits = read_file(committed + "/fits.csv");
   const std::string cut = directory.file("cut/fits.csv", fits.substr(0, fits.size() - 10));
   expect_refusal({"check", "--baseline", directory / "cut"},
@@ -166,8 +171,7 @@ TEST(BadInput, BaselinesThatAreNoTables) {
   const std::string quote = fits.substr(0, second_line) + "sg-offset,\"x";
 
   const TemporaryDirectory directory;
-  for (const char* name : {"normalization.csv", "reflectance.csv", "fresnel.csv"})
-    directory.file(name, read_file(committed + "/" + name));
+  for (const File& table : read_baseline(committed).files) directory.file(table.name, table.content);
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", " is empty: a table needs a header line"},
       {"\xEF\xBB\xBF" + fits, " line 1 begins with a byte order mark: a table is plain UTF-8"},
@@ -268,6 +272,7 @@ TEST(BadInput, Usage) {
   expect_refusal({}, "A subcommand is required" + help);
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
   expect_refusal({"fit"}, "id is required" + help);
+  expect_refusal({"explain"}, "id is required" + help);
   expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + help);
   expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + help);
   expect_refusal({"run", "--out"}, "--out: 1 required DIR missing" + help);
