@@ -9,6 +9,9 @@ void register_fits();
 /// What a run is made of, one by one: sampling, searches for the largest error, integrals.
 void register_parts();
 
+/// The ledger, and each of its claims.
+void register_claims();
+
 /// The command as a process: its time and its memory.
 void register_process();
 

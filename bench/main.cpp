@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   shadefit::bench::register_fits();
   shadefit::bench::register_parts();
+  shadefit::bench::register_claims();
   shadefit::bench::register_process();
   RememberingReporter reporter;
   const bool has_run = benchmark::RunSpecifiedBenchmarks(&reporter) > 0;
