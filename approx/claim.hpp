@@ -63,6 +63,22 @@ struct Claim {
   Source source;
 };
 
+/// The claim of a published constant of a fitted family: its own record says what is printed, for which
+/// exponents and where. It is computed by a fit over the cosines from 0 to 1.
+constexpr Claim claim_of(const Published& published, std::string_view statement, std::string_view derivation,
+                         std::string_view figure) {
+  Claim claim{.id = published.id,
+              .statement = statement,
+              .printed = {{published.parameter, published.printed}},
+              .inputs = {{"from", "0"}, {"to", "1"}},
+              .derivation = derivation,
+              .figure = figure,
+              .source = published.source};
+  if (!published.exponents.empty())
+    claim.inputs = {{"exponents", published.exponents}, {"from", "0"}, {"to", "1"}};
+  return claim;
+}
+
 /// A section of the ledger.
 struct Topic {
   std::string_view title;

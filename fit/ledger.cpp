@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "approx/catalogue.hpp"
 #include "approx/ledger.hpp"
+#include "fit/ledger/published.hpp"
 #include "fit/ledger/topics.hpp"
 
 namespace shadefit {
@@ -25,6 +27,9 @@ Finding evaluate(const Claim& claim) {
     for (const Evaluator& evaluator : evaluators) {
       if (evaluator.id == claim.id) return evaluator.evaluate(claim);
     }
+  }
+  for (const Published& published : published_constants) {
+    if (published.id == claim.id) return evaluate_published(claim, {published.id});
   }
   throw std::logic_error("nothing computes the claim " + std::string(claim.id));
 }
