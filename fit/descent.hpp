@@ -21,12 +21,8 @@ namespace shadefit {
 
 /// Relative. Polishing in double leaves a few units of 1e-16; two different optima differ visibly.
 inline constexpr double same_optimum = 1e-12;
-/// The rule, as an index of `gauss_sizes`, on which Ceres looks for the basin: twelve nodes, on one panel or
-/// on two.
-constexpr std::size_t basin_rule(std::size_t panels) {
-  return panels == 1 ? 1 : 0;
-}
-inline constexpr int basin_nodes = 12;
+/// Ceres looks for the basin on twelve nodes, on one panel or on two.
+inline constexpr unsigned basin_nodes = 12;
 
 /// The Newton step -H^-1 g.
 template <class T, int N>
@@ -68,39 +64,48 @@ T relative_size(const std::array<T, N>& step, const std::array<T, N>& p) {
 
 /// What ceres::TinySolver minimises: sqrt(weight) * error, scaled to norm 1 at the start. TinySolver stops at
 /// absolute changes of the cost, and the cost of a lobe of exponent 1e6 is 1e-19 from the beginning.
+///
+/// It asks for the errors after a step and, having accepted it, for them and their derivatives at the same
+/// place; both are computed at once, and the last are kept.
 template <class F>
-struct TinyFunction {
+class TinyFunction {
+ public:
   using Scalar = double;
   static constexpr int N = SampledProblem<F, double>::N;
-  enum { NUM_RESIDUALS = basin_nodes, NUM_PARAMETERS = N };
+  enum { NUM_RESIDUALS = static_cast<int>(basin_nodes), NUM_PARAMETERS = N };
 
-  const SampledProblem<F, double>& problem;
-  std::array<double, basin_nodes> roots;  ///< of the weights, scaled
-
-  TinyFunction(const SampledProblem<F, double>& sampled, double square) : problem(sampled), roots() {
-    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = std::sqrt(problem.weight(i) / square);
+  TinyFunction(const SampledProblem<F, double>& sampled, double square) : problem_(sampled) {
+    for (std::size_t i = 0; i < basin_nodes; ++i) roots_[i] = std::sqrt(problem_.weight(i) / square);
   }
 
   bool operator()(const double* parameters, double* residuals, double* jacobian) const {
-    using Jet = ceres::Jet<double, N>;
-    std::array<double, N> p;
-    std::array<Jet, N> seeds;
-    for (int i = 0; i < N; ++i) {
-      p[static_cast<std::size_t>(i)] = parameters[i];
-      seeds[static_cast<std::size_t>(i)] = Jet(parameters[i], i);
-    }
-    for (std::size_t node = 0; node < roots.size(); ++node) {
-      if (jacobian == nullptr) {
-        residuals[node] = roots[node] * problem.error(node, p);
-        continue;
-      }
-      const Jet r = problem.error(node, seeds);
-      residuals[node] = roots[node] * r.a;
-      for (std::size_t i = 0; i < N; ++i)
-        jacobian[i * roots.size() + node] = roots[node] * r.v[static_cast<int>(i)];
-    }
+    if (!place_ || !std::equal(place_->begin(), place_->end(), parameters)) move_to(parameters);
+    std::copy(residuals_.begin(), residuals_.end(), residuals);
+    if (jacobian != nullptr) std::copy(jacobian_.begin(), jacobian_.end(), jacobian);
     return true;
   }
+
+ private:
+  using Jet = ceres::Jet<double, N>;
+
+  void move_to(const double* parameters) const {
+    place_.emplace();
+    std::copy_n(parameters, N, place_->begin());
+    std::array<Jet, N> seeds;
+    for (int i = 0; i < N; ++i) seeds[static_cast<std::size_t>(i)] = Jet(parameters[i], i);
+    for (std::size_t node = 0; node < basin_nodes; ++node) {
+      const Jet r = problem_.error(node, seeds);
+      residuals_[node] = roots_[node] * r.a;
+      for (std::size_t i = 0; i < N; ++i)
+        jacobian_[i * basin_nodes + node] = roots_[node] * r.v[static_cast<int>(i)];
+    }
+  }
+
+  const SampledProblem<F, double>& problem_;
+  std::array<double, basin_nodes> roots_{};  ///< of the weights, scaled
+  mutable std::optional<std::array<double, N>> place_ = std::nullopt;
+  mutable std::array<double, basin_nodes> residuals_{};
+  mutable std::array<double, basin_nodes * N> jacobian_{};
 };
 
 /// A point on the way down, and a Hessian from nearby, if there is one.
@@ -133,23 +138,39 @@ TinySolver<F> basin_solver() {
   return solver;
 }
 
+/// Corrects a Hessian by what a step has shown of it, the change of the gradient (symmetric rank one; with one
+/// parameter: the secant). Where the change is as expected, along the step, nothing is learnt.
+/// Source: Nocedal, Wright 2006, "Numerical Optimization", 6.2.
+template <int N>
+void correct(Eigen::Matrix<double, N, N>& hessian, const Eigen::Matrix<double, N, 1>& step,
+             const Eigen::Matrix<double, N, 1>& change) {
+  const Eigen::Matrix<double, N, 1> surprise = change - hessian * step;
+  const double along = surprise.dot(step);
+  if (std::abs(along) > 1e-8 * surprise.norm() * step.norm())
+    hessian += surprise * surprise.transpose() / along;
+}
+
 /// Newton in double to the bottom of the basin, until what is left of the way is below `rest` of the
-/// parameters. The Hessian is dearer than the gradient, up to seven times, and kept for as long as steps
-/// shrink to a third or less.
+/// parameters. The Hessian is dearer than the gradient, up to seven times: it is kept for as long as steps
+/// shrink to a third or less, and corrected by the gradients.
 template <class F, int N>
 void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, double rest) {
+  using Vector = typename SampledProblem<F, double>::Vector;
   auto& p = candidate.parameters;
   double last = 1;
-  // Four to seven steps are the rule; thirty leave room for a start that Ceres gave up on.
+  Vector last_gradient = Vector::Zero(), last_step = Vector::Zero();
+  // Three to six steps are the rule; thirty leave room for a start that Ceres gave up on.
   for (int i = 0; i < 30; ++i) {
     const bool is_own = !candidate.hessian;
-    typename SampledProblem<F, double>::Vector gradient;
+    Vector gradient;
     if (is_own) {
       const auto derivatives = problem.derivatives(p);
       gradient = derivatives.gradient;
       candidate.hessian = derivatives.hessian;
     } else {
       gradient = problem.gradient(p).gradient;
+      // A shorter step shows the rounding of the gradients.
+      if (i > 0 && last > 1e-8) correct<N>(*candidate.hessian, last_step, gradient - last_gradient);
     }
     const auto newton = newton_step<double, double, N>(gradient, *candidate.hessian);
     if (!newton.is_finite) {
@@ -170,6 +191,8 @@ void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, d
     }
     if (!(size < last / 3)) candidate.hessian.reset();
     last = size;
+    last_gradient = gradient;
+    last_step = Eigen::Map<const Vector>(newton.step.data());
   }
   candidate.status = Status::not_converged;
 }

@@ -174,11 +174,12 @@ LobeIntegrand<double> blinn_phong_plane(double alpha, const View& view,
 /// Rules of rising size over the longitude until two agree; the latitudes, whose integrand is a polynomial or
 /// half a bell, have converged on the first size and get the second from then on.
 LobeIntegrand<Integral> blinn_phong_by_longitude(double alpha, const View& view, double tolerance) {
-  constexpr std::size_t first = 2, second = 3;  // of gauss_sizes: 26 and 38 nodes
+  // Each is half as large again as the one before, so that two neighbours that agree have both converged.
+  constexpr std::array sizes{26U, 38U, 56U, 84U, 126U, 190U};
   LobeIntegrand<Integral> result{};
-  for (std::size_t size = first; size < gauss_sizes.size(); ++size) {
+  for (const unsigned size : sizes) {
     const auto value = blinn_phong_plane(alpha, view, gauss_nodes<double>(size),
-                                         gauss_nodes<double>(std::min(size, second)));
+                                         gauss_nodes<double>(std::min(size, sizes[1])));
     const auto step = [](const Integral& before, double now) {
       return Integral{now, std::abs(now - before.value) + detail::rounding_of(now)};
     };

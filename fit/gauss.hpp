@@ -3,6 +3,7 @@
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cstddef>
+#include <span>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -10,34 +11,38 @@
 /// Gauss-Legendre rules of rising size, computed by Boost.Math.
 namespace shadefit {
 
-/// The sizes at hand. The first two are for looking around; from the third on each is half as large again as
-/// the one before, so that two neighbours that agree have both converged.
-inline constexpr std::array<unsigned, 8> gauss_sizes{6, 12, 26, 38, 56, 84, 126, 190};
+/// The sizes at hand, all even: an odd rule has a node in the middle, which would stand twice below.
+inline constexpr std::array<unsigned, 12> gauss_sizes{6, 12, 14, 18, 22, 26, 30, 38, 56, 84, 126, 190};
 
-/// Calls visit(position, weight) for each node of the rule of `size` points on [0, 1], in rising position;
-/// the weights sum to 1. Nodes are made once in long double, so that a double has them correctly rounded.
-template <class T, unsigned size, class Visit>
-void visit_gauss_rule(const Visit& visit) {
-  static_assert(size % 2 == 0, "an odd rule has a node in the middle, which stands once");
-  using Rule = boost::math::quadrature::gauss<long double, size>;
-  const auto& x = Rule::abscissa();  // the positive zeros on [-1, 1], rising
-  const auto& w = Rule::weights();
-  for (auto i = x.size(); i-- > 0;) visit(static_cast<T>((1 - x[i]) / 2), static_cast<T>(w[i] / 2));
-  for (std::size_t i = 0; i < x.size(); ++i) visit(static_cast<T>((1 + x[i]) / 2), static_cast<T>(w[i] / 2));
-}
+/// Half of a rule on [-1, 1], which is symmetric: the positive zeros, rising, and their weights.
+struct GaussRule {
+  std::span<const long double> zeros, weights;
+};
 
-/// The same for the rule of gauss_sizes[index]. Throws std::out_of_range where there is none.
-template <class T, class Visit>
-void visit_gauss_rule(std::size_t index, const Visit& visit) {
-  const auto visit_if = [&]<std::size_t I>(std::integral_constant<std::size_t, I>) {
-    if (I == index) visit_gauss_rule<T, gauss_sizes[I]>(visit);
-    return I == index;
+/// The rule of `size` points, made once. Throws std::out_of_range where there is none.
+inline GaussRule gauss_rule(unsigned size) {
+  GaussRule rule;
+  const auto take_if = [&]<unsigned N>(std::integral_constant<unsigned, N>) {
+    static_assert(N % 2 == 0);
+    using Rule = boost::math::quadrature::gauss<long double, N>;
+    if (N == size) rule = {Rule::abscissa(), Rule::weights()};
+    return N == size;
   };
   const bool is_found = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    return (visit_if(std::integral_constant<std::size_t, I>{}) || ...);
+    return (take_if(std::integral_constant<unsigned, gauss_sizes[I]>{}) || ...);
   }
   (std::make_index_sequence<gauss_sizes.size()>{});
-  if (!is_found) throw std::out_of_range("no Gauss rule of that index");
+  if (!is_found) throw std::out_of_range("no Gauss rule of that size");
+  return rule;
+}
+
+/// Calls visit(position, weight) for each node of the rule of `size` points on [0, 1], in rising position;
+/// the weights sum to 1. Nodes are made in long double, so that a double has them correctly rounded.
+template <class T, class Visit>
+void visit_gauss_rule(unsigned size, const Visit& visit) {
+  const auto [x, w] = gauss_rule(size);
+  for (auto i = x.size(); i-- > 0;) visit(static_cast<T>((1 - x[i]) / 2), static_cast<T>(w[i] / 2));
+  for (std::size_t i = 0; i < x.size(); ++i) visit(static_cast<T>((1 + x[i]) / 2), static_cast<T>(w[i] / 2));
 }
 
 template <class T>
@@ -46,13 +51,11 @@ struct GaussNode {
   T weight;
 };
 
-/// The nodes of the rule of gauss_sizes[index], for those who come back to them.
+/// The nodes of the rule of `size` points, for those who come back to them.
 template <class T>
-std::vector<GaussNode<T>> gauss_nodes(std::size_t index) {
+std::vector<GaussNode<T>> gauss_nodes(unsigned size) {
   std::vector<GaussNode<T>> nodes;
-  visit_gauss_rule<T>(index, [&](const T& position, const T& weight) {
-    nodes.push_back({position, weight});
-  });
+  visit_gauss_rule<T>(size, [&](const T& position, const T& weight) { nodes.push_back({position, weight}); });
   return nodes;
 }
 

@@ -9,6 +9,7 @@
 
 #include "fit/descent.hpp"
 #include "fit/metric.hpp"
+#include "fit/rule_choice.hpp"
 #include "fit/sampled_problem.hpp"
 #include "fit/status.hpp"
 #include "fit/substitution.hpp"
@@ -27,10 +28,6 @@ static_assert(std::numeric_limits<long double>::digits > std::numeric_limits<dou
 /// Relative. A parameter rounded to double is off by up to 1.1e-16; 1e-14 is promised, the next larger rule
 /// adds more.
 inline constexpr double settled = 2e-15;
-/// Newton polishes on this rule, an index of `gauss_sizes`, and then these have to agree, in the order in
-/// which they are asked: first the next smaller one, which is the cheapest that can, then ever larger ones.
-inline constexpr std::size_t polish_rule = 3;
-inline constexpr std::array<std::size_t, 5> check_rules{2, 4, 5, 6, 7};
 /// The most that `digits` says: a claim of 15 digits would rest on the last bit of a double.
 inline constexpr int most_digits = 14;
 
@@ -60,9 +57,11 @@ class LeastSquares {
   LeastSquares(const F& family, const Metric& metric)
       : family_(family),
         panels_(Substitution::panels(metric, family.shape())),
-        basin_(family, Substitution::panels(metric, blunt(family.shape())), basin_rule(panels_.size())),
-        fine_(family, panels_, polish_rule),
-        wide_(family, panels_, check_rules.front()) {}
+        first_(first_rule(metric, family.shape())),
+        basin_(family, Substitution::panels(metric, blunt(family.shape())),
+               basin_nodes / static_cast<unsigned>(panels_.size())),
+        fine_(family, panels_, fit_rules[first_ + 1]),
+        wide_(family, panels_, fit_rules[first_]) {}
 
   /// Never throws for a hard problem: the status says how it went, and parameters are an answer only where it
   /// is `converged`.
@@ -74,11 +73,12 @@ class LeastSquares {
         .parameters = candidate.parameters, .status = candidate.status, .iterations = candidate.iterations};
     if (candidate.status != Status::converged) return optimum;
     optimum.status = Status::not_converged;
-    // The sampled rule is nearly always the last that is asked; the others are sampled as they are needed.
-    bool goes_on = settle(optimum, candidate, wide_, check_rules.front());
-    for (std::size_t i = 1; goes_on && i < check_rules.size(); ++i) {
-      const SampledProblem<F, long double> wider(family_, panels_, check_rules[i]);
-      goes_on = settle(optimum, candidate, wider, check_rules[i]);
+    // The smaller neighbour of the rule that was polished on is the cheapest that can settle it, and nearly
+    // always does; larger ones are sampled as they are needed.
+    bool goes_on = settle(optimum, candidate, wide_, false);
+    for (std::size_t i = first_ + 2; goes_on && i < fit_rules.size(); ++i) {
+      const SampledProblem<F, long double> wider(family_, panels_, fit_rules[i]);
+      goes_on = settle(optimum, candidate, wider, true);
     }
     return optimum;
   }
@@ -92,10 +92,10 @@ class LeastSquares {
   }
 
   /// Asks a rule for one more step in long double, at the parameters as they are returned, rounded to double.
-  /// Where it is nothing the answer has settled; else it is taken, and true says that another rule has to be
-  /// asked.
+  /// Where it is nothing the answer has settled; else true says that another rule has to be asked, and a step
+  /// of a larger rule than the answer's own is taken: a smaller one has nothing to add.
   static bool settle(Optimum<N>& optimum, const Candidate<N>& candidate,
-                     const SampledProblem<F, long double>& problem, std::size_t rule) {
+                     const SampledProblem<F, long double>& problem, bool is_larger) {
     std::array<long double, N> p;
     std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
     const auto at = problem.gradient(p);
@@ -111,8 +111,7 @@ class LeastSquares {
       optimum.status = Status::converged;
       return false;
     }
-    if (rule < polish_rule)
-      return true;  // a smaller rule than the one that was polished on has nothing to add
+    if (!is_larger) return true;
     for (std::size_t j = 0; j < p.size(); ++j)
       optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
     ++optimum.iterations;
@@ -121,6 +120,7 @@ class LeastSquares {
 
   F family_;
   std::vector<Substitution> panels_;
+  std::size_t first_;  ///< of `fit_rules`: the check's; the polish has the next
   SampledProblem<F, double> basin_, fine_;
   SampledProblem<F, long double> wide_;
 };

@@ -32,13 +32,14 @@ class SampledProblem {
     Matrix hessian = Matrix::Zero();  ///< of half the square
   };
 
-  SampledProblem(const F& family, std::span<const Substitution> panels, std::size_t rule) : family_(family) {
+  SampledProblem(const F& family, std::span<const Substitution> panels, unsigned rule_size)
+      : family_(family) {
     long double total = 0;
     for (const Substitution& panel : panels) total += panel.total();
     const auto share = static_cast<T>(1 / total);
-    nodes_.reserve(panels.size() * gauss_sizes[rule]);
+    nodes_.reserve(panels.size() * rule_size);
     for (const Substitution& panel : panels) {
-      visit_gauss_rule<T>(rule, [&](const T& position, const T& weight) {
+      visit_gauss_rule<T>(rule_size, [&](const T& position, const T& weight) {
         const auto place = panel.at(position);
         nodes_.push_back({family.sample(place.cosine), weight * place.density * share});
       });
