@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 #include "approx/cosine.hpp"
 #include "approx/fresnel.hpp"
@@ -36,12 +38,19 @@ inline std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
   return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
 }
 
+/// The scalar of a factor that all errors at a place share. It weights the place, and a weight off by 1e-16
+/// moves an optimum by that times the ratio of error to slope, which is small: what is measured in long
+/// double, a difference of nearly equal numbers, gains nothing from a factor wider than double, and its
+/// exponential takes a fifth of the time.
+template <class T>
+using CommonFactor = std::conditional_t<std::same_as<T, long double>, double, T>;
+
 /// Of a place under a lobe, what does not depend on the parameter: form = base exp(change), change = q
 /// variable with q the parameter counted from its `origin`, and target = base exp(log_ratio).
 template <class T>
 struct LobeSample {
   T variable;
-  T base;
+  CommonFactor<T> base;
   T log_ratio;
   T ratio_minus_one;
 };
@@ -101,8 +110,9 @@ struct GaussianFormulas {
   template <class T>
   static LobeSample<T> sample(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
     const T ratio = lobe_log_ratio(cos_theta, one_minus_cos, exponent);
-    return {-one_minus_cos, gaussian_lobe_near_peak(one_minus_cos, exponent, integer<T>(0)), ratio,
-            expm1(ratio)};
+    using B = CommonFactor<T>;
+    const B base = gaussian_lobe_near_peak(lift<B>(one_minus_cos), lift<B>(exponent), integer<B>(0));
+    return {-one_minus_cos, base, ratio, expm1(ratio)};
   }
 };
 
@@ -115,7 +125,7 @@ struct BlinnFormulas {
     const T variable = exponent * log_half_cosine(one_minus_cos, remainder);
     const T ratio =
         phong_blinn_log_ratio(lobe_log_ratio(cos_theta, one_minus_cos, exponent), remainder, exponent);
-    return {variable, exp(integer<T>(4) * variable), ratio, expm1(ratio)};
+    return {variable, exp(lift<CommonFactor<T>>(integer<T>(4) * variable)), ratio, expm1(ratio)};
   }
 };
 
