@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/decimal.hpp"
+#include "fit/extremum.hpp"
+
+/// On which part of [0, 1] something holds.
+namespace shadefit {
+
+/// The ranges of s in [0, 1] on which f is negative. Sampled: changes of its sign are looked for between the
+/// `search_points` and both ends, and halved down to a double; two within one cell are not seen.
+template <class F>
+std::vector<std::pair<double, double>> where_negative(const F& f) {
+  const auto is_inside = [&](double s) { return f(s) < 0; };
+  std::vector<double> points = search_points();
+  points.push_back(1);
+  std::vector<std::pair<double, double>> ranges;
+  double left = 0;
+  bool inside = is_inside(left);
+  if (inside) ranges.emplace_back(0, 1);
+  for (const double right : points) {
+    if (is_inside(right) != inside) {
+      double low = left, high = right;
+      for (int i = 0; i < 53; ++i) {
+        const double middle = low + (high - low) / 2;
+        (is_inside(middle) == inside ? low : high) = middle;
+      }
+      if (inside) {
+        ranges.back().second = high;
+      } else {
+        ranges.emplace_back(high, 1);
+      }
+      inside = !inside;
+    }
+    left = right;
+  }
+  return ranges;
+}
+
+/// "from c = 0.1 to 0.2 and from c = 0.5 to 1", or "nowhere".
+inline std::string ranges_in_words(const std::vector<std::pair<double, double>>& ranges, int digits) {
+  std::vector<std::string> words;
+  for (const auto& [from, to] : ranges)
+    words.push_back("from c = " + decimal(from, digits) + " to " + decimal(to, digits));
+  return words.empty() ? "nowhere" : enumerated(words);
+}
+
+}  // namespace shadefit
