@@ -82,7 +82,80 @@ inline constexpr std::array phong_blinn_published{
               .variants = {}},
 };
 
+/// cos of the Phong angle, between the reflected light direction r = 2 (n.l) n - l and the view v:
+/// 2 (n.l)(n.v) - l.v.
+template <class T>
+T phong_cosine(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
+  return integer<T>(2) * n_dot_l * n_dot_v - l_dot_v;
+}
+
+/// cos of twice the Blinn angle, between n and h = (l + v)/|l + v|: |l + v|^2 = 2 + 2 l.v, so 2 (n.h)^2 - 1
+/// is (n.l + n.v)^2/(1 + l.v) - 1. l.v > -1.
+template <class T>
+T twice_blinn_cosine(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
+  return power(n_dot_l + n_dot_v, 2) / (integer<T>(1) + l_dot_v) - integer<T>(1);
+}
+
+/// The square of the volume that n, l and v span, their Gram determinant: not negative, and 0 only where they
+/// lie in one plane.
+template <class T>
+T squared_volume(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
+  return integer<T>(1) - n_dot_l * n_dot_l - n_dot_v * n_dot_v - l_dot_v * l_dot_v +
+         integer<T>(2) * n_dot_l * n_dot_v * l_dot_v;
+}
+
+/// phong_cosine - twice_blinn_cosine = squared_volume/(1 + l.v): put both over 1 + l.v, and what is left is
+/// the determinant. So twice the Blinn angle is never less than the Phong angle, and equal to it in a plane
+/// alone.
+template <class T>
+T blinn_cosine_excess(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
+  return squared_volume(n_dot_l, n_dot_v, l_dot_v) / (integer<T>(1) + l_dot_v);
+}
+
+/// sin of half the most by which twice the Blinn angle exceeds the Phong angle for that view, over all lights
+/// above the surface: 1 - n.v. It is reached by a light on the horizon with l.v = n.v - 1.
+///
+/// With n.l = 0 and u = 1 + l.v, sin(phong/2) = sqrt(u/2) and cos(blinn) = n.v/sqrt(2u): the sum of the two
+/// arc sines, pi/2 less half the excess, is smallest for equal sines, since their product n.v/2 is given.
+/// That no light above the horizon does worse is not derived here but searched.
+template <class T>
+T sine_of_half_excess(const T& n_dot_v) {
+  return integer<T>(1) - n_dot_v;
+}
+
+/// The Phong angle over the Blinn angle as both go to 0 across the plane of n and v: 2 n.v. A light e off the
+/// mirror direction moves r by e, and h, which is (l + v)/(2 n.v) there, by e/(2 n.v). Along the plane it
+/// is 2.
+template <class T>
+T angle_ratio_across(const T& n_dot_v) {
+  return integer<T>(2) * n_dot_v;
+}
+
 /// The rows of the ledger on this topic.
-inline constexpr std::array<Claim, 0> phong_blinn_claims{};
+inline constexpr std::array phong_blinn_claims{
+    Claim{.id = "phong-blinn-factor",
+          .statement = "cos^rho(theta) ~ cos^(x rho)(theta/2) with x = 4 (Fisher and Woo) or 4.2 (Gotanda)",
+          .printed = {{"x of Fisher and Woo", phong_blinn_published[0].printed},
+                      {"x of Gotanda", phong_blinn_published[1].printed}},
+          .inputs = {{"from", "0"}, {"to", "1"}},
+          .derivation =
+              "Continuous least-squares fits, uniform in the cosine: the best x is 4 + 3/(2 rho) + "
+              "O(1/rho^2), 4 for sharp lobes. A one-digit 4 is judged as that limit; 4.2 came without "
+              "its exponent, and holds where the best x rounds to it.",
+          .figure = "phong-blinn",
+          .source = sources::lagarde_2012_first},
+    Claim{
+        .id = "phong-blinn-angle",
+        .statement = "the Phong angle between r and v is twice the Blinn angle between n and h",
+        .printed = {{"factor", "2"}},
+        .inputs = {{"views", "30,45,60,80"}, {"step", "10"}, {"exponent", "32"}},
+        .derivation =
+            "In a plane r mirrors l, and h halves the angle between l and v: exactly 2. In space cos(phong) - "
+            "cos(2 blinn) is the Gram determinant of n, l, v over 1 + l.v: the factor is below 2 wherever "
+            "they are not coplanar. At the peak it is 2 along the plane of n and v and 2 n.v across. The "
+            "most that 2 blinn exceeds phong is 2 asin(1 - n.v), for a light on the horizon.",
+        .figure = {},
+        .source = sources::fisher_woo_1994},
+};
 
 }  // namespace shadefit

@@ -31,16 +31,20 @@ double number_of(std::string_view text) {
   return constant<double>(text);
 }
 
-std::string effect_of_factor(double printed, double exact) {
-  if (printed == exact) return "none";
-  const double ratio = printed / exact;
+double codes_of_factor(double ratio) {
   double codes = 0;
   for (int i = 1; i <= 255; ++i) {
     const double colour = i / 255.0;
     codes = std::max(codes, std::abs(srgb_code(colour * ratio) - srgb_code(colour)));
   }
+  return codes;
+}
+
+std::string effect_of_factor(double printed, double exact) {
+  if (printed == exact) return "none";
+  const double ratio = printed / exact;
   return "scales what it multiplies by 1 " + std::string(ratio < 1 ? "- " : "+ ") +
-         decimal(std::abs(ratio - 1), 2) + ": at most " + decimal(codes, 2) +
+         decimal(std::abs(ratio - 1), 2) + ": at most " + decimal(codes_of_factor(ratio), 2) +
          " 8-bit sRGB codes, the constant itself off by " + decimal(std::abs(printed - exact), 2) + ", " +
          decimal(std::abs(printed - exact) / half_ulp(exact), 2) + " ulps of a half float";
 }

@@ -45,6 +45,10 @@ std::optional<Verdict> judge_known_to(std::string_view printed, double value, do
 /// A quantity of the record as a number. Throws std::invalid_argument where it is none.
 double number_of(std::string_view text);
 
+/// The largest shift in 8-bit sRGB codes when every colour in [0, 1] is multiplied by that ratio; sampled at
+/// the 255 linear greys.
+double codes_of_factor(double ratio);
+
 /// What a wrong constant does to what it multiplies, in words: its relative difference, and the largest shift
 /// in 8-bit sRGB codes over all colours in [0, 1] and in half-precision ulps of the constant. "none" where
 /// printed and exact are equal.
