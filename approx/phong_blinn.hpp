@@ -143,7 +143,7 @@ inline constexpr std::array phong_blinn_claims{
               "O(1/rho^2), 4 for sharp lobes. A one-digit 4 is judged as that limit; 4.2 came without "
               "its exponent, and holds where the best x rounds to it.",
           .figure = "phong-blinn",
-          .source = sources::lagarde_2012_first},
+          .source = sources::lagarde_2012_phong_blinn},
     Claim{
         .id = "phong-blinn-angle",
         .statement = "the Phong angle between r and v is twice the Blinn angle between n and h",

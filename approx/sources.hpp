@@ -26,6 +26,9 @@ inline constexpr Source gotanda_2010{
 inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physically based shading model",
                                               "seblagarde.wordpress.com/2011/08/17/hello-world"};
 
+inline constexpr Source lagarde_2012_phong_blinn{
+    "Lagarde", 2012, "Relationship between Phong and Blinn lighting model", "seblagarde.wordpress.com"};
+
 inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};

@@ -54,7 +54,7 @@ inline constexpr std::array von_mises_fisher_claims{
               "k/(2 pi (1 - e^(-2k))) e^(-k y), which is the same and overflows nowhere, over t = k y up to "
               "48: what lies beyond is less than e^(-48).",
           .figure = {},
-          .source = sources::lagarde_2012_first},
+          .source = sources::lagarde_2012},
     Claim{
         .id = "vmf-large-k",
         .statement = "for k > 2 the density is about k/(2 pi) e^(-k(1-c))",
@@ -64,7 +64,7 @@ inline constexpr std::array von_mises_fisher_claims{
             "sinh k = e^k (1 - e^(-2k))/2, so this over the density is 1 - e^(-2k) at every angle: it is too "
             "small by e^(-2k) of its value. About is read as within 2 %, which is so from k = ln(50)/2 on.",
         .figure = {},
-        .source = sources::lagarde_2012_first},
+        .source = sources::lagarde_2012},
 };
 
 }  // namespace shadefit

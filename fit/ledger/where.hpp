@@ -6,8 +6,9 @@
 
 #include "fit/decimal.hpp"
 #include "fit/extremum.hpp"
+#include "fit/verdict.hpp"
 
-/// On which part of [0, 1] something holds.
+/// On which part something holds.
 namespace shadefit {
 
 /// The ranges of s in [0, 1] on which f is negative. Sampled: changes of its sign are looked for between the
@@ -46,6 +47,12 @@ inline std::string ranges_in_words(const std::vector<std::pair<double, double>>&
   for (const auto& [from, to] : ranges)
     words.push_back("from c = " + decimal(from, digits) + " to " + decimal(to, digits));
   return words.empty() ? "nowhere" : enumerated(words);
+}
+
+/// `confirmed` where something holds in all cases, `conditional` where in some, `refuted` where in none.
+constexpr Verdict verdict_of_part(long holds_in, long of) {
+  if (holds_in == of) return Verdict::confirmed;
+  return holds_in > 0 ? Verdict::conditional : Verdict::refuted;
 }
 
 }  // namespace shadefit

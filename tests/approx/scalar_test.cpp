@@ -8,10 +8,12 @@
 
 #include "approx/encoding.hpp"
 #include "approx/fresnel.hpp"
+#include "approx/kernels.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
 #include "approx/phong_blinn.hpp"
 #include "approx/reflectance.hpp"
+#include "approx/von_mises_fisher.hpp"
 #include "fit/half.hpp"
 #include "fit/interval.hpp"
 #include "fit/jet.hpp"
@@ -84,6 +86,47 @@ auto formulas() {
               Lobes{{"0.5", "-0.03125"}}, 8},
       Formula{"phong_blinn_log_ratio", [](auto l, auto r, auto k) { return phong_blinn_log_ratio(l, r, k); },
               Lobes{{"-0.5", "-0.03125", "5"}}, 16},
+      Formula{"phong_cosine", [](auto l, auto v, auto d) { return phong_cosine(l, v, d); },
+              Lobes{{"0.5", "0.75", "0.25"}}, 4},
+      Formula{"twice_blinn_cosine", [](auto l, auto v, auto d) { return twice_blinn_cosine(l, v, d); },
+              Lobes{{"0.5", "0.75", "0.25"}}, 16},
+      Formula{"blinn_cosine_excess", [](auto l, auto v, auto d) { return blinn_cosine_excess(l, v, d); },
+              Lobes{{"0.5", "0.75", "0.25"}}, 16},
+      Formula{"squared_volume", [](auto l, auto v, auto d) { return squared_volume(l, v, d); },
+              Lobes{{"0.5", "0.75", "0.25"}}, 16},
+      Formula{"sine_of_half_excess", [](auto v) { return sine_of_half_excess(v); }, cosines, 2},
+      Formula{"angle_ratio_across", [](auto v) { return angle_ratio_across(v); }, cosines, 2},
+      Formula{"von_mises_fisher", [](auto c, auto k) { return von_mises_fisher(c, k); },
+              Lobes{{"0.5", "2"}, {"-0.5", "8"}}, 64},
+      Formula{"von_mises_fisher_near_peak", [](auto y, auto k) { return von_mises_fisher_near_peak(y, k); },
+              Lobes{{"0.5", "2"}, {"0.25", "8"}}, 16},
+      Formula{"von_mises_fisher_sharp", [](auto y, auto k) { return von_mises_fisher_sharp(y, k); },
+              Lobes{{"0.5", "2"}, {"0.25", "8"}}, 16},
+      Formula{"von_mises_fisher_sharp_error", [](auto k) { return von_mises_fisher_sharp_error(k); },
+              Lobes{{"0.5"}, {"2"}}, 16},
+      Formula{"line_gaussian", [](auto x, auto t) { return line_gaussian(x, t); },
+              Lobes{{"0.5", "0.25"}, {"1", "0.125"}}, 16},
+      Formula{"poisson_of_circle", [](auto c, auto t) { return poisson_of_circle(c, t); },
+              Lobes{{"0.5", "0.25"}, {"0.75", "0.5"}}, 16},
+      Formula{"poisson_of_sphere", [](auto c, auto t) { return poisson_of_sphere(c, t); },
+              Lobes{{"0.5", "0.25"}, {"0.75", "0.5"}}, 16},
+      Formula{"poisson_sharpness", [](auto t) { return poisson_sharpness(t); }, Lobes{{"0.25"}, {"0.5"}}, 8},
+      Formula{"poisson_of_circle_lobe", [](auto y, auto m) { return poisson_of_circle_lobe(y, m); },
+              Lobes{{"0.25", "4"}, {"1", "8"}}, 8},
+      Formula{"poisson_of_sphere_lobe", [](auto y, auto m) { return poisson_of_sphere_lobe(y, m); },
+              Lobes{{"0.25", "4"}, {"1", "8"}}, 16},
+      Formula{"next_legendre", [](auto c, auto p, auto q) { return next_legendre(c, p, q, 2); },
+              Lobes{{"0.5", "-0.125", "0.5"}}, 16},
+      Formula{"heat_weight", [](auto t) { return heat_weight(2, t); }, Lobes{{"0.25"}, {"0.5"}}, 32},
+      Formula{"heat_tail_bound", [](auto t) { return heat_tail_bound(2, t); }, Lobes{{"0.25"}, {"0.5"}}, 32},
+      Formula{"legendre_series",
+              [](auto c, auto a, auto b) {
+                const std::array weights{a, b, a};
+                return legendre_series(c, std::span<const decltype(c)>(weights));
+              },
+              Lobes{{"0.5", "1", "0.5"}}, 16},
+      Formula{"gaussian_error_ratio", [](auto x) { return x * gaussian_error_ratio<decltype(x)>(); },
+              Lobes{{"1"}}, 4},
       Formula{"factor_law.slope", [](auto p) { return factor_law(p).slope; }, Lobes{{"1"}, {"0.5"}}, 4},
       Formula{"offset_law.limit", [](auto p, auto w) { return offset_law(p, w).limit; },
               Lobes{{"1", "0"}, {"0.5", "0.25"}}, 4},

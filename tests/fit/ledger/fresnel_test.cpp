@@ -115,6 +115,12 @@ TEST(Fresnel, TheExponentAtNormalIncidenceIsTheSum) {
                                 fresnel_quadratic(one, a, b), 1e-48));
 }
 
+TEST(Where, APartIsACondition) {
+  EXPECT_EQ(verdict_of_part(3, 3), Verdict::confirmed);
+  EXPECT_EQ(verdict_of_part(1, 3), Verdict::conditional);
+  EXPECT_EQ(verdict_of_part(0, 3), Verdict::refuted);
+}
+
 TEST(Where, FindsTheRangesAndTheirEnds) {
   const auto inside = where_negative([](double s) { return (s - 0.25) * (s - 0.5); });
   ASSERT_EQ(inside.size(), 1U);
