@@ -148,7 +148,7 @@ inline constexpr std::array phong_blinn_claims{
         .id = "phong-blinn-angle",
         .statement = "the Phong angle between r and v is twice the Blinn angle between n and h",
         .printed = {{"factor", "2"}},
-        .inputs = {{"views", "30,45,60,80"}, {"step", "10"}, {"exponent", "32"}},
+        .inputs = {{"views", "30,60,80"}, {"step", "10"}, {"exponent", "32"}},
         .derivation =
             "In a plane r mirrors l, and h halves the angle between l and v: exactly 2. In space cos(phong) - "
             "cos(2 blinn) is the Gram determinant of n, l, v over 1 + l.v: the factor is below 2 wherever "

@@ -22,8 +22,9 @@
 namespace shadefit {
 namespace {
 
-/// A kernel as a function of the angle; `sharpness` is in units of the exponent, so that all are of order 1.
-using Kernel = std::function<double(double angle, double sharpness)>;
+/// A kernel as a function of the place; `sharpness` is in units of the exponent, so that all are of order 1.
+using Place = LobeRule::Place;
+using Kernel = std::function<double(const Place& place, double sharpness)>;
 
 struct Candidate {
   std::string_view name;
@@ -62,7 +63,7 @@ class HeatValues {
   HeatValues(const LobeRule& rule, double largest_sharpness) : exponent_(rule.exponent()) {
     const int last = last_term(time_of(largest_sharpness, exponent_));
     std::vector<double> cosines, before, current;
-    for (const auto& node : rule.nodes()) cosines.push_back(std::cos(node.angle));
+    for (const auto& node : rule.nodes()) cosines.push_back(1 - node.place.one_minus_cos);
     before.assign(cosines.size(), 1.0);
     current = cosines;
     polynomials_ = {before, current};
@@ -96,8 +97,8 @@ class HeatValues {
 Kernel heat_kernel(double exponent, double sharpness) {
   std::vector<double> weights = heat_weights(time_of(sharpness, exponent));
   const double peak = sum_of(weights);
-  return [weights = std::move(weights), peak](double angle, double) {
-    return legendre_series(std::cos(angle), std::span<const double>(weights)) / peak;
+  return [weights = std::move(weights), peak](const Place& place, double) {
+    return legendre_series(1 - place.one_minus_cos, std::span<const double>(weights)) / peak;
   };
 }
 
@@ -110,7 +111,7 @@ Candidate fit_candidate(const LobeRule& rule, std::string_view name, const Kerne
       [&](double sharpness) {
         std::vector<double> values;
         values.reserve(rule.nodes().size());
-        for (const auto& node : rule.nodes()) values.push_back(kernel(node.angle, sharpness));
+        for (const auto& node : rule.nodes()) values.push_back(kernel(node.place, sharpness));
         return values;
       },
       least_sharpness, largest_sharpness);
@@ -122,23 +123,22 @@ constexpr std::string_view printed_gauss = "the printed Gauss-Weierstrass";
 constexpr std::string_view heat = "Gauss-Weierstrass on the sphere";
 
 /// What of the printed Gaussian is squared: the angle, or the chord from the axis to the direction.
-double abscissa(std::string_view reading, double angle) {
-  if (reading == "angle") return angle;
-  if (reading == "chord") return 2 * std::sin(angle / 2);
+double abscissa(std::string_view reading, const Place& place) {
+  if (reading == "angle") return place.angle;
+  if (reading == "chord") return std::sqrt(2 * place.one_minus_cos);
   throw std::invalid_argument("x is read as angle or chord, not as " + std::string(reading));
 }
 
 /// The formula of a kernel of the record, but for the heat kernel, which is a series.
 Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
-  const auto y = [](double angle) { return LobeRule::one_minus_cosine(angle); };
   if (name == spherical_gaussian)
-    return [=](double angle, double s) { return gaussian_lobe_near_peak(y(angle), k * s, 0.0); };
+    return [=](const Place& p, double s) { return gaussian_lobe_near_peak(p.one_minus_cos, k * s, 0.0); };
   if (name == printed_gauss)
-    return [=](double angle, double s) { return line_gaussian(abscissa(reading, angle), 1 / (k * s)); };
+    return [=](const Place& p, double s) { return line_gaussian(abscissa(reading, p), 1 / (k * s)); };
   if (name == "the printed Abel-Poisson")
-    return [=](double angle, double s) { return poisson_of_circle_lobe(y(angle), k * s); };
+    return [=](const Place& p, double s) { return poisson_of_circle_lobe(p.one_minus_cos, k * s); };
   if (name == "Abel-Poisson on the sphere")
-    return [=](double angle, double s) { return poisson_of_sphere_lobe(y(angle), k * s); };
+    return [=](const Place& p, double s) { return poisson_of_sphere_lobe(p.one_minus_cos, k * s); };
   throw std::invalid_argument("no kernel is called " + std::string(name));
 }
 
@@ -167,7 +167,7 @@ constexpr double rule_tolerance = 1e-6;
 bool rules_agree(const LobeRule& rule, const std::vector<Candidate>& all) {
   return std::all_of(all.begin(), all.end(), [&](const Candidate& c) {
     const double other =
-        rule.square_by_other_rule([&](double angle) { return c.kernel(angle, c.parameter); });
+        rule.square_by_other_rule([&](const Place& place) { return c.kernel(place, c.parameter); });
     return std::abs(other - c.rms * c.rms) <= rule_tolerance * other;
   });
 }
@@ -254,8 +254,9 @@ std::string errors_in_words(const std::vector<Contest>& contests, const std::vec
 std::string largest_errors(const Candidate& candidate, double exponent) {
   const auto over_angle = [&](const auto& difference) {
     return largest_sampled([&](double s) {
-      const double angle = s * pi<double>() / 2;
-      return difference(candidate.kernel(angle, candidate.parameter), LobeRule::lobe(angle, exponent));
+      const Place place = LobeRule::place_at(s * pi<double>() / 2);
+      return difference(candidate.kernel(place, candidate.parameter),
+                        power_lobe_near_peak(place.one_minus_cos, exponent));
     });
   };
   return decimal(over_angle([](double a, double b) { return std::abs(a - b); }), 2) + " (" +

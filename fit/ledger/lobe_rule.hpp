@@ -19,8 +19,12 @@ namespace shadefit {
 /// tails are smooth on each of the others.
 class LobeRule {
  public:
-  struct Node {
+  struct Place {
     double angle;
+    double one_minus_cos;
+  };
+  struct Node {
+    Place place;
     double weight;
     double target;  ///< c^k
   };
@@ -31,9 +35,8 @@ class LobeRule {
     edges_.push_back(end);
     for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
       visit_gauss_rule<double, 20>([&](double position, double weight) {
-        const double angle = edges_[i] + position * (edges_[i + 1] - edges_[i]);
-        nodes_.push_back(
-            {angle, weight * (edges_[i + 1] - edges_[i]) * std::sin(angle), lobe(angle, exponent)});
+        const Place place = place_at(edges_[i] + position * (edges_[i + 1] - edges_[i]));
+        nodes_.push_back({place, weight * (edges_[i + 1] - edges_[i]) * std::sin(place.angle), lobe(place)});
       });
     }
   }
@@ -41,14 +44,14 @@ class LobeRule {
   double exponent() const { return exponent_; }
   const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// c^k, c^k from the angle without cancellation.
-  static double lobe(double angle, double exponent) {
-    return power_lobe_near_peak(one_minus_cosine(angle), exponent);
-  }
-  static double one_minus_cosine(double angle) {
+  /// An angle, with 1 - c free of cancellation.
+  static Place place_at(double angle) {
     const double s = std::sin(angle / 2);
-    return 2 * s * s;
+    return {angle, 2 * s * s};
   }
+
+  /// c^k.
+  double lobe(const Place& place) const { return power_lobe_near_peak(place.one_minus_cos, exponent_); }
 
   /// The integral of (kernel - c^k)^2 over the cosine, from the kernel's values at the nodes.
   double square(const std::vector<double>& values) const {
@@ -60,14 +63,15 @@ class LobeRule {
     return sum;
   }
 
-  /// The same by the other rule, from the kernel as a function of the angle; relative tolerance 1e-9.
+  /// The same by the other rule, from the kernel as a function of the place; relative tolerance 1e-9.
   template <class Kernel>
   double square_by_other_rule(const Kernel& kernel) const {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
       sum += gauss_kronrod(
                  [&](double angle) {
-                   const double error = kernel(angle) - lobe(angle, exponent_);
+                   const Place place = place_at(angle);
+                   const double error = kernel(place) - lobe(place);
                    return error * error * std::sin(angle);
                  },
                  edges_[i], edges_[i + 1], 1e-9, 1e-10 * sum)
@@ -88,12 +92,12 @@ struct KernelFit {
   double rms;
 };
 
-/// Minimises the square over p between `low` and `high`: the best of seventeen places even in log p, refined
+/// Minimises the square over p between `low` and `high`: the best of nine places even in log p, refined
 /// between its neighbours to half the digits of p, which is all that a minimum has; the rms has them all.
 /// `values(p)` gives the kernel at the rule's nodes.
 template <class Values>
 KernelFit fit_kernel(const LobeRule& rule, const Values& values, double low, double high) {
-  constexpr int places = 16;
+  constexpr int places = 8;
   const auto square = [&](double log_p) { return rule.square(values(std::exp(log_p))); };
   const double from = std::log(low), step = (std::log(high) - from) / places;
   int best = 0;
