@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,7 @@ struct Candidate {
   double rms;
   double parameter;  ///< the fitted sharpness
   Kernel kernel;
+  double square() const { return rms * rms; }
 };
 
 /// Terms of the heat kernel for a relative truncation of at most e^-40 = 4e-18: last (last + 1) t >= 40,
@@ -168,7 +170,7 @@ bool rules_agree(const LobeRule& rule, const std::vector<Candidate>& all) {
   return std::all_of(all.begin(), all.end(), [&](const Candidate& c) {
     const double other =
         rule.square_by_other_rule([&](const Place& place) { return c.kernel(place, c.parameter); });
-    return std::abs(other - c.rms * c.rms) <= rule_tolerance * other;
+    return std::abs(other - c.square()) <= rule_tolerance * other;
   });
 }
 
@@ -176,9 +178,18 @@ bool rules_agree(const LobeRule& rule, const std::vector<Candidate>& all) {
 struct Contest {
   double exponent;
   std::vector<Candidate> candidates;
+  /// Of those that take part the one with the least squared error; of equal ones, to the tolerance of the
+  /// rules, the first.
+  template <class TakesPart>
+  const Candidate& winner_among(const TakesPart& takes_part) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& c : candidates) least = takes_part(c) ? std::min(least, c.square()) : least;
+    return *std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return takes_part(c) && c.square() <= least * (1 + rule_tolerance);
+    });
+  }
   const Candidate& winner() const {
-    return *std::min_element(candidates.begin(), candidates.end(),
-                             [](const Candidate& a, const Candidate& b) { return a.rms < b.rms; });
+    return winner_among([](const Candidate&) { return true; });
   }
   /// That kernel at its best, or null where it does not take part.
   const Candidate* find(std::string_view name) const {
@@ -189,13 +200,13 @@ struct Contest {
 };
 
 /// Whether the integrals are known well enough to say who wins: what another has more than the winner is more
-/// than the rules leave open, or it is the same kernel.
+/// than the rules leave open, or as good as nothing.
 bool is_sure(const LobeRule& rule, const Contest& contest) {
-  const double least = contest.winner().rms * contest.winner().rms;
+  const double least = contest.winner().square();
   return rules_agree(rule, contest.candidates) &&
          std::all_of(contest.candidates.begin(), contest.candidates.end(), [&](const Candidate& c) {
-           const double more = c.rms * c.rms / least - 1;
-           return more > 2 * rule_tolerance || more < 1e-9;
+           const double more = c.square() / least - 1;
+           return more > 2 * rule_tolerance || std::abs(more) < 1e-3 * rule_tolerance;
          });
 }
 
@@ -281,10 +292,9 @@ bool needs_more_than_the_cosine(std::string_view name, std::string_view reading)
 
 /// At how many exponents the spherical Gaussian has the smallest error of those that need the cosine alone.
 long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view reading) {
+  const auto takes_part = [&](const Candidate& c) { return !needs_more_than_the_cosine(c.name, reading); };
   return std::count_if(contests.begin(), contests.end(), [&](const Contest& contest) {
-    return std::all_of(contest.candidates.begin(), contest.candidates.end(), [&](const Candidate& c) {
-      return needs_more_than_the_cosine(c.name, reading) || c.rms >= contest.candidates[0].rms;
-    });
+    return contest.winner_among(takes_part).name == spherical_gaussian;
   });
 }
 

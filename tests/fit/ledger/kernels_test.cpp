@@ -131,8 +131,8 @@ TEST(Kernels, TheTailOfTheHeatKernelIsBelowItsBound) {
       for (int l = last + 1; l < last + 3000; ++l) tail += heat_weight(l, t);
       const Decimal50 bound = heat_tail_bound(last, t);
       EXPECT_LT(tail, bound) << text << " " << last;
-      if (t < 0.001)
-        EXPECT_GT(tail * 2, bound) << text << " " << last << ": the bound is no better than a guess";
+      // and it is no mere guess: a step of l is short there, and the sum is nearly its integral
+      EXPECT_TRUE(t > 0.001 || tail * 2 > bound) << text << " " << last;
     }
   }
 }

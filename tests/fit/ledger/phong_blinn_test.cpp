@@ -12,7 +12,7 @@ namespace shadefit {
 namespace {
 
 TEST(PhongBlinnClaims, RestOnWhatIsPrintedAndGiven) {
-  check_mutations(phong_blinn_claims, {{"phong-blinn-factor", "printed 0", "5"},
+  check_mutations(phong_blinn_claims, {{"phong-blinn-factor", "printed 0", "6"},
                                        {"phong-blinn-factor", "printed 1", "3.9"},
                                        {"phong-blinn-factor", "from", "0.5"},
                                        {"phong-blinn-factor", "to", "0.99"},
