@@ -34,7 +34,7 @@ class LobeRule {
     for (double edge = 2 / std::sqrt(exponent); edge < end; edge *= 2) edges_.push_back(edge);
     edges_.push_back(end);
     for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
-      visit_gauss_rule<double, 20>([&](double position, double weight) {
+      visit_gauss_rule<double>(22, [&](double position, double weight) {
         const Place place = place_at(edges_[i] + position * (edges_[i + 1] - edges_[i]));
         nodes_.push_back({place, weight * (edges_[i + 1] - edges_[i]) * std::sin(place.angle), lobe(place)});
       });
