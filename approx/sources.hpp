@@ -19,12 +19,23 @@ inline constexpr Source rakic_1995{
 inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics",
                                        "7th edition, Cambridge University Press"};
 
+inline constexpr Source ramamoorthi_hanrahan_2001{
+    "Ramamoorthi, Hanrahan", 2001, "An Efficient Representation for Irradiance Environment Maps",
+    "SIGGRAPH 2001, pp. 497-500"};
+
+inline constexpr Source ngan_2005{"Ngan, Durand, Matusik", 2005,
+                                  "Experimental Analysis of BRDF Models: Supplement",
+                                  "people.csail.mit.edu/addy/research/brdf"};
+
 inline constexpr Source gotanda_2010{
     "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",
     "SIGGRAPH 2010 course, Physically-Based Shading Models in Film and Game Production"};
 
 inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physically based shading model",
                                               "seblagarde.wordpress.com/2011/08/17/hello-world"};
+
+inline constexpr Source lagarde_2011_buffer{"Lagarde", 2011, "Dive in SH buffer idea",
+                                            "seblagarde.wordpress.com"};
 
 inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
@@ -34,6 +45,10 @@ inline constexpr Source lagarde_2012{
 inline constexpr Source lagarde_2012_first{
     "Lagarde", 2012, "Spherical gaussien approximation for Blinn-Phong, Phong and Fresnel (first version)",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
+
+inline constexpr Source lagarde_2012_cubemapgen{
+    "Lagarde", 2012, "AMD Cubemapgen for physically based rendering",
+    "seblagarde.wordpress.com/2012/06/10/amd-cubemapgen-for-physically-based-rendering"};
 
 inline constexpr Source mcguire_2013{"McGuire, Evangelakos, Wilcox, Donow, Mara", 2013,
                                      "Plausible Environment Lighting in Two Lines of Code",
