@@ -26,8 +26,8 @@ T cap_solid_angle_near_axis(const T& half_angle) {
 
 /// What the lobe cos^s(theta) over the hemisphere covers, each direction counted by the lobe: 2 pi/(s + 1).
 template <class T>
-T lobe_solid_angle(const T& power) {
-  return integer<T>(2) * pi<T>() / (power + integer<T>(1));
+T lobe_solid_angle(const T& exponent) {
+  return integer<T>(2) * pi<T>() / (exponent + integer<T>(1));
 }
 
 /// The power whose lobe covers that solid angle: the inverse of `lobe_solid_angle`.
@@ -76,9 +76,9 @@ T texel_solid_angle(const T& x, const T& y, const T& size) {
 /// The level whose mean texel covers what the lobe of power s covers: log2(w sqrt(3)) - 1/2 log2(s + 1).
 /// Source: McGuire et al. 2013, "Plausible Environment Lighting in Two Lines of Code".
 template <class T>
-T mip_level_of_power(const T& width, const T& power) {
+T mip_level_of_power(const T& width, const T& exponent) {
   const T half = integer<T>(1) / integer<T>(2);
-  return log2(width * sqrt(integer<T>(3))) - half * log2(power + integer<T>(1));
+  return log2(width * sqrt(integer<T>(3))) - half * log2(exponent + integer<T>(1));
 }
 
 /// The power that a stored gloss stands for: 2^(octaves g + first), [2, 2048] for 10 octaves from the first.
@@ -115,14 +115,15 @@ T power_after_drops(const T& power_of_first, const T& drop, int level) {
 
 /// The rows of the ledger on this topic.
 inline constexpr std::array environment_map_claims{
-    Claim{.id = "cap-solid-angle",
-          .statement = "a cap of half-angle phi covers 2 pi (1 - cos(phi)) steradians",
-          .inputs = {{"half-angles in degrees", "1,10,30,60,90,120,180"}, {"tolerance", "1e-10"}},
-          .derivation =
-              "The integral of 2 pi sin(theta) from 0 to phi. It is integrated by two rules. The tolerance is "
-              "relative: at one degree 1 - cos(phi) = 1.5e-4 has lost four of the sixteen digits of a "
-              "double. 4 pi sin^2(phi/2) is the same and loses none.",
-          .source = sources::mcguire_2013},
+    Claim{
+        .id = "cap-solid-angle",
+        .statement = "a cap of half-angle phi covers 2 pi (1 - cos(phi)) steradians",
+        .inputs = {{"half-angles in degrees", "1,10,30,60,90,120,180"}, {"tolerance", "1e-10"}},
+        .derivation =
+            "The integral of 2 pi sin(theta) from 0 to phi. It is integrated by two rules. The tolerance is "
+            "relative: at one degree 1 - cos(phi) = 1.5e-4 has lost four of the sixteen digits of a "
+            "double. 4 pi sin^2(phi/2) is the same and loses none.",
+        .source = sources::mcguire_2013},
     Claim{.id = "lobe-solid-angle",
           .statement = "2 pi times the integral of cos^s(theta) sin(theta) over the hemisphere is "
                        "2 pi/(s + 1)",
@@ -224,22 +225,23 @@ inline constexpr std::array environment_map_claims{
               "there, which is not quite one. Within one step of the stored gloss counts as found. Read with "
               "the levels below the first one as its count, the shader inverts the generator.",
           .source = sources::lagarde_2011_adopting},
-    Claim{.id = "power-range",
-          .statement = "specular powers of real surfaces run from 0.1 to more than 100000, too much for the "
-                       "8 bits of a texture; the step of an 8-bit gloss over [2, 2048] follows",
-          .printed = {{"step in % (derived)", "2.76"}},
-          .inputs = {{"least", "0.1"},
-                     {"most", "100000"},
-                     {"octaves", "10"},
-                     {"first octave", "1"},
-                     {"bits", "8"},
-                     {"more bits", "16"}},
-          .derivation =
-              "A gloss that spans so many octaves in 2^bits - 1 steps takes 2^(octaves/steps) - 1 of the power "
-              "a step, the same everywhere; a power stored as a whole number steps by 1, which is all of it "
-              "at 1. The range itself is data of the cited measurements and is taken as given. The lobe c^s "
-              "moves by at most step/e, the largest value of x exp(-x) times the step.",
-          .source = sources::ngan_2005},
+    Claim{
+        .id = "power-range",
+        .statement = "specular powers of real surfaces run from 0.1 to more than 100000, too much for the "
+                     "8 bits of a texture; the step of an 8-bit gloss over [2, 2048] follows",
+        .printed = {{"step in % (derived)", "2.76"}},
+        .inputs = {{"least", "0.1"},
+                   {"most", "100000"},
+                   {"octaves", "10"},
+                   {"first octave", "1"},
+                   {"bits", "8"},
+                   {"more bits", "16"}},
+        .derivation =
+            "A gloss that spans so many octaves in 2^bits - 1 steps takes 2^(octaves/steps) - 1 of the power "
+            "a step, the same everywhere; a power stored as a whole number steps by 1, which is all of it "
+            "at 1. The range itself is data of the cited measurements and is taken as given. The lobe c^s "
+            "moves by at most step/e, the largest value of x exp(-x) times the step.",
+        .source = sources::ngan_2005},
 };
 
 }  // namespace shadefit

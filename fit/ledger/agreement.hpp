@@ -21,8 +21,8 @@ struct Agreement {
   void compare(double closed_form, const Integral& first, const Integral& second) {
     const auto relative = [&](double difference) { return std::abs(difference / closed_form); };
     gap = std::max({gap, relative(first.value - closed_form), relative(second.value - closed_form)});
-    error = std::max({error, relative(first.error), relative(second.error),
-                      relative(first.value - second.value)});
+    error = std::max(
+        {error, relative(first.error), relative(second.error), relative(first.value - second.value)});
   }
 
   /// Empty where the rules are not good to the tolerance themselves.

@@ -49,8 +49,7 @@ void compare_lobe(double exponent, Agreement& agreement) {
   const auto lobe = [&](const auto& place) {
     return whole_turn * power_lobe_near_peak(place.cosine.one_minus_cos, exponent) * place.density;
   };
-  const Substitution cosine({.measure = Measure::cosine},
-                            {.concentration = exponent, .end_power = exponent});
+  const Substitution cosine({.measure = Measure::cosine}, {.concentration = exponent, .end_power = exponent});
   const Substitution angle({.measure = Measure::angle}, {.concentration = exponent});
   const auto over_angle = [&](double s) {
     const auto place = angle.at(s);
@@ -66,8 +65,8 @@ void compare_lobe(double exponent, Agreement& agreement) {
 Integral integrated_texel(double x, double y, double size) {
   double inner_error = 0;
   const auto column = [&](double u) {
-    const Integral part = gauss_kronrod([&](double v) { return cube_face_density(u, v); }, y, y + size,
-                                        rule_tolerance);
+    const Integral part =
+        gauss_kronrod([&](double v) { return cube_face_density(u, v); }, y, y + size, rule_tolerance);
     inner_error = std::max(inner_error, part.error);
     return part.value;
   };
@@ -108,7 +107,8 @@ Finding evaluate_cap(const Claim& claim) {
   return {agreement.verdict(number_of(tolerance)), "identity",
           "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
               counted(static_cast<long>(degrees.size()), "half-angle") + " " + from_to(degrees) +
-              " degrees; the last one covers " + decimal(cap_solid_angle(degrees.back() * degree), 10) + " sr",
+              " degrees; the last one covers " + decimal(cap_solid_angle(degrees.back() * degree), 10) +
+              " sr",
           effect_of_cap()};
 }
 
@@ -141,9 +141,9 @@ Finding evaluate_texel(const Claim& claim) {
   const double centre_limit = limit * cube_face_density(0.0, 0.0);
   const double corner_limit = limit * cube_face_density(1.0, 1.0);
   const bool is_ordered = corner < 1 - number_of(tolerance) && centre > 1 + number_of(tolerance);
-  const std::optional<Verdict> parts[] = {
-      of_face.verdict(number_of(tolerance)), agreement.verdict(number_of(tolerance)),
-      is_ordered ? Verdict::confirmed : Verdict::conditional};
+  const std::optional<Verdict> parts[] = {of_face.verdict(number_of(tolerance)),
+                                          agreement.verdict(number_of(tolerance)),
+                                          is_ordered ? Verdict::confirmed : Verdict::conditional};
   const auto level_shift = [](double ratio) { return decimal(std::abs(std::log2(ratio)) / 2, 3); };
   return {worst(parts), "identity",
           "a face covers " + decimal(face.value, 10) + " sr, and " + decimal(edge, 6) + "^2 mean texels " +
@@ -181,19 +181,19 @@ Finding evaluate_mip_level(const Claim& claim) {
   }
   const bool holds = std::max({root_gap, factor_gap, formula_gap}) <= number_of(tolerance);
   const double width = widths[widths.size() / 2];
-  return {verdict_of(holds),
-          "under the root = " + decimal(solved_root, 10) +
-              ", factor of the second logarithm = " + decimal(solved_factor, 10),
-          "the levels at which both cover the same, solved for " +
-              counted(static_cast<long>(exponents.size()), "power") + " " + from_to(exponents) + " at " +
-              counted(static_cast<long>(widths.size()), "width") + " " + from_to(widths) +
-              ", have these constants " + within(std::max(root_gap, factor_gap), tolerance) +
-              " and are the formula's " + within(formula_gap, tolerance) + "; at w = " + decimal(width, 6) +
-              " level 0 belongs to s = " +
-              decimal(power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), 10) + ", the last level, " +
-              decimal(std::log2(width), 3) + ", to s = " +
-              decimal(power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width))), 6),
-          holds ? "none" : "levels off by up to " + decimal(shift, 3)};
+  return {
+      verdict_of(holds),
+      "under the root = " + decimal(solved_root, 10) +
+          ", factor of the second logarithm = " + decimal(solved_factor, 10),
+      "the levels at which both cover the same, solved for " +
+          counted(static_cast<long>(exponents.size()), "power") + " " + from_to(exponents) + " at " +
+          counted(static_cast<long>(widths.size()), "width") + " " + from_to(widths) +
+          ", have these constants " + within(std::max(root_gap, factor_gap), tolerance) +
+          " and are the formula's " + within(formula_gap, tolerance) + "; at w = " + decimal(width, 6) +
+          " level 0 belongs to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), 10) +
+          ", the last level, " + decimal(std::log2(width), 3) +
+          ", to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width))), 6),
+      holds ? "none" : "levels off by up to " + decimal(shift, 3)};
 }
 
 }  // namespace shadefit
