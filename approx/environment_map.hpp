@@ -239,9 +239,9 @@ inline constexpr std::array environment_map_claims{
         .derivation =
             "A gloss that spans so many octaves in 2^bits - 1 steps takes 2^(octaves/steps) - 1 of the power "
             "a step, the same everywhere; a power stored as a whole number steps by 1, which is all of it "
-            "at 1. The range itself is data of the cited measurements and is taken as given. The lobe c^s "
+            "at 1. The range itself is taken as given: the source cites it as measured (Ngan, Durand, Matusik 2005, Experimental Analysis of BRDF Models). The lobe c^s "
             "moves by at most step/e, the largest value of x exp(-x) times the step.",
-        .source = sources::ngan_2005},
+        .source = sources::lagarde_2011_adopting},
 };
 
 }  // namespace shadefit

@@ -19,14 +19,6 @@ inline constexpr Source rakic_1995{
 inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics",
                                        "7th edition, Cambridge University Press"};
 
-inline constexpr Source ramamoorthi_hanrahan_2001{
-    "Ramamoorthi, Hanrahan", 2001, "An Efficient Representation for Irradiance Environment Maps",
-    "SIGGRAPH 2001, pp. 497-500"};
-
-inline constexpr Source ngan_2005{"Ngan, Durand, Matusik", 2005,
-                                  "Experimental Analysis of BRDF Models: Supplement",
-                                  "people.csail.mit.edu/addy/research/brdf"};
-
 inline constexpr Source gotanda_2010{
     "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",
     "SIGGRAPH 2010 course, Physically-Based Shading Models in Film and Game Production"};

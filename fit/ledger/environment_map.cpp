@@ -35,8 +35,9 @@ Finding evaluate_lambert(const Claim& claim) {
           "the last level, log2(w), is one texel of " + decimal(lobe_solid_angle(found), 10) +
               " sr, which is the lobe of power " + decimal(found, 10) + " at " +
               counted(static_cast<long>(widths.size()), "width") + " from " + decimal(widths.front(), 6) +
-              " to " + decimal(widths.back(), 6) + "; the lobe of power " + decimal(printed, 6) + " covers " +
-              decimal(lobe_solid_angle(printed), 10) + " sr and lies " + decimal(beyond, 6) +
+              " to " + decimal(widths.back(), 6) + ", by the mean and by the closed form of a face " +
+              within(apart, claim.inputs.at("tolerance")) + "; the lobe of power " + decimal(printed, 6) +
+              " covers " + decimal(lobe_solid_angle(printed), 10) + " sr and lies " + decimal(beyond, 6) +
               " levels beyond the last",
           gap <= tolerance
               ? "none"
@@ -52,13 +53,12 @@ std::vector<Alternative> readings_of_unblurred(const Claim& claim) {
   const double width = number_of(claim.inputs.at("width")), size = 2 / width;
   const auto power_that_covers = [](double solid_angle) { return power_of_solid_angle(solid_angle); };
   std::vector<Alternative> readings{
-      {"the lobe covers a mean texel", power_that_covers(mean_texel_solid_angle(width, 0.0))},
-      {"the lobe covers a texel that touches a face's centre",
-       power_that_covers(texel_solid_angle(0.0, 0.0, size))},
-      {"the lobe covers a corner texel", power_that_covers(texel_solid_angle(1 - size, 1 - size, size))}};
+      {"a lobe that covers a mean texel", power_that_covers(mean_texel_solid_angle(width, 0.0))},
+      {"a lobe that covers a texel at a face's centre", power_that_covers(texel_solid_angle(0.0, 0.0, size))},
+      {"a lobe that covers a corner texel", power_that_covers(texel_solid_angle(1 - size, 1 - size, size))}};
   for (const double folds : parse_sweep(claim.inputs.at("falls by e to the minus"))) {
     // cos(theta) = 1/sqrt(1 + size^2) at the centre of the next texel
-    readings.push_back({"the lobe has fallen to e^-" + decimal(folds, 3) + " at the next texel",
+    readings.push_back({"a lobe that has fallen to e^-" + decimal(folds, 3) + " at the next texel",
                         2 * folds / std::log1p(size * size)});
   }
   return readings;
@@ -73,12 +73,12 @@ Finding evaluate_mean_power(const Claim& claim) {
   std::vector<Alternative> readings = readings_of_unblurred(claim);
   std::vector<std::string> words;
   for (Alternative& reading : readings) {
-    words.push_back(decimal(reading.value, 6) + " where " + reading.objective);
+    words.push_back(decimal(reading.value, 6) + " for " + reading.objective);
     reading.value /= unit;
   }
   const Judgement judgement = judge(leading, readings.front(), std::span(readings).subspan(1));
   const double s = number_of(printed);
-  std::string evidence = "the power is " + enumerated(words) + "; at " + decimal(s, 6) + " it covers " +
+  std::string evidence = "s = " + enumerated(words) + "; at " + decimal(s, 6) + " the lobe covers " +
                          decimal(lobe_solid_angle(s) / mean_texel_solid_angle(width, 0.0), 4) +
                          " mean texels";
   if (judgement.verdict == Verdict::other_objective)
@@ -93,7 +93,7 @@ Finding evaluate_power_range(const Claim& claim) {
   const auto steps = [](double bits) { return std::exp2(bits) - 1; };
   const double step = relative_gloss_step(input("octaves"), steps(input("bits")));
   const double range = std::log2(input("most") / input("least"));
-  const auto percent = [](double share) { return decimal(100 * share, 4) + " %"; };
+  const auto percent = [](double share) { return decimal(100 * share, 5) + " %"; };
   const double middle = power_of_gloss(0.5, input("octaves"), input("first octave"));
   const auto bits = [&](std::string_view name) { return std::string(claim.inputs.at(name)) + " bits"; };
   const double lowest = power_of_gloss(0.0, input("octaves"), input("first octave"));

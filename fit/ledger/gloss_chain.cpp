@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ std::string series(const std::vector<double>& powers) {
   std::string out;
   for (const double s : powers) out += (out.empty() ? "" : " ") + decimal(s, 6);
   return out;
+}
+
+std::string number(long count) {
+  return std::to_string(count);
 }
 
 /// Which places of the printed series a computed one agrees with; a place that only one of them has counts as
@@ -52,6 +57,7 @@ std::string effect_of(const Places& places) {
 /// The powers for which the levels of a chain are made. `is_whole_quotient`: level / (levels - 1) as the
 /// integers of C divide.
 std::vector<double> gloss_chain(int levels, double octaves, double first_octave, bool is_whole_quotient) {
+  if (levels < 2) throw std::invalid_argument("a chain has at least two levels");
   std::vector<double> powers;
   for (int level = 0; level < levels; ++level) {
     const double gloss =
@@ -119,14 +125,14 @@ Finding evaluate_gloss_chain(const Claim& claim) {
                           : formula.wrong == 0 ? Verdict::conditional
                                                : Verdict::refuted;
   return {verdict, series(by_formula),
-          counted(levels, "level") + ": with a quotient of real numbers " + series(by_formula) + ", " +
-              counted(formula.right, "printed power") + " of " +
-              decimal(static_cast<double>(claim.printed.size()), 3) +
-              "; the loop as printed divides integers and yields " + series(by_loop) + ", right at " +
-              counted(loop.right, "level"),
+          "with a quotient of real numbers the " + counted(levels, "level") + " are made for " +
+              series(by_formula) + ", " + number(formula.right) + " of the " +
+              counted(static_cast<long>(claim.printed.size()), "power") +
+              " printed; the loop as printed divides integers and makes them for " + series(by_loop) + ", " +
+              number(loop.right) + " of them",
           verdict == Verdict::confirmed ? "none"
                                         : "as the loop is printed " + counted(loop.wrong, "level") +
-                                              " would be made for a wrong power, up to " +
+                                              " would be made for another power, up to " +
                                               decimal(loop.worst, 4) + " times the one meant"};
 }
 
@@ -136,9 +142,9 @@ Finding evaluate_sphere_powers(const Claim& claim) {
                                   number_of(claim.inputs.at("first octave")), false);
   const Places places = compare_with_printed(claim.printed, powers);
   return {verdict_of(places.wrong == 0), series(powers),
-          counted(spheres, "gloss") + " from 1 to 0 in steps of " + decimal(1.0 / (spheres - 1), 6) +
-              " have the powers " + series(powers) + ": " + counted(places.right, "power") + " as printed, " +
-              decimal(static_cast<double>(places.wrong), 3) + " not",
+          counted(spheres, "sphere") + " with glosses from 1 to 0 in steps of " +
+              decimal(1.0 / (spheres - 1), 6) + " have the powers " + series(powers) + ": " +
+              counted(places.right, "power") + " as printed, " + number(places.wrong) + " not",
           effect_of(places)};
 }
 
@@ -166,9 +172,8 @@ Finding evaluate_mip_select(const Claim& claim) {
   const long codes = 1L << static_cast<int>(number_of(claim.inputs.at("gloss bits")));
   const Selection printed = select_levels(claim, levels), inverse = select_levels(claim, levels - 1);
   const auto all = [&](const Selection& s) { return static_cast<long>(s.found.size()) == codes; };
-  const Verdict verdict = all(printed)            ? Verdict::confirmed
-                          : printed.found.empty() ? Verdict::refuted
-                                                  : Verdict::conditional;
+  // The full gloss reads level 0 whatever the count, so there is always a part on which it holds.
+  const Verdict verdict = all(printed) ? Verdict::confirmed : Verdict::conditional;
   const double found = printed.wanted * printed.worst_ratio;
   return {verdict, "found / wanted = " + decimal(printed.worst_ratio, 4) + " at worst",
           "of the " + counted(codes, "gloss code") + " the power is found within one code's step at " +
@@ -179,7 +184,8 @@ Finding evaluate_mip_select(const Claim& claim) {
               counted(static_cast<long>(inverse.found.size()), "code"),
           verdict == Verdict::confirmed
               ? "none"
-              : "at worst " + effect_of_power(printed.wanted, found) + "; the reflection is as wide as " +
+              : "the lobe of power " + decimal(found, 4) + " for that of " + decimal(printed.wanted, 4) +
+                    " " + effect_of_power(printed.wanted, found) + "; the reflection is as wide as " +
                     decimal(lobe_solid_angle(found) / lobe_solid_angle(printed.wanted), 3) +
                     " times the solid angle meant"};
 }
