@@ -36,6 +36,13 @@ T power_of_solid_angle(const T& solid_angle) {
   return integer<T>(2) * pi<T>() / solid_angle - integer<T>(1);
 }
 
+/// The power whose lobe has fallen to e^-n of its peak where the angle to its axis has that tangent:
+/// cos(theta) = 1/sqrt(1 + tan^2(theta)), so s = 2 n / log(1 + tan^2(theta)).
+template <class T>
+T power_that_falls(const T& folds, const T& tangent) {
+  return integer<T>(2) * folds / log1p(tangent * tangent);
+}
+
 /// The texels along an edge of a face at level m: w 2^-m.
 template <class T>
 T texels_along_edge(const T& width, const T& level) {

@@ -57,9 +57,8 @@ std::vector<Alternative> readings_of_unblurred(const Claim& claim) {
       {"a lobe that covers a texel at a face's centre", power_that_covers(texel_solid_angle(0.0, 0.0, size))},
       {"a lobe that covers a corner texel", power_that_covers(texel_solid_angle(1 - size, 1 - size, size))}};
   for (const double folds : parse_sweep(claim.inputs.at("falls by e to the minus"))) {
-    // cos(theta) = 1/sqrt(1 + size^2) at the centre of the next texel
     readings.push_back({"a lobe that has fallen to e^-" + decimal(folds, 3) + " at the next texel",
-                        2 * folds / std::log1p(size * size)});
+                        power_that_falls(folds, size)});
   }
   return readings;
 }
@@ -82,8 +81,12 @@ Finding evaluate_mean_power(const Claim& claim) {
                          decimal(lobe_solid_angle(s) / mean_texel_solid_angle(width, 0.0), 4) +
                          " mean texels";
   if (judgement.verdict == Verdict::other_objective)
-    evidence += "; the printed digits are those of: " + judgement.objective;
-  return {judgement.verdict, "power = " + decimal(judgement.value * unit, 6), evidence,
+    evidence += "; of these " + counted(static_cast<long>(readings.size()), "reading") +
+                " the printed digits are those of " + judgement.objective;
+  std::string computed = "power = " + decimal(readings.front().value * unit, 6);
+  if (judgement.verdict == Verdict::other_objective)
+    computed += ", by another reading " + decimal(judgement.value * unit, 6);
+  return {judgement.verdict, computed, evidence,
           "a chain whose level 0 is unfiltered has the power " + decimal(s, 6) + " at level " +
               decimal(mip_level_of_power(width, s), 3) + ", by the size of a mean texel"};
 }

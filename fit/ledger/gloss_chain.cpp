@@ -156,7 +156,8 @@ Finding evaluate_power_drop(const Claim& claim) {
   for (int level = 0; level < levels; ++level) powers.push_back(power_after_drops(first, drop, level));
   const Places places = compare_with_printed(claim.printed, powers);
   const auto drop_of_gloss = [&](int count) {
-    return decimal(std::exp2(-number_of(claim.inputs.at("octaves")) / (count - 1)), 4);
+    return decimal(
+        power_of_gloss(gloss_of_level<double>(1, count) - 1, number_of(claim.inputs.at("octaves")), 0.0), 4);
   };
   return {verdict_of(places.wrong == 0), series(powers),
           "the series is " + series(powers) + " and goes on with " +

@@ -190,6 +190,8 @@ auto formulas() {
       Formula{"lobe_solid_angle", [](auto s) { return lobe_solid_angle(s); }, Lobes{{"0.5"}, {"64"}}, 4},
       Formula{"power_of_solid_angle", [](auto o) { return power_of_solid_angle(o); },
               Lobes{{"0.0625"}, {"2"}}, 16},
+      Formula{"power_that_falls", [](auto n, auto t) { return power_that_falls(n, t); },
+              Lobes{{"2", "0.015625"}, {"1", "2"}}, 8},
       Formula{"texels_along_edge", [](auto w, auto m) { return texels_along_edge(w, m); },
               Lobes{{"128", "2.5"}}, 4},
       Formula{"mean_texel_solid_angle", [](auto w, auto m) { return mean_texel_solid_angle(w, m); },

@@ -1,5 +1,6 @@
 #include "approx/environment_map.hpp"
 
+#include "approx/lobe.hpp"
 #include "fit/multiprecision.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/fit/ledger/mutations.hpp"
@@ -171,6 +172,14 @@ TEST(SolidAngle, Landmarks) {
   for (const char* phi : {"0.001", "0.5", "3"}) {
     EXPECT_TRUE(
         is_close(phi, cap_solid_angle(Decimal50(phi)), cap_solid_angle_near_axis(Decimal50(phi)), 1e-40));
+  }
+}
+
+TEST(SolidAngle, ALobeFallsAsFarAsItsPowerSays) {
+  for (const char* tangent : {"0.015625", "2"}) {
+    const Decimal50 t(tangent), n("1.5");
+    const Decimal50 cos_theta = cos(Decimal50(boost::multiprecision::atan(t)));
+    EXPECT_TRUE(is_close(tangent, exp(Decimal50(-n)), power_lobe(cos_theta, power_that_falls(n, t)), 1e-42));
   }
 }
 
