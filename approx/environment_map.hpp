@@ -3,6 +3,7 @@
 #include <array>
 
 #include "approx/claim.hpp"
+#include "approx/gloss.hpp"
 #include "approx/scalar.hpp"
 #include "approx/sources.hpp"
 
@@ -88,14 +89,8 @@ T mip_level_of_power(const T& width, const T& exponent) {
   return log2(width * sqrt(integer<T>(3))) - half * log2(exponent + integer<T>(1));
 }
 
-/// The power that a stored gloss stands for: 2^(octaves g + first), [2, 2048] for 10 octaves from the first.
-template <class T>
-T power_of_gloss(const T& gloss, const T& octaves, const T& first_octave) {
-  return exp2(octaves * gloss + first_octave);
-}
-
-/// The relative step of a power between two neighbouring codes of a gloss with that many steps:
-/// 2^(octaves/steps) - 1.
+/// The relative step of a power between two neighbouring codes of a gloss with that many steps, decoded over
+/// so many octaves (doublings, `decode_gloss`): 2^(octaves/steps) - 1.
 template <class T>
 T relative_gloss_step(const T& octaves, const T& steps) {
   return expm1(ln2<T>() * (octaves / steps));

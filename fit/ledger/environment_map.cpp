@@ -97,10 +97,10 @@ Finding evaluate_power_range(const Claim& claim) {
   const double step = relative_gloss_step(input("octaves"), steps(input("bits")));
   const double range = std::log2(input("most") / input("least"));
   const auto percent = [](double share) { return decimal(100 * share, 5) + " %"; };
-  const double middle = power_of_gloss(0.5, input("octaves"), input("first octave"));
+  const double middle = decode_gloss(0.5, input("octaves"), input("first octave"));
   const auto bits = [&](std::string_view name) { return std::string(claim.inputs.at(name)) + " bits"; };
-  const double lowest = power_of_gloss(0.0, input("octaves"), input("first octave"));
-  const double highest = power_of_gloss(1.0, input("octaves"), input("first octave"));
+  const double lowest = decode_gloss(0.0, input("octaves"), input("first octave"));
+  const double highest = decode_gloss(1.0, input("octaves"), input("first octave"));
   return {judge(claim.printed[0].value, {"", 100 * step}, {}).verdict, "step = " + percent(step),
           "a gloss of " + bits("bits") + " over [" + decimal(lowest, 6) + ", " + decimal(highest, 6) +
               "] steps by " + percent(step) + " of the power; over the " + decimal(range, 4) +

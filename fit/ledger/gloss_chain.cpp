@@ -62,7 +62,7 @@ std::vector<double> gloss_chain(int levels, double octaves, double first_octave,
   for (int level = 0; level < levels; ++level) {
     const double gloss =
         is_whole_quotient ? 1.0 - level / (levels - 1) : gloss_of_level<double>(level, levels);
-    powers.push_back(std::round(power_of_gloss(gloss, octaves, first_octave)));
+    powers.push_back(std::round(decode_gloss(gloss, octaves, first_octave)));
   }
   return powers;
 }
@@ -85,8 +85,8 @@ Selection select_levels(const Claim& claim, double count) {
   for (int code = 0; code <= last_code; ++code) {
     const double gloss = static_cast<double>(code) / last_code;
     const double level = level_of_gloss(gloss, count, levels - 1);
-    const double wanted = power_of_gloss(gloss, octaves, first_octave);
-    const double ratio = power_of_gloss(gloss_of_level(level, levels), octaves, first_octave) / wanted;
+    const double wanted = decode_gloss(gloss, octaves, first_octave);
+    const double ratio = decode_gloss(gloss_of_level(level, levels), octaves, first_octave) / wanted;
     // Codes that are exactly a step apart count: the slack is far above the rounding and below any step.
     if (std::abs(std::log2(ratio)) <= octaves / last_code + 1e-9) result.found.push_back(code);
     if (std::abs(std::log2(ratio)) > std::abs(std::log2(result.worst_ratio)) + 1e-9) {
@@ -157,7 +157,7 @@ Finding evaluate_power_drop(const Claim& claim) {
   const Places places = compare_with_printed(claim.printed, powers);
   const auto drop_of_gloss = [&](int count) {
     return decimal(
-        power_of_gloss(gloss_of_level<double>(1, count) - 1, number_of(claim.inputs.at("octaves")), 0.0), 4);
+        decode_gloss(gloss_of_level<double>(1, count) - 1, number_of(claim.inputs.at("octaves")), 0.0), 4);
   };
   return {verdict_of(places.wrong == 0), series(powers),
           "the series is " + series(powers) + " and goes on with " +

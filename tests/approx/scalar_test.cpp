@@ -204,8 +204,6 @@ auto formulas() {
               Lobes{{"-1", "-1", "2"}, {"0", "0.5", "0.5"}}, 32},
       Formula{"mip_level_of_power", [](auto w, auto s) { return mip_level_of_power(w, s); },
               Lobes{{"128", "2"}, {"16", "31"}}, 16},
-      Formula{"power_of_gloss", [](auto g, auto o, auto f) { return power_of_gloss(g, o, f); },
-              Lobes{{"0.25", "10", "1"}, {"0.96875", "10", "1"}}, 16},
       Formula{"relative_gloss_step", [](auto o, auto n) { return relative_gloss_step(o, n); },
               Lobes{{"10", "255"}}, 8},
       Formula{"gloss_of_level", [](auto m, auto n) { return gloss_of_level(m, n); },
