@@ -180,16 +180,19 @@ inline constexpr std::array environment_map_claims{
               "tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read to its "
               "significant digits.",
           .source = sources::lagarde_2011_adopting},
-    Claim{.id = "mip-gloss-chain",
-          .statement = "a chain of levels from 128 down to 4 texels, of which level m is made for the power "
-                       "round(2^(10 g + 1)) with g = 1 - m/(levels - 1)",
-          .printed = {{"", "2048"}, {"", "512"}, {"", "128"}, {"", "32"}, {"", "8"}, {"", "2"}},
-          .inputs = {{"width", "128"}, {"last width", "4"}, {"octaves", "10"}, {"first octave", "1"}},
-          .derivation =
-              "Read as a formula, each of the five steps takes two octaves. The printed loop divides the "
-              "level, an integer, by levels - 1, an integer, before it subtracts from 1.0: in C and C++ that "
-              "quotient is 0 up to the last level, where it is 1.",
-          .source = sources::lagarde_2011_adopting},
+    Claim{
+        .id = "mip-gloss-chain",
+        .statement = "a chain of levels from 128 down to 4 texels, of which level m is made for the power "
+                     "round(2^(10 g + 1)) with g = 1 - m/(levels - 1)",
+        .printed = {{"", "2048"}, {"", "512"}, {"", "128"}, {"", "32"}, {"", "8"}, {"", "2"}},
+        .inputs = {{"width", "128"}, {"last width", "4"}, {"octaves", "10"}, {"first octave", "1"}},
+        .derivation =
+            "Read as a formula, each of the five steps takes two octaves. The printed loop divides the "
+            "level, an integer, by levels - 1, an integer, before it subtracts from 1.0: in C and C++ that "
+            "quotient is 0 up to the last level, where it is 1 (the type of the count is not shown; were it "
+            "a float, the loop would be the formula). The series is what the formula is meant to give; its "
+            "author prints it in 2012 for a filter that scales the power by a quarter per level.",
+        .source = sources::lagarde_2011_adopting},
     Claim{.id = "mip-sphere-powers",
           .statement = "eleven spheres of gloss 1, 0.9 .. 0 have the powers 2^(10 g + 1)",
           .printed = {{"", "2048"},
@@ -241,8 +244,9 @@ inline constexpr std::array environment_map_claims{
         .derivation =
             "A gloss that spans so many octaves in 2^bits - 1 steps takes 2^(octaves/steps) - 1 of the power "
             "a step, the same everywhere; a power stored as a whole number steps by 1, which is all of it "
-            "at 1. The range itself is taken as given: the source cites it as measured (Ngan, Durand, Matusik 2005, Experimental Analysis of BRDF Models). The lobe c^s "
-            "moves by at most step/e, the largest value of x exp(-x) times the step.",
+            "at 1. The range itself is taken as given: the source cites it as measured (Ngan, Durand, Matusik "
+            "2005, Experimental Analysis of BRDF Models). The lobe c^s moves by at most step/e, the largest "
+            "value of x exp(-x) times the step.",
         .source = sources::lagarde_2011_adopting},
 };
 
