@@ -104,6 +104,13 @@ struct Cos {
   }
 };
 
+struct Atan {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::atan(x);
+  }
+};
+
 struct Less {
   template <class T>
   auto operator()(const T& a, const T& b) const {
@@ -187,6 +194,7 @@ inline constexpr vocabulary::Log1pRemainder log1p_remainder{};
 inline constexpr vocabulary::Sqrt sqrt{};
 inline constexpr vocabulary::Sin sin{};
 inline constexpr vocabulary::Cos cos{};
+inline constexpr vocabulary::Atan atan{};
 /// a < b as the scalar's own kind of condition, for `select` alone.
 inline constexpr vocabulary::Less less{};
 /// condition ? a : b; where an interval cannot decide, the hull of both.
@@ -262,6 +270,7 @@ struct Scalar<T> {
   static T sqrt(T x) { return std::sqrt(x); }
   static T sin(T x) { return std::sin(x); }
   static T cos(T x) { return std::cos(x); }
+  static T atan(T x) { return std::atan(x); }
   static T power(T x, T p) { return std::pow(x, p); }
   static bool less(T a, T b) { return a < b; }
   static T select(bool condition, T a, T b) { return condition ? a : b; }

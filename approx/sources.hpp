@@ -29,6 +29,9 @@ inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physi
 inline constexpr Source lagarde_2012_phong_blinn{
     "Lagarde", 2012, "Relationship between Phong and Blinn lighting model", "seblagarde.wordpress.com"};
 
+inline constexpr Source lagarde_2011_buffer{"Lagarde", 2011, "Dive in SH buffer idea",
+                                            "seblagarde.wordpress.com"};
+
 inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
@@ -37,6 +40,10 @@ inline constexpr Source lagarde_2012{
 inline constexpr Source lagarde_2012_first{
     "Lagarde", 2012, "Spherical gaussien approximation for Blinn-Phong, Phong and Fresnel (first version)",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
+
+inline constexpr Source lagarde_2012_cubemapgen{
+    "Lagarde", 2012, "AMD Cubemapgen for physically based rendering",
+    "seblagarde.wordpress.com/2012/06/10/amd-cubemapgen-for-physically-based-rendering"};
 
 inline constexpr Source mcguire_2013{"McGuire, Evangelakos, Wilcox, Donow, Mara", 2013,
                                      "Plausible Environment Lighting in Two Lines of Code",

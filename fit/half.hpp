@@ -38,6 +38,7 @@ struct Scalar<Eigen::half> {
   static half sqrt(half x) { return round_to_half(std::sqrt(wide(x))); }
   static half sin(half x) { return round_to_half(std::sin(wide(x))); }
   static half cos(half x) { return round_to_half(std::cos(wide(x))); }
+  static half atan(half x) { return round_to_half(std::atan(wide(x))); }
   static half power(half x, half p) { return round_to_half(std::pow(wide(x), wide(p))); }
   static bool less(half a, half b) { return a < b; }
   static half select(bool condition, half a, half b) { return condition ? a : b; }

@@ -31,6 +31,7 @@ struct Scalar<Interval> {
   static Interval sqrt(const Interval& x) { return apply(mpfi_sqrt, x); }
   static Interval sin(const Interval& x) { return apply(mpfi_sin, x); }
   static Interval cos(const Interval& x) { return apply(mpfi_cos, x); }
+  static Interval atan(const Interval& x) { return apply(mpfi_atan, x); }
 
   /// log1p(x) - x rises up to x = 0 and falls from there, so its ends lie at the ends of x, or at the top 0.
   static Interval log1p_remainder(const Interval& x) {

@@ -45,6 +45,7 @@ struct Scalar<ceres::Jet<T, N>> {
   }
   static Jet sin(const Jet& x) { return Jet(shadefit::sin(x.a), shadefit::cos(x.a) * x.v); }
   static Jet cos(const Jet& x) { return Jet(shadefit::cos(x.a), -shadefit::sin(x.a) * x.v); }
+  static Jet atan(const Jet& x) { return Jet(shadefit::atan(x.a), chain(one() / (one() + x.a * x.a), x.v)); }
   /// d(x^p) = p x^(p-1) dx + x^p log(x) dp. At x = 0 the first factor is 0 for p > 1 and infinite for p < 1,
   /// and the second term is 0 for p > 0: neither 0 * infinity may make it NaN.
   static Jet power(const Jet& x, const Jet& p) {

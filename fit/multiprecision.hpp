@@ -42,6 +42,7 @@ struct Scalar<boost::multiprecision::number<boost::multiprecision::cpp_bin_float
   static T sqrt(const T& x) { return boost::multiprecision::sqrt(x); }
   static T sin(const T& x) { return boost::multiprecision::sin(x); }
   static T cos(const T& x) { return boost::multiprecision::cos(x); }
+  static T atan(const T& x) { return boost::multiprecision::atan(x); }
   static T power(const T& x, const T& p) {
     return x == 0 && p > 0 ? T(0) : T(boost::multiprecision::pow(x, p));
   }

@@ -134,6 +134,7 @@ std::pair<std::string, Binding> latex_function(const std::string& name, const st
   if (name == "exp2") return {"2^{" + x[0] + "}", Binding::power};
   if (name == "expm1") return {"e^{" + x[0] + "} - 1", Binding::sum};
   if (name == "sqrt") return {"\\sqrt{" + x[0] + "}", Binding::atom};
+  if (name == "atan") return {"\\arctan" + latex_parentheses(x[0]), Binding::power};
   if (name == "log") return {"\\ln" + latex_parentheses(x[0]), Binding::power};
   if (name == "log2") return {"\\log_2" + latex_parentheses(x[0]), Binding::power};
   if (name == "log1p") return {"\\ln" + latex_parentheses("1 + " + x[0]), Binding::power};

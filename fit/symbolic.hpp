@@ -88,6 +88,7 @@ struct Scalar<Symbolic> {
   static Symbolic sqrt(const Symbolic& x) { return Symbolic::function("sqrt", {x}); }
   static Symbolic sin(const Symbolic& x) { return Symbolic::function("sin", {x}); }
   static Symbolic cos(const Symbolic& x) { return Symbolic::function("cos", {x}); }
+  static Symbolic atan(const Symbolic& x) { return Symbolic::function("atan", {x}); }
   static Symbolic power(const Symbolic& x, const Symbolic& p) {
     return Symbolic::operation(Symbolic::Kind::real_power, {x, p});
   }
@@ -174,6 +175,7 @@ T evaluate(const Symbolic& expression, const ValueOf& value_of) {
   if (name == "sqrt") return sqrt(part(0));
   if (name == "sin") return sin(part(0));
   if (name == "cos") return cos(part(0));
+  if (name == "atan") return atan(part(0));
   if (name == "min") return min(part(0), part(1));
   if (name == "max") return max(part(0), part(1));
   throw std::logic_error("a function outside the vocabulary: " + name);

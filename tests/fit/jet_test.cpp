@@ -53,6 +53,8 @@ TEST(Jet, DerivativesOfTheVocabulary) {
     expect_derivatives(
         "cos", [](const auto& t) { return cos(t); }, x);
     expect_derivatives(
+        "atan", [](const auto& t) { return atan(t); }, x);
+    expect_derivatives(
         "power 5", [](const auto& t) { return power(t, 5); }, x);
     expect_derivatives(
         "power -2", [](const auto& t) { return power(t, -2); }, x);
