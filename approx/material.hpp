@@ -25,8 +25,8 @@ T metallic_f0(const T& dielectric_f0, const T& base_colour, const T& metallic) {
   return dielectric_f0 + metallic * (base_colour - dielectric_f0);
 }
 
-/// The brightest base colour that keeps albedo + F0 <= 1: their sum is c (1-m) + f0 (1-m) + c m = c + f0 (1-m),
-/// so 1 - f0 (1-m).
+/// The brightest base colour that keeps albedo + F0 <= 1: their sum is c (1-m) + f0 (1-m) + c m = c + f0
+/// (1-m), so 1 - f0 (1-m).
 template <class T>
 T brightest_base_colour(const T& dielectric_f0, const T& metallic) {
   const T one = integer<T>(1);
@@ -95,11 +95,12 @@ inline constexpr std::array material_claims{
                      {"to code", "75"},
                      {"convention", chart_convention},
                      {"other conventions", other_chart_conventions}},
-          .derivation = "The chart's texture is sRGB-encoded and a GPU decodes it so (IEC 61966-2-1). Each code "
-                        "is decoded by that function, and by a plain power, which is off most in the dark. The "
-                        "exponents for which a power of code/255 rounds to both printed numbers follow from "
-                        "log(printed -+ half a digit)/log(code/255). Code/256 is the common slip of dividing "
-                        "by the number of codes.",
+          .derivation =
+              "The chart's texture is sRGB-encoded and a GPU decodes it so (IEC 61966-2-1). Each code "
+              "is decoded by that function, and by a plain power, which is off most in the dark. The "
+              "exponents for which a power of code/255 rounds to both printed numbers follow from "
+              "log(printed -+ half a digit)/log(code/255). Code/256 is the common slip of dividing "
+              "by the number of codes.",
           .source = sources::lagarde_2012_chart},
     Claim{.id = "chart-metal",
           .statement = "the chart's sRGB codes 155 to 255, for metals, are 0.33 to 1.0 in linear light",
@@ -122,18 +123,21 @@ inline constexpr std::array material_claims{
                         "chart, code 75. Which of them is meant, that code says; and each says which code it "
                         "would be.",
           .source = sources::pestana_workflows_2014},
-    Claim{.id = "chart-overlap",
-          .statement = "the chart's ranges hold those of common materials: dielectrics of 0.02 to 0.05 within "
-                       "codes 40 to 75, metals of 0.5 to 1 within codes 155 to 255",
-          .inputs = {{"dielectric codes", "40, 75"},
-                     {"common dielectrics", "0.02, 0.05"},
-                     {"metal codes", "155, 255"},
-                     {"common metals", "0.5, 1"},
-                     {"convention", chart_convention},
-                     {"other conventions", other_chart_conventions}},
-          .derivation = "An interval of linear reflectance lies within another or sticks out; the chart's are "
-                        "its codes decoded. Water, the darkest common dielectric, is 0.02.",
-          .source = sources::lagarde_2012_chart},
+    Claim{
+        .id = "chart-overlap",
+        .statement = "the chart's ranges hold those of common materials: dielectrics of 0.02 to 0.05 within "
+                     "codes 40 to 75, metals of 0.5 to 1 within codes 155 to 255",
+        .inputs = {{"dielectric codes", "40, 75"},
+                   {"common dielectrics", "0.02, 0.05"},
+                   {"metal codes", "155, 255"},
+                   {"common metals", "0.5, 1"},
+                   {"convention", chart_convention},
+                   {"other conventions", other_chart_conventions}},
+        .derivation = "An interval of linear reflectance lies within another or sticks out; the chart's are "
+                      "its codes decoded. The chart speaks of overlap; read as holding, since a range that "
+                      "artists are kept within has to hold what they need. Whether they overlap stands "
+                      "beside.",
+        .source = sources::lagarde_2012_chart},
     Claim{.id = "middle-grey",
           .statement = "in sRGB, middle grey (half of the linear light of white) is code 187, not 128",
           .printed = {{"code", "187"}},
@@ -142,12 +146,14 @@ inline constexpr std::array material_claims{
                      {"photographic grey", "0.18"},
                      {"convention", chart_convention},
                      {"other conventions", other_chart_conventions}},
-          .derivation = "Middle grey is read as half of the light, which is what code 187 is near to. The grey "
-                        "card of photography, 18 % of the light, is another grey; its code stands beside.",
+          .derivation =
+              "Middle grey is read as half of the light, which is what code 187 is near to. The grey "
+              "card of photography, 18 % of the light, is another grey; its code stands beside.",
           .source = sources::lagarde_2011_feeding},
     Claim{.id = "metallic-workflow",
-          .statement = "the metallic workflow's albedo (1-m) c and specular F0 = lerp(0.03, c, m), for a base "
-                       "colour c and metallic m, reflect no more than comes in: albedo + F0 <= 1",
+          .statement =
+              "the metallic workflow's albedo (1-m) c and specular F0 = lerp(0.03, c, m), for a base "
+              "colour c and metallic m, reflect no more than comes in: albedo + F0 <= 1",
           .printed = {{"F0 of dielectrics", "0.03"}},
           .inputs = {{"codes", "256"}},
           .derivation = "(1-m) c + 0.03 (1-m) + c m = c + 0.03 (1-m): linear in both, so the region is a "
@@ -170,13 +176,14 @@ inline constexpr std::array material_claims{
                      {"beside", TransmittedIn::name},
                      {"albedo", "1"},
                      {"f0", "0.04"}},
-          .derivation = "Light from one direction: F_i of it is mirrored, and the diffuse term sends out albedo "
-                        "times the mean of the factor over the hemisphere of views, weighted by the cosine. F "
-                        "is Schlick's. (1-F_i)(1-F_o) has the mean (1-F_i)(1-f0) 20/21, so the sum stays below "
-                        "1 for every f0 up to grazing light, where F_i = 1. With 1-F0 and albedo a the sum "
-                        "f0 + (1-f0) w + a (1-f0), w = (1-c)^5, is at most 1 where w <= 1-a. Every factor is "
-                        "linear in F_i, so the extremes lie at normal and at grazing light. Light and view "
-                        "exchanged (light from everywhere, seen from one direction) is judged as well.",
+          .derivation =
+              "Light from one direction: F_i of it is mirrored, and the diffuse term sends out albedo "
+              "times the mean of the factor over the hemisphere of views, weighted by the cosine. F "
+              "is Schlick's. (1-F_i)(1-F_o) has the mean (1-F_i)(1-f0) 20/21, so the sum stays below "
+              "1 for every f0 up to grazing light, where F_i = 1. With 1-F0 and albedo a the sum "
+              "f0 + (1-f0) w + a (1-f0), w = (1-c)^5, is at most 1 where w <= 1-a. Every factor is "
+              "linear in F_i, so the extremes lie at normal and at grazing light. Light and view "
+              "exchanged (light from everywhere, seen from one direction) is judged as well.",
           .source = sources::lagarde_2011_adopting},
 };
 

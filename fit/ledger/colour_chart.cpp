@@ -59,7 +59,7 @@ std::string effect_of_linear(double used, double right) {
   if (off == 0) return "none";
   return decimal(used, 4) + " in the place of " + decimal(right, 4) + " is " + decimal(off, 2) + " too " +
          (used < right ? "dark" : "bright") + ", " + decimal(off / right, 2) + " of it, " +
-         decimal(off / half_ulp(right), 2) + " ulps of a half float, " +
+         decimal(off / half_ulp(right), 3) + " ulps of a half float, " +
          decimal(std::abs(srgb_code(used) - srgb_code(right)), 2) + " 8-bit sRGB codes";
 }
 
@@ -103,7 +103,8 @@ Finding chart_range(const Claim& claim) {
   const std::vector<double> codes{number_of(claim.inputs.at("from code")),
                                   number_of(claim.inputs.at("to code"))};
   std::vector<Verdict> verdicts;
-  std::vector<std::string> values, computed, effects;
+  std::vector<std::string> values, computed;
+  std::string effect;
   Range exponents{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const auto& [name, printed] = claim.printed[i];
@@ -114,12 +115,13 @@ Finding chart_range(const Claim& claim) {
     values.push_back("code " + decimal(codes[i], 6) + " is " + linear_under_each(conventions, codes[i]));
     const Range own = exponents_that_give(printed, codes[i]);
     exponents = {std::max(exponents.from, own.from), std::min(exponents.to, own.to)};
-    effects.push_back(effect_of_linear(number_of(printed), conventions.front().linear(codes[i])));
+    const std::string own_effect = effect_of_linear(number_of(printed), conventions.front().linear(codes[i]));
+    if (own_effect != "none") effect += (effect.empty() ? "" : "; ") + own_effect;
   }
   return {worst(verdicts), computed[0] + ", " + computed[1],
           values[0] + "; " + values[1] + "; both printed numbers have all their digits under " +
               conventions_that_give_all(conventions, claim, codes) + "; " + exponents_sentence(exponents),
-          effects[0] + "; " + effects[1]};
+          effect.empty() ? "none" : effect};
 }
 
 Finding chart_range_given_twice(const Claim& claim) {
@@ -134,10 +136,10 @@ Finding chart_range_given_twice(const Claim& claim) {
   return {judge(printed_second, {std::string(printed_first), first}, {}).verdict,
           decimal(conventions.front().linear(code), 7) + " under " + conventions.front().name,
           std::string(printed_second) + " is " + counted(units_off(printed_second, first), "unit") +
-              " of its last digit from " + std::string(printed_first) + "; code " + decimal(code, 6) + " is " +
-              linear_under_each(conventions, code) + ", closer to " + std::string(printed_first) + " under " +
-              std::to_string(closer_to_first) + " of " + std::to_string(conventions.size()) + "; " +
-              std::string(printed_first) + " is code " + code_under_each(conventions, first) + ", " +
+              " of its last digit from " + std::string(printed_first) + "; code " + decimal(code, 6) +
+              " is " + linear_under_each(conventions, code) + ", closer to " + std::string(printed_first) +
+              " under " + std::to_string(closer_to_first) + " of " + std::to_string(conventions.size()) +
+              "; " + std::string(printed_first) + " is code " + code_under_each(conventions, first) + ", " +
               std::string(printed_second) + " code " + code_under_each(conventions, second),
           effect_of_linear(second, first)};
 }
@@ -154,20 +156,23 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
   const auto holds = [&](const TransferFunction& t) {
     return chart(t).from <= common.at(0) && common.at(1) <= chart(t).to;
   };
+  const auto overlaps = [&](const TransferFunction& t) {
+    return chart(t).from <= common.at(1) && common.at(0) <= chart(t).to;
+  };
   std::vector<std::string> ranges;
   for (const TransferFunction& t : conventions) {
     ranges.push_back(decimal(chart(t).from, 4) + " to " + decimal(chart(t).to, 4) + " under " + t.name +
-                     (holds(t) ? " (holds them)" : " (does not)"));
+                     (holds(t) ? ", which holds them" : ", which leaves some out"));
   }
   const TransferFunction& stored = conventions.front();
   const Range own = chart(stored);
-  const bool overlaps = own.from <= common.at(1) && common.at(0) <= own.to;
   const bool holds_elsewhere = std::any_of(conventions.begin() + 1, conventions.end(), holds);
   const Verdict verdict = holds(stored)      ? Verdict::confirmed
-                          : holds_elsewhere ? Verdict::other_objective
-                          : overlaps        ? Verdict::conditional
-                                            : Verdict::refuted;
-  const double below = codes.at(0) - stored.code(common.at(0)), above = stored.code(common.at(1)) - codes.at(1);
+                          : holds_elsewhere  ? Verdict::other_objective
+                          : overlaps(stored) ? Verdict::conditional
+                                             : Verdict::refuted;
+  const double below = codes.at(0) - stored.code(common.at(0)),
+               above = stored.code(common.at(1)) - codes.at(1);
   std::string effect;
   if (below > 0) effect = decimal(common.at(0), 4) + " lies " + decimal(below, 2) + " codes below the chart";
   if (above > 0)
@@ -177,7 +182,10 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
           std::string(material) + " of " + decimal(common.at(0), 4) + " to " + decimal(common.at(1), 4) +
               ", codes " + decimal(stored.code(common.at(0)), 4) + " to " +
               decimal(stored.code(common.at(1)), 4) + " of " + stored.name + ": the chart's " +
-              decimal(codes.at(0), 6) + " to " + decimal(codes.at(1), 6) + " are " + enumerated(ranges),
+              decimal(codes.at(0), 6) + " to " + decimal(codes.at(1), 6) + " are " + enumerated(ranges) +
+              ", and overlap them under " +
+              std::to_string(std::count_if(conventions.begin(), conventions.end(), overlaps)) + " of " +
+              std::to_string(conventions.size()),
           effect};
 }
 
@@ -215,9 +223,8 @@ Finding middle_grey(const Claim& claim) {
               "; the first is " + decimal(std::round(exact), 6) + " rounded and " +
               decimal(std::floor(exact), 6) + " cut off; code " + std::string(printed) + " is " +
               decimal(stored.linear(number_of(printed)), 4) + " and code " + decimal(naive, 6) + " is " +
-              decimal(stored.linear(naive), 4) + " of the light under " + stored.name +
-              "; the grey card's " + decimal(photographic, 4) + " is code " +
-              decimal(stored.code(photographic), 4),
+              decimal(stored.linear(naive), 4) + " of the light under " + stored.name + "; the grey card's " +
+              decimal(photographic, 4) + " is code " + decimal(stored.code(photographic), 4),
           effect_of_linear(stored.linear(number_of(printed)), linear)};
 }
 

@@ -17,7 +17,7 @@ double TransferFunction::code(double linear) const {
 }
 
 TransferFunction transfer_function(std::string_view name) {
-  constexpr std::string_view power = "gamma ", divisor = " of code/";
+  constexpr std::string_view exponent = "gamma ", divisor = " of code/";
   TransferFunction result;
   result.name = name;
   std::string_view function = name;
@@ -25,8 +25,8 @@ TransferFunction transfer_function(std::string_view name) {
     result.codes = number_of(name.substr(at + divisor.size()));
     function = name.substr(0, at);
   }
-  if (function.starts_with(power)) {
-    result.gamma = number_of(function.substr(power.size()));
+  if (function.starts_with(exponent)) {
+    result.gamma = number_of(function.substr(exponent.size()));
     if (!(result.gamma > 0)) throw std::invalid_argument("not an exponent above 0: " + result.name);
   } else if (function != "sRGB") {
     throw std::invalid_argument("not a transfer function: '" + result.name + "'");

@@ -9,12 +9,12 @@
 namespace shadefit {
 
 struct TransferFunction {
-  std::string name;   ///< as the record writes it
-  double gamma = 0;   ///< the exponent of a power; 0: the sRGB function
-  double codes = 255; ///< what a code is divided by
+  std::string name;    ///< as the record writes it
+  double gamma = 0;    ///< the exponent of a power; 0: the sRGB function
+  double codes = 255;  ///< what a code is divided by
 
-  double linear(double code) const;     ///< of a code in [0, codes]
-  double code(double linear) const;     ///< as a real number, of linear light in [0, 1]
+  double linear(double code) const;  ///< of a code in [0, codes]
+  double code(double linear) const;  ///< as a real number, of linear light in [0, 1]
 };
 
 /// "sRGB", "gamma 2.2" (any exponent above 0), each with or without " of code/256" (any divisor above 0;
