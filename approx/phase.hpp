@@ -51,7 +51,7 @@ inline constexpr std::array phase_claims{
           .derivation = "In c the function is the derivative of (1-g^2)/(4 pi g) (1+g^2-2 g c)^(-1/2): from "
                         "c = -1 to 1 and times 2 pi, (1-g^2)/(2g) (1/(1-g) - 1/(1+g)) = 1 for every |g| < 1. "
                         "Two quadrature rules integrate it besides, in s with "
-                        "1-c = (1-g)^2/(2g) (exp(s)-1), which stretches the peak, and in 1-c itself. The "
+                        "1-c = (1-g)^2/(2g) (exp(s)-1), which stretches the peak, and in the angle. The "
                         "printed form is evaluated in single precision against 1+g^2-2 g c = "
                         "(1-g)^2 + 2 g (1-c), which does not cancel.",
           .source = sources::henyey_greenstein_1941},

@@ -77,9 +77,9 @@ std::string where_it_holds(const DiffuseUnderFresnel& found) {
 }
 
 std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& found) {
-  return "times " + std::string(factor) + " the sum is " + decimal(found.at_normal, 6) + " at normal, " +
-         decimal(found.at_grazing, 6) + " at grazing incidence, " + where_it_holds(found) + ", and " +
-         decimal(found.under_sky, 6) + " under a uniform sky";
+  return "with " + std::string(factor) + " the sum of both is " + decimal(found.at_normal, 6) +
+         " at normal, " + decimal(found.at_grazing, 6) + " at grazing incidence, " + where_it_holds(found) +
+         ", and " + decimal(found.under_sky, 6) + " under a uniform sky";
 }
 
 Verdict verdict_on(const DiffuseUnderFresnel& found) {
@@ -112,7 +112,7 @@ Finding diffuse_fresnel(const Claim& claim) {
   };
   return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
           "at most " + share(factor) + " and " + share(stand_in),
-          "at f0 = " + decimal(f0, 4) + " and albedo " + decimal(albedo, 4) + " " +
+          "at f0 = " + decimal(f0, 4) + " and albedo " + decimal(albedo, 4) + ", " +
               part_sentence(claim.inputs.at("factor"), factor) + "; " +
               part_sentence(claim.inputs.at("stand-in"), stand_in) + "; beside them, " +
               part_sentence(claim.inputs.at("beside"), beside) +
