@@ -32,7 +32,8 @@ T henyey_greenstein_near_peak(const T& one_minus_cos, const T& g) {
 /// The share of the light that is scattered into the cone from c = 1 to c = 1 - y, y in [0, 2]:
 ///   2 pi times the integral of the function = (1 - g^2)/(2g) (1/(1-g) - 1/d), d^2 = (1-g)^2 + 2 g y,
 ///   = (1 + g) y/(d (d + 1 - g)), since d^2 - (1-g)^2 = 2 g y.
-/// The second line is free of 0/0 at g = 0, and at y = 2, where d = 1 + g, it is 1.
+/// The second line is free of 0/0 at g = 0, and at y = 2, where d = 1 + g, it is 1. For g near -1, where d
+/// cancels, it is 1 minus the share of -g from the other side.
 template <class T>
 T henyey_greenstein_within(const T& one_minus_cos, const T& g) {
   const T one = integer<T>(1);

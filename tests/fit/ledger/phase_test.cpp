@@ -40,7 +40,8 @@ TEST(HenyeyGreenstein, ShareIsItsIntegral) {
   using Jet = ceres::Jet<double, 1>;
   for (const double g : {-0.9, 0.0, 0.5, 0.99}) {
     EXPECT_EQ(henyey_greenstein_within(0.0, g), 0);
-    EXPECT_NEAR(henyey_greenstein_within(2.0, g), 1, 1e-15) << g;
+    // at g = -0.9 the root of (1-g)^2 + 4g = 0.01 has lost three digits of sixteen
+    EXPECT_NEAR(henyey_greenstein_within(2.0, g), 1, g < 0 ? 1e-13 : 1e-15) << g;
     for (const double y : {0.01, 0.3, 1.0, 1.7}) {
       const Jet share = henyey_greenstein_within(Jet(y, 0), Jet(g));
       const double density = 2 * pi<double>() * henyey_greenstein_near_peak(y, g);
