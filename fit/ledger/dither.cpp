@@ -77,7 +77,8 @@ double rms_before_blur(double steps, const std::vector<double>& offsets) {
 struct March {
   std::string sentence;
   bool is_known = true;  ///< both formulas of every rms agree
-  double largest = 0;
+  double rms = 0;        ///< of the dithered and blurred march
+  double largest = 0;    ///< its largest error
   Verdict verdict = Verdict::confirmed;
 };
 
@@ -116,6 +117,7 @@ March dithered_march(const std::vector<double>& offsets, double dithered, double
   const double noisy = rms_before_blur(dithered, offsets), rival = march_rms(plain);
   March march;
   march.is_known = std::abs(blurred.rms_by_warnock / blurred.rms - 1) < 1e-6;
+  march.rms = blurred.rms;
   march.largest = blurred.largest;
   march.verdict = !(blurred.rms < rival) ? Verdict::refuted
                   : noisy < rival        ? Verdict::confirmed
@@ -125,9 +127,10 @@ March dithered_march(const std::vector<double>& offsets, double dithered, double
   return march;
 }
 
-std::string codes_of_error(double error) {
-  // Beside a half-lit ray, where the beam's edge is.
-  return decimal(srgb_code(0.5 + error) - srgb_code(0.5), 2);
+/// "0.1, 16 8-bit sRGB codes", of an error beside a half-lit ray of strength 1.
+std::string with_codes(double error) {
+  const std::string codes = decimal(srgb_code(0.5 + error) - srgb_code(0.5), 2);
+  return decimal(error, 3) + ", " + codes + " 8-bit sRGB " + (codes == "1" ? "code" : "codes");
 }
 
 Finding march_steps(const Claim& claim) {
@@ -141,20 +144,17 @@ Finding march_steps(const Claim& claim) {
   const March corrected = dithered_march(dither_matrix(matrix, *wanted), dithered, plain);
   const std::array verdicts{falling.verdict, as_printed.verdict, corrected.verdict};
   const bool is_known = falling.is_known && as_printed.is_known && corrected.is_known;
-  const double largest_plain = 1 / plain;
   const std::string plain_steps = counted(static_cast<long>(plain), "plain step");
+  const std::string corrected_x = "x = " + decimal(*wanted, 4);
   return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
-          "rms " + decimal(march_rms(plain), 6) + " plain, " +
-              as_printed.sentence.substr(0, as_printed.sentence.find(" before")) + " as printed",
-          falling.sentence + "; against " + decimal(march_rms(plain), 4) + " of " + plain_steps + " " +
+          "rms " + decimal(march_rms(plain), 6) + " plain, " + decimal(as_printed.rms, 6) +
+              " dithered, with " + corrected_x + " " + decimal(corrected.rms, 6),
+          falling.sentence + "; against " + decimal(march_rms(plain), 4) + " of " + plain_steps + ", " +
               counted(static_cast<long>(dithered), "dithered step") + " have " + as_printed.sentence +
-              " with x = " + std::string(x) + ", and " + corrected.sentence +
-              " with x = " + decimal(*wanted, 4),
+              " with x = " + std::string(x) + ", and " + corrected.sentence + " with " + corrected_x,
           "beside a half-lit ray of strength 1, " + plain_steps + " are off by up to " +
-              decimal(largest_plain, 4) + ", " + codes_of_error(largest_plain) +
-              " 8-bit sRGB codes, dithered and blurred by up to " + decimal(as_printed.largest, 3) + ", " +
-              codes_of_error(as_printed.largest) + " codes, with x = " + decimal(*wanted, 4) + " " +
-              decimal(corrected.largest, 3) + ", " + codes_of_error(corrected.largest) + " codes"};
+              with_codes(1 / plain) + ", dithered and blurred by up to " + with_codes(as_printed.largest) +
+              ", with " + corrected_x + " by up to " + with_codes(corrected.largest)};
 }
 
 /// The sum of weights at which white loses so many codes.
