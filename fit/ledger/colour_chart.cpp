@@ -162,7 +162,7 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
   std::vector<std::string> ranges;
   for (const TransferFunction& t : conventions) {
     ranges.push_back(decimal(chart(t).from, 4) + " to " + decimal(chart(t).to, 4) + " under " + t.name +
-                     (holds(t) ? ", which holds them" : ", which leaves some out"));
+                     (holds(t) ? " (holds them)" : " (leaves some out)"));
   }
   const TransferFunction& stored = conventions.front();
   const Range own = chart(stored);

@@ -6,9 +6,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "approx/encoding.hpp"
 #include "approx/fresnel.hpp"
 #include "approx/material.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/integrate.hpp"
 
 namespace shadefit {
@@ -82,6 +84,19 @@ std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& fo
          ", and " + decimal(found.under_sky, 6) + " under a uniform sky";
 }
 
+/// What the stand-in does to a picture, by what both send back under a uniform sky.
+std::string effect_under_sky(const Claim& claim, double factor, double stand_in) {
+  const double more = stand_in - factor;
+  if (more == 0) return "none";
+  return "under a uniform sky " + std::string(claim.inputs.at("stand-in")) + " sends back " +
+         decimal(std::abs(more), 2) + " of the light " + (more > 0 ? "more" : "less") + " than " +
+         std::string(claim.inputs.at("factor")) + ", " + decimal(std::abs(more) / factor, 2) + " of it, " +
+         decimal(std::abs(more) / half_ulp(factor), 3) +
+         " ulps of a half float; exposed to 0.5 for the one, " +
+         decimal(std::abs(srgb_code(0.5 * stand_in / factor) - srgb_code(0.5)), 2) +
+         " 8-bit sRGB codes for the other";
+}
+
 Verdict verdict_on(const DiffuseUnderFresnel& found) {
   return found.from_cosine == 0  ? Verdict::confirmed
          : found.from_cosine > 1 ? Verdict::refuted
@@ -118,9 +133,7 @@ Finding diffuse_fresnel(const Claim& claim) {
               part_sentence(claim.inputs.at("beside"), beside) +
               " (the larger of both, light and view exchanged; two quadrature rules agree to " +
               decimal(rounding, 1) + ")",
-          "under a uniform sky, " + std::string(claim.inputs.at("stand-in")) + " in the place of " +
-              std::string(claim.inputs.at("factor")) + " " +
-              effect_of_factor(stand_in.under_sky, factor.under_sky)};
+          effect_under_sky(claim, factor.under_sky, stand_in.under_sky)};
 }
 
 }  // namespace shadefit

@@ -147,8 +147,8 @@ Finding march_steps(const Claim& claim) {
   const std::string plain_steps = counted(static_cast<long>(plain), "plain step");
   const std::string corrected_x = "x = " + decimal(*wanted, 4);
   return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
-          "rms " + decimal(march_rms(plain), 6) + " plain, " + decimal(as_printed.rms, 6) +
-              " dithered, with " + corrected_x + " " + decimal(corrected.rms, 6),
+          "rms " + decimal(march_rms(plain), 6) + " plain, " + decimal(as_printed.rms, 6) + " dithered, " +
+              decimal(corrected.rms, 6) + " with " + corrected_x,
           falling.sentence + "; against " + decimal(march_rms(plain), 4) + " of " + plain_steps + ", " +
               counted(static_cast<long>(dithered), "dithered step") + " have " + as_printed.sentence +
               " with x = " + std::string(x) + ", and " + corrected.sentence + " with " + corrected_x,
