@@ -15,6 +15,27 @@ T srgb_encode(const T& linear) {
   return select(less(constant<T>("0.0031308"), linear), curved, straight);
 }
 
+/// The linear value of an sRGB encoding in [0, 1], the inverse of `srgb_encode`: x/12.92 up to 0.04045, then
+/// ((x + 0.055)/1.055)^2.4. Source: IEC 61966-2-1:1999, sRGB.
+template <class T>
+T srgb_decode(const T& encoded) {
+  const T straight = encoded / constant<T>("12.92");
+  const T curved = power((encoded + constant<T>("0.055")) / constant<T>("1.055"), constant<T>("2.4"));
+  return select(less(constant<T>("0.04045"), encoded), curved, straight);
+}
+
+/// The encoding x^(1/gamma) of a linear value in [0, 1]; gamma > 0, 2.2 where a shader stands in for sRGB.
+template <class T>
+T gamma_encode(const T& linear, const T& gamma) {
+  return power(linear, integer<T>(1) / gamma);
+}
+
+/// The linear value x^gamma of such an encoding in [0, 1].
+template <class T>
+T gamma_decode(const T& encoded, const T& gamma) {
+  return power(encoded, gamma);
+}
+
 /// The 8-bit code, as a real number in [0, 255], that a display is sent for a linear value, which is clamped
 /// to [0, 1].
 template <class T>

@@ -6,10 +6,56 @@
 #include "approx/scalar.hpp"
 #include "approx/sources.hpp"
 
-/// Phase functions of volumes: Henyey-Greenstein.
+/// Phase functions of volumes: Henyey-Greenstein. c = cos of the angle between the directions of the light
+/// before and after it is scattered, y = 1 - c, g in (-1, 1) the mean of c. Per steradian.
 namespace shadefit {
 
+/// (1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5), as shaders write it.
+/// Source: Henyey, Greenstein 1941, "Diffuse Radiation in the Galaxy".
+template <class T>
+T henyey_greenstein(const T& cos_theta, const T& g) {
+  const T one = integer<T>(1), two = integer<T>(2);
+  const T base = one + g * g - two * g * cos_theta;
+  return (one - g * g) / (integer<T>(4) * pi<T>() * power(base, integer<T>(3) / two));
+}
+
+/// The same from y = 1 - c: 1 + g^2 - 2 g c = (1 - g)^2 + 2 g y, which for g > 0 has nothing to cancel,
+/// however close g is to 1. For g < 0 ask with -g and 1 + c: the function only knows the product g c.
+template <class T>
+T henyey_greenstein_near_peak(const T& one_minus_cos, const T& g) {
+  const T one = integer<T>(1), two = integer<T>(2);
+  const T rest = one - g;
+  const T base = rest * rest + two * g * one_minus_cos;
+  return rest * (one + g) / (integer<T>(4) * pi<T>() * (base * sqrt(base)));
+}
+
+/// The share of the light that is scattered into the cone from c = 1 to c = 1 - y, y in [0, 2]:
+///   2 pi times the integral of the function = (1 - g^2)/(2g) (1/(1-g) - 1/d), d^2 = (1-g)^2 + 2 g y,
+///   = (1 + g) y/(d (d + 1 - g)), since d^2 - (1-g)^2 = 2 g y.
+/// The second line is free of 0/0 at g = 0, and at y = 2, where d = 1 + g, it is 1. For g near -1, where d
+/// cancels, it is 1 minus the share of -g from the other side.
+template <class T>
+T henyey_greenstein_within(const T& one_minus_cos, const T& g) {
+  const T one = integer<T>(1);
+  const T rest = one - g;
+  const T d = sqrt(rest * rest + integer<T>(2) * g * one_minus_cos);
+  return (one + g) * one_minus_cos / (d * (d + rest));
+}
+
 /// The rows of the ledger on this topic.
-inline constexpr std::array<Claim, 0> phase_claims{};
+inline constexpr std::array phase_claims{
+    Claim{.id = "hg-normalisation",
+          .statement = "the Henyey-Greenstein function (1-g^2)/(4 pi (1+g^2-2 g c)^1.5), as the loop has it, "
+                       "integrates to 1 over the sphere",
+          .printed = {{"integral", "1"}},
+          .inputs = {{"g", "-0.999, -0.99, -0.9, -0.5, 0, 0.2, 0.5, 0.76, 0.9, 0.99, 0.999"}},
+          .derivation = "In c the function is the derivative of (1-g^2)/(4 pi g) (1+g^2-2 g c)^(-1/2): from "
+                        "c = -1 to 1 and times 2 pi, (1-g^2)/(2g) (1/(1-g) - 1/(1+g)) = 1 for every |g| < 1. "
+                        "Two quadrature rules integrate it besides, in s with "
+                        "1-c = (1-g)^2/(2g) (exp(s)-1), which stretches the peak, and in the angle. The "
+                        "printed form is evaluated in single precision against 1+g^2-2 g c = "
+                        "(1-g)^2 + 2 g (1-c), which does not cancel.",
+          .source = sources::henyey_greenstein_1941},
+};
 
 }  // namespace shadefit

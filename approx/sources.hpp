@@ -5,8 +5,15 @@
 /// The publications that the records cite.
 namespace shadefit::sources {
 
+inline constexpr Source henyey_greenstein_1941{"Henyey, Greenstein", 1941, "Diffuse Radiation in the Galaxy",
+                                               "The Astrophysical Journal 93, pp. 70-83"};
+
 inline constexpr Source johnson_christy_1972{
     "Johnson, Christy", 1972, "Optical Constants of the Noble Metals", "Physical Review B 6, pp. 4370-4379"};
+
+inline constexpr Source bayer_1973{"Bayer", 1973,
+                                   "An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures",
+                                   "IEEE International Conference on Communications 1, pp. 11-15"};
 
 inline constexpr Source fisher_woo_1994{"Fisher, Woo", 1994, "R.E versus N.H Specular Highlights",
                                         "Graphics Gems IV, Academic Press, pp. 388-400"};
@@ -31,6 +38,14 @@ inline constexpr Source lagarde_2012_phong_blinn{
 
 inline constexpr Source lagarde_2011_buffer{"Lagarde", 2011, "Dive in SH buffer idea",
                                             "seblagarde.wordpress.com"};
+
+inline constexpr Source lagarde_2011_feeding{
+    "Lagarde", 2011, "Feeding a physically based shading model",
+    "seblagarde.wordpress.com/2011/08/17/feeding-a-physical-based-lighting-mode"};
+
+inline constexpr Source lagarde_2012_chart{
+    "Lagarde", 2012, "DONTNOD specular and glossiness chart",
+    "seblagarde.wordpress.com/2012/04/30/dontnod-specular-and-glossiness-chart"};
 
 inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",

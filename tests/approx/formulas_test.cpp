@@ -226,6 +226,25 @@ TEST(Srgb, LandmarksOfTheStandard) {
   EXPECT_NEAR(255 * srgb_encode(0.5), 187.5, 0.05) << "linear middle grey is code 187 or 188";
 }
 
+TEST(Srgb, DecodingIsTheInverse) {
+  EXPECT_EQ(srgb_decode(0.0), 0);
+  EXPECT_EQ(srgb_decode(1.0), 1);
+  // the branches meet at 0.04045, within the rounding of its published constants
+  const double below = srgb_decode(0.04045), above = srgb_decode(std::nextafter(0.04045, 1));
+  EXPECT_EQ(below, 0.04045 / 12.92);
+  EXPECT_NEAR(below, above, 3e-8);
+  EXPECT_NE(below, above);
+  // Away from the joint, where the two functions choose their branches a hair apart.
+  for (const char* x : {"0.0001", "0.003", "0.0032", "0.18", "0.5", "0.999"}) {
+    EXPECT_TRUE(is_close(x, Decimal50(x), srgb_decode(srgb_encode(Decimal50(x))), 1e-47));
+    const Decimal50 gamma("2.2");
+    EXPECT_TRUE(is_close(x, Decimal50(x), gamma_decode(gamma_encode(Decimal50(x), gamma), gamma), 1e-47));
+  }
+  // 18 % of the light is code 117.6, half of it 187.5 (mpmath, from the formula of the standard)
+  EXPECT_NEAR(255 * srgb_encode(0.18), 117.64581302261261, 1e-10);
+  EXPECT_NEAR(srgb_decode(187.51603067837462 / 255), 0.5, 1e-14);
+}
+
 TEST(Normalisation, ClosedFormsAtSimpleExponents) {
   const Decimal50 p = pi<Decimal50>();
   EXPECT_EQ(PhongLobe::constant(Decimal50(1)), 1 / p) << "Phong of exponent 1 is Lambert's lobe";

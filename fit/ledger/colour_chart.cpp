@@ -1,0 +1,231 @@
+#include "fit/ledger/colour_chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "approx/encoding.hpp"
+#include "fit/decimal.hpp"
+#include "fit/effect.hpp"
+#include "fit/ledger/list.hpp"
+#include "fit/ledger/transfer_function.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The record's conventions, the one that codes are stored in first.
+std::vector<TransferFunction> conventions_of(const Claim& claim) {
+  std::vector<TransferFunction> conventions{transfer_function(claim.inputs.at("convention"))};
+  for (TransferFunction& other : transfer_functions(claim.inputs.at("other conventions")))
+    conventions.push_back(std::move(other));
+  return conventions;
+}
+
+/// "0.0212 under sRGB, 0.017 under gamma 2.2", of a value that every convention gives.
+template <class Value>
+std::string under_each(const std::vector<TransferFunction>& conventions, const Value& value, int digits) {
+  std::vector<std::string> parts;
+  for (const TransferFunction& convention : conventions)
+    parts.push_back(decimal(value(convention), digits) + " under " + convention.name);
+  return enumerated(parts);
+}
+
+std::string linear_under_each(const std::vector<TransferFunction>& conventions, double code) {
+  return under_each(
+      conventions, [&](const TransferFunction& t) { return t.linear(code); }, 4);
+}
+
+std::string code_under_each(const std::vector<TransferFunction>& conventions, double linear) {
+  return under_each(
+      conventions, [&](const TransferFunction& t) { return t.code(linear); }, 4);
+}
+
+/// `printed` against a value that every convention gives, the first of them first.
+template <class Value>
+Judgement judge_under(const std::vector<TransferFunction>& conventions, std::string_view printed,
+                      const Value& value) {
+  std::vector<Alternative> alternatives;
+  for (const TransferFunction& convention : conventions)
+    alternatives.push_back({convention.name, value(convention)});
+  return judge(printed, alternatives.front(), std::span(alternatives).subspan(1));
+}
+
+/// What one linear value in the place of another does to a picture.
+std::string effect_of_linear(double used, double right) {
+  const double off = std::abs(used - right);
+  if (off == 0) return "none";
+  return decimal(used, 4) + " in the place of " + decimal(right, 4) + " is " + decimal(off, 2) + " too " +
+         (used < right ? "dark" : "bright") + ", " + decimal(off / right, 2) + " of it, " +
+         decimal(off / half_ulp(right), 3) + " ulps of a half float, " +
+         decimal(std::abs(srgb_code(used) - srgb_code(right)), 2) + " 8-bit sRGB codes";
+}
+
+struct Range {
+  double from, to;
+};
+
+/// The exponents for which (code/255)^exponent rounds to `printed`: those of the ends of what rounds to it.
+/// Empty (from > to) where code/255 is 1 and printed is not.
+Range exponents_that_give(std::string_view printed, double code) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const double log_encoded = std::log(code / 255);
+  if (log_encoded == 0) return units_off(printed, 1) == 0 ? Range{0, any} : Range{any, 0};
+  const double value = number_of(printed), half = last_unit(printed) / 2;
+  return {std::log(value + half) / log_encoded, std::log(value - half) / log_encoded};
+}
+
+std::string exponents_sentence(const Range& range) {
+  if (!(range.from <= range.to)) return "no power of code/255 gives both";
+  return "a power of code/255 gives both for exponents from " + decimal(range.from, 4) + " to " +
+         decimal(range.to, 4);
+}
+
+/// The names of the conventions under which every printed number has all its digits.
+std::string conventions_that_give_all(const std::vector<TransferFunction>& conventions, const Claim& claim,
+                                      const std::vector<double>& codes) {
+  std::vector<std::string> names;
+  for (const TransferFunction& convention : conventions) {
+    bool gives_all = true;
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      gives_all = gives_all && units_off(claim.printed[i].value, convention.linear(codes[i])) == 0;
+    if (gives_all) names.push_back(convention.name);
+  }
+  return names.empty() ? "no convention of these" : enumerated(names);
+}
+
+}  // namespace
+
+Finding chart_range(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const std::vector<double> codes{number_of(claim.inputs.at("from code")),
+                                  number_of(claim.inputs.at("to code"))};
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> values, computed;
+  std::string effect;
+  Range exponents{0, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const auto& [name, printed] = claim.printed[i];
+    const auto judged =
+        judge_under(conventions, printed, [&](const TransferFunction& t) { return t.linear(codes[i]); });
+    verdicts.push_back(judged.verdict);
+    computed.push_back(std::string(name) + " = " + decimal(judged.value, 7));
+    values.push_back("code " + decimal(codes[i], 6) + " is " + linear_under_each(conventions, codes[i]));
+    const Range own = exponents_that_give(printed, codes[i]);
+    exponents = {std::max(exponents.from, own.from), std::min(exponents.to, own.to)};
+    const std::string own_effect = effect_of_linear(number_of(printed), conventions.front().linear(codes[i]));
+    if (own_effect != "none") effect += (effect.empty() ? "" : "; ") + own_effect;
+  }
+  return {worst(verdicts), computed[0] + ", " + computed[1],
+          values[0] + "; " + values[1] + "; both printed numbers have all their digits under " +
+              conventions_that_give_all(conventions, claim, codes) + "; " + exponents_sentence(exponents),
+          effect.empty() ? "none" : effect};
+}
+
+Finding chart_range_given_twice(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const std::string_view printed_first = claim.printed[0].value, printed_second = claim.printed[1].value;
+  const double first = number_of(printed_first), second = number_of(printed_second);
+  const double code = number_of(claim.inputs.at("code"));
+  const auto closer_to_first =
+      std::count_if(conventions.begin(), conventions.end(), [&](const TransferFunction& t) {
+        return std::abs(t.linear(code) - first) < std::abs(t.linear(code) - second);
+      });
+  return {judge(printed_second, {std::string(printed_first), first}, {}).verdict,
+          decimal(conventions.front().linear(code), 7) + " under " + conventions.front().name,
+          std::string(printed_second) + " is " + counted(units_off(printed_second, first), "unit") +
+              " of its last digit from " + std::string(printed_first) + "; code " + decimal(code, 6) +
+              " is " + linear_under_each(conventions, code) + ", closer to " + std::string(printed_first) +
+              " under " + std::to_string(closer_to_first) + " of " + std::to_string(conventions.size()) +
+              "; " + std::string(printed_first) + " is code " + code_under_each(conventions, first) + ", " +
+              std::string(printed_second) + " code " + code_under_each(conventions, second),
+          effect_of_linear(second, first)};
+}
+
+namespace {
+
+/// Whether the common values lie within the decoded codes: under the first convention, under another, or in
+/// part.
+Finding holds_common(const std::vector<TransferFunction>& conventions, std::string_view material,
+                     const std::vector<double>& codes, const std::vector<double>& common) {
+  const auto chart = [&](const TransferFunction& t) {
+    return Range{t.linear(codes.at(0)), t.linear(codes.at(1))};
+  };
+  const auto holds = [&](const TransferFunction& t) {
+    return chart(t).from <= common.at(0) && common.at(1) <= chart(t).to;
+  };
+  const auto overlaps = [&](const TransferFunction& t) {
+    return chart(t).from <= common.at(1) && common.at(0) <= chart(t).to;
+  };
+  std::vector<std::string> ranges;
+  for (const TransferFunction& t : conventions) {
+    ranges.push_back(decimal(chart(t).from, 4) + " to " + decimal(chart(t).to, 4) + " under " + t.name +
+                     (holds(t) ? " (holds them)" : " (leaves some out)"));
+  }
+  const TransferFunction& stored = conventions.front();
+  const Range own = chart(stored);
+  const bool holds_elsewhere = std::any_of(conventions.begin() + 1, conventions.end(), holds);
+  const Verdict verdict = holds(stored)      ? Verdict::confirmed
+                          : holds_elsewhere  ? Verdict::other_objective
+                          : overlaps(stored) ? Verdict::conditional
+                                             : Verdict::refuted;
+  const double below = codes.at(0) - stored.code(common.at(0)),
+               above = stored.code(common.at(1)) - codes.at(1);
+  std::string effect;
+  if (below > 0) effect = decimal(common.at(0), 4) + " lies " + decimal(below, 2) + " codes below the chart";
+  if (above > 0)
+    effect += (effect.empty() ? "" : ", ") + decimal(common.at(1), 4) + " lies " + decimal(above, 2) +
+              " codes above it";
+  return {verdict, decimal(own.from, 7) + " .. " + decimal(own.to, 7),
+          std::string(material) + " of " + decimal(common.at(0), 4) + " to " + decimal(common.at(1), 4) +
+              ", codes " + decimal(stored.code(common.at(0)), 4) + " to " +
+              decimal(stored.code(common.at(1)), 4) + " of " + stored.name + ": the chart's " +
+              decimal(codes.at(0), 6) + " to " + decimal(codes.at(1), 6) + " are " + enumerated(ranges) +
+              ", and overlap them under " +
+              std::to_string(std::count_if(conventions.begin(), conventions.end(), overlaps)) + " of " +
+              std::to_string(conventions.size()),
+          effect};
+}
+
+}  // namespace
+
+Finding chart_holds_common_materials(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const auto part = [&](std::string_view material, std::string_view codes, std::string_view common) {
+    return holds_common(conventions, material, numbers_of(claim.inputs.at(codes)),
+                        numbers_of(claim.inputs.at(common)));
+  };
+  const Finding dielectrics = part("dielectrics", "dielectric codes", "common dielectrics");
+  const Finding metals = part("metals", "metal codes", "common metals");
+  const std::array verdicts{*dielectrics.verdict, *metals.verdict};
+  std::vector<std::string> effects;
+  for (const Finding* finding : {&dielectrics, &metals}) {
+    if (!finding->effect.empty()) effects.push_back(finding->effect);
+  }
+  return {worst(verdicts), "dielectrics " + dielectrics.computed + ", metals " + metals.computed,
+          dielectrics.evidence + "; " + metals.evidence, effects.empty() ? "none" : enumerated(effects)};
+}
+
+Finding middle_grey(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const double linear = number_of(claim.inputs.at("linear"));
+  const double naive = number_of(claim.inputs.at("not"));
+  const double photographic = number_of(claim.inputs.at("photographic grey"));
+  const std::string_view printed = claim.printed[0].value;
+  const TransferFunction& stored = conventions.front();
+  const auto judged =
+      judge_under(conventions, printed, [&](const TransferFunction& t) { return t.code(linear); });
+  const double exact = stored.code(linear);
+  return {judged.verdict, decimal(judged.value, 6),
+          decimal(linear, 4) + " of the light of white is code " + code_under_each(conventions, linear) +
+              "; the first is " + decimal(std::round(exact), 6) + " rounded and " +
+              decimal(std::floor(exact), 6) + " cut off; code " + std::string(printed) + " is " +
+              decimal(stored.linear(number_of(printed)), 4) + " and code " + decimal(naive, 6) + " is " +
+              decimal(stored.linear(naive), 4) + " of the light under " + stored.name + "; the grey card's " +
+              decimal(photographic, 4) + " is code " + decimal(stored.code(photographic), 4),
+          effect_of_linear(stored.linear(number_of(printed)), linear)};
+}
+
+}  // namespace shadefit

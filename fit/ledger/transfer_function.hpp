@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// How a code of an 8-bit texture is read as linear light, by name: what the records on colour charts are
+/// judged under.
+namespace shadefit {
+
+struct TransferFunction {
+  std::string name;    ///< as the record writes it
+  double gamma = 0;    ///< the exponent of a power; 0: the sRGB function
+  double codes = 255;  ///< what a code is divided by
+
+  double linear(double code) const;  ///< of a code in [0, codes]
+  double code(double linear) const;  ///< as a real number, of linear light in [0, 1]
+};
+
+/// "sRGB", "gamma 2.2" (any exponent above 0), each with or without " of code/256" (any divisor above 0;
+/// without it 255). Throws std::invalid_argument for anything else.
+TransferFunction transfer_function(std::string_view name);
+
+/// The same for a list by commas.
+std::vector<TransferFunction> transfer_functions(std::string_view names);
+
+}  // namespace shadefit
