@@ -30,6 +30,10 @@ inline constexpr Source gotanda_2010{
 inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physically based shading model",
                                               "seblagarde.wordpress.com/2011/08/17/hello-world"};
 
+inline constexpr Source lagarde_2012_pi{
+    "Lagarde", 2012, "PI or not to PI in game lighting equation",
+    "seblagarde.wordpress.com/2012/01/08/pi-or-not-to-pi-in-game-lighting-equation"};
+
 inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
@@ -50,9 +54,9 @@ inline constexpr Source mcguire_2013{"McGuire, Evangelakos, Wilcox, Donow, Mara"
                                      "Plausible Environment Lighting in Two Lines of Code",
                                      "graphics.cs.williams.edu/papers/EnvMipReport2013"};
 
-inline constexpr Source heitz_2014{
-    "Heitz", 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
-    "Journal of Computer Graphics Techniques 3(2), pp. 48-107"};
+inline constexpr Source heitz_2014{"Heitz", 2014,
+                                   "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
+                                   "Journal of Computer Graphics Techniques 3(2), pp. 48-107"};
 
 inline constexpr Source pestana_workflows_2014{
     "Pestana", 2014, "Physically Based Shading, Metallic and Specular workflows", "alexandre-pestana.com"};
