@@ -8,11 +8,11 @@
 #include <functional>
 #include <vector>
 
-#include "approx/encoding.hpp"
 #include "fit/decimal.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/microfacet_integrals.hpp"
 #include "fit/multiprecision.hpp"
+#include "fit/one_code.hpp"
 #include "fit/parse_formula.hpp"
 #include "fit/sweep.hpp"
 
@@ -150,18 +150,26 @@ std::vector<double> views_of(const Claim& claim) {
   return angles;
 }
 
-Distance masking_distance(const Pair& pair, const Widths& widths, const std::vector<double>& angles) {
-  Distance worst;
+/// G1 times the visible area over v.n at every roughness and view.
+struct MaskingTable {
+  std::vector<std::vector<double>> ratios;  ///< by roughness, then by view
+  Distance worst;                           ///< from 1
+};
+
+MaskingTable masking_table(const Pair& pair, const Widths& widths, const std::vector<double>& angles) {
+  MaskingTable table;
   for (const double r : widths.roughness) {
+    const double alpha = widths.alpha(r);
+    table.ratios.emplace_back();
     for (const double degrees : angles) {
       const View view(degrees);
-      const double alpha = widths.alpha(r);
       const TwoWays area = integrate_visible_area(pair.distribution, alpha, view, rule_tolerance);
       const double ratio = masking(pair.masking, view, alpha) * area.value() / view.direction.cosine;
-      consider(worst, {std::abs(ratio - 1), ratio, r, degrees, area.error() / area.value()});
+      table.ratios.back().push_back(ratio);
+      consider(table.worst, {std::abs(ratio - 1), ratio, r, degrees, area.error() / area.value()});
     }
   }
-  return worst;
+  return table;
 }
 
 std::string views_in_words(const std::vector<double>& angles) {
@@ -172,9 +180,8 @@ std::string views_in_words(const std::vector<double>& angles) {
 Finding masked_by_its_own(const Claim& claim) {
   const Widths widths(claim);
   const auto angles = views_of(claim);
-  const Distance worst = masking_distance(
-      {distribution_of(claim.inputs.at("distribution")), masking_of(claim.inputs.at("masking"))}, widths,
-      angles);
+  const Pair pair{distribution_of(claim.inputs.at("distribution")), masking_of(claim.inputs.at("masking"))};
+  const Distance worst = masking_table(pair, widths, angles).worst;
   const bool holds = worst.relative <= promised;
   const std::string most = holds ? "less than " + decimal(promised, 1)
                                  : "up to " + decimal(worst.relative, 4) + " (at roughness " +
@@ -189,40 +196,18 @@ Finding masked_by_its_own(const Claim& claim) {
                       decimal(worst.integral, 2) + " times as much"};
 }
 
-/// The relative change of a linear colour in [0, 1] that first moves one of the 255 grey levels by a whole
-/// 8-bit sRGB code.
-double change_of_one_code() {
-  const auto codes = [](double change) {
-    double most = 0;
-    for (int i = 1; i <= 255; ++i) {
-      const double grey = i / 255.0;
-      most = std::max(most, srgb_code(grey) - srgb_code(grey * (1 - change)));
-    }
-    return most - 1;
-  };
+/// Up to where f stays at most 0 on a list of places with f's values there: the last place if it always does,
+/// else a root of f between the two where it changes; nothing where it is above 0 at the first.
+std::optional<double> holds_up_to(const std::function<double(double)>& f, const std::vector<double>& places,
+                                  const std::vector<double>& values) {
+  const auto above = std::find_if(values.begin(), values.end(), [](double value) { return value > 0; });
+  if (above == values.end()) return places.back();
+  const auto i = static_cast<std::size_t>(above - values.begin());
+  if (i == 0) return std::nullopt;
   std::uintmax_t steps = 60;
-  const auto root = boost::math::tools::toms748_solve(codes, 0.0, 0.5,
-                                                      boost::math::tools::eps_tolerance<double>(40), steps);
+  const auto root = boost::math::tools::toms748_solve(f, places[i - 1], places[i], values[i - 1], values[i],
+                                                      boost::math::tools::eps_tolerance<double>(30), steps);
   return (root.first + root.second) / 2;
-}
-
-/// Up to where f stays at most 0, on a rising list of places, refined between the two that it changes at:
-/// the last place where it always does, nothing where it is above 0 at the first.
-std::optional<double> holds_up_to(const std::function<double(double)>& f, const std::vector<double>& places) {
-  double before = places.front(), f_before = f(before);
-  if (f_before > 0) return std::nullopt;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const double f_here = f(places[i]);
-    if (f_here > 0) {
-      std::uintmax_t steps = 60;
-      const auto root = boost::math::tools::toms748_solve(
-          f, before, places[i], f_before, f_here, boost::math::tools::eps_tolerance<double>(30), steps);
-      return (root.first + root.second) / 2;
-    }
-    before = places[i];
-    f_before = f_here;
-  }
-  return before;
 }
 
 /// Where a loan is within `allowed`: at every view up to a roughness, and at every roughness up to a view.
@@ -232,69 +217,87 @@ struct LoanRange {
 };
 
 LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<double>& angles,
-                   double allowed) {
+                   const MaskingTable& table, double allowed) {
+  const auto error_at = [&](double r, double degrees) {
+    return std::abs(masking_error(pair, widths.alpha(r), View(degrees))) - allowed;
+  };
   const auto at_roughness = [&](double r) {
-    double most = 0;
-    for (const double degrees : angles)
-      most = std::max(most, std::abs(masking_error(pair, widths.alpha(r), View(degrees))));
-    return most - allowed;
+    double most = -allowed;
+    for (const double degrees : angles) most = std::max(most, error_at(r, degrees));
+    return most;
   };
   const auto at_view = [&](double degrees) {
-    double most = 0;
-    for (const double r : widths.roughness)
-      most = std::max(most, std::abs(masking_error(pair, widths.alpha(r), View(degrees))));
-    return most - allowed;
+    double most = -allowed;
+    for (const double r : widths.roughness) most = std::max(most, error_at(r, degrees));
+    return most;
   };
-  std::vector<double> from_normal{0};
-  from_normal.insert(from_normal.end(), angles.begin(), angles.end());
-  return {holds_up_to(at_roughness, widths.roughness), holds_up_to(at_view, from_normal)};
+  std::vector<double> views{0};  // along the normal nothing is masked
+  views.insert(views.end(), angles.begin(), angles.end());
+  std::vector<double> by_roughness(widths.roughness.size(), -allowed), by_view(views.size(), -allowed);
+  for (std::size_t i = 0; i < by_roughness.size(); ++i) {
+    for (std::size_t j = 0; j < angles.size(); ++j) {
+      const double error = std::abs(table.ratios[i][j] - 1) - allowed;
+      by_roughness[i] = std::max(by_roughness[i], error);
+      by_view[j + 1] = std::max(by_view[j + 1], error);
+    }
+  }
+  return {holds_up_to(at_roughness, widths.roughness, by_roughness), holds_up_to(at_view, views, by_view)};
 }
 
 std::string words(const LoanRange& range, double allowed) {
   const std::string by_roughness = range.roughness
                                        ? "at every view up to roughness " + decimal(*range.roughness, 4)
-                                       : "at the first of these roughnesses not for each view";
+                                       : "not at every view even at the lowest roughness";
   const std::string by_view = range.view_angle
-                                  ? "at each roughness up to " + decimal(*range.view_angle, 4) + " degrees"
-                                  : "at no view for each roughness";
-  return "within " + decimal(allowed, 4) + " " + by_roughness + " and " + by_view;
+                                  ? "at every roughness up to " + decimal(*range.view_angle, 4) + " degrees"
+                                  : "not at every roughness even along the normal";
+  return "within " + decimal(allowed, 4) + " of 1 " + by_roughness + ", and " + by_view;
 }
 
-/// One loan: its verdict, how wrong it gets and where it is good enough.
+/// "1, 1.003 and 1.77": the ratios at the flattest view, by roughness.
+std::string at_flattest_view(const MaskingTable& table) {
+  std::vector<std::string> ratios;
+  for (const auto& row : table.ratios) ratios.push_back(decimal(row.back(), 4));
+  return enumerated(ratios);
+}
+
+/// One loan: its verdict, how wrong it gets and where it is good enough. Its effect is the largest ratio.
 Finding loan(std::string_view distribution, const Claim& claim) {
   const Widths widths(claim);
   const auto angles = views_of(claim);
-  const std::string_view lender = claim.inputs.at(distribution);
+  const std::string lender(claim.inputs.at(distribution));
   const Pair pair{distribution_of(distribution), masking_of(lender)};
-  const Distance worst = masking_distance(pair, widths, angles);
-  const double accurate = number_of(claim.inputs.at("accurate"));
-  const LoanRange range = range_of(pair, widths, angles, accurate);
+  const MaskingTable table = masking_table(pair, widths, angles);
+  const Distance& worst = table.worst;
+  const double accurate = number_of(claim.inputs.at("accurate")), code = change_of_one_code();
+  const LoanRange range = range_of(pair, widths, angles, table, accurate);
   Finding finding;
   if (worst.error <= promised) {
     finding.verdict = worst.relative <= accurate            ? Verdict::confirmed
                       : range.roughness || range.view_angle ? Verdict::conditional
                                                             : Verdict::refuted;
   }
-  finding.computed = std::string(distribution) + ": up to " + decimal(worst.integral, 4) + " v.n";
-  const double code = change_of_one_code();
-  finding.evidence = std::string(distribution) + " with the G1 of " + std::string(lender) + " gives " +
-                     decimal(worst.integral, 4) + " times v.n at roughness " + decimal(worst.roughness, 6) +
-                     " seen from " + decimal(worst.view_angle, 6) + " degrees, the worst of these; it is " +
-                     words(range, accurate) + "; " + words(range_of(pair, widths, angles, code), code) +
-                     " (one 8-bit sRGB code)";
-  finding.effect = "a highlight of " + std::string(distribution) + " is up to " + decimal(worst.integral, 2) +
-                   " times as bright as its microfacets allow";
+  const std::string ratio = decimal(worst.integral, 4);
+  finding.computed = ratio + " v.n (" + std::string(distribution) + ")";
+  finding.evidence = std::string(distribution) + " with the G1 of " + lender + " gives " +
+                     at_flattest_view(table) + " times v.n at these roughnesses seen from " +
+                     decimal(angles.back(), 6) + " degrees; its worst is " + ratio + ", at roughness " +
+                     decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
+                     " degrees; it is " + words(range, accurate) + " (" +
+                     words(range_of(pair, widths, angles, table, code), code) + ", one 8-bit sRGB code)";
+  finding.effect = decimal(worst.integral, 2) + " times as much by " + std::string(distribution);
   return finding;
 }
 
 Finding masked_by_another(const Claim& claim) {
   const Finding blinn_phong = loan("blinn-phong", claim), gtr1 = loan("gtr1", claim);
   const Widths widths(claim);
-  return {worst(std::array{blinn_phong.verdict, gtr1.verdict}), blinn_phong.computed + ", " + gtr1.computed,
-          blinn_phong.evidence + "; " + gtr1.evidence + "; all this at " + widths.words() + " and " +
-              views_in_words(views_of(claim)),
-          "with F = 1 and masking alone, what should reflect all of the light reflects more of it: " +
-              blinn_phong.effect + " and " + gtr1.effect + " times as much"};
+  return {worst(std::array{blinn_phong.verdict, gtr1.verdict}),
+          "up to " + blinn_phong.computed + ", " + gtr1.computed,
+          "at " + widths.words() + " and " + views_in_words(views_of(claim)) + ", " + blinn_phong.evidence +
+              "; " + gtr1.evidence,
+          "with F = 1 and masking alone, what should reflect all of the light reflects up to " +
+              blinn_phong.effect + ", " + gtr1.effect};
 }
 
 }  // namespace

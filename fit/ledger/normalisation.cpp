@@ -18,6 +18,7 @@
 #include "fit/ledger/topics.hpp"
 #include "fit/multiprecision.hpp"
 #include "fit/normalisation_check.hpp"
+#include "fit/one_code.hpp"
 #include "fit/parse_formula.hpp"
 #include "fit/reflectance.hpp"
 #include "fit/sweep.hpp"
@@ -66,15 +67,22 @@ std::string at_exponent(double value, std::optional<double> exponent) {
   return decimal(value, 10) + (exponent ? " at a = " + decimal(*exponent, 6) : "");
 }
 
+/// What a constant is measured in, as a number and as it is written.
+struct Unit {
+  double value = 1;
+  std::string text = {};
+};
+
 /// A printed constant against 1 over the integral of its lobe, times a unit. Throws std::domain_error where
 /// the formula has no finite value.
-Finding against_integrals(const Claim& claim, const PrintedConstant& printed, double unit) {
+Finding against_integrals(const Claim& claim, const PrintedConstant& printed, const Unit& unit = {}) {
   const auto exponents = exponents_of(claim);
   const auto checks = check_normalisation(record_of(claim), exponents);
   double furthest = -1, error = 0;
   const NormalisationCheck* worst_check = nullptr;
   for (const NormalisationCheck& check : checks) {
-    const double difference = std::abs(printed.at(check.exponent.value_or(1)) / (unit * check.integral) - 1);
+    const double difference =
+        std::abs(printed.at(check.exponent.value_or(1)) / (unit.value * check.integral) - 1);
     if (!std::isfinite(difference)) throw std::domain_error(printed.text() + " has no finite value");
     error = std::max(error, check.estimated_error);
     if (difference <= furthest) continue;
@@ -83,12 +91,12 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, do
   }
   Finding finding;
   finding.verdict = judge_normalisation(furthest, error);
-  finding.computed = at_exponent(unit * checks.front().integral, checks.front().exponent);
+  finding.computed = at_exponent(unit.value * checks.front().integral, checks.front().exponent);
   if (checks.size() > 1)
-    finding.computed += ", " + at_exponent(unit * checks.back().integral, checks.back().exponent);
-  const double exact = unit * worst_check->integral;
-  finding.evidence = "1 over the integral of " + std::string(record_of(claim).lobe) +
-                     (unit == 1 ? "" : " times " + decimal(unit, 10));
+    finding.computed += ", " + at_exponent(unit.value * checks.back().integral, checks.back().exponent);
+  const double exact = unit.value * worst_check->integral;
+  finding.evidence = (unit.text.empty() ? "" : unit.text + " times ") + "1 over the integral of '" +
+                     std::string(record_of(claim).lobe) + "'";
   finding.evidence += furthest <= normalisation_tolerance
                           ? " is " + printed.text() + " to better than " + decimal(normalisation_tolerance, 1)
                           : " is " + at_exponent(exact, worst_check->exponent) + " and not the " +
@@ -103,7 +111,7 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, do
 }
 
 Finding constant_alone(const Claim& claim) {
-  return against_integrals(claim, PrintedConstant(claim.printed[0].value), 1);
+  return against_integrals(claim, PrintedConstant(claim.printed[0].value));
 }
 
 /// Every view angle of the claim, behind the one along the normal.
@@ -162,7 +170,7 @@ Largest lowest_of(const std::vector<ReflectanceCurve>& curves) {
 /// A constant that is stated at v = n, and followed to every other view.
 Finding constant_at_every_view(const Claim& claim) {
   const PrintedConstant printed(claim.printed[0].value);
-  Finding finding = against_integrals(claim, printed, 1);
+  Finding finding = against_integrals(claim, printed);
   const auto curves = curves_of(claim, printed);
   const Largest plain = largest_of(curves, &ReflectanceCurve::largest);
   const Largest with_cosine = largest_of(curves, &ReflectanceCurve::largest_with_cosine);
@@ -222,14 +230,34 @@ double furthest_place(const CheapRatio& ratio) {
   return root_of([&](double x) { return ratio.slope(x); }, left, right);
 }
 
-/// From where on, beyond `start`, it is as close as at `reference`; empty where it never is.
-std::optional<double> as_close_from(const CheapRatio& ratio, double start, double reference) {
-  const auto excess = [&](double x) { return ratio.distance(x) - ratio.distance(reference); };
-  for (double x = grid_last; x > start; x -= grid_step) {
+/// From where on, beyond `start`, it stays within `allowed`; empty where it never does.
+std::optional<double> close_from(const CheapRatio& ratio, double start, double allowed) {
+  const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
+  for (double x = grid_last; x > start && excess(x) <= 0; x -= grid_step) {
     const double left = std::max(start, x - grid_step);
-    if (excess(x) <= 0 && excess(left) > 0) return root_of(excess, left, x);
+    if (excess(left) > 0) return root_of(excess, left, x);
   }
   return std::nullopt;
+}
+
+/// Up to where, before `end`, it stays within `allowed`; empty where it never does.
+std::optional<double> close_up_to(const CheapRatio& ratio, double end, double allowed) {
+  const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
+  for (double x = grid_first; x < end && excess(x) <= 0; x += grid_step) {
+    const double right = std::min(end, x + grid_step);
+    if (excess(right) > 0) return root_of(excess, x, right);
+  }
+  return std::nullopt;
+}
+
+std::string within_one_code(const CheapRatio& ratio, double place) {
+  const double code = change_of_one_code();
+  const auto up_to = close_up_to(ratio, place, code), from = close_from(ratio, place, code);
+  std::vector<std::string> ranges;
+  if (up_to) ranges.push_back("up to a = " + decimal(std::exp2(*up_to), 4));
+  if (from) ranges.push_back("from a = " + decimal(std::exp2(*from), 4) + " on");
+  return "within " + decimal(code, 4) + ", one 8-bit sRGB code, " +
+         (ranges.empty() ? std::string("nowhere") : enumerated(ranges));
 }
 
 /// Where it creates energy: "7.5 % seen along the normal .."
@@ -246,39 +274,49 @@ std::string energy_in_words(const std::vector<ReflectanceCurve>& curves) {
   return enumerated(parts);
 }
 
+/// Whether the lower the power the closer it is: everywhere, up to its furthest place, or not even there.
+Verdict closest_at_low_powers(const CheapRatio& ratio, double furthest) {
+  for (double x = grid_first; x + grid_step <= furthest; x += grid_step) {
+    if (ratio.distance(x) > ratio.distance(x + grid_step)) return Verdict::refuted;
+  }
+  return furthest <= grid_first  ? Verdict::refuted
+         : furthest >= grid_last ? Verdict::confirmed
+                                 : Verdict::conditional;
+}
+
+std::string closest_in_words(const CheapRatio& ratio, double furthest, double low) {
+  const Verdict verdict = closest_at_low_powers(ratio, furthest);
+  if (verdict == Verdict::confirmed) return "the lower the power the closer it is";
+  if (verdict == Verdict::refuted) return "it is not the closer the lower the power";
+  const auto from = close_from(ratio, furthest, ratio.distance(std::log2(low)));
+  return "the lower the power the closer it is up to there and not beyond: " +
+         (from ? "from a = " + decimal(std::exp2(*from), 4) + " on it is closer than at a = "
+               : std::string("nowhere beyond it stays closer than at a = ")) +
+         decimal(low, 4);
+}
+
 Finding cheap_constant(const Claim& claim) {
   const PrintedConstant printed(claim.printed[0].value);
   const double close = number_of(claim.inputs.at("close")), low = number_of(claim.inputs.at("low power"));
+  const auto exponents = exponents_of(claim);
   double error = 0;
-  for (const auto& check : check_normalisation(BlinnPhongBrdfLobe::record, exponents_of(claim)))
+  for (const auto& check : check_normalisation(BlinnPhongBrdfLobe::record, exponents))
     error = std::max({error, check.estimated_error, check.relative_difference});
-  const CheapRatio ratio(printed);
-  const double place = furthest_place(ratio), furthest = ratio.distance(place);
-  const auto as_close = as_close_from(ratio, place, std::log2(low));
   const auto curves = curves_of(claim, printed);
   error = std::max(error, error_of(curves));
-
+  const CheapRatio ratio(printed);
+  const double place = furthest_place(ratio), furthest = ratio.distance(place);
   Finding finding;
-  if (error <= reflectance_tolerance) {
-    const Verdict is_close = verdict_of(furthest <= close);
-    // the lower the closer: everywhere, up to a place, or from nowhere on
-    const Verdict is_best_low = place >= grid_last    ? Verdict::confirmed
-                                : place <= grid_first ? Verdict::refuted
-                                                      : Verdict::conditional;
-    finding.verdict = worst(std::array{is_close, is_best_low});
-  }
+  if (error <= reflectance_tolerance)
+    finding.verdict = worst(std::array{verdict_of(furthest <= close), closest_at_low_powers(ratio, place)});
   finding.computed = "up to " + decimal(1 + ratio(place), 10) + " times the exact constant";
   finding.evidence = printed.text() + " over " + std::string(BlinnPhongBrdfLobe::record.printed) +
-                     " (1 over the integral of its lobe to better than " +
-                     decimal(normalisation_tolerance, 1) + " at " +
-                     range_in_words(exponents_of(claim), "exponent") +
+                     " (1 over the integral of the lobe, at " + range_in_words(exponents, "exponent") +
                      ") is furthest from 1 at a = " + decimal(std::exp2(place), 6) + ", by " +
                      decimal(furthest, 6) + ", which is " + (furthest <= close ? "within " : "not within ") +
-                     decimal(close, 4) + "; the lower the power the closer it is only up to there: ";
-  finding.evidence += as_close ? "from a = " + decimal(std::exp2(*as_close), 4) +
-                                     " on it is closer than at a = " + decimal(low, 4)
-                               : "nowhere beyond it is as close as at a = " + decimal(low, 4);
-  finding.evidence += "; energy that it creates: " + energy_in_words(curves);
+                     decimal(close, 4) + " (" + within_one_code(ratio, place) + "); " +
+                     closest_in_words(ratio, place, low) + "; energy that it creates: at " +
+                     energy_in_words(curves);
   finding.effect = effect_of_factor(1 + ratio(place), 1);
   return finding;
 }
@@ -286,8 +324,9 @@ Finding cheap_constant(const Claim& claim) {
 /// The quarter of the distribution's constant, and the same in a game's light unit.
 Finding microfacet_constant(const Claim& claim) {
   constexpr std::array<std::string_view, 0> no_names{};
-  const double unit = evaluate<double>(parse_formula(claim.inputs.at("light unit"), no_names),
-                                       [](const std::string&) { return 0.0; });
+  const std::string_view text = claim.inputs.at("light unit");
+  const Unit unit{evaluate<double>(parse_formula(text, no_names), [](const std::string&) { return 0.0; }),
+                  std::string(text)};
   const Finding plain = constant_alone(claim);
   const Finding in_unit = against_integrals(claim, PrintedConstant(claim.printed[1].value), unit);
   return {worst(std::array{plain.verdict, in_unit.verdict}), plain.computed + "; " + in_unit.computed,
@@ -309,7 +348,8 @@ std::string effect_in_half(const std::function<Eigen::half(Eigen::half)>& left,
   }
   if (moved == 0) return "none";
   return "in half precision the detour moves " + std::to_string(moved) + " of 255 grey levels, by at most " +
-         decimal(ulps, 2) + " ulps and " + decimal(codes, 2) + " 8-bit sRGB codes";
+         decimal(ulps, 2) + (ulps == 1 ? " ulp and " : " ulps and ") + decimal(codes, 2) +
+         " 8-bit sRGB codes";
 }
 
 /// An identity in c_diff, in 50 digits.
