@@ -145,7 +145,7 @@ inline constexpr std::array microfacet_claims{
               "1/(pi alpha^2) (n.m)^(2/alpha^2 - 2), the Blinn-Phong distribution with Beckmann's width "
               "alpha: the integral of D(m) (n.m) over the microfacet normals m is 1",
           .printed = {{"", "1"}},
-          .inputs = {{"distribution", "blinn-phong"}, detail::roughnesses, detail::width_of_roughness},
+          .inputs = {detail::roughnesses, detail::width_of_roughness},
           .derivation =
               "The microfacets' projected areas add up to the surface's. With s = 2/alpha^2 - 2 the factor "
               "is (s+2)/(2 pi), that of the row norm-ndf. The integral is taken by Gauss-Kronrod over the "
@@ -157,7 +157,7 @@ inline constexpr std::array microfacet_claims{
               "exp(-tan^2/alpha^2)/(pi alpha^2 cos^4), Beckmann's distribution, angles between m and n: the "
               "integral of D(m) (n.m) over the microfacet normals m is 1",
           .printed = {{"", "1"}},
-          .inputs = {{"distribution", "beckmann"}, detail::roughnesses, detail::width_of_roughness},
+          .inputs = {detail::roughnesses, detail::width_of_roughness},
           .derivation =
               "The microfacets' projected areas add up to the surface's; in t = tan^2 the integral is that "
               "of exp(-t/alpha^2)/alpha^2. It is taken by Gauss-Kronrod over the logarithm of the slope, in "
@@ -168,7 +168,7 @@ inline constexpr std::array microfacet_claims{
               "alpha^2/(pi ((n.m)^2 (alpha^2 - 1) + 1)^2), GGX (Trowbridge-Reitz): the integral of D(m) "
               "(n.m) over the microfacet normals m is 1",
           .printed = {{"", "1"}},
-          .inputs = {{"distribution", "ggx"}, detail::roughnesses, detail::width_of_roughness},
+          .inputs = {detail::roughnesses, detail::width_of_roughness},
           .derivation =
               "The microfacets' projected areas add up to the surface's; in u = sin^2 the integral is that "
               "of alpha^2/(alpha^2 + (1 - alpha^2) u)^2. It is taken by Gauss-Kronrod over the logarithm of "
@@ -181,10 +181,7 @@ inline constexpr std::array microfacet_claims{
               "exponent 1: the integral of D(m) (n.m) over the microfacet normals m is 1, and at alpha = 1, "
               "where the formula is 0/0, D is its limit 1/pi",
           .printed = {{"integral", "1"}, {"limit", "1/pi"}},
-          .inputs = {{"distribution", "gtr1"},
-                     detail::roughnesses,
-                     detail::width_of_roughness,
-                     {"distance from alpha = 1", "1e-10"}},
+          .inputs = {detail::roughnesses, detail::width_of_roughness, {"distance from alpha = 1", "1e-10"}},
           .derivation =
               "The microfacets' projected areas add up to the surface's; in u = sin^2 the integral is that "
               "of 1/(alpha^2 + (1 - alpha^2) u), a logarithm. It is taken by Gauss-Kronrod over the "

@@ -89,11 +89,12 @@ std::string area_evidence(const Distance& worst, const Widths& widths, std::stri
          widths.words() + ", by two rules that agree within " + decimal(std::max(promised, worst.error), 1);
 }
 
+template <Distribution distribution>
 Finding normalised(const Claim& claim) {
   const Widths widths(claim);
   const std::string_view printed = claim.printed[0].value;
   const double expected = value_of(printed);
-  const Distance worst = area_distance(distribution_of(claim.inputs.at("distribution")), widths, expected);
+  const Distance worst = area_distance(distribution, widths, expected);
   return {judged(worst), decimal(worst.integral, 10), area_evidence(worst, widths, printed),
           judged(worst) == Verdict::confirmed ? "none" : effect_of_factor(expected, worst.integral)};
 }
@@ -111,7 +112,7 @@ double distance_from_limit(const Decimal50& alpha, const Decimal50& limit) {
 
 /// GTR1 has a second number: its limit at alpha = 1.
 Finding gtr1_normalised(const Claim& claim) {
-  Finding finding = normalised(claim);
+  Finding finding = normalised<Distribution::gtr1>(claim);
   const std::string_view printed = claim.printed[1].value;
   const std::string_view step_text = claim.inputs.at("distance from alpha = 1");
   const auto limit =
@@ -303,9 +304,9 @@ Finding masked_by_another(const Claim& claim) {
 }  // namespace
 
 std::span<const Evaluator> microfacet_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"ndf-blinn-phong", normalised},
-                                         Evaluator{"ndf-beckmann", normalised},
-                                         Evaluator{"ndf-ggx", normalised},
+  static constexpr std::array evaluators{Evaluator{"ndf-blinn-phong", normalised<Distribution::blinn_phong>},
+                                         Evaluator{"ndf-beckmann", normalised<Distribution::beckmann>},
+                                         Evaluator{"ndf-ggx", normalised<Distribution::ggx>},
                                          Evaluator{"ndf-gtr1", gtr1_normalised},
                                          Evaluator{"smith-beckmann", masked_by_its_own},
                                          Evaluator{"smith-ggx", masked_by_its_own},
