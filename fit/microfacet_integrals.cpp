@@ -16,13 +16,14 @@ constexpr double pi_ = std::numbers::pi;
 /// Distributions are cut where exp(-decay) = 1.4e-21 of their area is left.
 constexpr double decay = 48;
 
-/// The square of the slope beyond which a distribution has no more than exp(-decay) of its area: Beckmann's
-/// is exp(-tan^2/alpha^2), Blinn-Phong's cos^2 to the power 1/alpha^2. The others fall like powers, and have
-/// no such end.
+/// The square of the slope beyond which a distribution has about exp(-decay) of its area, the area itself and
+/// not the part of it that is seen along n: Blinn-Phong's is cos to the power s + 1, cos^2 to the power
+/// 1/alpha^2 - 1/2; Beckmann's is exp(-tan^2/alpha^2), and at most 1/cos = 7 times that for alpha <= 1. The
+/// others fall like powers, and have no such end.
 double reach(Distribution distribution, double alpha) {
-  const double end = decay * alpha * alpha;
-  if (distribution == Distribution::beckmann) return end;
-  if (distribution == Distribution::blinn_phong) return std::expm1(end);
+  const double alpha2 = alpha * alpha;
+  if (distribution == Distribution::beckmann) return decay * alpha2;
+  if (distribution == Distribution::blinn_phong) return std::expm1(decay * alpha2 / (1 - alpha2 / 2));
   return std::numeric_limits<double>::infinity();
 }
 

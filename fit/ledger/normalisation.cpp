@@ -315,7 +315,8 @@ Finding cheap_constant(const Claim& claim) {
                      ") is furthest from 1 at a = " + decimal(std::exp2(place), 6) + ", by " +
                      decimal(furthest, 6) + ", which is " + (furthest <= close ? "within " : "not within ") +
                      decimal(close, 4) + " (" + within_one_code(ratio, place) + "); " +
-                     closest_in_words(ratio, place, low) + "; energy that it creates: at " +
+                     closest_in_words(ratio, place, low) + "; energy that it creates, over " +
+                     range_in_words(views_of(claim), "view angle") + " degrees: at " +
                      energy_in_words(curves);
   finding.effect = effect_of_factor(1 + ratio(place), 1);
   return finding;

@@ -19,7 +19,7 @@ TEST(NormalisationClaims, RestOnWhatIsPrintedAndGiven) {
                    {"norm-phong-brdf", "exponents", "0.5,3"},
                    {"norm-phong-brdf", "exponents at other views", "2"},
                    {"norm-phong-brdf", "view angles", "10,80"},
-                   {"norm-blinn-phong", "printed 0", "(a+2)/(4 pi (2 - 2^(a/2)))"},
+                   {"norm-blinn-phong", "printed 0", "(a+2)/(4 pi (2 - 2^(-a)))"},
                    {"norm-blinn-phong", "printed 0", "(a+2)/(8 pi)"},
                    {"norm-blinn-phong", "exponents", "0.5,3"},
                    {"norm-blinn-phong", "exponents at other views", "2"},
