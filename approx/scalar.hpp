@@ -83,6 +83,13 @@ struct Log1pRemainder {
   }
 };
 
+struct Erfc {
+  template <class T>
+  T operator()(const T& x) const {
+    return Scalar<T>::erfc(x);
+  }
+};
+
 struct Sqrt {
   template <class T>
   T operator()(const T& x) const {
@@ -191,6 +198,8 @@ inline constexpr vocabulary::Expm1 expm1{};
 inline constexpr vocabulary::Log1p log1p{};
 /// log1p(x) - x without its cancellation for small x; x > -1 (x = -1 gives -infinity).
 inline constexpr vocabulary::Log1pRemainder log1p_remainder{};
+/// The complementary error function 2/sqrt(pi) * integral of exp(-t^2) from x to infinity.
+inline constexpr vocabulary::Erfc erfc{};
 inline constexpr vocabulary::Sqrt sqrt{};
 inline constexpr vocabulary::Sin sin{};
 inline constexpr vocabulary::Cos cos{};
@@ -267,6 +276,7 @@ struct Scalar<T> {
   static T log2(T x) { return std::log2(x); }
   static T expm1(T x) { return std::expm1(x); }
   static T log1p(T x) { return std::log1p(x); }
+  static T erfc(T x) { return std::erfc(x); }
   static T sqrt(T x) { return std::sqrt(x); }
   static T sin(T x) { return std::sin(x); }
   static T cos(T x) { return std::cos(x); }

@@ -26,6 +26,10 @@ inline constexpr Source rakic_1995{
 inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics",
                                        "7th edition, Cambridge University Press"};
 
+inline constexpr Source walter_2007{"Walter, Marschner, Li, Torrance", 2007,
+                                    "Microfacet Models for Refraction through Rough Surfaces",
+                                    "Eurographics Symposium on Rendering 2007, pp. 195-206"};
+
 inline constexpr Source gotanda_2010{
     "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",
     "SIGGRAPH 2010 course, Physically-Based Shading Models in Film and Game Production"};
@@ -47,6 +51,10 @@ inline constexpr Source lagarde_2012_chart{
     "Lagarde", 2012, "DONTNOD specular and glossiness chart",
     "seblagarde.wordpress.com/2012/04/30/dontnod-specular-and-glossiness-chart"};
 
+inline constexpr Source lagarde_2012_pi{
+    "Lagarde", 2012, "PI or not to PI in game lighting equation",
+    "seblagarde.wordpress.com/2012/01/08/pi-or-not-to-pi-in-game-lighting-equation"};
+
 inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
@@ -60,9 +68,20 @@ inline constexpr Source lagarde_2012_cubemapgen{
     "Lagarde", 2012, "AMD Cubemapgen for physically based rendering",
     "seblagarde.wordpress.com/2012/06/10/amd-cubemapgen-for-physically-based-rendering"};
 
+inline constexpr Source burley_2012{
+    "Burley", 2012, "Physically-Based Shading at Disney",
+    "SIGGRAPH 2012 course, Practical Physically-Based Shading in Film and Game Production"};
+
+inline constexpr Source karis_2013{"Karis", 2013, "Specular BRDF Reference",
+                                   "graphicrants.blogspot.com/2013/08/specular-brdf-reference.html"};
+
 inline constexpr Source mcguire_2013{"McGuire, Evangelakos, Wilcox, Donow, Mara", 2013,
                                      "Plausible Environment Lighting in Two Lines of Code",
                                      "graphics.cs.williams.edu/papers/EnvMipReport2013"};
+
+inline constexpr Source heitz_2014{"Heitz", 2014,
+                                   "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
+                                   "Journal of Computer Graphics Techniques 3(2), pp. 48-107"};
 
 inline constexpr Source pestana_workflows_2014{
     "Pestana", 2014, "Physically Based Shading, Metallic and Specular workflows", "alexandre-pestana.com"};

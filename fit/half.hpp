@@ -35,6 +35,7 @@ struct Scalar<Eigen::half> {
   static half expm1(half x) { return round_to_half(std::expm1(wide(x))); }
   static half log1p(half x) { return round_to_half(std::log1p(wide(x))); }
   static half log1p_remainder(half x) { return round_to_half(Scalar<double>::log1p_remainder(wide(x))); }
+  static half erfc(half x) { return round_to_half(std::erfc(wide(x))); }
   static half sqrt(half x) { return round_to_half(std::sqrt(wide(x))); }
   static half sin(half x) { return round_to_half(std::sin(wide(x))); }
   static half cos(half x) { return round_to_half(std::cos(wide(x))); }

@@ -33,6 +33,16 @@ struct Scalar<Interval> {
   static Interval cos(const Interval& x) { return apply(mpfi_cos, x); }
   static Interval atan(const Interval& x) { return apply(mpfi_atan, x); }
 
+  /// MPFI has none; erfc falls, so its ends are those of x, by MPFR's directed rounding.
+  static Interval erfc(const Interval& x) {
+    if (is_nan(x)) return nan();
+    Interval result;
+    auto* r = result.backend().data();
+    mpfr_erfc(&r->left, &x.backend().data()->right, MPFR_RNDD);
+    mpfr_erfc(&r->right, &x.backend().data()->left, MPFR_RNDU);
+    return result;
+  }
+
   /// log1p(x) - x rises up to x = 0 and falls from there, so its ends lie at the ends of x, or at the top 0.
   static Interval log1p_remainder(const Interval& x) {
     const Interval low = lower(x), high = upper(x);

@@ -39,6 +39,11 @@ struct Scalar<ceres::Jet<T, N>> {
   static Jet log1p_remainder(const Jet& x) {
     return Jet(shadefit::log1p_remainder(x.a), chain(-x.a / (one() + x.a), x.v));
   }
+  /// d/dx erfc(x) = -2/sqrt(pi) exp(-x^2)
+  static Jet erfc(const Jet& x) {
+    const T slope = -shadefit::integer<T>(2) / shadefit::sqrt(shadefit::pi<T>()) * shadefit::exp(-x.a * x.a);
+    return Jet(shadefit::erfc(x.a), chain(slope, x.v));
+  }
   static Jet sqrt(const Jet& x) {
     const T value = shadefit::sqrt(x.a);
     return Jet(value, chain(one() / (value + value), x.v));

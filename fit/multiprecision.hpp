@@ -1,6 +1,7 @@
 #pragma once
 
 #include <boost/math/constants/constants.hpp>
+#include <boost/math/special_functions/erf.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <string>
 
@@ -39,6 +40,7 @@ struct Scalar<boost::multiprecision::number<boost::multiprecision::cpp_bin_float
     }
     return sum;
   }
+  static T erfc(const T& x) { return boost::math::erfc(x); }
   static T sqrt(const T& x) { return boost::multiprecision::sqrt(x); }
   static T sin(const T& x) { return boost::multiprecision::sin(x); }
   static T cos(const T& x) { return boost::multiprecision::cos(x); }

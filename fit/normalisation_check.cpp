@@ -55,21 +55,23 @@ NormalisationCheck check(double alpha) {
 }
 
 template <class Lobe>
-void append_checks(std::vector<NormalisationCheck>& checks, const Normalisation& record) {
+void append_checks(std::vector<NormalisationCheck>& checks, const Normalisation& record,
+                   std::span<const double> exponents) {
   if (record.id != Lobe::record.id) return;
   if (!record.has_exponent) {
     checks.push_back(check<Lobe>(1));
     return;
   }
-  for (const double alpha : normalisation_exponents) checks.push_back(check<Lobe>(alpha));
+  for (const double alpha : exponents) checks.push_back(check<Lobe>(alpha));
 }
 
 }  // namespace
 
-std::vector<NormalisationCheck> check_normalisation(const Normalisation& record) {
+std::vector<NormalisationCheck> check_normalisation(const Normalisation& record,
+                                                    std::span<const double> exponents) {
   std::vector<NormalisationCheck> checks;
   [&]<class... Lobe>(std::type_identity<std::tuple<Lobe...>>) {
-    (append_checks<Lobe>(checks, record), ...);
+    (append_checks<Lobe>(checks, record, exponents), ...);
   }(std::type_identity<NormalisedLobes>{});
   return checks;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -28,8 +29,10 @@ inline constexpr double normalisation_tolerance = 1e-12;
 /// The exponents checked by default.
 inline constexpr double normalisation_exponents[] = {0.1, 1, 2, 8, 64, 2048, 1e5, 1e6};
 
-/// Checks the constant of that id at each exponent (once, without one, where the constant has none).
-std::vector<NormalisationCheck> check_normalisation(const Normalisation& record);
+/// Checks the constant of that id at each exponent, all greater than 0 (once, without one, where the constant
+/// has none).
+std::vector<NormalisationCheck> check_normalisation(
+    const Normalisation& record, std::span<const double> exponents = normalisation_exponents);
 
 /// The verdict on a closed form: confirmed where the integral agrees within the tolerance, or within what the
 /// record says of itself, else refuted; empty where the estimated error of the integral exceeds the

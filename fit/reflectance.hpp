@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -65,7 +66,7 @@ struct ReflectancePeak {
 struct ReflectanceCurve {
   const Normalisation* record;
   double exponent;
-  std::vector<Reflectance> points;  ///< at the `view_angles`
+  std::vector<Reflectance> points;  ///< at the view angles
   ReflectancePeak largest;
   ReflectancePeak largest_with_cosine;
   /// The view angle in degrees from which on the reflectance with n.l stays at most 1; empty where it never
@@ -76,6 +77,11 @@ struct ReflectanceCurve {
 /// The curves of those constants that `is_wanted` says, in the order of `reflected_constants`, each at the
 /// `reflectance_exponents`. Integrals that constants share are computed once.
 std::vector<ReflectanceCurve> reflectance_curves(const std::function<bool(std::string_view id)>& is_wanted);
+
+/// The curve of one constant at one exponent, at those view angles in degrees, which rise from 0 to below 90.
+/// `factor` stands for the constant: its own value there, or another's that is tried in its place.
+ReflectanceCurve reflectance_curve(const ReflectedConstant& constant, double exponent, double factor,
+                                   std::span<const double> angles);
 
 /// Where f, a function of the view angle, is largest between the first and the last sample. Sampled: at
 /// `samples`, which rise in angle, then at three more places to either side of the largest, then refined.

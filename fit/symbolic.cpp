@@ -138,6 +138,7 @@ std::pair<std::string, Binding> latex_function(const std::string& name, const st
   if (name == "log") return {"\\ln" + latex_parentheses(x[0]), Binding::power};
   if (name == "log2") return {"\\log_2" + latex_parentheses(x[0]), Binding::power};
   if (name == "log1p") return {"\\ln" + latex_parentheses("1 + " + x[0]), Binding::power};
+  if (name == "erfc") return {"\\operatorname{erfc}" + latex_parentheses(x[0]), Binding::power};
   if (name == "log1p_remainder")
     return {"\\ln" + latex_parentheses("1 + " + x[0]) + " - " + latex_parentheses(x[0]), Binding::sum};
   return {"\\" + name + latex_parentheses(joined(x)), Binding::power};  // sin, cos, min, max

@@ -85,6 +85,7 @@ struct Scalar<Symbolic> {
   static Symbolic expm1(const Symbolic& x) { return Symbolic::function("expm1", {x}); }
   static Symbolic log1p(const Symbolic& x) { return Symbolic::function("log1p", {x}); }
   static Symbolic log1p_remainder(const Symbolic& x) { return Symbolic::function("log1p_remainder", {x}); }
+  static Symbolic erfc(const Symbolic& x) { return Symbolic::function("erfc", {x}); }
   static Symbolic sqrt(const Symbolic& x) { return Symbolic::function("sqrt", {x}); }
   static Symbolic sin(const Symbolic& x) { return Symbolic::function("sin", {x}); }
   static Symbolic cos(const Symbolic& x) { return Symbolic::function("cos", {x}); }
@@ -172,6 +173,7 @@ T evaluate(const Symbolic& expression, const ValueOf& value_of) {
   if (name == "expm1") return expm1(part(0));
   if (name == "log1p") return log1p(part(0));
   if (name == "log1p_remainder") return log1p_remainder(part(0));
+  if (name == "erfc") return erfc(part(0));
   if (name == "sqrt") return sqrt(part(0));
   if (name == "sin") return sin(part(0));
   if (name == "cos") return cos(part(0));

@@ -14,6 +14,7 @@
 #include "approx/harmonics.hpp"
 #include "approx/lobe.hpp"
 #include "approx/material.hpp"
+#include "approx/microfacet.hpp"
 #include "approx/normalisation.hpp"
 #include "approx/phase.hpp"
 #include "approx/phong_blinn.hpp"
@@ -58,6 +59,11 @@ Direction<T> direction_of(const T& angle) {
   return {cos(angle), sin(angle)};
 }
 
+template <class T>
+MicrofacetNormal<T> normal_of(const T& cos2) {
+  return {cos2, integer<T>(1) - cos2};
+}
+
 auto formulas() {
   using Lobes = std::vector<std::vector<const char*>>;
   const Lobes cosines{{"0.25"}, {"0.5"}, {"0.9375"}};
@@ -70,6 +76,8 @@ auto formulas() {
   const Lobes meridians{{"0.5", "5", "0.25", "0.5"}, {"1", "8", "1", "0.25"}};
   const Lobes factors{{"0.25", "0.5", "0.03125"}};
   const Lobes scatterings{{"0.5", "0.25"}, {"0.25", "-0.5"}, {"1", "0"}};
+  // cos^2 of the angle between m and n, and alpha; 1 is the limit of GTR1
+  const Lobes microfacets{{"0.75", "0.5"}, {"0.25", "0.75"}, {"0.5", "1"}};
   return std::tuple{
       Formula{"power_lobe", [](auto c, auto k) { return power_lobe(c, k); }, lobes, 16},
       Formula{"gaussian_lobe", [](auto c, auto k, auto x) { return gaussian_lobe(c, k, x); }, offset_lobes,
@@ -238,6 +246,25 @@ auto formulas() {
                 return blinn_phong_meridian(g, a, e, {one, one * one}).with_cosine;
               },
               meridians, 64},
+      Formula{"erfc", [](auto x) { return erfc(x); }, Lobes{{"-0.5"}, {"0"}, {"1.5"}}, 16},
+      Formula{"blinn_phong_exponent", [](auto a) { return blinn_phong_exponent(a); },
+              Lobes{{"0.5"}, {"0.75"}}, 8},
+      Formula{"blinn_phong_distribution",
+              [](auto c, auto a) { return blinn_phong_distribution(normal_of(c), a); }, microfacets, 32},
+      Formula{"beckmann_distribution", [](auto c, auto a) { return beckmann_distribution(normal_of(c), a); },
+              microfacets, 32},
+      Formula{"ggx_distribution", [](auto c, auto a) { return ggx_distribution(normal_of(c), a); },
+              microfacets, 16},
+      Formula{"gtr1_distribution", [](auto c, auto a) { return gtr1_distribution(normal_of(c), a); },
+              microfacets, 16},
+      Formula{"beckmann_lambda", [](auto s) { return beckmann_lambda(s); }, Lobes{{"0.5"}, {"4"}}, 128},
+      Formula{"ggx_lambda", [](auto s) { return ggx_lambda(s); }, Lobes{{"0.0625"}, {"0.5"}, {"4"}}, 16},
+      Formula{"smith_masking", [](auto l) { return smith_masking(l); }, Lobes{{"0.5"}}, 4},
+      Formula{"facing_circle",
+              [](auto view, auto normal, auto phi) {
+                return facing_circle(direction_of(view), direction_of(normal), arc_to(phi));
+              },
+              Lobes{{"0.5", "0.25", "3"}, {"1", "1", "2"}}, 16},
       Formula{"srgb_code", [](auto x) { return srgb_code(x); }, Lobes{{"0.5"}, {"1.5"}}, 16},
       Formula{"cap_solid_angle", [](auto phi) { return cap_solid_angle(phi); }, Lobes{{"1"}, {"3"}}, 16},
       Formula{"cap_solid_angle_near_axis", [](auto phi) { return cap_solid_angle_near_axis(phi); },
