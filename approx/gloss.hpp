@@ -130,15 +130,14 @@ inline constexpr std::array gloss_claims{
               "printed one has to round; its constant as printed. The effect is that of the printed factor. "
               "Both sides at 50 digits differ by their rounding alone, hence the bound.",
           .source = sources::lagarde_2012},
-    Claim{
-        .id = "log2-identity-first",
-        .statement = "the first version of the post: log(a) = log2(a*log(2))",
-        .inputs = {{"from", "-20"}, {"to", "20"}, {"steps", "40"}, {"agreement", "1e-45"}, {"exponent", "5"}},
-        .derivation =
-            "a = 2^u, u from -20 to 20. log2(a ln 2) - log(a) = (1 - ln 2) u + log2(ln 2), which is 0 "
-            "for one u only: an identity that holds at one place is none. The product belongs outside: "
-            "log(a) = log(2)*log2(a).",
-        .source = sources::lagarde_2012_first},
+    Claim{.id = "log2-identity-first",
+          .statement = "the first version of the post: log(a) = log2(a*log(2))",
+          .inputs = {{"from", "-20"}, {"to", "20"}, {"steps", "40"}, {"agreement", "1e-45"}},
+          .derivation =
+              "a = 2^u, u from -20 to 20. log2(a ln 2) - log(a) = (1 - ln 2) u + log2(ln 2), which is 0 "
+              "for one u only: an identity that holds at one place is none. The product belongs outside: "
+              "log(a) = log(2)*log2(a).",
+          .source = sources::lagarde_2012_first},
     Claim{.id = "log2-identity-second",
           .statement = "the second version of the post: log(a) = log(2)*log2(a)",
           .inputs = {{"from", "-20"}, {"to", "20"}, {"steps", "40"}, {"agreement", "1e-45"}},

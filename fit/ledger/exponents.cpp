@@ -52,12 +52,21 @@ bool covers(const std::vector<ExponentInterval>& intervals, double from, double 
   });
 }
 
-std::string sentence(const std::vector<ExponentInterval>& intervals, int digits) {
+std::string exponent_text(double exponent) {
+  return decimal(exponent, exponent < 1000 ? 4 : 6);
+}
+
+std::string sentence(const std::vector<ExponentInterval>& intervals, const std::vector<double>& exponents) {
   if (intervals.empty()) return "for no k";
   std::vector<std::string> words;
-  for (const auto& [from, to] : intervals)
-    words.push_back("from " + decimal(from, digits) + " to " + decimal(to, digits));
-  return "for k " + enumerated(words);
+  for (const auto& [from, to] : intervals) {
+    const bool is_open_below = from <= exponents.front(), is_open_above = to >= exponents.back();
+    words.push_back(is_open_below && is_open_above ? "for every k"
+                    : is_open_above                ? "from k = " + exponent_text(from) + " on"
+                    : is_open_below                ? "up to k = " + exponent_text(to)
+                                    : "for k from " + exponent_text(from) + " to " + exponent_text(to));
+  }
+  return enumerated(words);
 }
 
 }  // namespace shadefit

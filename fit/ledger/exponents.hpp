@@ -24,7 +24,11 @@ std::vector<ExponentInterval> where_not_negative(const std::function<double(doub
 /// Whether one of the intervals holds all of [from, to].
 bool covers(const std::vector<ExponentInterval>& intervals, double from, double to);
 
-/// "for k from 8.067 to 15", by "and" where there are several; "for no k".
-std::string sentence(const std::vector<ExponentInterval>& intervals, int digits = 4);
+/// An exponent in a sentence: 4 digits, and whole thousands as they are.
+std::string exponent_text(double exponent);
+
+/// "from k = 13.87 on", "up to k = 8.067", "for k from 1 to 2", by "and" where there are several; "for every
+/// k" and "for no k" of the `exponents` looked at.
+std::string sentence(const std::vector<ExponentInterval>& intervals, const std::vector<double>& exponents);
 
 }  // namespace shadefit

@@ -52,8 +52,12 @@ std::string agreement(const Decimal50& a, const Decimal50& b) {
   return (abs(a - b) < truths_agree ? "agree below " : "differ by more than ") + decimal(truths_agree, 1);
 }
 
-std::string gloss_range(const Claim& claim) {
-  return "g = " + std::string(claim.inputs.at("from")) + " to " + std::string(claim.inputs.at("to"));
+/// "17 glosses from 0 to 1 (powers 2 to 2048)"
+std::string glosses(const Claim& claim) {
+  const auto all = powers(claim);
+  return std::to_string(all.size()) + " glosses from " + std::string(claim.inputs.at("from")) + " to " +
+         std::string(claim.inputs.at("to")) + " (powers " + decimal(all.front(), 6) + " to " +
+         decimal(all.back(), 6) + ")";
 }
 
 /// What decoding to M with the printed constant does to exp2(M c - M), at the gloss where it is most.
@@ -72,7 +76,7 @@ std::string effect_on_lobe(const Claim& claim, double ratio) {
     most_codes = std::max(most_codes, effect.srgb_codes);
   }
   return "every power is " + decimal(std::abs(ratio - 1), 2) + " of itself too " +
-         (ratio < 1 ? "low" : "high") + ": over " + gloss_range(claim) + " the lobe moves by at most " +
+         (ratio < 1 ? "low" : "high") + ": over " + glosses(claim) + " the lobe moves by at most " +
          decimal(most.absolute.magnitude, 2) + ", " + decimal(most.half_ulps, 2) + " ulps of a half float, " +
          decimal(most_codes, 2) + " 8-bit sRGB codes";
 }
@@ -84,14 +88,13 @@ Finding log2_constant(const Claim& claim) {
   const Quantity& printed = claim.printed[0];
   // 2^(10 g + constant) over 2^(10 g + first)/ln 2
   const Decimal50 ratio = exp2(Decimal50(constant<Decimal50>(printed.value) - exact));
-  return {judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))),
-          decimal(rounded(exact), 10),
-          decimal(rounded(first), 4) + " + log2(1/ln 2) = " + decimal(rounded(exact), 10) +
-              " at 50 digits, by the natural logarithm and by squaring, which " + agreement(exact, other) +
-              "; it decodes " + gloss_range(claim) +
-              " to M = " + decimal(base_two_power(powers(claim).front()), 6) + " to " +
-              decimal(base_two_power(powers(claim).back()), 6),
-          effect_on_lobe(claim, rounded(ratio))};
+  return {
+      judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))), decimal(rounded(exact), 10),
+      decimal(rounded(first), 4) + " + log2(1/ln 2) = " + decimal(rounded(exact), 10) +
+          " at 50 digits, by the natural logarithm and by squaring, which " + agreement(exact, other) +
+          "; it decodes " + glosses(claim) + " to M = " + decimal(base_two_power(powers(claim).front()), 6) +
+          " to " + decimal(base_two_power(powers(claim).back()), 6),
+      effect_on_lobe(claim, rounded(ratio))};
 }
 
 /// What a printed factor does to the normalisation, at the gloss where it is most.
@@ -99,25 +102,28 @@ std::string effect_on_normalisation(const Claim& claim, double factor, double co
   const auto printed = [&](double exponent) {
     return base_two_normalisation(base_two_power(exponent), factor, constant_term);
   };
-  const auto off = [&](double exponent) { return std::abs(printed(exponent) / game_normalisation(exponent) - 1); };
+  const auto off = [&](double exponent) {
+    return std::abs(printed(exponent) / game_normalisation(exponent) - 1);
+  };
   const auto all = powers(claim);
   const double worst =
       *std::max_element(all.begin(), all.end(), [&](double a, double b) { return off(a) < off(b); });
   const std::string effect = effect_of_factor(printed(worst), game_normalisation(worst));
-  return effect == "none" ? effect
-                          : "the normalisation is furthest off at the power " + decimal(worst, 5) + " of " +
-                                gloss_range(claim) + ", where it " + effect;
+  return effect == "none"
+             ? effect
+             : "the normalisation is furthest off at the power " + decimal(worst, 5) + ", where it " + effect;
 }
 
 Finding ln2_over_eight(const Claim& claim) {
   const auto exact = base_two_normalisation_factor<Decimal50>();
   const Decimal50 other = 1 / (8 * log2_by_squares(exp(Decimal50(1))));
   const Quantity& printed = claim.printed[0];
-  return {
-      judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))), decimal(rounded(exact), 10),
-      "ln 2/8 = " + decimal(rounded(exact), 10) +
-          " at 50 digits; the constant and the binary logarithm of e by squaring " + agreement(exact, other),
-      effect_on_normalisation(claim, number_of(printed.value), game_normalisation(0.0))};
+  return {judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))),
+          decimal(rounded(exact), 10),
+          "ln 2/8 = " + decimal(rounded(exact), 10) +
+              " at 50 digits; the constant and the binary logarithm of e by squaring " +
+              agreement(exact, other) + "; it normalises " + glosses(claim),
+          effect_on_normalisation(claim, number_of(printed.value), game_normalisation(0.0))};
 }
 
 Finding gloss_decode(const Claim& claim) {
@@ -191,8 +197,8 @@ Finding normalised_mad(const Claim& claim) {
   const std::array parts{verdict_of(sides.agree(claim)), judge(printed, {"", rounded(factor)}, {}).verdict};
   return {worst(parts), "identity",
           "with the factor ln 2/8 = " + decimal(rounded(factor), 10) + " both sides " + sides.words(claim) +
-              " of themselves at " + std::to_string(powers(claim).size()) + " glosses of " + domain(claim) +
-              "; " + std::string(printed) + " is off by " + decimal(number_of(printed) - rounded(factor), 2),
+              " of themselves at " + glosses(claim) + "; " + std::string(printed) + " is off by " +
+              decimal(number_of(printed) - rounded(factor), 2),
           effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
 }
 
@@ -203,22 +209,22 @@ Finding log2_first(const Claim& claim) {
     return Decimal50(log2_by_squares(Decimal50(a * ln2<Decimal50>())) - log(a));
   };
   Sides sides, formulas;
-  for (const Decimal50& u : places<Decimal50>(claim)) {
+  const auto all = places<Decimal50>(claim);
+  for (const Decimal50& u : all) {
     sides.compare(excess(u), 0);
     formulas.compare(misprinted_log_by_log2(roots.exp2(u)) - log(roots.exp2(u)), excess(u));
   }
-  const auto ends = places<Decimal50>(claim);
-  const double exponent = given(claim, "exponent");
-  const double peak = exp(exponent * misprinted_log_by_log2(1.0));
+  const double peak = exp(misprinted_log_by_log2(1.0));
   return {formulas.agree(claim) ? std::optional(verdict_of(sides.agree(claim))) : std::nullopt,
           "only at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6),
-          "log2(a ln 2) - log(a) is " + decimal(rounded(excess(ends.front())), 4) + " at a = 2^" +
-              decimal(rounded(ends.front()), 6) + ", " + decimal(rounded(excess(ends.back())), 4) +
-              " at a = 2^" + decimal(rounded(ends.back()), 6) +
+          "at " + counted(std::ssize(all), "place") + " a = 2^u the sides " + sides.words(claim) +
+              ": log2(a ln 2) - log(a) is " + decimal(rounded(excess(all.front())), 4) + " at a = 2^" +
+              decimal(rounded(all.front()), 6) + ", " + decimal(rounded(excess(all.back())), 4) +
+              " at a = 2^" + decimal(rounded(all.back()), 6) +
               " and 0 at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6) + " alone",
           "c^k computed with it as exp(k log(c)) would peak at " + decimal(peak, 3) +
-              " instead of 1 for k = " + decimal(exponent, 4) + ", " +
-              decimal(srgb_code(1.0) - srgb_code(peak), 3) + " 8-bit sRGB codes"};
+              "^k instead of 1: " + decimal(srgb_code(1.0) - srgb_code(peak), 3) +
+              " 8-bit sRGB codes too dark at k = 1, more at every other power"};
 }
 
 Finding log2_second(const Claim& claim) {

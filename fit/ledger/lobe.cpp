@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "fit/decimal.hpp"
 #include "fit/ledger/exponents.hpp"
 #include "fit/ledger/lobe_errors.hpp"
+#include "fit/ledger/offset_range.hpp"
 #include "fit/ledger/published.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/sweep.hpp"
@@ -39,78 +37,14 @@ std::vector<double> exponents_of(const Claim& claim) {
   return doubling_exponents(given(claim, "from"), given(claim, "to"));
 }
 
+/// "over k = 0.1 to 100000"
+std::string looked_at(const std::vector<double>& exponents) {
+  return "over k = " + exponent_text(exponents.front()) + " to " + exponent_text(exponents.back());
+}
+
 /// A part of a claim that speaks of a range: it holds there, or only elsewhere, or nowhere.
 Verdict verdict_of_range(bool holds, const std::vector<ExponentInterval>& where) {
   return holds ? Verdict::confirmed : where.empty() ? Verdict::refuted : Verdict::conditional;
-}
-
-/// The best offset over all exponents, under one measure.
-struct OffsetRange {
-  Measure measure;
-  double lowest, lowest_at;    ///< of the sweep
-  double highest, highest_at;  ///< of the sweep and between its exponents
-  double blunt_slope;          ///< x = blunt_slope k for k -> 0
-  ApproachLaw<double> law;     ///< and as k grows
-  bool laws_hold;              ///< at both ends of the sweep the fits are where the laws say
-
-  /// For every k. 0, to which blunt lobes lead, is the greatest lower bound as no x of the sweep is below it.
-  bool is_within(double low, double high) const {
-    return std::min(lowest, 0.0) >= low && std::max(highest, law.limit) <= high;
-  }
-};
-
-double blunt_slope(Measure measure) {
-  switch (measure) {
-    case Measure::cosine:
-      return blunt_offset_slope_cosine<double>();
-    case Measure::angle:
-      return blunt_offset_slope_angle<double>();
-    case Measure::cosine_weighted:
-      return blunt_offset_slope_cosine_weighted<double>();
-  }
-  throw std::logic_error("a measure without its law of blunt lobes");
-}
-
-/// Empty where a fit does not converge.
-std::optional<OffsetRange> offset_range(Measure measure, const std::vector<double>& exponents) {
-  std::vector<double> offsets;
-  for (const double exponent : exponents) {
-    const auto offset = best_offset(exponent, measure);
-    if (!offset) return std::nullopt;
-    offsets.push_back(*offset);
-  }
-  const auto least =
-      static_cast<std::size_t>(std::min_element(offsets.begin(), offsets.end()) - offsets.begin());
-  const auto best =
-      static_cast<std::size_t>(std::max_element(offsets.begin(), offsets.end()) - offsets.begin());
-  // A maximum has half the digits of its place, and the largest x all of its own.
-  std::uintmax_t steps = 30;
-  const auto peak = boost::math::tools::brent_find_minima(
-      [&](double log_exponent) { return -best_offset(std::exp(log_exponent), measure).value_or(0); },
-      std::log(exponents[best == 0 ? 0 : best - 1]),
-      std::log(exponents[std::min(best + 1, offsets.size() - 1)]), 20, steps);
-  const auto [p, w] = peak_expansion(measure);
-  const auto law = offset_law(p, w);
-  const double slope = blunt_slope(measure), first = exponents.front(), last = exponents.back();
-  // The next terms of both laws have coefficients of the order of one.
-  const bool laws_hold = std::abs(offsets.front() / (slope * first) - 1) < 10 * first &&
-                         std::abs(offsets.back() - law.limit - law.slope / last) < 10 / (last * last);
-  return OffsetRange{measure,
-                     offsets[least],
-                     exponents[least],
-                     std::max(offsets[best], -peak.second),
-                     -peak.second >= offsets[best] ? std::exp(peak.first) : exponents[best],
-                     slope,
-                     law,
-                     laws_hold};
-}
-
-std::string sentence(const OffsetRange& range) {
-  return "under the " + std::string(name(range.measure)) + " measure the best x goes as " +
-         decimal(range.blunt_slope, 4) + " k for k to 0 (" + decimal(range.lowest, 4) +
-         " at k = " + decimal(range.lowest_at, 4) + "), is largest, " + decimal(range.highest, 4) +
-         ", at k = " + decimal(range.highest_at, 3) + " and tends to " + decimal(range.law.limit, 4) + " + " +
-         decimal(range.law.slope, 4) + "/k";
 }
 
 Finding offset_bounds(const Claim& claim) {
@@ -138,10 +72,10 @@ Finding offset_bounds(const Claim& claim) {
       std::any_of(ranges.begin(), ranges.end(), [&](const OffsetRange& r) { return r.is_within(low, high); }))
     finding.verdict = Verdict::other_objective;
   finding.computed = "0 .. " + decimal(first.highest, 4);
-  finding.evidence = enumerated(words);
+  for (const std::string& part : words) finding.evidence += (finding.evidence.empty() ? "" : "; ") + part;
   if (*finding.verdict != Verdict::confirmed)
-    finding.evidence +=
-        "; under the first it is in [" + decimal(low, 4) + ", " + decimal(high, 4) + "] " + sentence(within);
+    finding.evidence += "; under the first it is in [" + decimal(low, 4) + ", " + decimal(high, 4) + "] " +
+                        sentence(within, exponents);
   finding.effect = "x = " + decimal(high, 4) + " for the best x at k = " + decimal(first.highest_at, 3) +
                    " " + effect_of_offset(first.highest_at, first.highest, high);
   return finding;
@@ -168,12 +102,13 @@ BadPowers bad_powers(double bad, int last, const std::vector<double>& exponents)
     const bool is_meant_bad = whole <= last;
     // bad for every x: even for the one whose largest error is smallest
     result.holds = result.holds && (is_meant_bad ? smallest > bad : error <= bad);
-    const std::string at = " at k = " + std::to_string(whole);
+    const std::string at = " at " + std::string(whole == 1 ? "k = " : "") + std::to_string(whole);
     fitted.push_back(decimal(error, 3) + at);
     least.push_back(decimal(smallest, 3) + at);
   }
-  result.words = "with the least-squares x it is above " + decimal(bad, 3) + " " + sentence(result.where) +
-                 ": " + enumerated(fitted) + "; with the x that makes it smallest " + enumerated(least);
+  result.words = "with the least-squares x it is above " + decimal(bad, 3) + " " +
+                 sentence(result.where, exponents) + ": " + enumerated(fitted) +
+                 "; with the x that makes it smallest " + enumerated(least);
   return result;
 }
 
@@ -202,10 +137,11 @@ Finding plain_accurate(const Claim& claim) {
   return {worst(parts),
           "accurate above = " + start(is_accurate) + ", poor below = " + end(is_poor) +
               ", bad up to = " + end(powers.where),
-          "the largest absolute error of x = " + decimal(offset, 4) + " is at most " + decimal(accurate, 3) +
-              " " + sentence(is_accurate) + ", above " + decimal(poor, 3) + " " + sentence(is_poor) +
-              " and goes as " + decimal(largest_error_law(offset), 4) + "/k; " + powers.words +
-              "; one 8-bit sRGB code would be kept " + sentence(is_a_code),
+          looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
+              decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
+              " " + sentence(is_poor, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
+              "/k for k to infinity; " + powers.words + "; within one 8-bit sRGB code the form of x = " +
+              decimal(offset, 4) + " is " + sentence(is_a_code, exponents),
           "at k = " + decimal(above, 4) + " the form " + effect_of_gaussian(above, offset)};
 }
 
@@ -215,25 +151,32 @@ struct PeakSide {
   Cosine<double> crossing;
   bool holds;             ///< the plain form is the closer one from there to the peak, and not below
   double plain, shifted;  ///< the largest errors on the peak's side
+  double plain_codes, shifted_codes;
 };
 
 std::optional<PeakSide> peak_side(double exponent, double offset) {
   const auto crossing = peak_crossing(exponent, offset);
   if (!crossing) return std::nullopt;
-  PeakSide side{exponent, *crossing, true, 0, 0};
+  PeakSide side{exponent, *crossing, true, 0, 0, 0, 0};
+  // 64 places on the peak's side, and as many below the crossing, where the lobe has not yet vanished
+  const double top = crossing->one_minus_cos, bottom = std::min(1.0, 16 * top);
   constexpr int places = 64;
-  for (int i = 1; i < 2 * places; ++i) {
-    // the same number of places on either side
-    const double y = i <= places ? crossing->one_minus_cos * i / places
-                                 : crossing->one_minus_cos + crossing->cos_theta * (i - places) / places;
+  for (int i = 1; i <= 2 * places; ++i) {
+    const double y = i <= places ? top * i / places : top + (bottom - top) * (i - places) / places;
     const Cosine<double> c{1 - y, y};
     const double plain = lobe_error_at(c, exponent, 0), shifted = lobe_error_at(c, exponent, offset);
     if (i != places) side.holds = side.holds && (i < places) == (plain < shifted);
     if (i > places) continue;
     side.plain = std::max(side.plain, plain);
     side.shifted = std::max(side.shifted, shifted);
+    side.plain_codes = std::max(side.plain_codes, lobe_codes_at(c, exponent, 0));
+    side.shifted_codes = std::max(side.shifted_codes, lobe_codes_at(c, exponent, offset));
   }
   return side;
+}
+
+std::string gain_in_codes(const PeakSide& side) {
+  return decimal(side.shifted_codes - side.plain_codes, 2) + " at k = " + exponent_text(side.exponent);
 }
 
 Finding plain_peak(const Claim& claim) {
@@ -246,7 +189,8 @@ Finding plain_peak(const Claim& claim) {
       return {Verdict::refuted, "",
               "the plain form is nowhere closer than the one with x = " + decimal(offset, 4)};
     sides.push_back(*side);
-    words.push_back(decimal(side->crossing.cos_theta, 6) + " (k = " + decimal(exponent, 5) + ")");
+    words.push_back(decimal(side->crossing.cos_theta, 6) + (sides.size() == 1 ? " at k = " : " at ") +
+                    exponent_text(exponent));
   }
   const bool holds = std::all_of(sides.begin(), sides.end(), [](const PeakSide& s) { return s.holds; });
   const auto law = peak_crossing_law(offset);
@@ -257,11 +201,14 @@ Finding plain_peak(const Claim& claim) {
   });
   return {verdict_of(holds), "c > 1 - " + decimal(law.limit, 4) + "/k as k grows",
           "x = 0 is closer than x = " + decimal(offset, 4) + " from the peak to c = " + enumerated(words) +
-              " and farther below; k(1-c) is " + decimal(t, 6) + " at the last and goes as " +
-              decimal(law.limit, 4) + " - " + decimal(-law.slope, 4) + "/k",
-          "on the peak's side of the crossing the largest error is " + decimal(most.plain, 3) +
-              " for x = 0 and " + decimal(most.shifted, 3) + " for x = " + decimal(offset, 4) +
-              " at k = " + decimal(most.exponent, 4) + ", the power that gains most"};
+              ", and farther below; k(1-c) is " + decimal(t, 6) + " at the last and goes as " +
+              decimal(law.limit, 4) + " - " + decimal(-law.slope, 4) +
+              "/k; on the peak's side the largest error in 8-bit sRGB codes is less by " +
+              gain_in_codes(sides.front()) + ", by " + gain_in_codes(sides.back()),
+          "on the peak's side of the crossing the largest error is " + decimal(most.plain, 2) + ", " +
+              decimal(most.plain_codes, 2) + " 8-bit sRGB codes, for x = 0 and " + decimal(most.shifted, 2) +
+              ", " + decimal(most.shifted_codes, 2) + " codes, for x = " + decimal(offset, 4) +
+              " at k = " + exponent_text(most.exponent) + ", the power that gains most"};
 }
 
 /// How far two offsets are apart over the exponents.
@@ -300,16 +247,16 @@ Finding offset_one_low(const Claim& claim) {
   const std::array parts{verdict_of_range(covers(fits, low_from, low_to), fits),
                          verdict_of_range(covers(gap.is_subtle, high_from, high_to), gap.is_subtle)};
   const std::string x = "x = " + decimal(offset, 4);
-  return {worst(parts), "low powers " + sentence(fits) + ", dropped " + sentence(gap.is_subtle),
-          "the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
+  return {worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
+          looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
               " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
               decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
-              decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits) +
-              " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate) +
-              " of the low powers, within one 8-bit sRGB code " + sentence(is_a_code) +
-              "; without it the curve is less than " + decimal(subtle, 3) + " away " +
-              sentence(gap.is_subtle) + ", at most " + decimal(gap.at(high_from), 3) +
-              " from k = " + decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code),
+              decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
+              " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " +
+              looked_at(high) + " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
+              ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
+              sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) + " from k = " +
+              decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
           "at k = " + decimal(used_at, 4) + " " + x + " " + effect_of_gaussian(used_at, offset) +
               "; at k = " + decimal(high_from, 4) + " dropping it " + effect_of_offset(high_from, offset, 0)};
 }
@@ -328,9 +275,9 @@ Finding offset_matters(const Claim& claim) {
   double start = 0;
   for (const OffsetGap& gap : gaps) {
     if (!gap.is_known) return {std::nullopt, "", "the closed form of the difference and the search disagree"};
-    words.push_back(gap.pair() + " " + sentence(gap.is_subtle) + " (" + decimal(gap.at(from), 3) +
+    words.push_back(gap.pair() + " " + sentence(gap.is_subtle, exponents) + " (" + decimal(gap.at(from), 3) +
                     " at k = " + decimal(from, 4) + ")");
-    codes.push_back(sentence(gap.is_a_code));
+    codes.push_back(sentence(gap.is_a_code, exponents));
     start = std::max(start, gap.is_subtle.empty() ? exponents.back() : gap.is_subtle.back().from);
   }
   const auto widest =
@@ -340,8 +287,8 @@ Finding offset_matters(const Claim& claim) {
           : held > 0               ? Verdict::conditional
                                    : Verdict::refuted,
           "k = " + decimal(start, 4),
-          "the forms differ by less than " + decimal(subtle, 3) + ": " + enumerated(words) +
-              ", so all of them from k = " + decimal(start, 4) +
+          looked_at(exponents) + " the forms differ by less than " + decimal(subtle, 3) + ": " +
+              enumerated(words) + ", so all of them from k = " + decimal(start, 4) +
               "; by at most one 8-bit sRGB code, in this order, " + enumerated(codes),
           "at k = " + decimal(from, 4) + " going from x = " + decimal(widest.low, 4) + " to " +
               decimal(widest.high, 4) + " " + effect_of_offset(from, widest.low, widest.high)};

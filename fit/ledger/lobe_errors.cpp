@@ -118,6 +118,10 @@ double lobe_error_at(const Cosine<double>& c, double exponent, double offset) {
   return std::abs(error(exponent, offset)(c));
 }
 
+double lobe_codes_at(const Cosine<double>& c, double exponent, double offset) {
+  return std::abs(srgb_code(double(gaussian(exponent, offset)(c))) - srgb_code(double(target(exponent)(c))));
+}
+
 std::string effect_of_gaussian(double exponent, double offset) {
   return sentence(effect_between(target(exponent), gaussian(exponent, offset), places(exponent)));
 }

@@ -35,8 +35,9 @@ SmallestLobeError smallest_lobe_error(double exponent);
 /// peak the plain one is the closer. Empty for an offset that is not above 0: there is none.
 std::optional<Cosine<double>> peak_crossing(double exponent, double offset);
 
-/// |exp((k+x)(c-1)) - c^k| at a place.
+/// |exp((k+x)(c-1)) - c^k| at a place, and the same in 8-bit sRGB codes.
 double lobe_error_at(const Cosine<double>& c, double exponent, double offset);
+double lobe_codes_at(const Cosine<double>& c, double exponent, double offset);
 
 /// What using the Gaussian for c^k does to a picture, in words.
 std::string effect_of_gaussian(double exponent, double offset);
