@@ -224,7 +224,7 @@ Finding log2_first(const Claim& claim) {
               " and 0 at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6) + " alone",
           "c^k computed with it as exp(k log(c)) would peak at " + decimal(peak, 3) +
               "^k instead of 1: " + decimal(srgb_code(1.0) - srgb_code(peak), 3) +
-              " 8-bit sRGB codes too dark at k = 1, more at every other power"};
+              " 8-bit sRGB codes too dark at k = 1, more at higher powers"};
 }
 
 Finding log2_second(const Claim& claim) {

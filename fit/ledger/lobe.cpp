@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "approx/lobe_laws.hpp"
 #include "fit/decimal.hpp"
 #include "fit/ledger/exponents.hpp"
 #include "fit/ledger/lobe_errors.hpp"
@@ -76,8 +77,9 @@ Finding offset_bounds(const Claim& claim) {
   if (*finding.verdict != Verdict::confirmed)
     finding.evidence += "; under the first it is in [" + decimal(low, 4) + ", " + decimal(high, 4) + "] " +
                         sentence(within, exponents);
-  finding.effect = "x = " + decimal(high, 4) + " for the best x at k = " + decimal(first.highest_at, 3) +
-                   " " + effect_of_offset(first.highest_at, first.highest, high);
+  finding.effect = "x = " + decimal(high, 4) +
+                   " in place of the best x at k = " + decimal(first.highest_at, 3) + " " +
+                   effect_of_offset(first.highest_at, first.highest, high);
   return finding;
 }
 
@@ -247,18 +249,19 @@ Finding offset_one_low(const Claim& claim) {
   const std::array parts{verdict_of_range(covers(fits, low_from, low_to), fits),
                          verdict_of_range(covers(gap.is_subtle, high_from, high_to), gap.is_subtle)};
   const std::string x = "x = " + decimal(offset, 4);
-  return {worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
-          looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
-              " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
-              decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
-              decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
-              " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " +
-              looked_at(high) + " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
-              ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
-              sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) + " from k = " +
-              decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
-          "at k = " + decimal(used_at, 4) + " " + x + " " + effect_of_gaussian(used_at, offset) +
-              "; at k = " + decimal(high_from, 4) + " dropping it " + effect_of_offset(high_from, offset, 0)};
+  return {
+      worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
+      looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
+          " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
+          decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
+          decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
+          " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " + looked_at(high) +
+          " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
+          ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
+          sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) +
+          " from k = " + decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
+      "at k = " + decimal(used_at, 4) + " the form with " + x + " " + effect_of_gaussian(used_at, offset) +
+          "; at k = " + decimal(high_from, 4) + " dropping it " + effect_of_offset(high_from, offset, 0)};
 }
 
 Finding offset_matters(const Claim& claim) {

@@ -7,6 +7,7 @@
 
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
+#include "approx/lobe_laws.hpp"
 #include "fit/effect.hpp"
 #include "fit/families.hpp"
 #include "fit/least_squares.hpp"

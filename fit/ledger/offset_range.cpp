@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "approx/lobe_laws.hpp"
 #include "fit/decimal.hpp"
 #include "fit/ledger/exponents.hpp"
 #include "fit/ledger/lobe_errors.hpp"
@@ -66,11 +67,11 @@ std::string sentence(const OffsetRange& range) {
   const bool is_below_limit = range.highest < range.law.limit;
   return "under the " + std::string(name(range.measure)) + " measure the best x goes as " +
          decimal(range.blunt_slope, 4) + " k for k to 0 (" + decimal(range.lowest, 4) +
-         " at k = " + exponent_text(range.lowest_at) + "), " +
-         (is_below_limit ? "rises as far as "
-                         : "is largest, " + decimal(range.highest, 4) +
-                               ", at k = " + decimal(range.highest_at, 3) + " and goes to ") +
-         law + " for k to infinity";
+         " at k = " + exponent_text(range.lowest_at) + ")" +
+         (is_below_limit ? " and rises as " + law
+                         : ", is largest, " + decimal(range.highest, 4) +
+                               ", at k = " + decimal(range.highest_at, 3) + " and goes as " + law) +
+         " for k to infinity";
 }
 
 }  // namespace shadefit

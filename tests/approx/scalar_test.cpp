@@ -10,6 +10,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
+#include "approx/lobe_laws.hpp"
 #include "approx/normalisation.hpp"
 #include "approx/phong_blinn.hpp"
 #include "approx/reflectance.hpp"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "approx/lobe_laws.hpp"
 #include "fit/integrate.hpp"
 #include "fit/ledger/exponents.hpp"
 #include "fit/ledger/lobe_errors.hpp"
