@@ -118,6 +118,8 @@ Finding plain_accurate(const Claim& claim) {
   const double offset = given(claim, "offset"), accurate = given(claim, "accurate"),
                poor = given(claim, "poor");
   const auto exponents = exponents_of(claim);
+  if (!std::all_of(exponents.begin(), exponents.end(), [](double k) { return best_offset(k).has_value(); }))
+    return {std::nullopt, "", "the least-squares fits do not converge"};
   const auto error = [&](double k) { return largest_lobe_error(k, offset).magnitude; };
   const auto is_accurate = where_not_negative([&](double k) { return accurate - error(k); }, exponents);
   const auto is_poor = where_not_negative([&](double k) { return error(k) - poor; }, exponents);
