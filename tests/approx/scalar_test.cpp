@@ -15,6 +15,9 @@
 #include "approx/lobe.hpp"
 #include "approx/material.hpp"
 #include "approx/microfacet.hpp"
+#include "approx/gloss.hpp"
+#include "approx/lobe.hpp"
+#include "approx/lobe_laws.hpp"
 #include "approx/normalisation.hpp"
 #include "approx/phase.hpp"
 #include "approx/phong_blinn.hpp"
@@ -154,6 +157,41 @@ auto formulas() {
       Formula{"schlick_reflectance_of_gloss",
               [](auto f, auto g, auto w) { return schlick_reflectance_of_gloss(f, g, w); },
               Lobes{{"0.0625", "0.5", "0.25"}, {"0.5", "0.25", "0.25"}}, 4},
+      Formula{"widest_gap_at", [](auto a, auto b) { return widest_gap_at(a, b); },
+              Lobes{{"5", "6"}, {"8", "8.5"}}, 8},
+      Formula{"widest_gap", [](auto a, auto b) { return widest_gap(a, b); }, Lobes{{"5", "6"}, {"8", "8.5"}},
+              32},
+      Formula{"largest_error_law", [](auto x) { return largest_error_law(x); }, Lobes{{"0"}, {"0.75"}, {"1"}},
+              32},
+      Formula{"peak_crossing_residual",
+              [](auto c, auto y, auto k, auto x) { return peak_crossing_residual(c, y, k, x); },
+              Lobes{{"0.875", "0.125", "8", "0.75"}, {"0.25", "0.75", "1", "1"}}, 64},
+      Formula{"peak_crossing_law.slope", [](auto x) { return peak_crossing_law(x).slope; },
+              Lobes{{"0.75"}, {"1"}}, 8},
+      Formula{"blunt_offset_slope_cosine",
+              [](auto x) { return x * blunt_offset_slope_cosine<decltype(x)>(); }, Lobes{{"1"}}, 8},
+      Formula{"blunt_offset_slope_angle", [](auto x) { return x * blunt_offset_slope_angle<decltype(x)>(); },
+              Lobes{{"1"}}, 32},
+      Formula{"blunt_offset_slope_cosine_weighted",
+              [](auto x) { return x * blunt_offset_slope_cosine_weighted<decltype(x)>(); }, Lobes{{"1"}}, 16},
+      Formula{"decode_gloss", [](auto g, auto d, auto f) { return decode_gloss(g, d, f); },
+              Lobes{{"0.25", "10", "1"}, {"0.875", "10", "1.5"}}, 16},
+      Formula{"base_two_power", [](auto k) { return base_two_power(k); }, Lobes{{"5"}}, 4},
+      Formula{"base_two_first", [](auto f) { return base_two_first(f); }, Lobes{{"1"}}, 4},
+      Formula{"gaussian_lobe_base_two", [](auto c, auto m) { return gaussian_lobe_base_two(c, m); },
+              Lobes{{"0.75", "7"}}, 16},
+      Formula{"base_two_normalisation",
+              [](auto m, auto b) {
+                return base_two_normalisation(m, base_two_normalisation_factor<decltype(m)>(), b);
+              },
+              Lobes{{"7", "0.25"}}, 4},
+      Formula{"game_normalisation", [](auto k) { return game_normalisation(k); }, Lobes{{"5"}}, 4},
+      Formula{"exp_by_exp2", [](auto a) { return exp_by_exp2(a); }, Lobes{{"-3"}, {"0.5"}}, 16},
+      Formula{"log_by_log2", [](auto a) { return log_by_log2(a); }, Lobes{{"0.25"}, {"3"}}, 8},
+      Formula{"misprinted_log_by_log2", [](auto a) { return misprinted_log_by_log2(a); },
+              Lobes{{"0.25"}, {"3"}}, 8},
+      Formula{"misprinted_log_is_right_at",
+              [](auto x) { return x * misprinted_log_is_right_at<decltype(x)>(); }, Lobes{{"1"}}, 16},
       Formula{"schlick_weight", [](auto c) { return schlick_weight(c); }, cosines, 8},
       Formula{"schlick_reflectance", [](auto f, auto w) { return schlick_reflectance(f, w); },
               Lobes{{"0.0625", "0.5"}}, 4},
