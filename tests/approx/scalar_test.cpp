@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "approx/arithmetic.hpp"
+#include "approx/cost.hpp"
 #include "approx/encoding.hpp"
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
@@ -13,6 +15,7 @@
 #include "approx/phong_blinn.hpp"
 #include "approx/reflectance.hpp"
 #include "fit/half.hpp"
+#include "fit/half_result.hpp"
 #include "fit/interval.hpp"
 #include "fit/jet.hpp"
 #include "fit/multiprecision.hpp"
@@ -181,6 +184,35 @@ auto formulas() {
                 return blinn_phong_meridian(g, a, e, {one, one * one}).with_cosine;
               },
               meridians, 64},
+      Formula{"power_by_exp2", [](auto c, auto k) { return power_by_exp2(c, k); }, lobes, 16},
+      Formula{"exp2_sharpness", [](auto k) { return exp2_sharpness(k); }, Lobes{{"5"}, {"0.5"}}, 4},
+      Formula{"gaussian_by_exp2", [](auto c, auto a) { return gaussian_by_exp2(c, a); }, lobes, 16},
+      Formula{"gaussian_by_exp2_of_difference",
+              [](auto c, auto a) { return gaussian_by_exp2_of_difference(c, a); }, lobes, 16},
+      Formula{"gloss_decode", [](auto g) { return gloss_decode(g); }, Lobes{{"0.25"}, {"0.75"}}, 16},
+      Formula{"gloss_decode_to_sharpness", [](auto g) { return gloss_decode_to_sharpness(g); },
+              Lobes{{"0.25"}, {"0.75"}}, 16},
+      Formula{"light_unit_normalisation", [](auto s) { return light_unit_normalisation(s); },
+              Lobes{{"5"}, {"0.5"}}, 4},
+      Formula{"light_unit_normalisation_of_sharpness",
+              [](auto a) { return light_unit_normalisation_of_sharpness(a); }, Lobes{{"5"}, {"0.5"}}, 4},
+      Formula{"mip_level", [](auto w, auto s) { return mip_level(w, s); }, Lobes{{"128", "7"}, {"16", "2"}},
+              16},
+      Formula{"mip_level_of_successor", [](auto w, auto s) { return mip_level_of_successor(w, s); },
+              Lobes{{"128", "8"}}, 16},
+      Formula{
+          "phong_by_exp2",
+          [](auto r, auto l, auto a) {
+            using T = decltype(a);
+            return phong_by_exp2(scaled_reflection(std::array<T, 3>{r, r, r}, a), std::array<T, 3>{l, l, r});
+          },
+          Lobes{{"0.5", "0.625", "8"}}, 16},
+      Formula{"phong_cosine",
+              [](auto r, auto l, auto m) {
+                using T = decltype(m);
+                return phong_cosine(std::array<T, 3>{r, l, m}, std::array<T, 3>{l, l, m});
+              },
+              Lobes{{"0.5", "0.625", "0.25"}}, 8},
       Formula{"srgb_code", [](auto x) { return srgb_code(x); }, Lobes{{"0.5"}, {"1.5"}}, 16},
       Formula{"srgb_encode", [](auto x) { return srgb_encode(x); }, Lobes{{"0.001953125"}, {"0.5"}, {"1"}},
               16},
@@ -208,6 +240,9 @@ Decimal50 value_of(const T& x) {
 Decimal50 value_of(Eigen::half x) {
   return Decimal50(static_cast<float>(x));
 }
+Decimal50 value_of(HalfResult x) {
+  return Decimal50(static_cast<double>(x));
+}
 template <class T, int N>
 Decimal50 value_of(const ceres::Jet<T, N>& x) {
   return value_of(x.a);
@@ -215,7 +250,7 @@ Decimal50 value_of(const ceres::Jet<T, N>& x) {
 
 template <class T>
 double epsilon_of() {
-  if constexpr (std::same_as<T, Eigen::half>) {
+  if constexpr (std::same_as<T, Eigen::half> || std::same_as<T, HalfResult>) {
     return 0x1p-10;
   } else if constexpr (requires { typename T::Scalar; }) {
     return epsilon_of<typename T::Scalar>();
@@ -236,12 +271,12 @@ class EveryScalar : public ::testing::Test {};
 using Jet1 = ceres::Jet<double, 1>;
 using NestedJet = ceres::Jet<ceres::Jet<double, 2>, 2>;
 using WideNestedJet = ceres::Jet<ceres::Jet<long double, 1>, 1>;
-using ScalarTypes =
-    ::testing::Types<float, double, long double, Eigen::half, Decimal50, Jet1, NestedJet, WideNestedJet>;
+using ScalarTypes = ::testing::Types<float, double, long double, Eigen::half, HalfResult, Decimal50, Jet1,
+                                     NestedJet, WideNestedJet>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int i) {
-    constexpr const char* names[] = {"Float",     "Double", "LongDouble", "Half",
+    constexpr const char* names[] = {"Float",     "Double", "LongDouble", "Half",         "HalfResult",
                                      "Decimal50", "Jet",    "NestedJet",  "WideNestedJet"};
     return names[i];
   }
