@@ -3,10 +3,12 @@
 #include <array>
 
 #include "approx/claim.hpp"
+#include "approx/gloss.hpp"
 #include "approx/scalar.hpp"
 #include "approx/sources.hpp"
 
-/// What half, float and double make of a lobe: claims about zero, NaN and banding.
+/// What half, float and double make of a lobe: claims about zero, NaN and banding. A = k/ln 2 is the power
+/// for exp2 of `base_two_power`.
 namespace shadefit {
 
 /// c^k as a GPU computes it: exp2(k log2(c)). c in [0, 1]; c = 0 gives exp2(-infinity) = 0 for k > 0 and
@@ -16,24 +18,12 @@ T power_by_exp2(const T& cos_theta, const T& exponent) {
   return exp2(log2(cos_theta) * exponent);
 }
 
-/// The sharpness A = k/ln 2 of the spherical Gaussian exp(k(c - 1)) in powers of two.
+/// The spherical Gaussian of `gaussian_lobe_base_two` with the subtraction first, exp2(A (c - 1)): c - 1 is
+/// exact for c in [0.5, 1], whatever format c is in, so that what rounding is left is relative to the
+/// exponent and not to A.
 template <class T>
-T exp2_sharpness(const T& exponent) {
-  return exponent / ln2<T>();
-}
-
-/// The spherical Gaussian as one multiply-add and one exp2: exp2(A c - A), A = k/ln 2 by `exp2_sharpness`.
-/// Source: Lagarde 2012.
-template <class T>
-T gaussian_by_exp2(const T& cos_theta, const T& sharpness) {
-  return exp2(sharpness * cos_theta - sharpness);
-}
-
-/// The same with the subtraction first, exp2(A (c - 1)): c - 1 is exact for c in [0.5, 1], whatever format c
-/// is in, so that what rounding is left is relative to the exponent and not to A.
-template <class T>
-T gaussian_by_exp2_of_difference(const T& cos_theta, const T& sharpness) {
-  return exp2(sharpness * (cos_theta - integer<T>(1)));
+T gaussian_lobe_base_two_of_difference(const T& cos_theta, const T& base_two) {
+  return exp2(base_two * (cos_theta - integer<T>(1)));
 }
 
 /// The rows of the ledger on this topic.

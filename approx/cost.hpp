@@ -10,50 +10,18 @@
 /// Instruction counts: what a form costs, counted from the formula itself by the symbolic scalar.
 namespace shadefit {
 
-/// The specular power of a gloss g in [0, 1]: 2^(10 g + 1), from 2 to 2048. Source: Lagarde 2011.
-template <class T>
-T gloss_decode(const T& gloss) {
-  return exp2(integer<T>(10) * gloss + integer<T>(1));
-}
-
-/// The sharpness in powers of two of that power, A = s/ln 2: the factor 1/ln 2 as its logarithm in the
-/// exponent, 2^(10 g + (1 + log2(1/ln 2))). Source: Lagarde 2012.
-template <class T>
-T gloss_decode_to_sharpness(const T& gloss) {
-  const T shift = integer<T>(1) + log2(integer<T>(1) / ln2<T>());
-  return exp2(integer<T>(10) * gloss + shift);
-}
-
-/// The normalisation (s + 2)/8 of a power s as one multiply-add: s/8 + 1/4.
-template <class T>
-T light_unit_normalisation(const T& exponent) {
-  return exponent * (integer<T>(1) / integer<T>(8)) + integer<T>(1) / integer<T>(4);
-}
-
-/// The same of a sharpness A = s/ln 2: A (ln 2/8) + 1/4.
-template <class T>
-T light_unit_normalisation_of_sharpness(const T& sharpness) {
-  return sharpness * (ln2<T>() / integer<T>(8)) + integer<T>(1) / integer<T>(4);
-}
-
-/// The level of a cube map w texels wide at which a texel spans the lobe of power s: log2(w sqrt 3) - 1/2
-/// log2(s + 1). Source: McGuire et al. 2013.
-template <class T>
-T mip_level(const T& width, const T& exponent) {
-  return log2(width * sqrt(integer<T>(3))) - integer<T>(1) / integer<T>(2) * log2(exponent + integer<T>(1));
-}
-
-/// The same where s + 1 is what is stored.
+/// `mip_level_of_power` where s + 1 is what is stored: log2(w sqrt(3)) - 1/2 log2(s + 1).
 template <class T>
 T mip_level_of_successor(const T& width, const T& exponent_plus_one) {
-  return log2(width * sqrt(integer<T>(3))) - integer<T>(1) / integer<T>(2) * log2(exponent_plus_one);
+  const T half = integer<T>(1) / integer<T>(2);
+  return log2(width * sqrt(integer<T>(3))) - half * log2(exponent_plus_one);
 }
 
 /// What a Phong highlight by the spherical Gaussian needs of the view: (A r, -A), r the reflected view
 /// vector. Source: Lagarde 2012.
 template <class T>
-std::array<T, 4> scaled_reflection(const std::array<T, 3>& reflected, const T& sharpness) {
-  return {sharpness * reflected[0], sharpness * reflected[1], sharpness * reflected[2], -sharpness};
+std::array<T, 4> scaled_reflection(const std::array<T, 3>& reflected, const T& base_two) {
+  return {base_two * reflected[0], base_two * reflected[1], base_two * reflected[2], -base_two};
 }
 
 /// The highlight of a light in the direction l: exp2((A r, -A) . (l, 1)) = exp2(A r.l - A).

@@ -131,12 +131,12 @@ Overflow overflow_in(std::string_view format) {
   return in_format(format, [&]<class T>() {
     const double largest = widened(std::numeric_limits<T>::max());
     Overflow found{
-        last_that_holds<T>(1, largest, [](T k) { return std::isfinite(widened(exp2_sharpness(k))); })};
-    const T infinite = exp2_sharpness(rounded_to<T>(largest));
+        last_that_holds<T>(1, largest, [](T k) { return std::isfinite(widened(base_two_power(k))); })};
+    const T infinite = base_two_power(rounded_to<T>(largest));
     for (const char* c : {"0", "0.5", "1"}) {
       const T cosine = constant<T>(c);
-      found.is_nan &= std::isnan(widened(gaussian_by_exp2(cosine, infinite)));
-      const bool difference = std::isnan(widened(gaussian_by_exp2_of_difference(cosine, infinite)));
+      found.is_nan &= std::isnan(widened(gaussian_lobe_base_two(cosine, infinite)));
+      const bool difference = std::isnan(widened(gaussian_lobe_base_two_of_difference(cosine, infinite)));
       (widened(cosine) == 1 ? found.is_nan_at_peak : found.is_nan_elsewhere) = difference;
     }
     return found;
@@ -186,17 +186,17 @@ struct RoundedForm {
   bool is_published;  ///< one of the two that the claim speaks of
 };
 
-constexpr std::array rounded_forms{RoundedForm{"pow", power_by_exp2<HalfResult>, true},
-                                   RoundedForm{"exp2(A c - A)",
-                                               [](const HalfResult& c, const HalfResult& k) {
-                                                 return gaussian_by_exp2(c, exp2_sharpness(k));
-                                               },
-                                               true},
-                                   RoundedForm{"exp2(A (c - 1))",
-                                               [](const HalfResult& c, const HalfResult& k) {
-                                                 return gaussian_by_exp2_of_difference(c, exp2_sharpness(k));
-                                               },
-                                               false}};
+constexpr std::array rounded_forms{
+    RoundedForm{"pow", power_by_exp2<HalfResult>, true},
+    RoundedForm{
+        "exp2(A c - A)",
+        [](const HalfResult& c, const HalfResult& k) { return gaussian_lobe_base_two(c, base_two_power(k)); },
+        true},
+    RoundedForm{"exp2(A (c - 1))",
+                [](const HalfResult& c, const HalfResult& k) {
+                  return gaussian_lobe_base_two_of_difference(c, base_two_power(k));
+                },
+                false}};
 
 /// A curve of a float or half cosine at one power, sampled as the inputs say.
 struct Highlight {
@@ -276,11 +276,11 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
 
 /// The remedy of the post's comments: cosine and arithmetic in float, sharpness and result in half.
 double step_of_remedy(double power, int samples) {
-  const auto sharpness = static_cast<float>(exp2_sharpness(round_to_half(power)));
+  const auto sharpness = static_cast<float>(base_two_power(round_to_half(power)));
   return banding_of(
              [&](double c) {
-               return widened(
-                   round_to_half(static_cast<double>(gaussian_by_exp2(static_cast<float>(c), sharpness))));
+               return widened(round_to_half(
+                   static_cast<double>(gaussian_lobe_base_two(static_cast<float>(c), sharpness))));
              },
              {power, false, samples})
       .step;

@@ -6,7 +6,9 @@
 
 #include "approx/arithmetic.hpp"
 #include "approx/cost.hpp"
+#include "approx/environment_map.hpp"
 #include "approx/fresnel.hpp"
+#include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
 
 namespace shadefit {
@@ -22,22 +24,48 @@ Symbolic cosine() {
 
 /// x/ln 2 with the published mean offset: a number.
 Symbolic offset_of_sharpness() {
-  return exp2_sharpness(constant<Symbolic>(sg_offset_published[0].printed));
+  return base_two_power(constant<Symbolic>(sg_offset_published[0].printed));
 }
 
 Symbolic complement_of_cosine() {
   return integer<Symbolic>(1) - cosine();
 }
 
+/// The decode of the post: a power from 2 to 2048, or that power for exp2.
+Symbolic decoded(const Symbolic& first) {
+  return decode_gloss(v("g"), integer<Symbolic>(10), first);
+}
+
+Symbolic decoded_power() {
+  return decoded(integer<Symbolic>(1));
+}
+
+Symbolic decoded_power_for_exp2() {
+  return decoded(base_two_first(integer<Symbolic>(1)));
+}
+
+/// The normalisation (s + 2)/8 as one multiply-add: of s with the factor 1/8, of s/ln 2 with ln 2/8.
+Symbolic normalisation(const Symbolic& power, const Symbolic& factor) {
+  return base_two_normalisation(power, factor, integer<Symbolic>(1) / integer<Symbolic>(4));
+}
+
+Symbolic normalisation_of_power(const Symbolic& s) {
+  return normalisation(s, integer<Symbolic>(1) / integer<Symbolic>(8));
+}
+
+Symbolic normalisation_of_sharpness(const Symbolic& a) {
+  return normalisation(a, base_two_normalisation_factor<Symbolic>());
+}
+
 /// The specular term of the post: gloss decode, normalisation, lobe and their product.
 Symbolic specular_by_pow() {
-  const Symbolic s = gloss_decode(v("g"));
-  return light_unit_normalisation(s) * power_by_exp2(cosine(), s);
+  const Symbolic s = decoded_power();
+  return normalisation_of_power(s) * power_by_exp2(cosine(), s);
 }
 
 Symbolic specular_by_gaussian() {
-  const Symbolic a = gloss_decode_to_sharpness(v("g"));
-  return light_unit_normalisation_of_sharpness(a) * gaussian_by_exp2(cosine(), a);
+  const Symbolic a = decoded_power_for_exp2();
+  return normalisation_of_sharpness(a) * gaussian_lobe_base_two(cosine(), a);
 }
 
 Symbolic whole_term(const Symbolic& weight) {
@@ -46,7 +74,7 @@ Symbolic whole_term(const Symbolic& weight) {
 
 Symbolic mip_level_of_known_width(bool is_successor_given) {
   const auto width = integer<Symbolic>(128);  // any number: what is known before costs nothing
-  return is_successor_given ? mip_level_of_successor(width, v("s1")) : mip_level(width, v("s"));
+  return is_successor_given ? mip_level_of_successor(width, v("s1")) : mip_level_of_power(width, v("s"));
 }
 
 struct Form {
@@ -56,13 +84,14 @@ struct Form {
 
 constexpr std::array forms{
     Form{"pow", [] { return power_by_exp2(cosine(), v("k")); }},
-    Form{"gaussian", [] { return gaussian_by_exp2(cosine(), v("A")); }},
-    Form{"gaussian-of-power", [] { return gaussian_by_exp2(cosine(), exp2_sharpness(v("k"))); }},
-    Form{"gaussian-with-offset", [] { return gaussian_by_exp2(cosine(), v("A") + offset_of_sharpness()); }},
-    Form{"gloss-decode", [] { return gloss_decode(v("g")); }},
-    Form{"gloss-decode-to-sharpness", [] { return gloss_decode_to_sharpness(v("g")); }},
-    Form{"normalisation", [] { return light_unit_normalisation(v("s")); }},
-    Form{"normalisation-of-sharpness", [] { return light_unit_normalisation_of_sharpness(v("A")); }},
+    Form{"gaussian", [] { return gaussian_lobe_base_two(cosine(), v("A")); }},
+    Form{"gaussian-of-power", [] { return gaussian_lobe_base_two(cosine(), base_two_power(v("k"))); }},
+    Form{"gaussian-with-offset",
+         [] { return gaussian_lobe_base_two(cosine(), v("A") + offset_of_sharpness()); }},
+    Form{"gloss-decode", decoded_power},
+    Form{"gloss-decode-to-sharpness", decoded_power_for_exp2},
+    Form{"normalisation", [] { return normalisation_of_power(v("s")); }},
+    Form{"normalisation-of-sharpness", [] { return normalisation_of_sharpness(v("A")); }},
     Form{"specular-pow", specular_by_pow},
     Form{"specular-gaussian", specular_by_gaussian},
     Form{"schlick-pow", [] { return power_by_exp2(complement_of_cosine(), integer<Symbolic>(5)); }},

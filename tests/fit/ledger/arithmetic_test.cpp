@@ -93,11 +93,12 @@ TEST(ExponentialForms, AreTheLobesThatTheyStandFor) {
   for (const char* c : {"0.125", "0.75", "0.9990234375"}) {
     for (const char* k : {"1", "12.5", "1024"}) {
       const auto cosine = constant<Decimal50>(c), exponent = constant<Decimal50>(k);
-      const Decimal50 sharpness = exp2_sharpness(exponent);
+      const Decimal50 sharpness = base_two_power(exponent);
       const Decimal50 gaussian = exp(exponent * (cosine - 1));
       EXPECT_LT(abs(power_by_exp2(cosine, exponent) / pow(cosine, exponent) - 1), Decimal50("1e-44"));
-      EXPECT_LT(abs(gaussian_by_exp2(cosine, sharpness) / gaussian - 1), Decimal50("1e-44"));
-      EXPECT_LT(abs(gaussian_by_exp2_of_difference(cosine, sharpness) / gaussian - 1), Decimal50("1e-44"));
+      EXPECT_LT(abs(gaussian_lobe_base_two(cosine, sharpness) / gaussian - 1), Decimal50("1e-44"));
+      EXPECT_LT(abs(gaussian_lobe_base_two_of_difference(cosine, sharpness) / gaussian - 1),
+                Decimal50("1e-44"));
     }
   }
 }
@@ -133,10 +134,10 @@ TEST(HalfBanding, BeginsWhereNoLowerPowerBands) {
 // from 1 to 1/2, whatever c is: 255 (1 - srgb(1/2)) = 67.48 codes. A half cosine's first step is exp(-1/2).
 TEST(HalfBanding, OfPower1024IsThatOfWholeExponents) {
   const double half = srgb_code(1.0) - srgb_code(0.5);
-  const HalfResult sharpness = exp2_sharpness(HalfResult(1024));
+  const HalfResult sharpness = base_two_power(HalfResult(1024));
   EXPECT_EQ(static_cast<double>(sharpness), 1477);
   const auto gaussian = [&](double c) {
-    return static_cast<double>(gaussian_by_exp2(HalfResult(c), sharpness));
+    return static_cast<double>(gaussian_lobe_base_two(HalfResult(c), sharpness));
   };
   const Banding found = banding(halves_near_the_peak(), gaussian, [](double) { return 1.0; });
   EXPECT_NEAR(found.step, half, 1e-9);
@@ -146,12 +147,12 @@ TEST(HalfBanding, OfPower1024IsThatOfWholeExponents) {
 // A multiply-add that rounds once, as newer processors have it, keeps what A c - A loses: it is A (c - 1).
 TEST(HalfBanding, AFusedMultiplyAddIsTheDifferenceForm) {
   for (const double k : {16.0, 1024.0}) {
-    const HalfResult sharpness = exp2_sharpness(HalfResult(k));
+    const HalfResult sharpness = base_two_power(HalfResult(k));
     const auto a = static_cast<double>(sharpness);
     for (const double c : halves_near_the_peak()) {
       const HalfResult fused = exp2(HalfResult::rounded(std::fma(a, c, -a)));
       EXPECT_EQ(static_cast<double>(fused),
-                static_cast<double>(gaussian_by_exp2_of_difference(HalfResult(c), sharpness)));
+                static_cast<double>(gaussian_lobe_base_two_of_difference(HalfResult(c), sharpness)));
     }
   }
 }

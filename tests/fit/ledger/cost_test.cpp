@@ -1,6 +1,8 @@
 #include "approx/cost.hpp"
 
 #include "approx/arithmetic.hpp"
+#include "approx/environment_map.hpp"
+#include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
 #include "fit/ledger/shader_forms.hpp"
 #include "fit/multiprecision.hpp"
@@ -114,24 +116,32 @@ TEST(ShaderForms, ALightAddsAResult) {
 // Each formula that is counted is the one that it stands for, to 50 digits.
 TEST(CostFormulas, AreWhatTheyStandFor) {
   using T = Decimal50;
-  const auto is_close = [](const T& a, const T& b) { return abs(a - b) <= abs(b) * T("1e-45"); };
+  const auto is_close = [](const T& a, const T& b) { return abs(a - b) <= abs(b) * T("1e-42"); };
   for (const char* text : {"0", "0.3", "0.5", "1"}) {
-    const T g(text);
-    const T power = gloss_decode(g), sharpness = gloss_decode_to_sharpness(g);
-    EXPECT_TRUE(is_close(power, pow(T(2), T(10) * g + 1))) << text;
-    EXPECT_TRUE(is_close(sharpness, exp2_sharpness(power))) << text;
-    EXPECT_TRUE(is_close(light_unit_normalisation(power), (power + 2) / 8)) << text;
-    EXPECT_TRUE(is_close(light_unit_normalisation_of_sharpness(sharpness), (power + 2) / 8)) << text;
+    const T g(text), power = pow(T(2), T(10) * g + 1), sharpness = power / log(T(2));
+    const auto value = [&](std::string_view form) {
+      return evaluate<T>(shader_form(form).front(), [&](const std::string& name) {
+        return name == "g"   ? g
+               : name == "s" ? power
+               : name == "A" ? sharpness
+               : name == "c" ? T("0.9")
+                             : T(0);
+      });
+    };
+    EXPECT_TRUE(is_close(value("gloss-decode"), power)) << text;
+    EXPECT_TRUE(is_close(value("gloss-decode-to-sharpness"), sharpness)) << text;
+    EXPECT_TRUE(is_close(value("normalisation"), (power + 2) / 8)) << text;
+    EXPECT_TRUE(is_close(value("normalisation-of-sharpness"), (power + 2) / 8)) << text;
+    EXPECT_TRUE(is_close(value("specular-pow"), (power + 2) / 8 * pow(T("0.9"), power))) << text;
+    EXPECT_TRUE(is_close(value("specular-gaussian"), (power + 2) / 8 * exp(power * T("-0.1")))) << text;
   }
-  EXPECT_EQ(gloss_decode(T(0)), 2);
-  EXPECT_TRUE(is_close(gloss_decode(T(1)), T(2048)));
   // A texel of the level spans the lobe: (w / 2^m)^2 = (s + 1)/3.
-  const T level = mip_level(T(128), T(255));
+  const T level = mip_level_of_power(T(128), T(255));
   EXPECT_TRUE(is_close(T(128) * T(128) / pow(T(4), level), T(256) / 3));
   EXPECT_TRUE(is_close(mip_level_of_successor(T(128), T(256)), level));
   const std::array<T, 3> r{T("0.6"), T(0), T("0.8")}, l{T("0.36"), T("0.48"), T("0.8")};
   EXPECT_TRUE(is_close(phong_cosine(r, l), T("0.856")));
-  EXPECT_TRUE(is_close(phong_by_exp2(scaled_reflection(r, exp2_sharpness(T(10))), l),
+  EXPECT_TRUE(is_close(phong_by_exp2(scaled_reflection(r, base_two_power(T(10))), l),
                        gaussian_lobe(T("0.856"), T(10), T(0))));
 }
 
