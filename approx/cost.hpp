@@ -67,8 +67,8 @@ inline constexpr std::array compiled_costs{
 inline constexpr std::array cost_claims{
     Claim{.id = "cost-pow",
           .statement = "c^k as exp2(log2(c) k) is three instructions",
-          .printed = {{"pow", "3"}, {"namely", "LOG2 MUL EXP2"}},
-          .inputs = {{"pow", "pow"}},
+          .printed = {{"c^k", "3"}, {"namely", "LOG2 MUL EXP2"}},
+          .inputs = {{"c^k", "pow"}},
           .derivation = "The formula run on the symbolic scalar is its own expression; its operations are "
                         "counted, equal parts once, those of numbers alone not at all, a product that feeds "
                         "one sum with it as a multiply-add.",

@@ -127,7 +127,7 @@ TEST(HalfBanding, BeginsWhereNoLowerPowerBands) {
   int first = 1;
   while (jump_at_half_cosine(first) <= 1) ++first;
   const auto evidence = evaluate(*find_claim("half-banding")).evidence;
-  EXPECT_NE(evidence.find("from power " + std::to_string(first) + ","), std::string::npos) << evidence;
+  EXPECT_NE(evidence.find("that bands being " + std::to_string(first) + ","), std::string::npos) << evidence;
 }
 
 // By hand: at A = 1477 halves are 1 apart, so A c - A is a whole number and the first step below the peak is

@@ -14,7 +14,7 @@ namespace {
 TEST(CostClaims, RestOnWhatIsPrintedAndGiven) {
   check_mutations(cost_claims, {{"cost-pow", "printed 0", "4"},
                                 {"cost-pow", "printed 1", "LOG2 MAD EXP2"},
-                                {"cost-pow", "pow", "gaussian"},
+                                {"cost-pow", "c^k", "gaussian"},
                                 {"cost-sg", "printed 0", "3"},
                                 {"cost-sg", "printed 1", "MUL EXP2"},
                                 {"cost-sg", "printed 2", "2"},
@@ -95,7 +95,7 @@ TEST(CostClaims, TheFourthPowerHasASubtractionThatIsNotCounted) {
 
 TEST(CostClaims, ARecordThatCannotBeReadIsRefused) {
   const Claim& claim = *find_claim("cost-pow");
-  EXPECT_THROW(evaluate(with_input(claim, "pow", "powf")), std::invalid_argument);
+  EXPECT_THROW(evaluate(with_input(claim, "c^k", "powf")), std::invalid_argument);
   EXPECT_THROW(evaluate(with_printed(claim, 1, "LOG2 MULL EXP2")), std::invalid_argument);
 }
 
