@@ -4,8 +4,11 @@
 #include <array>
 #include <bit>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace shadefit {
 namespace {
@@ -211,6 +214,132 @@ int multiplications(int exponent) {
   return n == 0 ? 0 : static_cast<int>(std::bit_width(n)) + std::popcount(n) - 2;
 }
 
+/// The factor of a product with a number, or of a quotient by one.
+std::optional<double> known_factor(const Symbolic& e) {
+  const auto value = [](const Symbolic& number) {
+    return std::abs(evaluate<double>(number, [](const std::string&) { return 0.0; }));
+  };
+  if (e.kind() == Kind::divide && is_known_before(e.part(1))) return 1 / value(e.part(1));
+  if (e.kind() != Kind::multiply) return std::nullopt;
+  if (is_known_before(e.part(0))) return value(e.part(0));
+  if (is_known_before(e.part(1))) return value(e.part(1));
+  return std::nullopt;
+}
+
+/// Counts the instructions of the expressions that it is given.
+class Counter {
+ public:
+  Counter(std::span<const Symbolic> results, const InstructionSet& instructions)
+      : instructions_(instructions) {
+    for (const Symbolic& result : results) collect(result, all_, uses_);
+    // The largest sums first: one of four products is not one of three and an addition.
+    for (const std::size_t terms : {4u, 3u}) {
+      for (const auto& [text, e] : all_) {
+        if (instructions.dot_products && !inside_.contains(text)) fold_dot_product(e, terms);
+      }
+    }
+  }
+
+  Operations count() {
+    for (const auto& [text, e] : all_) {
+      if (!inside_.contains(text)) count(e);
+    }
+    return count_;
+  }
+
+ private:
+  bool is_used_once(const Symbolic& value) const { return uses_.at(to_text(value)) == 1; }
+
+  /// A part of a sum that is a product used nowhere else: one instruction with the addition.
+  bool is_fused(const Symbolic& part) const {
+    const Symbolic& value = unsigned_part(part);
+    return is_product(value) && is_used_once(value) && !is_scaled_result(value);
+  }
+
+  /// A product that is the scale of the result of one of its parts.
+  bool is_scaled_result(const Symbolic& e) const {
+    const auto factor = known_factor(e);
+    if (!factor ||
+        std::count(instructions_.free_scales.begin(), instructions_.free_scales.end(), *factor) == 0)
+      return false;
+    const Symbolic& result = unsigned_part(is_known_before(e.part(0)) ? e.part(1) : e.part(0));
+    return !result.parts().empty() && is_used_once(result);
+  }
+
+  /// The terms of a sum, those of its inner sums too where these are used nowhere else.
+  void add_terms(const Symbolic& sum, std::vector<Symbolic>& terms, std::vector<Symbolic>& inner) const {
+    for (const Symbolic& part : sum.parts()) {
+      const Symbolic& term = unsigned_part(part);
+      const bool is_sum = term.kind() == Kind::add || term.kind() == Kind::subtract;
+      if (is_sum && !is_known_before(term) && is_used_once(term)) {
+        inner.push_back(term);
+        add_terms(term, terms, inner);
+      } else {
+        terms.push_back(term);
+      }
+    }
+  }
+
+  /// Where `e` is a dot product of that many terms, counts it as one, its products and inner sums as parts.
+  void fold_dot_product(const Symbolic& e, std::size_t size) {
+    if (e.kind() != Kind::add && e.kind() != Kind::subtract) return;
+    std::vector<Symbolic> terms, parts{e};
+    add_terms(e, terms, parts);
+    const auto products =
+        std::partition(terms.begin(), terms.end(), [&](const auto& t) { return is_fused(t); });
+    if (terms.size() != size || products - terms.begin() < 3) return;
+    ++(size == 4 ? count_.dot4 : count_.dot3);
+    parts.insert(parts.end(), terms.begin(), products);
+    for (const Symbolic& part : parts) inside_.insert(to_text(part));
+  }
+
+  void count(const Symbolic& e) {
+    switch (e.kind()) {
+      case Kind::add:
+      case Kind::subtract:
+        if (is_fused(e.part(0)) || is_fused(e.part(1))) {
+          ++count_.multiply_add;
+          --count_.multiply;  // its own, counted where it stands
+        } else {
+          ++count_.add;
+        }
+        break;
+      case Kind::multiply:
+        count_.multiply += is_scaled_result(e) ? 0 : 1;
+        break;
+      case Kind::divide:
+        if (!is_scaled_result(e)) ++(is_known_before(e.part(1)) ? count_.multiply : count_.divide);
+        break;
+      case Kind::real_power:
+        ++count_.log2;
+        ++count_.multiply;
+        ++count_.exp2;
+        break;
+      case Kind::integer_power:
+        count_.multiply += multiplications(e.exponent());
+        count_.divide += e.exponent() < 0 ? 1 : 0;
+        break;
+      case Kind::choice:
+        count_.other += 2;  // the comparison and the choice
+        break;
+      case Kind::function:
+        count_function(e, count_);
+        break;
+      case Kind::variable:
+      case Kind::number:
+      case Kind::constant:
+      case Kind::negate:
+        break;
+    }
+  }
+
+  const InstructionSet& instructions_;
+  Subexpressions all_;
+  std::map<std::string, int> uses_;
+  std::set<std::string> inside_;  ///< of a dot product
+  Operations count_;
+};
+
 }  // namespace
 
 std::string to_text(const Symbolic& expression) {
@@ -221,56 +350,24 @@ std::string to_latex(const Symbolic& expression) {
   return write(expression, latex).first;
 }
 
-Operations count_operations(const Symbolic& expression) {
-  Subexpressions all;
-  std::map<std::string, int> uses;
-  collect(expression, all, uses);
-  Operations count;
-  for (const auto& [text, e] : all) {
-    switch (e.kind()) {
-      case Kind::add:
-      case Kind::subtract: {
-        const auto is_fused = [&](const Symbolic& part) {
-          const Symbolic& value = unsigned_part(part);
-          return is_product(value) && uses.at(to_text(value)) == 1;
-        };
-        if (is_fused(e.part(0)) || is_fused(e.part(1))) {
-          ++count.multiply_add;
-          --count.multiply;  // its own, counted where it stands
-        } else {
-          ++count.add;
-        }
-        break;
-      }
-      case Kind::multiply:
-        ++count.multiply;
-        break;
-      case Kind::divide:
-        ++(is_known_before(e.part(1)) ? count.multiply : count.divide);
-        break;
-      case Kind::real_power:
-        ++count.log2;
-        ++count.multiply;
-        ++count.exp2;
-        break;
-      case Kind::integer_power:
-        count.multiply += multiplications(e.exponent());
-        count.divide += e.exponent() < 0 ? 1 : 0;
-        break;
-      case Kind::choice:
-        count.other += 2;  // the comparison and the choice
-        break;
-      case Kind::function:
-        count_function(e, count);
-        break;
-      case Kind::variable:
-      case Kind::number:
-      case Kind::constant:
-      case Kind::negate:
-        break;
-    }
-  }
-  return count;
+Operations operator-(const Operations& a, const Operations& b) {
+  return {.add = a.add - b.add,
+          .multiply = a.multiply - b.multiply,
+          .multiply_add = a.multiply_add - b.multiply_add,
+          .divide = a.divide - b.divide,
+          .exp2 = a.exp2 - b.exp2,
+          .log2 = a.log2 - b.log2,
+          .other = a.other - b.other,
+          .dot3 = a.dot3 - b.dot3,
+          .dot4 = a.dot4 - b.dot4};
+}
+
+Operations count_operations(std::span<const Symbolic> results, const InstructionSet& instructions) {
+  return Counter(results, instructions).count();
+}
+
+Operations count_operations(const Symbolic& expression, const InstructionSet& instructions) {
+  return count_operations(std::span(&expression, 1), instructions);
 }
 
 std::string to_text(const Operations& operations) {
@@ -278,6 +375,8 @@ std::string to_text(const Operations& operations) {
   const auto add = [&](int n, const char* name) {
     if (n > 0) words.push_back(n == 1 ? name : std::to_string(n) + " " + name);
   };
+  add(operations.dot3, "DOT3");
+  add(operations.dot4, "DOT4");
   add(operations.add, "ADD");
   add(operations.multiply_add, "MAD");
   add(operations.multiply, "MUL");

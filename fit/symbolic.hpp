@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -124,11 +125,28 @@ struct Operations {
   int exp2 = 0;          ///<
   int log2 = 0;          ///<
   int other = 0;         ///< square roots, sines, minima, comparisons ..
-  int total() const { return add + multiply + multiply_add + divide + exp2 + log2 + other; }
+  int dot3 = 0;          ///< sums of three products, where a processor has them
+  int dot4 = 0;          ///< and of four
+  int total() const { return add + multiply + multiply_add + divide + exp2 + log2 + other + dot3 + dot4; }
   bool operator==(const Operations&) const = default;
 };
 
-Operations count_operations(const Symbolic& expression);
+/// The operations of `a` that `b` has not.
+Operations operator-(const Operations& a, const Operations& b);
+
+/// What a processor does in one instruction besides the plain ones.
+struct InstructionSet {
+  /// A sum of three products is one DOT3; one of four, or of three and a term (a product with 1), one DOT4.
+  bool dot_products = false;
+  /// A result used nowhere else times one of these is free, as the NV40 family's results are times 2, 4, 8,
+  /// 1/2, 1/4 and 1/8 (its fragment programs have a field for it: Mesa, src/gallium/drivers/nouveau/nv30).
+  std::vector<double> free_scales = {};
+};
+
+Operations count_operations(const Symbolic& expression, const InstructionSet& instructions = {});
+
+/// Of several results: what they share is computed once.
+Operations count_operations(std::span<const Symbolic> results, const InstructionSet& instructions = {});
 
 /// "MAD, MUL, EXP2": each as often as it is executed.
 std::string to_text(const Operations& operations);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,11 @@ Verdict worst(std::span<const Verdict> parts);
 /// `confirmed` or `refuted`, for what is either so or not.
 constexpr Verdict verdict_of(bool holds) {
   return holds ? Verdict::confirmed : Verdict::refuted;
+}
+
+/// `confirmed` where all of a statement's cases hold, `refuted` where none does, else `conditional`.
+constexpr Verdict verdict_of_cases(std::size_t holding, std::size_t cases) {
+  return holding == cases ? Verdict::confirmed : holding == 0 ? Verdict::refuted : Verdict::conditional;
 }
 
 /// Judges a printed number against a value that is known to `error` (absolute). Empty where that is not

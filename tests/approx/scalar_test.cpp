@@ -6,24 +6,26 @@
 #include <tuple>
 #include <vector>
 
+#include "approx/arithmetic.hpp"
+#include "approx/cost.hpp"
 #include "approx/dither.hpp"
 #include "approx/encoding.hpp"
 #include "approx/environment_map.hpp"
 #include "approx/fresnel.hpp"
-#include "approx/kernels.hpp"
-#include "approx/harmonics.hpp"
-#include "approx/lobe.hpp"
-#include "approx/material.hpp"
-#include "approx/microfacet.hpp"
 #include "approx/gloss.hpp"
+#include "approx/harmonics.hpp"
+#include "approx/kernels.hpp"
 #include "approx/lobe.hpp"
 #include "approx/lobe_laws.hpp"
+#include "approx/material.hpp"
+#include "approx/microfacet.hpp"
 #include "approx/normalisation.hpp"
 #include "approx/phase.hpp"
 #include "approx/phong_blinn.hpp"
 #include "approx/reflectance.hpp"
 #include "approx/von_mises_fisher.hpp"
 #include "fit/half.hpp"
+#include "fit/half_result.hpp"
 #include "fit/interval.hpp"
 #include "fit/jet.hpp"
 #include "fit/multiprecision.hpp"
@@ -303,6 +305,24 @@ auto formulas() {
                 return facing_circle(direction_of(view), direction_of(normal), arc_to(phi));
               },
               Lobes{{"0.5", "0.25", "3"}, {"1", "1", "2"}}, 16},
+      Formula{"power_by_exp2", [](auto c, auto k) { return power_by_exp2(c, k); }, lobes, 16},
+      Formula{"gaussian_lobe_base_two_of_difference",
+              [](auto c, auto a) { return gaussian_lobe_base_two_of_difference(c, a); }, lobes, 16},
+      Formula{"mip_level_of_successor", [](auto w, auto s) { return mip_level_of_successor(w, s); },
+              Lobes{{"128", "8"}}, 16},
+      Formula{
+          "phong_by_exp2",
+          [](auto r, auto l, auto a) {
+            using T = decltype(a);
+            return phong_by_exp2(scaled_reflection(std::array<T, 3>{r, r, r}, a), std::array<T, 3>{l, l, r});
+          },
+          Lobes{{"0.5", "0.625", "8"}}, 16},
+      Formula{"phong_cosine",
+              [](auto r, auto l, auto m) {
+                using T = decltype(m);
+                return phong_cosine(std::array<T, 3>{r, l, m}, std::array<T, 3>{l, l, m});
+              },
+              Lobes{{"0.5", "0.625", "0.25"}}, 8},
       Formula{"srgb_code", [](auto x) { return srgb_code(x); }, Lobes{{"0.5"}, {"1.5"}}, 16},
       Formula{"cap_solid_angle", [](auto phi) { return cap_solid_angle(phi); }, Lobes{{"1"}, {"3"}}, 16},
       Formula{"cap_solid_angle_near_axis", [](auto phi) { return cap_solid_angle_near_axis(phi); },
@@ -401,6 +421,9 @@ Decimal50 value_of(const T& x) {
 Decimal50 value_of(Eigen::half x) {
   return Decimal50(static_cast<float>(x));
 }
+Decimal50 value_of(HalfResult x) {
+  return Decimal50(static_cast<double>(x));
+}
 template <class T, int N>
 Decimal50 value_of(const ceres::Jet<T, N>& x) {
   return value_of(x.a);
@@ -408,7 +431,7 @@ Decimal50 value_of(const ceres::Jet<T, N>& x) {
 
 template <class T>
 double epsilon_of() {
-  if constexpr (std::same_as<T, Eigen::half>) {
+  if constexpr (std::same_as<T, Eigen::half> || std::same_as<T, HalfResult>) {
     return 0x1p-10;
   } else if constexpr (requires { typename T::Scalar; }) {
     return epsilon_of<typename T::Scalar>();
@@ -429,12 +452,12 @@ class EveryScalar : public ::testing::Test {};
 using Jet1 = ceres::Jet<double, 1>;
 using NestedJet = ceres::Jet<ceres::Jet<double, 2>, 2>;
 using WideNestedJet = ceres::Jet<ceres::Jet<long double, 1>, 1>;
-using ScalarTypes =
-    ::testing::Types<float, double, long double, Eigen::half, Decimal50, Jet1, NestedJet, WideNestedJet>;
+using ScalarTypes = ::testing::Types<float, double, long double, Eigen::half, HalfResult, Decimal50, Jet1,
+                                     NestedJet, WideNestedJet>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int i) {
-    constexpr const char* names[] = {"Float",     "Double", "LongDouble", "Half",
+    constexpr const char* names[] = {"Float",     "Double", "LongDouble", "Half",         "HalfResult",
                                      "Decimal50", "Jet",    "NestedJet",  "WideNestedJet"};
     return names[i];
   }

@@ -90,6 +90,52 @@ TEST(Operations, EqualPartsAreComputedOnceAndNumbersBeforehand) {
   EXPECT_EQ(to_text(Operations{}), "nothing");
 }
 
+const InstructionSet dot_products{.dot_products = true};
+
+TEST(Operations, DotProductsAreOneInstructionWhereAProcessorHasThem) {
+  const auto sum = a * b + c * k + a * x;
+  EXPECT_EQ(count_operations(sum, dot_products), Operations{.dot3 = 1});
+  EXPECT_EQ(count_operations(sum + c * x, dot_products), Operations{.dot4 = 1});
+  EXPECT_EQ(count_operations(sum - k, dot_products), Operations{.dot4 = 1}) << "a term is a product with 1";
+  EXPECT_EQ(count_operations(sum + c * x), (Operations{.multiply = 1, .multiply_add = 3}))
+      << "only where asked";
+  EXPECT_EQ(to_text(count_operations(exp2(sum - k), dot_products)), "DOT4, EXP2");
+}
+
+TEST(Operations, OnlyWholeSumsOfThreeProductsAreDotProducts) {
+  const auto two = a * b + c * k;
+  EXPECT_EQ(count_operations(two, dot_products), count_operations(two));
+  EXPECT_EQ(count_operations(two + a, dot_products), count_operations(two + a));
+  EXPECT_EQ(count_operations(two + a + b, dot_products), count_operations(two + a + b));
+  const auto three = two + a * x;
+  EXPECT_EQ(count_operations((three + c * x) + b, dot_products), (Operations{.add = 1, .dot4 = 1}))
+      << "a fifth term is one more instruction";
+  EXPECT_EQ(count_operations(two * (two + a * x), dot_products),
+            (Operations{.multiply = 2, .multiply_add = 2}))
+      << "a sum that is used twice is not part of another";
+}
+
+TEST(Operations, AScaleOfAResultIsFreeWhereAProcessorHasIt) {
+  const InstructionSet scaling{.free_scales = {4, 0.5}};
+  const auto four = integer<Symbolic>(4), two = integer<Symbolic>(2);
+  EXPECT_EQ(count_operations(exp2(log2(a) * four), scaling), (Operations{.exp2 = 1, .log2 = 1}));
+  EXPECT_EQ(count_operations(exp2(log2(a) * four)), (Operations{.multiply = 1, .exp2 = 1, .log2 = 1}));
+  EXPECT_EQ(count_operations(exp2(log2(a) * two), scaling), (Operations{.multiply = 1, .exp2 = 1, .log2 = 1}))
+      << "2 is not one of them";
+  EXPECT_EQ(count_operations(log2(a) / two, scaling), Operations{.log2 = 1}) << "1/2 is";
+  EXPECT_EQ(count_operations(a * four, scaling), Operations{.multiply = 1}) << "a variable is no result";
+  EXPECT_EQ(count_operations(log2(a) * four + log2(a), scaling), (Operations{.multiply_add = 1, .log2 = 1}))
+      << "the result is used unscaled too";
+  EXPECT_EQ(count_operations(log2(a) * four + b, scaling), (Operations{.add = 1, .log2 = 1}));
+}
+
+TEST(Operations, OfSeveralResultsShareWhatIsEqual) {
+  const std::vector<Symbolic> results{exp2(a * b), exp2(a * b + c)};
+  EXPECT_EQ(count_operations(results), (Operations{.add = 1, .multiply = 1, .exp2 = 2}));
+  EXPECT_EQ(count_operations(results) - count_operations(results.front()), (Operations{.add = 1, .exp2 = 1}));
+  EXPECT_EQ(count_operations(std::span<const Symbolic>{}), Operations{});
+}
+
 TEST(Symbolic, EvaluatesWithItsVariables) {
   const auto value_of = [](const std::string& name) { return name == "a" ? 3.0 : 4.0; };
   EXPECT_EQ(evaluate<double>(sqrt(a * a + b * b), value_of), 5);

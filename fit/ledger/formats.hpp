@@ -1,0 +1,54 @@
+#pragma once
+
+#include <concepts>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "fit/half.hpp"
+
+/// The floating-point formats that a record names.
+namespace shadefit {
+
+/// `call.template operator()<T>()` for the format of that name: half, float or double. Throws
+/// std::invalid_argument for another name.
+template <class Call>
+auto in_format(std::string_view name, const Call& call) {
+  if (name == "half") return call.template operator()<Eigen::half>();
+  if (name == "float") return call.template operator()<float>();
+  if (name == "double") return call.template operator()<double>();
+  throw std::invalid_argument("no format '" + std::string(name) + "'");
+}
+
+/// A number of any of them as a double, exactly.
+template <class T>
+double widened(T x) {
+  return static_cast<double>(x);
+}
+inline double widened(Eigen::half x) {
+  return static_cast<double>(static_cast<float>(x));
+}
+
+/// A double rounded to the format, once.
+template <class T>
+T rounded_to(double x) {
+  if constexpr (std::same_as<T, Eigen::half>) {
+    return round_to_half(x);
+  } else {
+    return static_cast<T>(x);
+  }
+}
+
+/// The largest x of the format, between two others, up to which `holds` (which holds at `low`, not at `high`,
+/// and changes once between): by bisection over the numbers of the format.
+template <class T, class Holds>
+double last_that_holds(double low, double high, const Holds& holds) {
+  for (;;) {
+    const T middle = rounded_to<T>(low + (high - low) / 2);
+    if (widened(middle) == low || widened(middle) == high) return low;
+    (holds(middle) ? low : high) = widened(middle);
+  }
+}
+
+}  // namespace shadefit
