@@ -143,9 +143,9 @@ Finding plain_accurate(const Claim& claim) {
               ", bad up to = " + end(powers.where),
           looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
               decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
-              " " + sentence(is_poor, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
-              "/k for k to infinity; " + powers.words + "; within one 8-bit sRGB code the form of x = " +
-              decimal(offset, 4) + " is " + sentence(is_a_code, exponents),
+              " " + sentence(is_poor, exponents) + ", within one 8-bit sRGB code " +
+              sentence(is_a_code, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
+              "/k for k to infinity; " + powers.words,
           "at k = " + decimal(above, 4) + " the form " + effect_of_gaussian(above, offset)};
 }
 
