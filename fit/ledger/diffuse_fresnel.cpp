@@ -92,9 +92,8 @@ std::string effect_under_sky(const Claim& claim, double factor, double stand_in)
          decimal(std::abs(more), 2) + " of the light " + (more > 0 ? "more" : "less") + " than " +
          std::string(claim.inputs.at("factor")) + ", " + decimal(std::abs(more) / factor, 2) + " of it, " +
          decimal(std::abs(more) / half_ulp(factor), 3) +
-         " ulps of a half float; exposed to 0.5 for the one, " +
-         decimal(std::abs(srgb_code(0.5 * stand_in / factor) - srgb_code(0.5)), 2) +
-         " 8-bit sRGB codes for the other";
+         " ulps of a half float; where the latter shows as 0.5 of white, " +
+         decimal(std::abs(srgb_code(0.5 * stand_in / factor) - srgb_code(0.5)), 2) + " 8-bit sRGB codes";
 }
 
 Verdict verdict_on(const DiffuseUnderFresnel& found) {
