@@ -224,12 +224,13 @@ inline constexpr std::array microfacet_claims{
                    detail::masking_views,
                    {"accurate", "0.02"}},
         .derivation =
-            "The integral is that of smith-beckmann and smith-ggx. Blinn-Phong and Beckmann of one width "
-            "agree to relative O(alpha^2), so the loan is good at low roughness; GTR1 has longer tails "
-            "than GGX, and at a grazing view it is the tails that are seen: what GGX's G1 leaves of them "
-            "is too much. Source of both loans: Karis 2013, Burley 2012. Accurate is read as: the integral "
-            "is within that relative distance of v.n.",
-        .source = sources::karis_2013},
+            "The integral is that of smith-beckmann and smith-ggx. Walter et al. 2007 lend Beckmann's G1 to the Phong "
+            "distribution with a = sqrt(s/2 + 1)/tan(theta_v), which is 1/(alpha tan(theta_v)) for s = 2/alpha^2 - 2; "
+            "Burley 2012 masks GTR1 by GGX's G1, there at a fixed width, here at GTR1's own. Both lobes are alike up "
+            "to relative O(alpha^2) in the first loan, so it is good at low roughness. GTR1 has longer tails than "
+            "GGX, and at a grazing view it is the tails that are seen: what GGX's G1 leaves of them is too much. At "
+            "alpha = 1 GTR1 is GGX. Accurate is read as: the integral is within that relative distance of v.n.",
+        .source = sources::walter_2007},
 };
 
 }  // namespace shadefit

@@ -36,6 +36,7 @@ TEST(Symbolic, FormulasPrintThemselvesInLatex) {
   EXPECT_EQ(to_latex(reflectance_at_normal(v("n1"))), R"(\left(\frac{n_{1} - 1}{n_{1} + 1}\right)^{2})");
   EXPECT_EQ(to_latex(sqrt(v("cos_theta"))), R"(\sqrt{\mathrm{cos_theta}})");
   EXPECT_EQ(to_latex(atan(v("x"))), R"(\arctan\left(x\right))");
+  EXPECT_EQ(to_latex(erfc(x)), R"(\operatorname{erfc}\left(x\right))");
   EXPECT_EQ(to_latex(log1p_remainder(x)), R"(\ln\left(1 + x\right) - \left(x\right))");
 }
 
