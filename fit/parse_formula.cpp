@@ -12,7 +12,7 @@ namespace shadefit {
 namespace {
 
 constexpr std::array functions_of_one{"exp",  "exp2", "log", "log2", "expm1", "log1p", "log1p_remainder",
-                                      "erfc", "sqrt", "sin", "cos"};
+                                      "erfc", "sqrt", "sin", "cos",  "atan"};
 constexpr std::array functions_of_two{"min", "max"};
 
 /// Deeper nesting than any formula has; a bound on the recursion.

@@ -126,7 +126,7 @@ Symbolic any_expression(std::uint64_t& state, int depth) {
     case 7:
       return exp2(part());
     case 8:
-      return erfc(part());
+      return draw(2) == 0 ? erfc(part()) : atan(part());
     case 9:
       return max(part(), part());
     default: {
