@@ -67,6 +67,8 @@ struct Scalar<HalfResult> {
   static T sqrt(T x) { return T::rounded(std::sqrt(wide(x))); }
   static T sin(T x) { return T::rounded(std::sin(wide(x))); }
   static T cos(T x) { return T::rounded(std::cos(wide(x))); }
+  static T atan(T x) { return T::rounded(std::atan(wide(x))); }
+  static T erfc(T x) { return T::rounded(std::erfc(wide(x))); }
   static T power(T x, T p) { return T::rounded(std::pow(wide(x), wide(p))); }
   static bool less(T a, T b) { return a < b; }
   static T select(bool condition, T a, T b) { return condition ? a : b; }
