@@ -52,13 +52,16 @@ std::vector<JudgedClaim> of_topic(const std::vector<JudgedClaim>& claims, const 
   return found;
 }
 
-std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& claims) {
+std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& claims,
+                          const std::vector<Figure>& figures) {
   std::string out = fmt::format("### {}\n\n", topic.title) + markdown_block(claims_overview(claims));
   for (const auto& [_, claim, finding] : claims) {
     out += fmt::format("- **`{}`** ({} {}): {}. Verdict: **{}**: {}. Effect: {}.", claim->id,
                        claim->source.author, claim->source.year, claim->statement, verdict_text(finding),
                        finding.evidence, finding.effect);
-    if (!claim->figure.empty()) out += fmt::format(" Plot: `plots/{}.svg`.", claim->figure);
+    const bool is_drawn = std::any_of(figures.begin(), figures.end(),
+                                      [&](const Figure& figure) { return figure.name == claim->figure; });
+    if (is_drawn) out += fmt::format(" Plot: [{0}](plots/{0}.svg).", claim->figure);
     out += "\n";
   }
   return out + "\n";
@@ -118,7 +121,7 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
                      fmt::join(words, ", "));
 }
 
-std::string ledger_section(const std::vector<JudgedClaim>& claims) {
+std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {
   std::string out = fmt::format(
       "## The ledger\n\n"
       "Every number that the source documents state, judged: {}. A word is read as a number that the record names (`shadefit explain "
@@ -126,7 +129,7 @@ std::string ledger_section(const std::vector<JudgedClaim>& claims) {
       verdict_counts(claims));
   const Topic* last = nullptr;
   for (const JudgedClaim& judged : claims) {
-    if (judged.topic != last) out += topic_section(*judged.topic, of_topic(claims, *judged.topic));
+    if (judged.topic != last) out += topic_section(*judged.topic, of_topic(claims, *judged.topic), figures);
     last = judged.topic;
   }
   return out;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fit/ledger.hpp"
+#include "reports/figure.hpp"
 #include "reports/table.hpp"
 
 /// The ledger: every claim of the source documents with its verdict, as rows, as sections and one by one.
@@ -28,8 +29,9 @@ Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bo
 /// "82 claims: 61 confirmed, 4 rounding, ..": verdicts that occur, in their order.
 std::string verdict_counts(const std::vector<JudgedClaim>& claims);
 
-/// A section for each topic: a table of verdicts, and each claim's evidence and effect.
-std::string ledger_section(const std::vector<JudgedClaim>& claims);
+/// A section for each topic: a table of verdicts, and each claim's evidence and effect, with a link to its
+/// figure where that is among the `figures`.
+std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures);
 
 /// One claim in full, for a terminal: record, derivation, evidence, effect, plot.
 std::string explanation(const JudgedClaim& judged);

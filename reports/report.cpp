@@ -32,7 +32,7 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
   if (!results.fresnel_chain.empty()) out += exact_fresnel_section(results.fresnel_chain);
   if (!results.normalisations.empty()) out += normalisation_section(results);
   if (!results.reflectances.empty()) out += reflectance_section(results.reflectances);
-  if (!results.claims.empty()) out += ledger_section(results.claims);
+  if (!results.claims.empty()) out += ledger_section(results.claims, figures);
   out.pop_back();  // sections end in an empty line, the file does not
   return out;
 }

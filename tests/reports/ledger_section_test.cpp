@@ -39,13 +39,23 @@ TEST(ClaimsTable, WeakEvidenceIsNoVerdictAndFailsTheRun) {
 }
 
 TEST(LedgerSection, HasASectionForEachTopic) {
-  const std::string section = ledger_section({judged});
+  const std::string section = ledger_section({judged}, {});
   EXPECT_NE(section.find("### Topic\n\n| claim "), std::string::npos) << section;
   EXPECT_NE(
       section.find("- **`x-claim`** (Author 2012): a is b. Verdict: **rounding**: it is 1.6. Effect: 0.1 "
-                   "codes. Plot: `plots/offset.svg`.\n"),
+                   "codes.\n"),
       std::string::npos)
       << section;
+}
+
+TEST(LedgerSection, LinksAFigureThatIsDrawn) {
+  const auto with = [](const char* name) {
+    Figure figure{};
+    figure.name = name;
+    return ledger_section({judged}, {figure});
+  };
+  EXPECT_NE(with("offset").find("Plot: [offset](plots/offset.svg).\n"), std::string::npos);
+  EXPECT_EQ(with("lobe").find("plots/"), std::string::npos);
 }
 
 TEST(Explanation, HasEveryPartOnceAndWrapsLongLines) {

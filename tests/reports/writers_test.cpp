@@ -102,7 +102,7 @@ TEST(Writers, LatexTablesOfARunAreWellFormed) {
       ++rows;
     }
   }
-  EXPECT_EQ(tabulars, 2);
+  EXPECT_EQ(tabulars, 3) << "summary, normalisations, ledger";
   EXPECT_GT(rows, 50);
   EXPECT_EQ(write_latex_tables(compute_results({"fresnel-one-term"})).find("closed"), std::string::npos)
       << "without normalisations there is no table of them";
