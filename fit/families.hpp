@@ -50,10 +50,28 @@ using CommonFactor = std::conditional_t<std::same_as<T, long double>, double, T>
 template <class T>
 struct LobeSample {
   T variable;
-  CommonFactor<T> base;
+  T base;
   T log_ratio;
   T ratio_minus_one;
 };
+
+/// In long double an error is target * expm1(change - log_ratio): one exponential in that arithmetic, of the
+/// place and the parameter together, where form and target apart would take one each.
+template <>
+struct LobeSample<long double> {
+  long double variable;
+  CommonFactor<long double> target;
+  long double log_ratio;
+};
+
+template <class T>
+LobeSample<T> lobe_sample(const T& variable, const CommonFactor<T>& base, const T& log_ratio) {
+  if constexpr (std::same_as<T, long double>) {
+    return {variable, base * exp(lift<CommonFactor<T>>(log_ratio)), log_ratio};
+  } else {
+    return {variable, base, log_ratio, expm1(log_ratio)};
+  }
+}
 
 /// The lobe c^k by a form with one parameter: what the two lobe families share. `Formulas` says how a form of
 /// approx/ is an exponential in its parameter.
@@ -87,7 +105,11 @@ struct LobeFamily {
 
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, 1>& p) const {
-    return lobe_error(lift<P>(s.base), change(s, p), lift<P>(s.ratio_minus_one));
+    if constexpr (std::same_as<T, long double>) {
+      return lift<P>(s.target) * lobe_relative_error(change(s, p), lift<P>(s.log_ratio));
+    } else {
+      return lobe_error(lift<P>(s.base), change(s, p), lift<P>(s.ratio_minus_one));
+    }
   }
 
   template <class T, class P>
@@ -112,7 +134,7 @@ struct GaussianFormulas {
     const T ratio = lobe_log_ratio(cos_theta, one_minus_cos, exponent);
     using B = CommonFactor<T>;
     const B base = gaussian_lobe_near_peak(lift<B>(one_minus_cos), lift<B>(exponent), integer<B>(0));
-    return {-one_minus_cos, base, ratio, expm1(ratio)};
+    return lobe_sample(T(-one_minus_cos), base, ratio);
   }
 };
 
@@ -125,7 +147,7 @@ struct BlinnFormulas {
     const T variable = exponent * log_half_cosine(one_minus_cos, remainder);
     const T ratio =
         phong_blinn_log_ratio(lobe_log_ratio(cos_theta, one_minus_cos, exponent), remainder, exponent);
-    return {variable, exp(lift<CommonFactor<T>>(integer<T>(4) * variable)), ratio, expm1(ratio)};
+    return lobe_sample(variable, exp(lift<CommonFactor<T>>(integer<T>(4) * variable)), ratio);
   }
 };
 

@@ -4,9 +4,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "fit/gauss.hpp"
 #include "fit/jet.hpp"
@@ -108,7 +108,7 @@ class SampledProblem {
   };
 
   F family_;
-  std::vector<Node> nodes_;
+  boost::container::small_vector<Node, 30> nodes_;  ///< the rules that nearly all fits end with fit in
 };
 
 }  // namespace shadefit
