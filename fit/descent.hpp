@@ -138,9 +138,9 @@ TinySolver<F> basin_solver() {
   return solver;
 }
 
-/// Corrects a Hessian by what a step has shown of it, the change of the gradient (symmetric rank one; with one
-/// parameter: the secant). Where the change is as expected, along the step, nothing is learnt.
-/// Source: Nocedal, Wright 2006, "Numerical Optimization", 6.2.
+/// Corrects a Hessian by what a step has shown of it, the change of the gradient (symmetric rank one; with
+/// one parameter: the secant). Where the change is as expected, along the step, nothing is learnt. Source:
+/// Nocedal, Wright 2006, "Numerical Optimization", 6.2.
 template <int N>
 void correct(Eigen::Matrix<double, N, N>& hessian, const Eigen::Matrix<double, N, 1>& step,
              const Eigen::Matrix<double, N, 1>& change) {

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "approx/microfacet.hpp"
+#include "approx/reflectance.hpp"
+#include "approx/scalar.hpp"
+
+/// The table of formulas that is tested over every scalar: what a row is. A file of this folder for each
+/// topic.
+namespace shadefit::testing {
+
+/// Rows of decimal texts.
+using Arguments = std::vector<std::vector<const char*>>;
+
+/// A formula as a callable on any scalar, with arguments that every scalar (half included) holds exactly, and
+/// the relative error in units of the scalar's epsilon that rounding may cause: an exponential multiplies the
+/// rounding of its argument by that argument, a difference by the ratio of its terms to it.
+template <class F>
+struct Formula {
+  const char* name;
+  F call;
+  Arguments arguments;
+  double epsilons;
+};
+
+template <class F>
+Formula(const char*, F, Arguments, double) -> Formula<F>;
+
+template <class T>
+Arc<T> arc_to(const T& angle) {
+  return {angle, sin(angle), cos(angle)};
+}
+
+template <class T>
+Direction<T> direction_of(const T& angle) {
+  return {cos(angle), sin(angle)};
+}
+
+template <class T>
+MicrofacetNormal<T> normal_of(const T& cos2) {
+  return {cos2, integer<T>(1) - cos2};
+}
+
+}  // namespace shadefit::testing
