@@ -283,13 +283,15 @@ std::vector<JudgedClaim> unjudged_claims() {
 }  // namespace
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
-  const bool is_console = !options.json && !options.latex;
-  const Table table = options.verdict ? claims_list(claims_with(parse_verdict(*options.verdict), checkpoint),
-                                                    true, !is_console)
-                                      : claims_list(unjudged_claims(), false, !is_console);
-  if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(table)}}), ""};
-  const auto write = options.latex ? write_latex : write_console;
-  return {0, write(table, Precision::report), ""};
+  const bool with_verdicts = options.verdict.has_value();
+  const auto claims =
+      with_verdicts ? claims_with(parse_verdict(*options.verdict), checkpoint) : unjudged_claims();
+  if (options.json)
+    return {0, json_text({{"schema", 1}, {"constants", write_json(claims_list(claims, with_verdicts))}}), ""};
+  return {0,
+          options.latex ? write_latex(claims_list(claims, with_verdicts), Precision::report)
+                        : write_console(claims_for_a_terminal(claims, with_verdicts), Precision::report),
+          ""};
 }
 
 Outcome explain_command(const ExplainOptions& options) {
@@ -302,8 +304,14 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   require_directory(options.out);
   const Results results = compute_results(options.only, checkpoint);
   const PlotsNews news = write_results(options, results, checkpoint);
-  std::string out = write_console(summary_table(results), Precision::report);
-  if (!results.claims.empty()) out += fmt::format("\nLedger: {}\n", verdict_counts(results.claims));
+  std::vector<std::string> parts;
+  const Table summary = summary_table(results);
+  if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report));
+  // Asked for by name, claims are shown; of all of them there are too many.
+  if (!options.only.empty() && !results.claims.empty())
+    parts.push_back(write_console(claims_for_a_terminal(results.claims, true), Precision::report));
+  if (!results.claims.empty()) parts.push_back(fmt::format("Ledger: {}\n", verdict_counts(results.claims)));
+  std::string out = fmt::format("{}", fmt::join(parts, "\n"));
   out += news.out;
   out += fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(results);
@@ -316,6 +324,10 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
   if (is_normalisation) {
     throw UserError(
         fmt::format("'{0}' is integrated, not fitted: see 'shadefit run --only {0}'", options.id));
+  }
+  if (find_claim(options.id) != nullptr && find_family(options.id) == nullptr &&
+      find_published(options.id) == nullptr) {
+    throw UserError(fmt::format("'{0}' is a claim, not fitted: see 'shadefit explain {0}'", options.id));
   }
   require_known(options.id, ids_with_a_fit(), "constant to fit");
   const Published* published = find_family(options.id) == nullptr ? find_published(options.id) : nullptr;

@@ -135,33 +135,19 @@ inline constexpr std::array sg_offset_published{
 
 /// The rows of the ledger on this topic.
 inline constexpr std::array lobe_claims{
-    Claim{.id = "sg-offset-mean",
-          .statement = "c^k ~ exp((k+x)(c-1)): the mean of the best x over integer k = 3..15",
-          .printed = {{"x", sg_offset_published[0].printed}},
-          .inputs = {{"exponents", sg_offset_published[0].exponents}, {"from", "0"}, {"to", "1"}},
-          .derivation =
-              "Each x is a continuous least-squares fit, uniform in the cosine; the mean is over the "
-              "exponents of the input.",
-          .figure = "offset",
-          .source = sources::lagarde_2012},
-    Claim{.id = "sg-offset-limit",
-          .statement = "the best x of exp((k+x)(c-1)) as k grows",
-          .printed = {{"x", sg_offset_published[1].printed}},
-          .inputs = {{"from", "0"}, {"to", "1"}},
-          .derivation = "With t = k(1-c) the condition of the minimum is an integral of powers of t times "
-                        "exp(-2t): x = (p+2)/4, p = 1 for dc. The fits at k = 1e4, 1e5, 1e6, extrapolated "
-                        "in 1/k, have to agree.",
-          .figure = "offset",
-          .source = sources::lagarde_2012},
-    Claim{.id = "sg-offset-k5",
-          .statement = "the best x of exp((k+x)(c-1)) at k = 5",
-          .printed = {{"x", sg_offset_published[2].printed}},
-          .inputs = {{"exponents", sg_offset_published[2].exponents}, {"from", "0"}, {"to", "1"}},
-          .derivation =
-              "A continuous least-squares fit, uniform in the cosine; the published one-term Fresnel "
-              "form is this lobe in 1 - c.",
-          .figure = "offset",
-          .source = sources::lagarde_2012},
+    claim_of(
+        sg_offset_published[0], "c^k ~ exp((k+x)(c-1)): the mean of the best x over integer k = 3..15",
+        "Each x is a continuous least-squares fit, uniform in the cosine; the mean is over the exponents of "
+        "the input.",
+        "offset"),
+    claim_of(sg_offset_published[1], "the best x of exp((k+x)(c-1)) as k grows",
+             "With t = k(1-c) the condition of the minimum is an integral of powers of t times exp(-2t): "
+             "x = (p+2)/4, p = 1 for dc. The fits at k = 1e4, 1e5, 1e6, extrapolated in 1/k, have to agree.",
+             "offset"),
+    claim_of(sg_offset_published[2], "the best x of exp((k+x)(c-1)) at k = 5",
+             "A continuous least-squares fit, uniform in the cosine; the published one-term Fresnel form is "
+             "this lobe in 1 - c.",
+             "offset"),
     Claim{
         .id = "sg-offset-bounds",
         .statement =

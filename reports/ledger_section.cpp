@@ -45,6 +45,12 @@ std::string wrapped(std::string_view text, std::size_t width, const std::string&
   return out;
 }
 
+/// What of a text a column of a terminal has room for.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t room = 40;
+  return text.size() <= room ? text : text.substr(0, room - 3) + " ..";
+}
+
 std::vector<JudgedClaim> of_topic(const std::vector<JudgedClaim>& claims, const Topic& topic) {
   std::vector<JudgedClaim> found;
   std::copy_if(claims.begin(), claims.end(), std::back_inserter(found),
@@ -78,10 +84,12 @@ std::string verdict_text(const Finding& finding) {
 }
 
 Table claims_table(const std::vector<JudgedClaim>& claims) {
-  Table table{{"claim", "printed", "computed", "verdict", "effect", "evidence", "source"}, {}};
-  for (const auto& [_, claim, finding] : claims) {
+  Table table{
+      {"claim", "printed", "computed", "verdict", "effect", "evidence", "source", "topic", "statement"}, {}};
+  for (const auto& [topic, claim, finding] : claims) {
     table.rows.push_back({word(claim->id), printed_text(*claim), finding.computed, verdict_text(finding),
-                          finding.effect, finding.evidence, citation(claim->source)});
+                          finding.effect, finding.evidence, citation(claim->source), word(topic->title),
+                          word(claim->statement)});
   }
   return table;
 }
@@ -93,14 +101,25 @@ Table claims_overview(const std::vector<JudgedClaim>& claims) {
   return table;
 }
 
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bool with_full_sources) {
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts) {
   Table table{{"id", "printed", "of", "source"}, {}};
   if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
   for (const auto& [_, claim, finding] : claims) {
     std::vector<Cell> row{word(claim->id), printed_text(*claim), word(claim->statement),
-                          with_full_sources ? citation(claim->source)
-                                            : fmt::format("{} {}", claim->source.author, claim->source.year)};
+                          citation(claim->source)};
     if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts) {
+  Table table{{"id", "printed", "source"}, {}};
+  if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
+  for (const auto& [_, claim, finding] : claims) {
+    std::vector<Cell> row{word(claim->id), shortened(printed_text(*claim)),
+                          fmt::format("{} {}", claim->source.author, claim->source.year)};
+    if (with_verdicts) row.insert(row.begin() + 2, {shortened(finding.computed), verdict_text(finding)});
     table.rows.push_back(row);
   }
   return table;
@@ -124,8 +143,10 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {
   std::string out = fmt::format(
       "## The ledger\n\n"
-      "Every number that the source documents state, judged: {}. A word is read as a number that the record names (`shadefit explain "
-      "ID` shows it, with the derivation).\n\n",
+      "What the source documents state, judged: {}. A printed number is judged by its digits, as above. A statement, an inequality, a "
+      "threshold or an identity is *confirmed* where it holds wherever it speaks of, *conditional* where it holds in a part that the "
+      "evidence names or in one reading of several, *refuted* where it does not. A word is read as a number that the record names "
+      "(`shadefit explain ID` shows it, with the derivation).\n\n",
       verdict_counts(claims));
   const Topic* last = nullptr;
   for (const JudgedClaim& judged : claims) {

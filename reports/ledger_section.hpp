@@ -22,9 +22,11 @@ Table claims_table(const std::vector<JudgedClaim>& claims);
 /// What a table for people shows of them: claim, printed, computed, verdict.
 Table claims_overview(const std::vector<JudgedClaim>& claims);
 
-/// Every record, with its verdict where claims are judged: `shadefit list`. A source is "author year", or the
-/// full citation.
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, bool with_full_sources);
+/// Every record, with its verdict where claims are judged: `shadefit list`.
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts);
+
+/// The same, as narrow as a terminal: no statements, long cells cut, a source as "author year".
+Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts);
 
 /// "82 claims: 61 confirmed, 4 rounding, ..": verdicts that occur, in their order.
 std::string verdict_counts(const std::vector<JudgedClaim>& claims);

@@ -27,7 +27,9 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
       "of the "
       "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
       "## Summary\n\n";
-  out += exact_fresnel_lead(results.fresnel_chain) + markdown_block(summary_table(results));
+  out += exact_fresnel_lead(results.fresnel_chain);
+  const Table summary = summary_table(results);
+  if (!summary.rows.empty()) out += markdown_block(summary);
   for (const Refit& refit : results.refits) out += family_section(refit, figures);
   if (!results.fresnel_chain.empty()) out += exact_fresnel_section(results.fresnel_chain);
   if (!results.normalisations.empty()) out += normalisation_section(results);
@@ -38,7 +40,8 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
 }
 
 std::string write_latex_tables(const Results& results) {
-  std::string out = write_latex(summary_table(results), Precision::report);
+  const Table summary = summary_table(results);
+  std::string out = summary.rows.empty() ? "" : write_latex(summary, Precision::report);
   if (!results.normalisations.empty())
     out += "\n" + write_latex(normalisation_table(results.normalisations), Precision::report);
   if (!results.claims.empty()) out += "\n" + write_latex(claims_overview(results.claims), Precision::report);

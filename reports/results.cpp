@@ -38,6 +38,13 @@ bool is_family_wanted(const std::vector<std::string>& ids, const Family& family)
                      [&](const Published& p) { return p.family == family.id && is_wanted(ids, p.id); });
 }
 
+/// A family stands for the claims that bear its name: sg-offset for sg-offset-mean.
+bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
+  return is_wanted(ids, id) || std::any_of(ids.begin(), ids.end(), [&](const std::string& wanted) {
+           return find_family(wanted) != nullptr && id.starts_with(wanted + "-");
+         });
+}
+
 }  // namespace
 
 std::vector<std::string> known_ids() {
@@ -95,7 +102,7 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
   }
   const auto wanted = [&](std::string_view id) { return is_wanted(ids, id); };
   results.reflectances = reflectance_curves(wanted);
-  results.claims = judge_claims(wanted, checkpoint);
+  results.claims = judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, checkpoint);
   return results;
 }
 

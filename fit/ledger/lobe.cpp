@@ -10,24 +10,11 @@
 #include "fit/ledger/exponents.hpp"
 #include "fit/ledger/lobe_errors.hpp"
 #include "fit/ledger/offset_range.hpp"
-#include "fit/ledger/published.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/sweep.hpp"
 
 namespace shadefit {
 namespace {
-
-Finding offset_mean(const Claim& claim) {
-  return evaluate_published(claim, {"sg-offset-mean"});
-}
-
-Finding offset_limit(const Claim& claim) {
-  return evaluate_published(claim, {"sg-offset-limit"});
-}
-
-Finding offset_at_five(const Claim& claim) {
-  return evaluate_published(claim, {"sg-offset-k5"});
-}
 
 double given(const Claim& claim, std::string_view name) {
   return number_of(claim.inputs.at(name));
@@ -303,10 +290,9 @@ Finding offset_matters(const Claim& claim) {
 
 std::span<const Evaluator> lobe_evaluators() {
   static constexpr std::array evaluators{
-      Evaluator{"sg-offset-mean", offset_mean},       Evaluator{"sg-offset-limit", offset_limit},
-      Evaluator{"sg-offset-k5", offset_at_five},      Evaluator{"sg-offset-bounds", offset_bounds},
-      Evaluator{"sg-plain-accurate", plain_accurate}, Evaluator{"sg-plain-peak", plain_peak},
-      Evaluator{"sg-offset-one-low", offset_one_low}, Evaluator{"sg-offset-matters-below", offset_matters}};
+      Evaluator{"sg-offset-bounds", offset_bounds}, Evaluator{"sg-plain-accurate", plain_accurate},
+      Evaluator{"sg-plain-peak", plain_peak}, Evaluator{"sg-offset-one-low", offset_one_low},
+      Evaluator{"sg-offset-matters-below", offset_matters}};
   return evaluators;
 }
 

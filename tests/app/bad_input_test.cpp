@@ -33,6 +33,8 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
   expect_refusal({"list", "--verdict", "wrong"},
                  "--verdict 'wrong' is unknown: it must be one of confirmed, rounding, other-objective, "
                  "conditional, refuted");
+  expect_refusal({"fit", "half-banding"},
+                 "'half-banding' is a claim, not fitted: see 'shadefit explain half-banding'");
   expect_refusal({"run", "--only", "norm-fong"}, "unknown constant 'norm-fong': did you mean 'norm-phong'?");
   expect_refusal({"fit", "norm-phong"},
                  "'norm-phong' is integrated, not fitted: see 'shadefit run --only norm-phong'");

@@ -55,6 +55,7 @@ TEST(Assess, EachPublishedDigitChangedChangesTheVerdict) {
       continue;  // its digits move its range: the next test
     FitCache fits(*find_family(published.family));
     const Verdict original = assess(fits, published, {})->judgement.verdict;
+    if (original == Verdict::refuted) continue;  // most other digits are wrong too
     for (std::size_t i = 0; i < published.printed.size(); ++i) {
       if (published.printed[i] < '0' || published.printed[i] > '9') continue;
       for (char digit = '0'; digit <= '9'; ++digit) {

@@ -21,9 +21,10 @@ const Topic topic{"Topic", std::span(&claim, 1)};
 const JudgedClaim judged{&topic, &claim, {Verdict::rounding, "1.6", "it is 1.6", "0.1 codes"}};
 
 TEST(ClaimsTable, HasTheColumnsThatOthersRelyOn) {
-  EXPECT_EQ(write_csv(claims_table({judged}), Precision::report),
-            "claim,printed,computed,verdict,effect,evidence,source\n"
-            "x-claim,\"a = 1.5, 2\",1.6,rounding,0.1 codes,it is 1.6,\"Author 2012, Title, Place\"\n");
+  EXPECT_EQ(
+      write_csv(claims_table({judged}), Precision::report),
+      "claim,printed,computed,verdict,effect,evidence,source,topic,statement\n"
+      "x-claim,\"a = 1.5, 2\",1.6,rounding,0.1 codes,it is 1.6,\"Author 2012, Title, Place\",Topic,a is b\n");
 }
 
 TEST(ClaimsTable, WeakEvidenceIsNoVerdictAndFailsTheRun) {
