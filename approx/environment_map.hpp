@@ -168,18 +168,19 @@ inline constexpr std::array environment_map_claims{
                         "lobe that covers as much has s + 1 = 3 whatever the width. The cosine itself covers "
                         "pi. That a face is a square with hard edges is a further difference, not counted.",
           .source = sources::mcguire_2013},
-    Claim{.id = "mip-mean-power",
-          .statement = "a cube map of 128 texels a face is reflected unblurred, once it is filtered with a "
-                       "cosine lobe, only for powers above 16000",
-          .printed = {{"power", "16000"}},
-          .inputs = {{"width", "128"}, {"significant digits", "2"}, {"falls by e to the minus", "1,2"}},
-          .derivation =
-              "The source names no criterion. First reading: the lobe covers one mean texel of level 0, "
-              "s = 3 w^2 - 1. Others: one texel at the centre of a face, one in its corner; or the lobe has "
-              "fallen by e^-1 or e^-2 at the centre of the next texel, at the middle of a face, where "
-              "tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read to its "
-              "significant digits.",
-          .source = sources::lagarde_2011_adopting},
+    Claim{
+        .id = "mip-mean-power",
+        .statement = "a cube map of 128 texels a face is reflected unblurred, once it is filtered with a "
+                     "cosine lobe, only for powers above 16000",
+        .printed = {{"power", "16000"}},
+        .inputs = {{"width", "128"}, {"significant digits", "2"}, {"falls by e to the minus", "1,2"}},
+        .derivation =
+            "The source names no criterion. The one that is judged: the lobe covers one mean texel of level 0, "
+            "s = 3 w^2 - 1. Beside it: one texel at the centre of a face, one in its corner; or the lobe has "
+            "fallen by e^-1 or e^-2 at the centre of the next texel, at the middle of a face, where "
+            "tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read to its "
+            "significant digits.",
+        .source = sources::lagarde_2011_adopting},
     Claim{
         .id = "mip-gloss-chain",
         .statement = "a chain of levels from 128 down to 4 texels, of which level m is made for the power "

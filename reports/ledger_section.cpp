@@ -65,8 +65,9 @@ std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& cl
     out += fmt::format("- **`{}`** ({} {}): {}. Verdict: **{}**: {}. Effect: {}.", claim->id,
                        claim->source.author, claim->source.year, claim->statement, verdict_text(finding),
                        finding.evidence, finding.effect);
+    const std::string_view name = claim->figure;  // clang 14 captures no structured binding
     const bool is_drawn = std::any_of(figures.begin(), figures.end(),
-                                      [&](const Figure& figure) { return figure.name == claim->figure; });
+                                      [&](const Figure& figure) { return figure.name == name; });
     if (is_drawn) out += fmt::format(" Plot: [{0}](plots/{0}.svg).", claim->figure);
     out += "\n";
   }

@@ -102,23 +102,32 @@ Finding chart_range(const Claim& claim) {
   const auto conventions = conventions_of(claim);
   const std::vector<double> codes{number_of(claim.inputs.at("from code")),
                                   number_of(claim.inputs.at("to code"))};
+  // Both numbers under one convention: the first that gives all digits, else the first of all.
+  const auto gives_all = [&](const TransferFunction& convention) {
+    bool all = true;
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      all = all && units_off(claim.printed[i].value, convention.linear(codes[i])) == 0;
+    return all;
+  };
+  const auto found = std::find_if(conventions.begin(), conventions.end(), gives_all);
+  const TransferFunction& convention = found == conventions.end() ? conventions.front() : *found;
   std::vector<Verdict> verdicts;
   std::vector<std::string> values, computed;
   std::string effect;
   Range exponents{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const auto& [name, printed] = claim.printed[i];
-    const auto judged =
-        judge_under(conventions, printed, [&](const TransferFunction& t) { return t.linear(codes[i]); });
-    verdicts.push_back(judged.verdict);
-    computed.push_back(std::string(name) + " = " + decimal(judged.value, 7));
+    verdicts.push_back(judge(printed, {"", convention.linear(codes[i])}, {}).verdict);
+    computed.push_back(std::string(name) + " = " + decimal(convention.linear(codes[i]), 7));
     values.push_back("code " + decimal(codes[i], 6) + " is " + linear_under_each(conventions, codes[i]));
     const Range own = exponents_that_give(printed, codes[i]);
     exponents = {std::max(exponents.from, own.from), std::min(exponents.to, own.to)};
     const std::string own_effect = effect_of_linear(number_of(printed), conventions.front().linear(codes[i]));
     if (own_effect != "none") effect += (effect.empty() ? "" : "; ") + own_effect;
   }
-  return {worst(verdicts), computed[0] + ", " + computed[1],
+  const bool is_other = found != conventions.end() && found != conventions.begin();
+  return {is_other ? Verdict::other_objective : worst(verdicts),
+          computed[0] + ", " + computed[1] + " under " + convention.name,
           values[0] + "; " + values[1] + "; both printed numbers have all their digits under " +
               conventions_that_give_all(conventions, claim, codes) + "; " + exponents_sentence(exponents),
           effect.empty() ? "none" : effect};

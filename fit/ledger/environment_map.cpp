@@ -75,18 +75,19 @@ Finding evaluate_mean_power(const Claim& claim) {
     words.push_back(decimal(reading.value, 6) + " for " + reading.objective);
     reading.value /= unit;
   }
-  const Judgement judgement = judge(leading, readings.front(), std::span(readings).subspan(1));
+  // The first reading is the one that is claimed; another that has the digits is evidence of where they may
+  // come from.
+  const Verdict verdict = judge(leading, readings.front(), {}).verdict;
+  const Judgement closest = judge(leading, readings.front(), std::span(readings).subspan(1));
   const double s = number_of(printed);
   std::string evidence = "s = " + enumerated(words) + "; at " + decimal(s, 6) + " the lobe covers " +
                          decimal(lobe_solid_angle(s) / mean_texel_solid_angle(width, 0.0), 4) +
                          " mean texels";
-  if (judgement.verdict == Verdict::other_objective)
-    evidence += "; of these " + counted(static_cast<long>(readings.size()), "reading") +
-                " the printed digits are those of " + judgement.objective;
-  std::string computed = "power = " + decimal(readings.front().value * unit, 6);
-  if (judgement.verdict == Verdict::other_objective)
-    computed += ", by another reading " + decimal(judgement.value * unit, 6);
-  return {judgement.verdict, computed, evidence,
+  if (closest.verdict == Verdict::other_objective)
+    evidence += "; of these " + counted(static_cast<long>(readings.size()), "reading") + " the first " +
+                counted(static_cast<long>(digits), "printed digit") + " are those of " + closest.objective;
+  const std::string computed = "power = " + decimal(readings.front().value * unit, 6);
+  return {verdict, computed, evidence,
           "a chain whose level 0 is unfiltered has the power " + decimal(s, 6) + " at level " +
               decimal(mip_level_of_power(width, s), 3) + ", by the size of a mean texel"};
 }

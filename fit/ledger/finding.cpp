@@ -21,6 +21,10 @@ std::optional<Verdict> worst(std::span<const std::optional<Verdict>> parts) {
   return *std::max_element(parts.begin(), parts.end());
 }
 
+std::string identity_if(const std::optional<Verdict>& verdict) {
+  return verdict == Verdict::confirmed ? "identity" : "no identity";
+}
+
 std::optional<Verdict> judge_known_to(std::string_view printed, double value, double error) {
   const Verdict low = judge(printed, {"", value - error}, {}).verdict;
   const Verdict high = judge(printed, {"", value + error}, {}).verdict;

@@ -44,6 +44,9 @@ constexpr Verdict verdict_of_cases(std::size_t holding, std::size_t cases) {
   return holding == cases ? Verdict::confirmed : holding == 0 ? Verdict::refuted : Verdict::conditional;
 }
 
+/// What stands beside an identity: "identity" where it was confirmed.
+std::string identity_if(const std::optional<Verdict>& verdict);
+
 /// Judges a printed number against a value that is known to `error` (absolute). Empty where that is not
 /// enough to say: where both ends of value +- error do not lead to one verdict.
 std::optional<Verdict> judge_known_to(std::string_view printed, double value, double error);

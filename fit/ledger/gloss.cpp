@@ -180,7 +180,7 @@ Finding exp2_identity(const Claim& claim) {
     sides.compare(exp_by_exp2(a) / truth, 1);
     sides.compare(roots.exp2(a / ln2<Decimal50>()) / truth, 1);
   }
-  return {verdict_of(sides.agree(claim)), "identity",
+  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
           "at " + counted(std::ssize(all), "place") + " a of " + domain(claim) + " both sides " +
               sides.words(claim) + " of themselves, with 2^x from square roots of 2 alone"};
 }
@@ -195,7 +195,7 @@ Finding normalised_mad(const Claim& claim) {
   }
   const std::string_view printed = claim.inputs.at("factor");
   const std::array parts{verdict_of(sides.agree(claim)), judge(printed, {"", rounded(factor)}, {}).verdict};
-  return {worst(parts), "identity",
+  return {worst(parts), identity_if(worst(parts)),
           "with the factor ln 2/8 = " + decimal(rounded(factor), 10) + " both sides " + sides.words(claim) +
               " of themselves at " + glosses(claim) + "; " + std::string(printed) + " is off by " +
               decimal(number_of(printed) - rounded(factor), 2),
@@ -239,7 +239,7 @@ Finding log2_second(const Claim& claim) {
       sides.compare(ln2<Decimal50>() * log2_by_squares(a) / size, truth / size);
     }
   }
-  return {verdict_of(sides.agree(claim)), "identity",
+  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
           "at a = 2^u and 2^u/3, " + counted(std::ssize(all), "place") + " u of " + domain(claim) +
               ", both sides " + sides.words(claim) +
               " of the larger of 1 and themselves, with log2 by squaring alone"};

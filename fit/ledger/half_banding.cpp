@@ -109,8 +109,9 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
   }
   found.computed = "steps of " + enumerated(steps);
   found.evidence = enumerated(steps) + " codes, showing " + enumerated(codes) + " of the 256, and at power " +
-                   decimal(low, 4) + " " + enumerated(low_steps) + " codes, the first power up to " +
-                   decimal(last, 6) + " that bands being " + enumerated(first);
+                   decimal(low, 4) + " " + enumerated(low_steps) +
+                   " codes, the first power (of powers of two, then between them) up to " + decimal(last, 6) +
+                   " that bands being " + enumerated(first);
   return found;
 }
 

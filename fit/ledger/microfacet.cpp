@@ -246,12 +246,12 @@ LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<dou
 }
 
 std::string words(const LoanRange& range, double allowed) {
-  const std::string by_roughness = range.roughness
-                                       ? "at every view up to roughness " + decimal(*range.roughness, 4)
-                                       : "not at every view even at the lowest roughness";
-  const std::string by_view = range.view_angle
-                                  ? "at every roughness up to " + decimal(*range.view_angle, 4) + " degrees"
-                                  : "not at every roughness even along the normal";
+  const std::string by_roughness =
+      range.roughness ? "at all of these views up to roughness " + decimal(*range.roughness, 4)
+                      : "not at all of these views even at the lowest roughness";
+  const std::string by_view =
+      range.view_angle ? "at all of these roughnesses up to " + decimal(*range.view_angle, 4) + " degrees"
+                       : "not at all of these roughnesses even along the normal";
   return "within " + decimal(allowed, 4) + " of 1 " + by_roughness + ", and " + by_view;
 }
 
@@ -293,12 +293,13 @@ Finding loan(std::string_view distribution, const Claim& claim) {
 Finding masked_by_another(const Claim& claim) {
   const Finding blinn_phong = loan("blinn-phong", claim), gtr1 = loan("gtr1", claim);
   const Widths widths(claim);
-  return {worst(std::array{blinn_phong.verdict, gtr1.verdict}),
-          "up to " + blinn_phong.computed + ", " + gtr1.computed,
-          "at " + widths.words() + " and " + views_in_words(views_of(claim)) + ", " + blinn_phong.evidence +
-              "; " + gtr1.evidence,
-          "with F = 1 and masking alone, what should reflect all of the light reflects up to " +
-              blinn_phong.effect + ", " + gtr1.effect};
+  return {
+      worst(std::array{blinn_phong.verdict, gtr1.verdict}),
+      "at worst " + blinn_phong.computed + ", " + gtr1.computed,
+      "at " + widths.words() + " and " + views_in_words(views_of(claim)) + ", " + blinn_phong.evidence +
+          "; " + gtr1.evidence,
+      "with F = 1 and masking alone, what should reflect all of the light reflects, at the worst of these, " +
+          blinn_phong.effect + ", " + gtr1.effect};
 }
 
 }  // namespace

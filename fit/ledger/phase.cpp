@@ -66,7 +66,8 @@ Finding normalisation(const Claim& claim) {
       apart <= agreement ? worst(verdicts) : std::nullopt, decimal(closed, 10),
       "the closed form gives " + decimal(closed, 10) + " at " +
           counted(static_cast<long>(anisotropies.size()), "value") + " of g from " + decimal(*least, 6) +
-          " to " + decimal(*most, 6) + "; two quadrature rules agree with it " +
+          " to " + decimal(*most, 6) +
+          " (a negative one is the positive one with the sphere turned over); two quadrature rules agree with it " +
           (apart <= agreement ? "to " + decimal(agreement, 1) : "no better than to " + decimal(apart, 1)) +
           "; the peak is " + decimal(henyey_greenstein_near_peak(0.0, sharpest), 4) +
           " per steradian at |g| = " + decimal(sharpest, 6),

@@ -8,6 +8,7 @@
 #include "approx/catalogue.hpp"
 #include "fit/decimal.hpp"
 #include "fit/refit.hpp"
+#include "fit/sweep.hpp"
 
 namespace shadefit {
 namespace {
@@ -51,6 +52,26 @@ std::string what_is_computed(const Published& published) {
   throw std::logic_error("a statement without words");
 }
 
+/// Of a number that was printed without its exponent: the worst of what it does in the place of the best one,
+/// from one end of the family's sweep to the other.
+std::string effect_elsewhere(FitCache& fits, const Published& published, const Metric& metric) {
+  const std::size_t parameter = parameter_index(fits.family(), published.parameter);
+  Effect worst;
+  double at = 0;
+  for (const double exponent : parse_sweep(fits.family().info.sweep)) {
+    const Fit& fit = fits.at(exponent, metric);
+    if (fit.status != Status::converged) continue;
+    auto from = fit.parameters;
+    from[parameter] = number_of(published.printed);
+    const Effect effect = fits.family().effect(exponent, metric.domain, from, fit.parameters);
+    if (effect.absolute.magnitude <= worst.absolute.magnitude) continue;
+    worst = effect;
+    at = exponent;
+  }
+  return "in the place of the best one, at k = " + decimal(at, 6) +
+         " where that matters most: " + sentence(worst);
+}
+
 /// One printed number: its verdict and its part of the sentence.
 Finding evaluate_part(FitCache& fits, const Published& published, const Domain& domain) {
   const auto assessment = assess(fits, published, {.domain = domain});
@@ -64,6 +85,7 @@ Finding evaluate_part(FitCache& fits, const Published& published, const Domain& 
                                     " and rounds to it from k = " + decimal(range->from, 3) + " to " +
                                     decimal(range->to, 3) + " under the cosine measure"
                               : " at no exponent of the sweep";
+    finding.effect = effect_elsewhere(fits, published, assessment->metric);
   } else {
     finding.evidence += " is " + under_each_measure(fits, published, domain);
   }

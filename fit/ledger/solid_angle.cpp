@@ -104,7 +104,7 @@ Finding evaluate_cap(const Claim& claim) {
     agreement.compare(cap_solid_angle(phi * degree), gauss_kronrod(ring, 0, phi * degree, rule_tolerance),
                       tanh_sinh(ring, 0, phi * degree, rule_tolerance));
   }
-  return {agreement.verdict(number_of(tolerance)), "identity",
+  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
           "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
               counted(static_cast<long>(degrees.size()), "half-angle") + " " + from_to(degrees) +
               " degrees; the last one covers " + decimal(cap_solid_angle(degrees.back() * degree), 10) +
@@ -117,7 +117,7 @@ Finding evaluate_lobe(const Claim& claim) {
   const std::string_view tolerance = claim.inputs.at("tolerance");
   Agreement agreement;
   for (const double exponent : exponents) compare_lobe(exponent, agreement);
-  return {agreement.verdict(number_of(tolerance)), "identity",
+  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
           "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
               counted(static_cast<long>(exponents.size()), "power") + " " + from_to(exponents) +
               ", where the lobe covers " + decimal(lobe_solid_angle(exponents.front()), 10) + " and " +
@@ -145,7 +145,7 @@ Finding evaluate_texel(const Claim& claim) {
                                           agreement.verdict(number_of(tolerance)),
                                           is_ordered ? Verdict::confirmed : Verdict::conditional};
   const auto level_shift = [](double ratio) { return decimal(std::abs(std::log2(ratio)) / 2, 3); };
-  return {worst(parts), "identity",
+  return {worst(parts), identity_if(worst(parts)),
           "a face covers " + decimal(face.value, 10) + " sr, and " + decimal(edge, 6) + "^2 mean texels " +
               within(of_face.gap, tolerance) + " as much; the corner texel covers " + decimal(corner, 6) +
               " and one that touches the centre " + decimal(centre, 6) +
