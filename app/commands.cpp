@@ -149,7 +149,7 @@ Outcome derived_command(const FittableFamily& family, const Published& published
     return {1, "",
             fmt::format("shadefit: {} rests on fits that did not converge, or has no limit on this domain\n",
                         published.id)};
-  const Refit refit{&family, {}, {*assessment}};
+  const Refit refit{&family, {&published}, {}, {*assessment}};
   if (options.json) return {0, json_text(write_derived_json(*assessment)), ""};
   const Table table = fits_table({refit}).table;
   const auto write = options.csv ? write_csv : options.latex ? write_latex : write_console;
@@ -340,6 +340,7 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
   FitCache fits(family);
   const Refit refit{
       &family,
+      {},
       fit_and_assess(fits, settings_for(family, published, options), std::array{metric}, checkpoint),
       {}};
   const std::string err = not_converged_lines(refit);

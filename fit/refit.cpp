@@ -169,12 +169,27 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>
   return reports;
 }
 
-Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under,
+std::vector<const Published*> numbers_of(const Family& family) {
+  std::vector<const Published*> numbers;
+  for (const Published& published : published_constants) {
+    if (published.family == family.id) numbers.push_back(&published);
+  }
+  return numbers;
+}
+
+std::vector<double> exponents_needed_by(const Published& published, const Family& family) {
+  if (family.sweep.empty()) return {};
+  return published.statement == Statement::fit_somewhere ? parse_sweep(family.sweep)
+                                                         : exponents_of(published);
+}
+
+Refit refit(const FittableFamily& family, std::vector<double> exponents,
+            std::vector<const Published*> numbers, std::span<const Metric> under,
             const Checkpoint& checkpoint) {
   // A number published for an exponent outside the sweep is fitted and judged too.
-  for (const Published& published : published_constants) {
-    const bool has_own = published.family == family.info.id && published.statement == Statement::best_fit;
-    if (has_own && family.has_exponent()) exponents.push_back(exponents_of(published).front());
+  for (const Published* number : numbers) {
+    if (number->statement == Statement::best_fit && family.has_exponent())
+      exponents.push_back(exponents_of(*number).front());
   }
   std::sort(exponents.begin(), exponents.end());
   exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
@@ -183,12 +198,12 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents, std::sp
   const std::vector<Setting> settings = family.has_exponent()
                                             ? std::vector<Setting>(exponents.begin(), exponents.end())
                                             : std::vector<Setting>{{}};
-  Refit result{&family, fit_and_assess(fits, settings, under, checkpoint), {}};
-  for (const Published& published : published_constants) {
-    if (published.family != family.info.id || published.statement == Statement::best_fit) continue;
+  Refit result{&family, std::move(numbers), fit_and_assess(fits, settings, under, checkpoint), {}};
+  for (const Published* number : result.numbers) {
+    if (number->statement == Statement::best_fit) continue;
     for (const Metric& metric : under) {
       checkpoint();
-      const auto assessment = assess(fits, published, metric);
+      const auto assessment = assess(fits, *number, metric);
       if (assessment) result.derived.push_back(*assessment);
     }
   }

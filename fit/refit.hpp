@@ -41,7 +41,8 @@ struct FitReport {
 /// A family refitted over a sweep.
 struct Refit {
   const FittableFamily* family;
-  std::vector<FitReport> fits;      ///< by metric, then by exponent
+  std::vector<const Published*> numbers;  ///< the published ones that it judges
+  std::vector<FitReport> fits;            ///< by metric, then by exponent
   std::vector<Assessment> derived;  ///< means, limits, numbers without exponent: by number, then by metric
 };
 
@@ -63,9 +64,14 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>
                                       std::span<const Metric> under,
                                       const Checkpoint& checkpoint = keep_going);
 
-/// All there is to say of a family: the exponents and those that numbers were published for, in rising order,
-/// and the means and limits of fits. The checkpoint is called before each fit and each mean or limit.
-Refit refit(const FittableFamily& family, std::vector<double> exponents, std::span<const Metric> under,
+/// Every number published for the family.
+std::vector<const Published*> numbers_of(const Family& family);
+
+/// What there is to say of a family: the exponents and those that the `numbers` were published for, in rising
+/// order, and the means and limits of fits among the numbers. The checkpoint is called before each fit and
+/// each mean or limit.
+Refit refit(const FittableFamily& family, std::vector<double> exponents,
+            std::vector<const Published*> numbers, std::span<const Metric> under,
             const Checkpoint& checkpoint = keep_going);
 
 /// Judges one published number of the cache's family: the value under `metric`, against the other measures
@@ -85,6 +91,9 @@ std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& pub
 /// The exponents that a published number speaks of; a limit is looked at from k = 1e6, no exponent stands as
 /// {0}.
 std::vector<double> exponents_of(const Published& published);
+
+/// Those to fit at before it is judged: of a number published without its exponent the family's sweep.
+std::vector<double> exponents_needed_by(const Published& published, const Family& family);
 
 /// The whole domain under every measure, in their order.
 std::vector<Metric> whole_domain_metrics();

@@ -95,19 +95,15 @@ std::string published_paragraph(const Refit& refit, const Published& published) 
 
 std::string published_section(const Refit& refit) {
   std::string out;
-  for (const Published& published : published_constants) {
-    if (published.family == refit.family->info.id) out += published_paragraph(refit, published);
-  }
+  for (const Published* number : refit.numbers) out += published_paragraph(refit, *number);
   return out + "\n";
 }
 
 /// The number published as the mean over a sweep, to be used at every exponent; null where there is none.
 const Published* published_mean(const Refit& refit) {
-  const auto found =
-      std::find_if(published_constants.begin(), published_constants.end(), [&](const Published& p) {
-        return p.family == refit.family->info.id && p.statement == Statement::mean_of_fits;
-      });
-  return found == published_constants.end() ? nullptr : &*found;
+  const auto found = std::find_if(refit.numbers.begin(), refit.numbers.end(),
+                                  [](const Published* p) { return p->statement == Statement::mean_of_fits; });
+  return found == refit.numbers.end() ? nullptr : *found;
 }
 
 /// One row per exponent: the best parameter under each measure, the errors under the first one, and what the
@@ -163,8 +159,8 @@ std::string variants_section(const Refit& refit) {
   Table table{{"constant", "printed", "found as", "seen in", "effect"}, {}};
   const auto& family = *refit.family;
   const auto best = refit.fits.front().fit;
-  for (const Published& published : published_constants) {
-    if (published.family != family.info.id) continue;
+  for (const Published* number : refit.numbers) {
+    const Published& published = *number;
     const auto i = parameter_index(family, published.parameter);
     for (const Variant& variant : published.variants) {
       auto from = best.parameters, to = from;
@@ -186,8 +182,11 @@ std::optional<ApproachLaw<double>> derived_law(const Refit& refit, Measure measu
   return std::nullopt;
 }
 
-/// The derived law of approach beside what the fits extrapolate to.
+/// The derived law of approach beside what the fits extrapolate to, where a published number is a limit.
 std::string law_section(const Refit& refit) {
+  if (std::none_of(refit.numbers.begin(), refit.numbers.end(),
+                   [](const Published* p) { return p->statement == Statement::limit_of_fits; }))
+    return "";
   Table table{{"measure", "limit derived", "limit fitted", "slope derived", "slope fitted"}, {}};
   FitCache fits(*refit.family);
   for (const Measure measure : measures) {
@@ -214,6 +213,10 @@ std::string sweep_words(const Refit& refit) {
     if (report.fit.metric.measure != measures.front()) break;
     if (report.fit.max_abs_error.magnitude > worst->fit.max_abs_error.magnitude) worst = &report;
     last = &report;
+  }
+  if (worst == last) {
+    return fmt::format("The best curve is off by at most {:.3g} at c = {:.3g} (the peak is 1).\n\n",
+                       worst->fit.max_abs_error.magnitude, worst->fit.max_abs_error.at.cos_theta);
   }
   return fmt::format(
       "The error of the best curve is largest at k = {}, {:.3g} at c = {:.3g} (the peak is 1), and falls "

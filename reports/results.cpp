@@ -32,10 +32,25 @@ bool is_wanted(const std::vector<std::string>& ids, std::string_view id) {
   return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-bool is_family_wanted(const std::vector<std::string>& ids, const Family& family) {
-  return is_wanted(ids, family.id) ||
-         std::any_of(published_constants.begin(), published_constants.end(),
-                     [&](const Published& p) { return p.family == family.id && is_wanted(ids, p.id); });
+/// A family is refitted as a whole where it is asked for; for its published numbers alone only at the
+/// exponents that they need.
+struct WantedFits {
+  std::vector<double> exponents;
+  std::vector<const Published*> numbers;
+};
+
+WantedFits wanted_fits(const std::vector<std::string>& ids, const Family& family) {
+  const std::vector<const Published*> all = numbers_of(family);
+  if (is_wanted(ids, family.id))
+    return {family.sweep.empty() ? std::vector<double>{} : parse_sweep(family.sweep), all};
+  WantedFits wanted;
+  for (const Published* number : all) {
+    if (!is_wanted(ids, number->id)) continue;
+    wanted.numbers.push_back(number);
+    const auto needed = exponents_needed_by(*number, family);
+    wanted.exponents.insert(wanted.exponents.end(), needed.begin(), needed.end());
+  }
+  return wanted;
 }
 
 /// A family stands for the claims that bear its name: sg-offset for sg-offset-mean.
@@ -88,9 +103,10 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
   Results results;
   std::vector<const FittableFamily*> fresnel_families;
   for (const FittableFamily& family : fittable_families()) {
-    if (!is_family_wanted(ids, family.info)) continue;
-    const auto exponents = family.has_exponent() ? parse_sweep(family.info.sweep) : std::vector<double>{};
-    results.refits.push_back(refit(family, exponents, whole_domain_metrics(), checkpoint));
+    const WantedFits wanted = wanted_fits(ids, family.info);
+    if (wanted.numbers.empty()) continue;
+    results.refits.push_back(
+        refit(family, wanted.exponents, wanted.numbers, whole_domain_metrics(), checkpoint));
     if (family.is_fresnel()) fresnel_families.push_back(&family);
   }
   checkpoint();

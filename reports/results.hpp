@@ -28,7 +28,7 @@ std::vector<std::string> known_ids();
 /// Those of the ledger alone.
 std::vector<std::string> claim_ids();
 
-/// Computes what `ids` name, or everything where it is empty; a published constant stands for its family.
+/// Computes what `ids` name, or everything where it is empty; of a published constant the fits that it needs.
 /// Throws UserError for an id that names nothing. The checkpoint is called between fits and between
 /// normalisations.
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint = keep_going);

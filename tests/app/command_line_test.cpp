@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "approx/ledger.hpp"
+#include "approx/phong_blinn.hpp"
+#include "fit/sweep.hpp"
 #include "reports/baseline.hpp"
 #include "reports/csv.hpp"
 #include "reports/files.hpp"
@@ -223,6 +226,26 @@ TEST(RunCommand, OnlyOneClaim) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("Ledger: 1 claim: 1 confirmed"), std::string::npos) << outcome.out;
   EXPECT_TRUE(parse_csv(read_file(directory / "out/fits.csv"), "f").rows.empty());
+}
+
+/// The rows of fits.csv when only that is run, and its report.
+std::pair<std::size_t, std::string> fits_and_report(const std::string& id) {
+  const TemporaryDirectory directory;
+  const Outcome outcome = run_command_line({"run", "--out", directory / "out", "--only", id, "--no-plots"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return {parse_csv(read_file(directory / "out/fits.csv"), "f").rows.size(),
+          read_file(directory / "out/report.md")};
+}
+
+TEST(RunCommand, OnlyTheFitsThatANumberNeeds) {
+  const auto [of_k5, k5_report] = fits_and_report("sg-offset-k5");
+  EXPECT_EQ(of_k5, 3U) << "k = 5 under three measures";
+  EXPECT_NE(k5_report.find("`sg-offset-k5`"), std::string::npos);
+  EXPECT_EQ(k5_report.find("`sg-offset-mean`"), std::string::npos) << "another number of the family";
+  EXPECT_EQ(fits_and_report("sg-offset-mean").first, 42U) << "k = 3 to 15 and the mean, three measures";
+  EXPECT_EQ(fits_and_report("sg-offset-limit").first, 6U) << "k = 1e6 and the limit, three measures";
+  const auto sweep = static_cast<std::size_t>(parse_sweep(phong_blinn.sweep).size());
+  EXPECT_EQ(fits_and_report("phong-blinn-gotanda").first, 3 * (sweep + 1)) << "printed without its exponent";
 }
 
 TEST(CheckCommand, PassesOnTheCommittedBaselineAndFailsOnAChangedDigit) {
