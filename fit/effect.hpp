@@ -28,40 +28,55 @@ inline double half_ulp(double value) {
   return std::ldexp(1.0, exponent - 10);
 }
 
-/// The effect of going from one function of the cosine to another over the domain of the substitution, each
-/// unit at its own worst place. Absolute: a refined extremum; the others: the largest over the
-/// `search_points` and both ends. Both map a Cosine<T> to a T, for double and ceres::Jet<double, 1>.
-template <class Before, class After>
-Effect effect_between(const Before& before, const After& after, const Substitution& substitution) {
+/// The effect of a change over the domain of the substitution, each unit at its own worst place. Absolute: a
+/// refined extremum; the others: the largest over the `search_points` and both ends. `values` maps a
+/// Cosine<T> to the value before and the value after, an std::array<T, 2>, for double and ceres::Jet<double,
+/// 1>.
+template <class Values>
+Effect effect_over(const Values& values, const Substitution& substitution) {
   Effect effect;
-  effect.absolute =
-      largest_magnitude([&]<class T>(const Cosine<T>& c) { return T(after(c) - before(c)); }, substitution);
+  effect.absolute = largest_magnitude(
+      [&]<class T>(const Cosine<T>& c) {
+        const std::array<T, 2> value = values(c);
+        return T(value[1] - value[0]);
+      },
+      substitution);
   std::vector<double> points = search_points();
   points.insert(points.end(), {0.0, 1.0});
   for (const double s : points) {
-    const Cosine<double> c = substitution.at(s).cosine;
-    const double old_value = before(c), new_value = after(c);
-    const double step = std::abs(new_value - old_value);
-    if (old_value >= visible) effect.relative = std::max(effect.relative, step / old_value);
-    effect.half_ulps = std::max(effect.half_ulps, step / half_ulp(old_value));
-    effect.srgb_codes = std::max(effect.srgb_codes, std::abs(srgb_code(new_value) - srgb_code(old_value)));
+    const auto [before, after] = values(substitution.at(s).cosine);
+    const double step = std::abs(after - before);
+    if (before >= visible) effect.relative = std::max(effect.relative, step / before);
+    effect.half_ulps = std::max(effect.half_ulps, step / half_ulp(before));
+    effect.srgb_codes = std::max(effect.srgb_codes, std::abs(srgb_code(after) - srgb_code(before)));
   }
   return effect;
 }
 
-/// The effect of going from parameters `from` to `to`.
+/// The effect of going from one function of the cosine to another; both map a Cosine<T> to a T.
+template <class Before, class After>
+Effect effect_between(const Before& before, const After& after, const Substitution& substitution) {
+  return effect_over(
+      [&]<class T>(const Cosine<T>& c) {
+        return std::array<T, 2>{before(c), after(c)};
+      },
+      substitution);
+}
+
+/// The effect of going from parameters `from` to `to`: a place is sampled once for both.
 template <class F, std::size_t N>
 Effect effect_of_change(const F& family, const Domain& domain, const std::array<double, N>& from,
                         const std::array<double, N>& to) {
-  const auto curve = [&](const std::array<double, N>& parameters) {
-    return [&]<class T>(const Cosine<T>& c) {
-      std::array<T, N> p;
-      for (std::size_t i = 0; i < N; ++i) p[i] = lift<T>(parameters[i]);
-      return family.form(family.sample(c), p);
-    };
+  const auto values = [&]<class T>(const Cosine<T>& c) {
+    std::array<T, N> p, q;
+    for (std::size_t i = 0; i < N; ++i) {
+      p[i] = lift<T>(from[i]);
+      q[i] = lift<T>(to[i]);
+    }
+    const auto sample = family.sample(c);
+    return std::array<T, 2>{family.form(sample, p), family.form(sample, q)};
   };
-  return effect_between(curve(from), curve(to),
-                        Substitution({.measure = Measure::cosine, .domain = domain}, family.shape()));
+  return effect_over(values, Substitution({.measure = Measure::cosine, .domain = domain}, family.shape()));
 }
 
 /// "moves the curve by at most 3.7e-06 (at c = 0.284), 0.00013 of its value, ..", or "none".

@@ -30,9 +30,9 @@ Published as_claimed(std::string_view id, const Claim& claim, std::string_view p
 std::string under_each_measure(FitCache& fits, const Published& published, const Domain& domain) {
   std::vector<std::string> values;
   for (const Measure measure : measures) {
-    const auto assessment = assess(fits, published, {.measure = measure, .domain = domain});
-    values.push_back((assessment ? decimal(assessment->computed, 10) : "no value") + " under the " +
-                     std::string(name(measure)) + " measure");
+    const auto value = computed_value(fits, published, {.measure = measure, .domain = domain});
+    values.push_back((value ? decimal(*value, 10) : "no value") + " under the " + std::string(name(measure)) +
+                     " measure");
   }
   return enumerated(values);
 }
