@@ -27,12 +27,13 @@ Effect effect_of_replacing(FitCache& fits, const Published& published, const Met
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
   Effect worst;
   if (std::abs(constant<double>(published.printed) - computed) < 1e-10 * std::abs(computed)) return worst;
+  const bool has_exponent = fits.family().has_exponent();
   for (const double exponent : exponents_of(published)) {
     auto from = fits.at(exponent, metric).parameters, to = from;
     from[parameter] = constant<double>(published.printed);
     to[parameter] = computed;
-    const Effect effect = fits.family().effect(exponent, metric.domain, from, to);
-    if (effect.absolute.magnitude >= worst.absolute.magnitude) worst = effect;
+    worst.include(fits.family().effect(exponent, metric.domain, from, to),
+                  has_exponent ? Coordinate{"k = ", exponent} : Coordinate{});
   }
   return worst;
 }
