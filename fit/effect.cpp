@@ -23,9 +23,9 @@ std::string words(const Coordinate& coordinate) {
          std::string(coordinate.after);
 }
 
-/// "0.48 ulps", "1 ulp".
+/// "0.48 ulps", "1 ulp"; whole numbers below a thousand in full.
 std::string counted_share(double value, std::string_view noun) {
-  const std::string number = decimal(value, 2);
+  const std::string number = decimal(value, value >= 100 && value < 1000 ? 3 : 2);
   return number + " " + std::string(noun) + (number == "1" ? "" : "s");
 }
 

@@ -58,9 +58,11 @@ inline double half_ulp(double value) {
   return std::ldexp(1.0, exponent - 10);
 }
 
-/// "c = 0.284".
-inline Place at_cosine(double cos_theta) {
-  return {{"c = ", cos_theta}};
+/// "c = 0.284"; where c says little, near the peak, "c = 1 - 0.00031".
+inline Place at_cosine(const Cosine<double>& c) {
+  constexpr double near = 0.005;
+  const bool is_near = c.one_minus_cos > 0 && c.one_minus_cos < near;
+  return is_near ? Place{{"c = 1 - ", c.one_minus_cos}} : Place{{"c = ", c.cos_theta}};
 }
 
 /// The effect of a change over the domain of the substitution. Absolute: a refined extremum; the others: the
@@ -69,12 +71,13 @@ inline Place at_cosine(double cos_theta) {
 template <class Values>
 Effect effect_over(const Values& values, const Substitution& substitution) {
   Effect effect;
-  std::vector<double> points = search_points();
-  points.insert(points.end(), {0.0, 1.0});
+  std::vector<double> points{0, 1};  // first: of equal changes an end is the plainer place
+  const std::vector<double> inside = search_points();
+  points.insert(points.end(), inside.begin(), inside.end());
   for (const double s : points) {
     const Cosine<double> c = substitution.at(s).cosine;
     const auto [before, after] = values(c);
-    effect.show(before, after, at_cosine(c.cos_theta));
+    effect.show(before, after, at_cosine(c));
   }
   const Extremum largest = largest_magnitude(
       [&]<class T>(const Cosine<T>& c) {
@@ -82,7 +85,7 @@ Effect effect_over(const Values& values, const Substitution& substitution) {
         return T(value[1] - value[0]);
       },
       substitution);
-  effect.absolute = {largest.magnitude, at_cosine(largest.at.cos_theta)};
+  effect.absolute = {largest.magnitude, at_cosine(largest.at)};
   return effect;
 }
 
@@ -116,8 +119,8 @@ Effect effect_of_change(const F& family, const Domain& domain, const std::array<
 std::string words(const Place& place);
 
 /// "moves the curve by at most 3.7e-06 (at c = 0.284), 0.00013 of its value (at c = 0.0684), 0.48 ulps of a
-/// half float, 0.0017 8-bit sRGB codes, each at its worst", or "none" where nothing was moved. A lead comes in
-/// front: "at k = 5 the form moves ..".
+/// half float, 0.0017 8-bit sRGB codes, each at its worst", or "none" where nothing was moved. A lead comes
+/// in front: "at k = 5 the form moves ..".
 std::string sentence(const Effect& effect, std::string_view what = "the curve", std::string_view lead = {});
 
 /// The sentences of several effects but for those that are "none"; "none" where all are.

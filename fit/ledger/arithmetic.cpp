@@ -11,6 +11,7 @@
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/half_banding.hpp"
 #include "fit/ledger/topics.hpp"
@@ -77,17 +78,18 @@ Finding gaussian_at_zero(const Claim& claim) {
                               : Verdict::refuted;
   const std::string value = "exp(-" + decimal(power, 6) + ")";
   Effect left;
-  left.show(power_lobe(0.0, power), static_cast<double>(exact), at_cosine(0));
+  left.show(power_lobe(0.0, power), static_cast<double>(exact), at_cosine({0, 1}));
   const std::string effect = sentence(left, "the edge of a highlight", "the Gaussian");
-  return {verdict, split_list(zero, "0", nonzero, "not 0") + ", exactly 10^" + decimal(magnitude, 7),
-          "exactly " + value + " is 10^" + decimal(magnitude, 7) + ", but it is " +
-              split_list(zero, "0", nonzero, "not 0") + "; exp(-k) is above 0 up to k = " + enumerated(last) +
-              " in " + enumerated(formats) + ", and where subnormals are flushed up to about " +
-              enumerated(last_normal) + "; 0^" + decimal(power, 6) + " is " + (power_is_zero ? "" : "not ") +
-              "0 in each; of a highlight of peak 1 the Gaussian leaves an 8-bit sRGB code or more at c = 0 up "
-              "to power " +
-              decimal(last_visible_power(), 3) + " alone",
-          effect == "none" ? none_because(value + " is below the least positive double") : effect};
+  return {
+      verdict, split_list(zero, "0", nonzero, "not 0") + ", exactly 10^" + decimal(magnitude, 7),
+      "exactly " + value + " is 10^" + decimal(magnitude, 7) + ", but it is " +
+          split_list(zero, "0", nonzero, "not 0") + "; exp(-k) is above 0 up to k = " + enumerated(last) +
+          " in " + enumerated(formats) + ", and where subnormals are flushed up to about " +
+          enumerated(last_normal) + "; 0^" + decimal(power, 6) + " is " + (power_is_zero ? "" : "not ") +
+          "0 in each; of a highlight of peak 1 the Gaussian leaves an 8-bit sRGB code or more at c = 0 up "
+          "to power " +
+          decimal(last_visible_power(), 3) + " alone",
+      effect == "none" ? none_because(value + " is below the least positive double") : effect};
 }
 
 /// How exp2(log2(0) b) fares in a format.
@@ -137,7 +139,7 @@ Effect effect_of_power_of_zero(const std::vector<std::string>& exponents,
 struct Overflow {
   double last_power;              ///< the largest power of the format whose sharpness is finite
   bool is_nan = true;             ///< beyond it exp2(A c - A) is NaN at c = 0, 0.5 and 1
-  Effect effect;                  ///< of that on the lobe, at the last power of the format
+  Effect effect = {};             ///< of that on the lobe, at the last power of the format
   bool is_nan_at_peak = true;     ///< exp2(A (c - 1)) is NaN at c = 1
   bool is_nan_elsewhere = false;  ///< or at c = 0 or 0.5
 };
@@ -185,19 +187,20 @@ Finding nan_at_zero(const Claim& claim) {
   }
   const std::array parts{verdict_of_cases(nan, formats.size() * exponents.size()),
                          verdict_of_cases(safe.size(), formats.size())};
-  return {worst(parts), "NaN for " + of_nan + ", 0 for " + of_zero,
-          "exp2(log2(0) b) is NaN for " + of_nan + " and 0, the right value, for " + of_zero + " in " +
-              enumerated(formats) + "; exp2(A c - A) is never NaN while A = k/ln 2 is finite, up to k = " +
-              enumerated(last) + ", which covers the powers up to " + decimal(largest, 6) + " in " +
-              (safe.empty() ? "none of them" : enumerated(safe)) +
-              (is_nan ? "; beyond, it is NaN at c = 0, 0.5 and 1" : "") +
-              (is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : "") +
-              "; for a power above 0 and up to " + decimal(least, 5) +
-              " no pixel is without a value; elsewhere one is, which every filter that reads it spreads and a "
-              "target of fixed point stores as 0",
-          sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
-                              "NaN stored as 0, exp2(log2(0) b)"),
-                     sentence(lost, "the curve", "exp2(A c - A)")})};
+  return {
+      worst(parts), "NaN for " + of_nan + ", 0 for " + of_zero,
+      "exp2(log2(0) b) is NaN for " + of_nan + " and 0, the right value, for " + of_zero + " in " +
+          enumerated(formats) + "; exp2(A c - A) is never NaN while A = k/ln 2 is finite, up to k = " +
+          enumerated(last) + ", which covers the powers up to " + decimal(largest, 6) + " in " +
+          (safe.empty() ? "none of them" : enumerated(safe)) +
+          (is_nan ? "; beyond, it is NaN at c = 0, 0.5 and 1" : "") +
+          (is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : "") + "; for a power above 0 and up to " +
+          decimal(least, 5) +
+          " no pixel is without a value; elsewhere one is, which every filter that reads it spreads and a "
+          "target of fixed point stores as 0",
+      sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
+                          "NaN stored as 0, exp2(log2(0) b)"),
+                 sentence(lost, "the curve", "exp2(A c - A)")})};
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ Effect effect_on_reflectance(const Form& form, double f0) {
 /// What a weight that should be 0 at normal incidence does there.
 std::string effect_at_normal(double weight, double f0) {
   Effect effect;
-  effect.show(f0, schlick_reflectance(f0, weight), at_cosine(1));
+  effect.show(f0, schlick_reflectance(f0, weight), at_cosine({1, 0}));
   return sentence(effect, "F of f0 = " + decimal(f0, 3), "at normal incidence it");
 }
 
@@ -235,9 +235,9 @@ Finding power_four(const Claim& claim) {
               ", against " + sentence_of(of_gaussian) + " for exp2(-" + std::string(claim.inputs.at("A")) +
               " c), each rms by two rules to " + decimal(rms_tolerance, 1) +
               "; at single angles it is the closer one " + ranges_in_words(closer, 4),
-          sentences({sentence(effect_on_reflectance(power_form, f0), "F of f0 = " + decimal(f0, 3),
-                              name_of_power),
-                     sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
+          sentences(
+              {sentence(effect_on_reflectance(power_form, f0), "F of f0 = " + decimal(f0, 3), name_of_power),
+               sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
 }
 
 Finding relative_errors(const Claim& claim) {
@@ -262,8 +262,7 @@ Finding relative_errors(const Claim& claim) {
               " and the one-term form by up to " + decimal(large_codes, 3) +
               ": by the reading of one code the pair would " + (small_codes <= 1 ? "pass" : "fail") +
               " and the one-term form would " + (large_codes <= 1 ? "pass" : "fail"),
-          sentences({sentence(effect_on_reflectance(single, f0), "F of f0 = " + decimal(f0, 3),
-                              "exp2(-A c)"),
+          sentences({sentence(effect_on_reflectance(single, f0), "F of f0 = " + decimal(f0, 3), "exp2(-A c)"),
                      sentence(effect_on_reflectance(pair, f0), "it", "the pair")})};
 }
 

@@ -13,6 +13,7 @@
 #include "fit/binary_logarithm.hpp"
 #include "fit/decimal.hpp"
 #include "fit/effect.hpp"
+#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/multiprecision.hpp"
 
@@ -143,7 +144,11 @@ Finding gloss_decode(const Claim& claim) {
           "s is " + exactly(lowest) + " at g = " + std::string(claim.inputs.at("from")) + " and " +
               exactly(highest) + " at g = " + std::string(claim.inputs.at("to")) + ", and " +
               (ratio > 1 ? "rises" : "does not rise") + " between: " + counted(std::lround(steps), "step") +
-              " of a stored gloss, each times " + decimal(ratio, 6)};
+              " of a stored gloss, each times " + decimal(ratio, 6),
+          sentences(
+              {effect_of_power(rounded(lowest), number_of(claim.printed.at("lowest")), "at the lowest gloss"),
+               effect_of_power(rounded(highest), number_of(claim.printed.at("highest")),
+                               "at the highest gloss")})};
 }
 
 /// Two sides of an identity at the places of a claim: the largest difference, and whether it is rounding.
@@ -201,8 +206,9 @@ Finding normalised_mad(const Claim& claim) {
 /// What c = exp(log(c)) becomes with it.
 Effect effect_of_misprinted_log() {
   Effect effect;
-  for (const double y : search_points()) effect.show(1 - y, exp(misprinted_log_by_log2(1 - y)), at_cosine(1 - y));
-  effect.show(1, exp(misprinted_log_by_log2(1.0)), at_cosine(1));
+  for (const double y : search_points())
+    effect.show(1 - y, exp(misprinted_log_by_log2(1 - y)), at_cosine({1 - y, y}));
+  effect.show(1, exp(misprinted_log_by_log2(1.0)), at_cosine({1, 0}));
   return effect;
 }
 

@@ -81,8 +81,7 @@ double largest_step_of_roundings(int roundings, double last) {
 
 /// Whether those roundings prove that a form with a float cosine bands at no power up to `last`.
 bool never_bands(const RoundedForm& form, double visible, double last) {
-  return form.relative_roundings > 0 &&
-         largest_step_of_roundings(form.relative_roundings, last) <= visible;
+  return form.relative_roundings > 0 && largest_step_of_roundings(form.relative_roundings, last) <= visible;
 }
 
 /// The first whole power up to `last` that bands, each one tried from 1 on. Empty where none does: proved by
@@ -104,8 +103,8 @@ Effect effect_of_rounding(const RoundedForm& form, const Highlight& highlight) {
   const HalfResult k = HalfResult::rounded(highlight.exponent);
   Effect effect;
   const auto show = [&](double cosine, double stored) {
-    effect.show(power_lobe(cosine, highlight.exponent), static_cast<double>(form.curve(HalfResult(stored), k)),
-                at_cosine(cosine));
+    effect.show(power_lobe(cosine, highlight.exponent),
+                static_cast<double>(form.curve(HalfResult(stored), k)), at_cosine({cosine, 1 - cosine}));
   };
   if (!highlight.half_cosine) {
     for (const double c : floats_over_the_highlight(highlight.exponent, highlight.samples)) show(c, c);
@@ -149,9 +148,8 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
   }
   found.computed = "steps of " + enumerated(steps);
   found.evidence = enumerated(steps) + " codes, showing " + enumerated(codes) + " of the 256, and at power " +
-                   decimal(low, 4) + " " + enumerated(low_steps) +
-                   " codes, the first whole power up to " + decimal(last, 6) +
-                   " that bands, each tried from 1 on, being " + enumerated(first);
+                   decimal(low, 4) + " " + enumerated(low_steps) + " codes, the first whole power up to " +
+                   decimal(last, 6) + " (each tried, from 1 on) that bands being " + enumerated(first);
   for (const RoundedForm& form : rounded_forms) {
     if (half_cosine || !never_bands(form, visible, last)) continue;
     found.evidence += " (none because its roundings leave at most " +
@@ -185,15 +183,16 @@ Finding evaluate_half_banding(const Claim& claim) {
   std::vector<std::string> names;
   for (const RoundedForm& form : rounded_forms) names.emplace_back(form.name);
   const int samples = static_cast<int>(number_of(claim.inputs.at("samples of a float cosine")));
-  return {worst(parts), half.computed + " codes with a half cosine, " + wide.computed + " with a float one",
-          "largest steps of " + enumerated(names) + " at power " + exponent + ": with the cosine in half " +
-              half.evidence + "; with the cosine in float and half arithmetic " + wide.evidence +
-              "; with cosine and arithmetic in float and only the result in half, the remedy of the comments, "
-              "the largest step at power " +
-              exponent + " is " + decimal(step_of_remedy(number_of(exponent), samples), 2) + " codes",
-          sentences({sentence(half.effect, "a smooth highlight of peak 1",
-                              "at power " + exponent + " rounding, with the cosine in half,"),
-                     sentence(wide.effect, "it", "with the cosine in float it")})};
+  return {
+      worst(parts), half.computed + " codes with a half cosine, " + wide.computed + " with a float one",
+      "largest steps of " + enumerated(names) + " at power " + exponent + ": with the cosine in half " +
+          half.evidence + "; with the cosine in float and half arithmetic " + wide.evidence +
+          "; with cosine and arithmetic in float and only the result in half, the remedy of the comments, "
+          "the largest step at power " +
+          exponent + " is " + decimal(step_of_remedy(number_of(exponent), samples), 2) + " codes",
+      sentences({sentence(half.effect, "a smooth highlight of peak 1",
+                          "at power " + exponent + " rounding, with the cosine in half,"),
+                 sentence(wide.effect, "it", "with the cosine in float it")})};
 }
 
 }  // namespace shadefit

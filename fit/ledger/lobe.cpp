@@ -64,9 +64,9 @@ Finding offset_bounds(const Claim& claim) {
   if (*finding.verdict != Verdict::confirmed)
     finding.evidence += "; under the first it is in [" + decimal(low, 4) + ", " + decimal(high, 4) + "] " +
                         sentence(within, exponents);
-  finding.effect = sentence(effect_of_offset(first.highest_at, first.highest, high), "the curve",
-                            "x = " + decimal(high, 4) +
-                                " in place of the best x at k = " + decimal(first.highest_at, 3));
+  finding.effect =
+      sentence(effect_of_offset(first.highest_at, first.highest, high), "the curve",
+               "x = " + decimal(high, 4) + " in place of the best x at k = " + decimal(first.highest_at, 3));
   return finding;
 }
 
@@ -125,16 +125,16 @@ Finding plain_accurate(const Claim& claim) {
   const auto end = [](const std::vector<ExponentInterval>& w) {
     return w.empty() ? "none" : decimal(w.front().to, 4);
   };
-  return {worst(parts),
-          "accurate above = " + start(is_accurate) + ", poor below = " + end(is_poor) +
-              ", bad up to = " + end(powers.where),
-          looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
-              decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
-              " " + sentence(is_poor, exponents) + ", within one 8-bit sRGB code " +
-              sentence(is_a_code, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
-              "/k for k to infinity; " + powers.words,
-          sentence(effect_of_gaussian(above, offset), "the curve",
-                   "at k = " + decimal(above, 4) + " the form")};
+  return {
+      worst(parts),
+      "accurate above = " + start(is_accurate) + ", poor below = " + end(is_poor) +
+          ", bad up to = " + end(powers.where),
+      looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
+          decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
+          " " + sentence(is_poor, exponents) + ", within one 8-bit sRGB code " +
+          sentence(is_a_code, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
+          "/k for k to infinity; " + powers.words,
+      sentence(effect_of_gaussian(above, offset), "the curve", "at k = " + decimal(above, 4) + " the form")};
 }
 
 /// A crossing near the peak, and what is gained between it and the peak.
@@ -165,7 +165,8 @@ std::optional<PeakSide> peak_side(double exponent, double offset) {
 }
 
 std::string gain_in_codes(const PeakSide& side) {
-  return decimal(side.shifted.srgb_codes - side.plain.srgb_codes, 2) + " at k = " + exponent_text(side.exponent);
+  return decimal(side.shifted.srgb_codes - side.plain.srgb_codes, 2) +
+         " at k = " + exponent_text(side.exponent);
 }
 
 Finding plain_peak(const Claim& claim) {
@@ -239,21 +240,20 @@ Finding offset_one_low(const Claim& claim) {
   const std::array parts{verdict_of_range(covers(fits, low_from, low_to), fits),
                          verdict_of_range(covers(gap.is_subtle, high_from, high_to), gap.is_subtle)};
   const std::string x = "x = " + decimal(offset, 4);
-  return {
-      worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
-      looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
-          " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
-          decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
-          decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
-          " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " + looked_at(high) +
-          " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
-          ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
-          sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) +
-          " from k = " + decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
-      sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
-                          "at k = " + decimal(used_at, 4) + " the form with " + x),
-                 sentence(effect_of_offset(high_from, offset, 0), "the curve",
-                          "at k = " + decimal(high_from, 4) + " dropping it")})};
+  return {worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
+          looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
+              " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
+              decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
+              decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
+              " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " +
+              looked_at(high) + " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
+              ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
+              sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) + " from k = " +
+              decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
+          sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
+                              "at k = " + decimal(used_at, 4) + " the form with " + x),
+                     sentence(effect_of_offset(high_from, offset, 0), "the curve",
+                              "at k = " + decimal(high_from, 4) + " dropping it")})};
 }
 
 Finding offset_matters(const Claim& claim) {

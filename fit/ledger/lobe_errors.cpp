@@ -120,7 +120,7 @@ double lobe_error_at(const Cosine<double>& c, double exponent, double offset) {
 }
 
 void show_gaussian(Effect& effect, const Cosine<double>& c, double exponent, double offset) {
-  effect.show(target(exponent)(c), gaussian(exponent, offset)(c), at_cosine(c.cos_theta));
+  effect.show(target(exponent)(c), gaussian(exponent, offset)(c), at_cosine(c));
 }
 
 Effect effect_of_gaussian(double exponent, double offset) {

@@ -122,9 +122,9 @@ AtView look_from(double view_angle, double exponent) {
 }
 
 /// What the lobe of twice the Blinn angle does in the place of Phong's, seen from one angle: over lights at
-/// every other degree from the normal and around it, on one side of the plane of the view.
+/// every degree from the normal and around it, on one side of the plane of the view.
 Effect effect_seen_from(double view_angle, double exponent) {
-  constexpr int step = 2;
+  constexpr int step = 1;
   const Vector view = direction(radians(view_angle), 0);
   Effect effect;
   for (int polar = 0; polar <= 90; polar += step) {
@@ -132,7 +132,7 @@ Effect effect_seen_from(double view_angle, double exponent) {
       const Angles a = angles_of(direction(radians(polar), radians(azimuth)), view);
       effect.show(lobe_of_angle(a.phong, exponent), lobe_of_angle(2 * a.blinn, exponent),
                   {{"light ", static_cast<double>(polar), " degrees from n"},
-                   {"", static_cast<double>(azimuth), " around it"}});
+                   {"azimuth ", static_cast<double>(azimuth), " degrees"}});
     }
   }
   return effect;
@@ -188,13 +188,14 @@ Finding angle(const Claim& claim) {
   const AtView& worst_view = *std::max_element(
       views.begin(), views.end(), [](const AtView& a, const AtView& b) { return a.lobe < b.lobe; });
   const double middle = (in_plane.low + in_plane.high) / 2;
-  return {is_known ? std::optional(verdict) : std::nullopt, decimal(middle, 10) + " in a plane",
-          "with n, l and v in one plane, at every " + std::string(claim.inputs.at("step")) +
-              " degrees, the Phong angle is " + decimal(middle, 10) + " times the Blinn angle (to " +
-              decimal(angle_tolerance, 1) + "), and less than that for all others; " +
-              out_of_the_plane(claim, views),
-          sentence(effect_seen_from(worst_view.angle, exponent), "Phong's lobe",
-                   "seen from " + decimal(worst_view.angle, 4) + " degrees that of twice the Blinn angle")};
+  return {
+      is_known ? std::optional(verdict) : std::nullopt, decimal(middle, 10) + " in a plane",
+      "with n, l and v in one plane, at every " + std::string(claim.inputs.at("step")) +
+          " degrees, the Phong angle is " + decimal(middle, 10) + " times the Blinn angle (to " +
+          decimal(angle_tolerance, 1) + "), and less than that for all others; " +
+          out_of_the_plane(claim, views),
+      sentence(effect_seen_from(worst_view.angle, exponent), "Phong's lobe",
+               "seen from " + decimal(worst_view.angle, 4) + " degrees the lobe of twice the Blinn angle")};
 }
 
 }  // namespace

@@ -118,8 +118,7 @@ Finding evaluate_published(const Claim& claim, std::initializer_list<std::string
     for (const std::string& part : parts) out += (out.empty() ? "" : between) + part;
     return out;
   };
-  return {worst(found), joined(computed, ", "), joined(evidence, "; "),
-          sentences(effects)};
+  return {worst(found), joined(computed, ", "), joined(evidence, "; "), sentences(effects)};
 }
 
 }  // namespace shadefit
