@@ -206,9 +206,9 @@ Finding normalised_mad(const Claim& claim) {
 /// What c = exp(log(c)) becomes with it.
 Effect effect_of_misprinted_log() {
   Effect effect;
+  effect.show(1, exp(misprinted_log_by_log2(1.0)), at_cosine({1, 0}));
   for (const double y : search_points())
     effect.show(1 - y, exp(misprinted_log_by_log2(1 - y)), at_cosine({1 - y, y}));
-  effect.show(1, exp(misprinted_log_by_log2(1.0)), at_cosine({1, 0}));
   return effect;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "approx/lobe.hpp"
 #include "fit/banding.hpp"
 #include "fit/half_result.hpp"
 #include "fit/ledger/formats.hpp"

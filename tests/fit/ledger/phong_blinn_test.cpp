@@ -39,7 +39,9 @@ TEST(PhongBlinnClaims, EachDigitHasItsOwnExponents) {
   for (const std::string_view printed : {"4.4", "4.3", "4.2", "4.1"}) {
     const std::string range = range_of(printed);
     const auto to = range.find(" to ");
-    if (!end.empty()) EXPECT_EQ(range.substr(0, to), end) << printed;
+    if (!end.empty()) {
+      EXPECT_EQ(range.substr(0, to), end) << printed;
+    }
     end = range.substr(to + 4);
   }
   for (const char* never : {"3.9", "3.2", "9.2"}) {
