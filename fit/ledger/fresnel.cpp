@@ -315,7 +315,8 @@ Finding roughness_range(const Claim& claim) {
       for (const double weight : {lowest, highest}) {
         const double f = schlick_reflectance_of_gloss(f0, gloss, weight);
         outside = std::max({outside, f0 - f, f - max(gloss, f0)});
-        effect.show(std::clamp(f, f0, std::max(gloss, f0)), f, {{"f0 = ", f0}, {"g = ", gloss}});
+        const double within = std::clamp(f, f0, std::max(gloss, f0));
+        if (within != f) effect.show(within, f, {{"f0 = ", f0}, {"g = ", gloss}});
       }
     }
   }
