@@ -74,6 +74,10 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents,
             std::vector<const Published*> numbers, std::span<const Metric> under,
             const Checkpoint& checkpoint = keep_going);
 
+/// The value that a published number states, computed under a metric. Empty where a fit that it needs did not
+/// converge, or where there is no limit.
+std::optional<double> computed_value(FitCache& fits, const Published& published, const Metric& metric);
+
 /// Judges one published number of the cache's family: the value under `metric`, against the other measures
 /// and the record's own convention. Empty where a fit that the value needs did not converge.
 std::optional<Assessment> assess(FitCache& fits, const Published& published, const Metric& metric);
