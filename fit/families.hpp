@@ -60,14 +60,15 @@ struct LobeSample {
 template <>
 struct LobeSample<long double> {
   long double variable;
-  CommonFactor<long double> target;
+  CommonFactor<long double> base;
   long double log_ratio;
+  CommonFactor<long double> target;
 };
 
 template <class T>
 LobeSample<T> lobe_sample(const T& variable, const CommonFactor<T>& base, const T& log_ratio) {
   if constexpr (std::same_as<T, long double>) {
-    return {variable, base * exp(lift<CommonFactor<T>>(log_ratio)), log_ratio};
+    return {variable, base, log_ratio, base * exp(lift<CommonFactor<T>>(log_ratio))};
   } else {
     return {variable, base, log_ratio, expm1(log_ratio)};
   }
@@ -106,6 +107,8 @@ struct LobeFamily {
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, 1>& p) const {
     if constexpr (std::same_as<T, long double>) {
+      // At c = 0 the target is 0, and the error is the form.
+      if (s.target == 0) return form(s, p);
       return lift<P>(s.target) * lobe_relative_error(change(s, p), lift<P>(s.log_ratio));
     } else {
       return lobe_error(lift<P>(s.base), change(s, p), lift<P>(s.ratio_minus_one));

@@ -1,0 +1,440 @@
+#include "fit/minimax.hpp"
+
+#include <algorithm>
+#include <boost/container/static_vector.hpp>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+#include <utility>
+
+#include "fit/least_squares.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A step of this size, relative, is Newton's last: the next would be its square.
+constexpr double last_step = 1e-7;
+/// A multiplier below this holds nothing up.
+constexpr double no_multiplier = 1e-9;
+
+/// An extremum of a curve, with its derivatives by the parameters.
+struct Candidate {
+  Touch touch;
+  SearchPlace place;
+  double value;
+  Unknowns gradient;
+};
+
+template <class T>
+using Few = boost::container::small_vector<T, 24>;
+
+double sign_of(Touch touch) {
+  return touch == Touch::lowest || touch == Touch::at_least ? -1 : 1;
+}
+
+bool is_level(Touch touch) {
+  return touch == Touch::highest || touch == Touch::lowest;
+}
+
+/// The maximum of sign * curve between low and high, from s: Newton on its slope, kept within what is known
+/// to hold the maximum.
+double climb(const Curve& curve, std::size_t panel, double low, double s, double high, double sign,
+             const MinimaxParameters& p) {
+  for (int i = 0; i < 12; ++i) {
+    const Along at = curve.along({panel, s}, p);
+    const double slope = sign * at.slope, curvature = sign * at.curvature;
+    if (slope == 0 || !std::isfinite(slope)) return s;
+    (slope > 0 ? low : high) = s;
+    double next = curvature < 0 ? s - slope / curvature : high + low;
+    if (!(low < next && next < high)) next = low + (high - low) / 2;
+    const double step = std::abs(next - s);
+    s = next;
+    // The error of a step is of the order of its square, and the curve's that of the square of that.
+    if (step < 1e-5) return s;
+  }
+  return s;
+}
+
+/// One exchange's knowledge of a problem at its parameters.
+class Exchange {
+ public:
+  Exchange(const MinimaxProblem& problem, const MinimaxParameters& start) : problem_(problem) {
+    result_.parameters = start;
+    values_.resize(problem.places.size());
+  }
+
+  MinimaxOptimum solve() {
+    if (can_be_exact() && descend()) settle();
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t unknowns() const { return problem_.size + 1; }
+
+  /// Whether the level counts on this side of the error: on one side only where the form has to keep to it.
+  double share_of_level(Touch touch) const {
+    if (!is_level(touch)) return 0;
+    if (touch == Touch::highest) return problem_.one_sided == Side::below ? 0 : 1;
+    return problem_.one_sided == Side::above ? 0 : 1;
+  }
+
+  bool fail(Status status, std::string why) {
+    result_.status = status;
+    result_.why = std::move(why);
+    return false;
+  }
+
+  Candidate candidate(Touch touch, const SearchPlace& place) const {
+    Candidate c{touch, place, 0, {}};
+    const bool is_of_form = touch == Touch::at_most || touch == Touch::at_least;
+    c.value = (is_of_form ? problem_.form : problem_.error).across(place, result_.parameters, c.gradient);
+    return c;
+  }
+
+  /// By how much a step of the parameters and a level may use a condition up.
+  Condition condition(const Candidate& c) const {
+    const double sign = sign_of(c.touch);
+    Condition result{{}, -sign * c.value, c.touch == Touch::exact};
+    for (std::size_t i = 0; i < problem_.size; ++i) result.slope[i] = sign * c.gradient[i];
+    result.slope[problem_.size] = -share_of_level(c.touch);
+    if (c.touch == Touch::at_most) result.bound += *problem_.at_most;
+    if (c.touch == Touch::at_least) result.bound -= *problem_.at_least;
+    return result;
+  }
+
+  /// Constraints of interpolation: those that hold whatever the parameters are fall away; of the others
+  /// Newton tells whether the form can meet them. exp(a) meets 0 for no a, and says so by steps that stay
+  /// long.
+  bool can_be_exact() {
+    for (const SearchPlace& place : problem_.exact_at) {
+      const MinimaxParameters start = result_.parameters;
+      bool is_met = false;
+      for (int i = 0; i < 60 && !is_met; ++i) {
+        const Candidate c = candidate(Touch::exact, place);
+        double square = 0;
+        for (std::size_t j = 0; j < problem_.size; ++j) {
+          const double scaled = c.gradient[j] * result_.parameters[j];
+          square += scaled * scaled;
+        }
+        if (i == 0 && c.value == 0 && square == 0) break;
+        if (!(square > 0) || !std::isfinite(square)) i = 60;
+        const double step = -c.value / square;
+        double largest = 0;
+        for (std::size_t j = 0; j < problem_.size && i < 60; ++j) {
+          const double relative = step * c.gradient[j] * result_.parameters[j];
+          largest = std::max(largest, std::abs(relative));
+          result_.parameters[j] *= 1 + relative;
+        }
+        is_met = i < 60 && largest < 1e-10;
+        if (i >= 59 && !is_met)
+          return fail(Status::infeasible, "the form cannot be exact at c = " +
+                                              to_text(problem_.cosine_at(place).cos_theta));
+      }
+      if (is_met) exact_.push_back(place);
+      result_.parameters = start;
+    }
+    return true;
+  }
+
+  /// The extrema of a curve that a touch speaks of: maxima for `highest` and `at_most`, else minima.
+  void find_extrema(const Curve& curve, Touch touch) {
+    const double sign = sign_of(touch);
+    const auto& places = problem_.places;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const bool has_left = i > 0 && places[i - 1].panel == places[i].panel;
+      const bool has_right = i + 1 < places.size() && places[i + 1].panel == places[i].panel;
+      const double left = has_left ? sign * (values_[i] - values_[i - 1]) : 0;
+      const double right = has_right ? sign * (values_[i] - values_[i + 1]) : 0;
+      if (left < 0 || right < 0) continue;
+      SearchPlace place = places[i];
+      if (has_left && has_right) {
+        // the top of the parabola through three places, in divided differences
+        const double a = places[i - 1].s, b = places[i].s, c = places[i + 1].s;
+        const double rise = left / (b - a), fall = right / (c - b);
+        const double bend = rise + fall;
+        const double top = bend > 0 ? (a + b) / 2 + (c - a) / 2 * rise / bend : b;
+        place.s = climb(curve, place.panel, a, std::clamp(top, a, c), c, sign, result_.parameters);
+      } else if (has_left != has_right) {
+        // An end of a panel is an extremum unless the curve still rises from it.
+        const double inner = has_right ? places[i + 1].s : places[i - 1].s;
+        const double slope = sign * curve.along(place, result_.parameters).slope * (inner - place.s);
+        if (slope > 0) {
+          const double low = std::min(inner, place.s), high = std::max(inner, place.s);
+          place.s = climb(curve, place.panel, low, (low + high) / 2, high, sign, result_.parameters);
+        }
+      }
+      candidates_.push_back(candidate(touch, place));
+    }
+  }
+
+  /// All extrema at the parameters, and the merit of these: the level, and what violates a constraint times
+  /// more than it could gain.
+  double look() {
+    candidates_.clear();
+    problem_.error.everywhere(result_.parameters, values_);
+    find_extrema(problem_.error, Touch::highest);
+    find_extrema(problem_.error, Touch::lowest);
+    if (problem_.at_most || problem_.at_least) {
+      problem_.form.everywhere(result_.parameters, values_);
+      if (problem_.at_most) find_extrema(problem_.form, Touch::at_most);
+      if (problem_.at_least) find_extrema(problem_.form, Touch::at_least);
+    }
+    for (const SearchPlace& place : exact_) candidates_.push_back(candidate(Touch::exact, place));
+
+    double level = 0, violation = 0;
+    for (const Candidate& c : candidates_) {
+      const double excess = -condition(c).bound;
+      if (share_of_level(c.touch) > 0) {
+        level = std::max(level, excess);
+      } else {
+        violation += c.touch == Touch::exact ? std::abs(excess) : std::max(0.0, excess);
+      }
+      if (!std::isfinite(excess)) level = excess * excess;  // infinite or not a number
+    }
+    return level + penalty_ * violation;
+  }
+
+  /// The extrema of the error with alternating signs, the largest of each run, no more than `count`; filled
+  /// up with places of the search.
+  Few<Candidate> alternating(std::size_t count) const {
+    Few<Candidate> found;
+    double largest_gradient = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;
+    const auto size_of = [&](const Candidate& c) {
+      double size = 0;
+      for (std::size_t i = 0; i < problem_.size; ++i) size = std::max(size, std::abs(c.gradient[i]));
+      return size;
+    };
+    for (const Candidate& c : candidates_) {
+      if (!is_level(c.touch)) continue;
+      largest_gradient = std::max(largest_gradient, size_of(c));
+      highest = std::max(highest, c.value);
+      lowest = std::min(lowest, c.value);
+      found.push_back(c);
+    }
+    // Where no parameter moves the error, as where every form of a family meets the target, nothing can be
+    // levelled.
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [&](const Candidate& c) { return !(size_of(c) > 1e-9 * largest_gradient); }),
+                found.end());
+    const double middle = problem_.one_sided ? (highest + lowest) / 2 : 0;
+    const auto height = [&](const Candidate& c) { return c.value - middle; };
+    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+      return std::pair(a.place.panel, a.place.s) < std::pair(b.place.panel, b.place.s);
+    });
+    Few<Candidate> chain;
+    for (const Candidate& c : found) {
+      const bool is_same_run = !chain.empty() && (height(chain.back()) < 0) == (height(c) < 0);
+      if (!is_same_run) {
+        chain.push_back(c);
+      } else if (std::abs(height(c)) > std::abs(height(chain.back()))) {
+        chain.back() = c;
+      }
+    }
+    while (chain.size() > count)
+      chain.erase(std::abs(height(chain.front())) < std::abs(height(chain.back())) ? chain.begin()
+                                                                                  : chain.end() - 1);
+    const std::size_t all = problem_.places.size();
+    for (std::size_t i = 0; chain.size() < count && i < count; ++i) {
+      const SearchPlace place = problem_.places[(2 * i + 1) * all / (2 * count)];
+      chain.push_back(candidate(Touch::highest, place));
+    }
+    return chain;
+  }
+
+  /// A reference of conditions on the error that no step can lower together: any n + 1 places, each with the
+  /// sign that its share in a combination without slope has.
+  bool first_reference(Few<Condition>& conditions, std::array<std::size_t, most_unknowns>& reference) {
+    const std::size_t count = unknowns() - exact_.size();
+    const auto chain = alternating(count);
+    SmallMatrix matrix{}, inverse{};
+    for (std::size_t i = 0; i < count; ++i) {
+      matrix[i] = chain[i].gradient;
+      matrix[i][problem_.size] = i % 2 == 0 ? 1 : -1;
+    }
+    std::size_t next = count;
+    for (std::size_t j = 0; j < candidates_.size(); ++j) {
+      if (candidates_[j].touch != Touch::exact) continue;
+      reference[next] = j;
+      matrix[next] = candidates_[j].gradient;
+      matrix[next++][problem_.size] = 0;
+    }
+    if (!invert(matrix, unknowns(), inverse)) return false;
+    const Unknowns& shares = inverse[problem_.size];
+    double above = 0, below = 0;
+    for (std::size_t i = 0; i < count; ++i) (shares[i] > 0 ? above : below) += std::abs(shares[i]);
+    const double weight = above * share_of_level(Touch::highest) + below * share_of_level(Touch::lowest);
+    const double flip = weight > 0 ? 1 : -1;
+    for (std::size_t i = 0; i < count; ++i) {
+      Candidate c = chain[i];
+      c.touch = flip * shares[i] > 0 ? Touch::highest : Touch::lowest;
+      reference[i] = conditions.size();
+      conditions.push_back(condition(c));
+      candidates_.push_back(c);
+    }
+    return true;
+  }
+
+  /// From extrema to the step of their linear programme and back, until the step is Newton's last. A step
+  /// that does not lower the merit is halved.
+  bool descend() {
+    MinimaxParameters base = result_.parameters, step{};
+    double best = HUGE_VAL, scale = 1;
+    for (; result_.iterations < most_steps; ++result_.iterations) {
+      const double merit = look();
+      if (!(merit < best)) {
+        if (result_.iterations == 0) return fail(Status::not_finite, "the error at the start is not finite");
+        scale /= 2;
+        if (scale < 1e-3) return stall(best);
+        for (std::size_t i = 0; i < problem_.size; ++i) result_.parameters[i] = base[i] + scale * step[i];
+        continue;
+      }
+      Few<Condition> conditions;
+      for (const Candidate& c : candidates_) conditions.push_back(condition(c));
+      std::array<std::size_t, most_unknowns> reference{};
+      if (!first_reference(conditions, reference))
+        return fail(Status::degenerate, "the parameters do not move the error independently where it is largest");
+      const LowestLevel lowest =
+          lowest_level({conditions.data(), conditions.size()}, unknowns(), {reference.data(), unknowns()});
+      if (lowest.outcome == LowestLevel::Outcome::infeasible)
+        return fail(Status::infeasible, "no parameters near the start satisfy the constraints");
+      if (lowest.outcome == LowestLevel::Outcome::degenerate)
+        return fail(Status::degenerate, "the parameters do not move the error independently where it is largest");
+      if (lowest.outcome == LowestLevel::Outcome::unfinished)
+        return fail(Status::not_converged, "the exchange of the reference goes round in circles");
+
+      reference_.clear();
+      double held_up = 0;
+      for (std::size_t i = 0; i < unknowns(); ++i) {
+        reference_.push_back(candidates_[lowest.reference[i]]);
+        multipliers_[i] = lowest.multipliers[i];
+        if (share_of_level(reference_.back().touch) == 0) held_up += std::abs(multipliers_[i]);
+      }
+      penalty_ = std::max(penalty_, 2 * held_up + 1);
+      base = result_.parameters;
+      best = merit;
+      scale = 1;
+      double size = 0;
+      for (std::size_t i = 0; i < problem_.size; ++i) {
+        step[i] = lowest.unknowns[i];
+        if (step[i] != 0) size = std::max(size, std::abs(step[i] / base[i]));
+        result_.parameters[i] = base[i] + step[i];
+      }
+      expected_ = lowest.unknowns[problem_.size];
+      if (!std::isfinite(size)) return fail(Status::not_finite, "a step is not finite");
+      if (size < last_step) {
+        ++result_.iterations;
+        return true;
+      }
+    }
+    return fail(Status::not_converged, "the alternation did not settle in " + std::to_string(most_steps) +
+                                           " exchanges");
+  }
+
+  /// No part of a step lowers the level any more, and yet it is no last step.
+  bool stall(double best) {
+    if (best - expected_ < 1e-9 * best)
+      return fail(Status::degenerate,
+                  "the level is as low as it gets, but fewer than " + std::to_string(unknowns()) +
+                      " places hold it there: the parameters are not determined");
+    return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
+  }
+
+  /// Newton on the equations of the reference, their residuals in long double, until a step is nothing.
+  void settle() {
+    for (std::size_t i = 0; i < unknowns(); ++i) {
+      if (reference_[i].touch != Touch::exact && !(multipliers_[i] > no_multiplier)) {
+        fail(Status::degenerate, "the alternation is degenerate: of its " + std::to_string(unknowns()) +
+                                     " places that at c = " +
+                                     to_text(problem_.cosine_at(reference_[i].place).cos_theta) +
+                                     " holds nothing up");
+        return;
+      }
+    }
+    long double size = 0;
+    // One pass is the rule, and a second confirms it.
+    for (int pass = 0; pass < 5; ++pass) {
+      SmallMatrix matrix{}, inverse{};
+      WideParameters wide{};
+      std::copy(result_.parameters.begin(), result_.parameters.end(), wide.begin());
+      std::array<long double, most_unknowns> values{};
+      long double level = 0;
+      for (std::size_t i = 0; i < unknowns(); ++i) {
+        Candidate& c = reference_[i];
+        const bool is_of_form = c.touch == Touch::at_most || c.touch == Touch::at_least;
+        const Curve& curve = is_of_form ? problem_.form : problem_.error;
+        if (c.touch != Touch::exact && 0 < c.place.s && c.place.s < 1)
+          c.place.s = climb(curve, c.place.panel, std::max(0.0, c.place.s - 0.01), c.place.s,
+                            std::min(1.0, c.place.s + 0.01), sign_of(c.touch), result_.parameters);
+        c = candidate(c.touch, c.place);
+        matrix[i] = condition(c).slope;
+        values[i] = curve.wide(c.place, wide);
+        level += static_cast<long double>(multipliers_[i] * share_of_level(c.touch) * sign_of(c.touch)) *
+                 values[i];
+      }
+      if (!invert(matrix, unknowns(), inverse)) {
+        fail(Status::degenerate, "the equations of the alternation are not independent");
+        return;
+      }
+      // What each equation lacks at this level.
+      std::array<long double, most_unknowns> lack{};
+      for (std::size_t i = 0; i < unknowns(); ++i) {
+        const Touch touch = reference_[i].touch;
+        long double aim = static_cast<long double>(sign_of(touch) * share_of_level(touch)) * level;
+        if (touch == Touch::at_most) aim = static_cast<long double>(*problem_.at_most);
+        if (touch == Touch::at_least) aim = static_cast<long double>(*problem_.at_least);
+        lack[i] = static_cast<long double>(sign_of(touch)) * (aim - values[i]);
+        reference_[i].value = static_cast<double>(is_level(touch) || touch == Touch::exact
+                                                      ? values[i]
+                                                      : problem_.error.wide(reference_[i].place, wide));
+      }
+      std::array<long double, most_unknowns> step{};
+      for (std::size_t i = 0; i < unknowns(); ++i) {
+        for (std::size_t j = 0; j < unknowns(); ++j)
+          step[i] += static_cast<long double>(inverse[i][j]) * lack[j];
+      }
+      result_.level = static_cast<double>(level + step[problem_.size]);
+      size = 0;
+      for (std::size_t i = 0; i < problem_.size; ++i) {
+        if (step[i] != 0) size = std::max(size, std::abs(step[i] / wide[i]));
+      }
+      result_.digits = correct_digits(size);
+      if (size <= static_cast<long double>(settled)) {
+        result_.status = Status::converged;
+        record();
+        return;
+      }
+      for (std::size_t i = 0; i < problem_.size; ++i)
+        result_.parameters[i] = static_cast<double>(wide[i] + step[i]);
+      ++result_.iterations;
+    }
+    fail(Status::not_converged, "Newton's last step is still " + to_text(static_cast<double>(size)) +
+                                    " of a parameter: the problem has no 14 digits in this arithmetic");
+  }
+
+  void record() {
+    for (std::size_t i = 0; i < unknowns(); ++i) {
+      const Candidate& c = reference_[i];
+      result_.alternation.push_back({c.touch, problem_.cosine_at(c.place), c.value, multipliers_[i]});
+    }
+    std::sort(result_.alternation.begin(), result_.alternation.end(),
+              [](const AlternationPoint& a, const AlternationPoint& b) {
+                return a.at.one_minus_cos < b.at.one_minus_cos;
+              });
+  }
+
+  const MinimaxProblem& problem_;
+  MinimaxOptimum result_;
+  std::vector<double> values_;
+  std::vector<SearchPlace> exact_;  ///< of the problem's, those that are not met by themselves
+  Few<Candidate> candidates_, reference_;
+  Unknowns multipliers_{};
+  double penalty_ = 1;
+  double expected_ = 0;  ///< the level that the last programme promised
+};
+
+}  // namespace
+
+MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start) {
+  return Exchange(problem, start).solve();
+}
+
+}  // namespace shadefit
