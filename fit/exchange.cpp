@@ -100,8 +100,7 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
     for (std::size_t j = 0; j < conditions.size(); ++j) {
       const auto end = result.reference.begin() + static_cast<std::ptrdiff_t>(unknowns);
       if (conditions[j].is_equation || std::find(result.reference.begin(), end, j) != end) continue;
-      const double excess =
-          product(conditions[j].slope, result.unknowns, unknowns) - conditions[j].bound;
+      const double excess = product(conditions[j].slope, result.unknowns, unknowns) - conditions[j].bound;
       if (excess > most) {
         most = excess;
         entering = j;

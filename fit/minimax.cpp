@@ -1,8 +1,8 @@
 #include "fit/minimax.hpp"
 
 #include <algorithm>
-#include <boost/container/static_vector.hpp>
 #include <boost/container/small_vector.hpp>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +20,7 @@ constexpr double no_multiplier = 1e-9;
 struct Candidate {
   Touch touch;
   SearchPlace place;
+  bool is_tangent;  ///< value and gradient are those of the curve's slope into the domain
   double value;
   Unknowns gradient;
 };
@@ -31,8 +32,8 @@ double sign_of(Touch touch) {
   return touch == Touch::lowest || touch == Touch::at_least ? -1 : 1;
 }
 
-bool is_level(Touch touch) {
-  return touch == Touch::highest || touch == Touch::lowest;
+bool is_of_form(Touch touch) {
+  return touch == Touch::at_most || touch == Touch::at_least;
 }
 
 /// The maximum of sign * curve between low and high, from s: Newton on its slope, kept within what is known
@@ -63,6 +64,7 @@ class Exchange {
   }
 
   MinimaxOptimum solve() {
+    find_tangents();
     if (can_be_exact() && descend()) settle();
     return std::move(result_);
   }
@@ -72,10 +74,13 @@ class Exchange {
 
   /// Whether the level counts on this side of the error: on one side only where the form has to keep to it.
   double share_of_level(Touch touch) const {
-    if (!is_level(touch)) return 0;
     if (touch == Touch::highest) return problem_.one_sided == Side::below ? 0 : 1;
-    return problem_.one_sided == Side::above ? 0 : 1;
+    if (touch == Touch::lowest) return problem_.one_sided == Side::above ? 0 : 1;
+    return 0;
   }
+  double share_of_level(const Candidate& c) const { return c.is_tangent ? 0 : share_of_level(c.touch); }
+
+  const Curve& curve_of(Touch touch) const { return is_of_form(touch) ? problem_.form : problem_.error; }
 
   bool fail(Status status, std::string why) {
     result_.status = status;
@@ -83,22 +88,46 @@ class Exchange {
     return false;
   }
 
-  Candidate candidate(Touch touch, const SearchPlace& place) const {
-    Candidate c{touch, place, 0, {}};
-    const bool is_of_form = touch == Touch::at_most || touch == Touch::at_least;
-    c.value = (is_of_form ? problem_.form : problem_.error).across(place, result_.parameters, c.gradient);
+  Candidate candidate(Touch touch, const SearchPlace& place, bool is_tangent = false) const {
+    Candidate c{touch, place, is_tangent, 0, {}};
+    const Curve& curve = curve_of(touch);
+    c.value = (is_tangent ? curve.slope_across : curve.across)(place, result_.parameters, c.gradient);
     return c;
+  }
+
+  /// What the curve of a touch may at most (or at least) be, apart from the level.
+  double bound_of(Touch touch) const {
+    if (touch == Touch::at_most) return *problem_.at_most;
+    return touch == Touch::at_least ? *problem_.at_least : 0;
   }
 
   /// By how much a step of the parameters and a level may use a condition up.
   Condition condition(const Candidate& c) const {
-    const double sign = sign_of(c.touch);
-    Condition result{{}, -sign * c.value, c.touch == Touch::exact};
+    const double sign = sign_of(c.touch), bound = c.is_tangent ? 0 : bound_of(c.touch);
+    Condition result{{}, sign * (bound - c.value), c.touch == Touch::exact};
     for (std::size_t i = 0; i < problem_.size; ++i) result.slope[i] = sign * c.gradient[i];
-    result.slope[problem_.size] = -share_of_level(c.touch);
-    if (c.touch == Touch::at_most) result.bound += *problem_.at_most;
-    if (c.touch == Touch::at_least) result.bound -= *problem_.at_least;
+    result.slope[problem_.size] = -share_of_level(c);
     return result;
+  }
+
+  /// An end of the domain where a bounded curve is at its bound whatever the parameters: what they move there
+  /// is its slope, and the bound is one on that.
+  void find_tangents() {
+    const auto consider = [&](Touch touch) {
+      const SearchPlace ends[] = {problem_.places.front(), problem_.places.back()};
+      for (const SearchPlace& place : ends) {
+        const Candidate c = candidate(touch, place);
+        const bool is_fixed =
+            std::all_of(c.gradient.begin(), c.gradient.end(), [](double g) { return g == 0; });
+        if (!is_fixed || c.value != bound_of(touch)) continue;
+        const Candidate tangent = candidate(touch, place, true);
+        if (std::any_of(tangent.gradient.begin(), tangent.gradient.end(), [](double g) { return g != 0; }))
+          tangents_.push_back(tangent);
+      }
+    };
+    if (problem_.one_sided) consider(problem_.one_sided == Side::below ? Touch::highest : Touch::lowest);
+    if (problem_.at_most) consider(Touch::at_most);
+    if (problem_.at_least) consider(Touch::at_least);
   }
 
   /// Constraints of interpolation: those that hold whatever the parameters are fall away; of the others
@@ -126,8 +155,8 @@ class Exchange {
         }
         is_met = i < 60 && largest < 1e-10;
         if (i >= 59 && !is_met)
-          return fail(Status::infeasible, "the form cannot be exact at c = " +
-                                              to_text(problem_.cosine_at(place).cos_theta));
+          return fail(Status::infeasible,
+                      "the form cannot be exact at c = " + to_text(problem_.cosine_at(place).cos_theta));
       }
       if (is_met) exact_.push_back(place);
       result_.parameters = start;
@@ -166,9 +195,8 @@ class Exchange {
     }
   }
 
-  /// All extrema at the parameters, and the merit of these: the level, and what violates a constraint times
-  /// more than it could gain.
-  double look() {
+  /// All extrema at the parameters, their level, and by how much constraints are violated.
+  void look() {
     candidates_.clear();
     problem_.error.everywhere(result_.parameters, values_);
     find_extrema(problem_.error, Touch::highest);
@@ -179,19 +207,24 @@ class Exchange {
       if (problem_.at_least) find_extrema(problem_.form, Touch::at_least);
     }
     for (const SearchPlace& place : exact_) candidates_.push_back(candidate(Touch::exact, place));
+    for (const Candidate& c : tangents_) candidates_.push_back(candidate(c.touch, c.place, true));
 
-    double level = 0, violation = 0;
+    level_ = violation_ = 0;
+    bool is_finite = true;
     for (const Candidate& c : candidates_) {
       const double excess = -condition(c).bound;
-      if (share_of_level(c.touch) > 0) {
-        level = std::max(level, excess);
+      is_finite = is_finite && std::isfinite(excess);
+      if (share_of_level(c) > 0) {
+        level_ = std::max(level_, excess);
       } else {
-        violation += c.touch == Touch::exact ? std::abs(excess) : std::max(0.0, excess);
+        violation_ += c.touch == Touch::exact ? std::abs(excess) : std::max(0.0, excess);
       }
-      if (!std::isfinite(excess)) level = excess * excess;  // infinite or not a number
     }
-    return level + penalty_ * violation;
+    if (!is_finite) level_ = HUGE_VAL;
   }
+
+  /// The level, and more for a violation than it could gain.
+  double merit() const { return level_ + penalty_ * violation_; }
 
   /// The extrema of the error with alternating signs, the largest of each run, no more than `count`; filled
   /// up with places of the search.
@@ -204,7 +237,7 @@ class Exchange {
       return size;
     };
     for (const Candidate& c : candidates_) {
-      if (!is_level(c.touch)) continue;
+      if (is_of_form(c.touch) || c.touch == Touch::exact || c.is_tangent) continue;
       largest_gradient = std::max(largest_gradient, size_of(c));
       highest = std::max(highest, c.value);
       lowest = std::min(lowest, c.value);
@@ -231,7 +264,7 @@ class Exchange {
     }
     while (chain.size() > count)
       chain.erase(std::abs(height(chain.front())) < std::abs(height(chain.back())) ? chain.begin()
-                                                                                  : chain.end() - 1);
+                                                                                   : chain.end() - 1);
     const std::size_t all = problem_.places.size();
     for (std::size_t i = 0; chain.size() < count && i < count; ++i) {
       const SearchPlace place = problem_.places[(2 * i + 1) * all / (2 * count)];
@@ -279,8 +312,8 @@ class Exchange {
     MinimaxParameters base = result_.parameters, step{};
     double best = HUGE_VAL, scale = 1;
     for (; result_.iterations < most_steps; ++result_.iterations) {
-      const double merit = look();
-      if (!(merit < best)) {
+      look();
+      if (!(merit() < best)) {
         if (result_.iterations == 0) return fail(Status::not_finite, "the error at the start is not finite");
         scale /= 2;
         if (scale < 1e-3) return stall(best);
@@ -291,13 +324,15 @@ class Exchange {
       for (const Candidate& c : candidates_) conditions.push_back(condition(c));
       std::array<std::size_t, most_unknowns> reference{};
       if (!first_reference(conditions, reference))
-        return fail(Status::degenerate, "the parameters do not move the error independently where it is largest");
+        return fail(Status::degenerate,
+                    "the parameters do not move the error independently where it is largest");
       const LowestLevel lowest =
           lowest_level({conditions.data(), conditions.size()}, unknowns(), {reference.data(), unknowns()});
       if (lowest.outcome == LowestLevel::Outcome::infeasible)
-        return fail(Status::infeasible, "no parameters near the start satisfy the constraints");
+        return fail(Status::infeasible, "no parameters near least squares " + most_violated());
       if (lowest.outcome == LowestLevel::Outcome::degenerate)
-        return fail(Status::degenerate, "the parameters do not move the error independently where it is largest");
+        return fail(Status::degenerate,
+                    "the parameters do not move the error independently where it is largest");
       if (lowest.outcome == LowestLevel::Outcome::unfinished)
         return fail(Status::not_converged, "the exchange of the reference goes round in circles");
 
@@ -306,11 +341,11 @@ class Exchange {
       for (std::size_t i = 0; i < unknowns(); ++i) {
         reference_.push_back(candidates_[lowest.reference[i]]);
         multipliers_[i] = lowest.multipliers[i];
-        if (share_of_level(reference_.back().touch) == 0) held_up += std::abs(multipliers_[i]);
+        if (share_of_level(reference_.back()) == 0) held_up += std::abs(multipliers_[i]);
       }
       penalty_ = std::max(penalty_, 2 * held_up + 1);
       base = result_.parameters;
-      best = merit;
+      best = merit();
       scale = 1;
       double size = 0;
       for (std::size_t i = 0; i < problem_.size; ++i) {
@@ -325,16 +360,34 @@ class Exchange {
         return true;
       }
     }
-    return fail(Status::not_converged, "the alternation did not settle in " + std::to_string(most_steps) +
-                                           " exchanges");
+    return fail(Status::not_converged,
+                "the alternation did not settle in " + std::to_string(most_steps) + " exchanges");
   }
+
+  /// The constraint that the parameters violate most, and where.
+  std::string most_violated() const {
+    const Candidate* worst = nullptr;
+    double most = 0;
+    for (const Candidate& c : candidates_) {
+      const double excess = -condition(c).bound;
+      if (share_of_level(c) > 0 || !(excess > most)) continue;
+      most = excess;
+      worst = &c;
+    }
+    if (worst == nullptr) return "satisfy the constraints";
+    const std::string relation = sign_of(worst->touch) > 0 ? "<= " : ">= ";
+    const std::string bound = is_of_form(worst->touch) ? to_text(bound_of(worst->touch)) : "target";
+    return "keep the form " + relation + bound + " at c = " + place_text(*worst);
+  }
+
+  std::string place_text(const Candidate& c) const { return to_text(problem_.cosine_at(c.place).cos_theta); }
 
   /// No part of a step lowers the level any more, and yet it is no last step.
   bool stall(double best) {
     if (best - expected_ < 1e-9 * best)
-      return fail(Status::degenerate,
-                  "the level is as low as it gets, but fewer than " + std::to_string(unknowns()) +
-                      " places hold it there: the parameters are not determined");
+      return fail(Status::degenerate, "the level is as low as it gets, but fewer than " +
+                                          std::to_string(unknowns()) +
+                                          " places hold it there: the parameters are not determined");
     return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
   }
 
@@ -342,10 +395,9 @@ class Exchange {
   void settle() {
     for (std::size_t i = 0; i < unknowns(); ++i) {
       if (reference_[i].touch != Touch::exact && !(multipliers_[i] > no_multiplier)) {
-        fail(Status::degenerate, "the alternation is degenerate: of its " + std::to_string(unknowns()) +
-                                     " places that at c = " +
-                                     to_text(problem_.cosine_at(reference_[i].place).cos_theta) +
-                                     " holds nothing up");
+        fail(Status::degenerate,
+             "the alternation is degenerate: of its " + std::to_string(unknowns()) + " places that at c = " +
+                 to_text(problem_.cosine_at(reference_[i].place).cos_theta) + " holds nothing up");
         return;
       }
     }
@@ -359,16 +411,14 @@ class Exchange {
       long double level = 0;
       for (std::size_t i = 0; i < unknowns(); ++i) {
         Candidate& c = reference_[i];
-        const bool is_of_form = c.touch == Touch::at_most || c.touch == Touch::at_least;
-        const Curve& curve = is_of_form ? problem_.form : problem_.error;
+        const Curve& curve = curve_of(c.touch);
         if (c.touch != Touch::exact && 0 < c.place.s && c.place.s < 1)
           c.place.s = climb(curve, c.place.panel, std::max(0.0, c.place.s - 0.01), c.place.s,
                             std::min(1.0, c.place.s + 0.01), sign_of(c.touch), result_.parameters);
-        c = candidate(c.touch, c.place);
+        c = candidate(c.touch, c.place, c.is_tangent);
         matrix[i] = condition(c).slope;
-        values[i] = curve.wide(c.place, wide);
-        level += static_cast<long double>(multipliers_[i] * share_of_level(c.touch) * sign_of(c.touch)) *
-                 values[i];
+        values[i] = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
+        level += static_cast<long double>(multipliers_[i] * share_of_level(c) * sign_of(c.touch)) * values[i];
       }
       if (!invert(matrix, unknowns(), inverse)) {
         fail(Status::degenerate, "the equations of the alternation are not independent");
@@ -377,14 +427,12 @@ class Exchange {
       // What each equation lacks at this level.
       std::array<long double, most_unknowns> lack{};
       for (std::size_t i = 0; i < unknowns(); ++i) {
-        const Touch touch = reference_[i].touch;
-        long double aim = static_cast<long double>(sign_of(touch) * share_of_level(touch)) * level;
-        if (touch == Touch::at_most) aim = static_cast<long double>(*problem_.at_most);
-        if (touch == Touch::at_least) aim = static_cast<long double>(*problem_.at_least);
-        lack[i] = static_cast<long double>(sign_of(touch)) * (aim - values[i]);
-        reference_[i].value = static_cast<double>(is_level(touch) || touch == Touch::exact
-                                                      ? values[i]
-                                                      : problem_.error.wide(reference_[i].place, wide));
+        Candidate& c = reference_[i];
+        const auto sign = static_cast<long double>(sign_of(c.touch));
+        const auto bound = static_cast<long double>(c.is_tangent ? 0 : bound_of(c.touch));
+        lack[i] = sign * (bound - values[i]) + static_cast<long double>(share_of_level(c)) * level;
+        const bool is_error = !c.is_tangent && !is_of_form(c.touch);
+        c.value = static_cast<double>(is_error ? values[i] : problem_.error.wide(c.place, wide));
       }
       std::array<long double, most_unknowns> step{};
       for (std::size_t i = 0; i < unknowns(); ++i) {
@@ -397,7 +445,9 @@ class Exchange {
         if (step[i] != 0) size = std::max(size, std::abs(step[i] / wide[i]));
       }
       result_.digits = correct_digits(size);
-      if (size <= static_cast<long double>(settled)) {
+      // Half a unit in the last place of a double is 1.1e-16; a step above a few of these is worth taking
+      // once.
+      if (size <= static_cast<long double>(pass == 0 ? 3e-16 : settled)) {
         result_.status = Status::converged;
         record();
         return;
@@ -413,7 +463,8 @@ class Exchange {
   void record() {
     for (std::size_t i = 0; i < unknowns(); ++i) {
       const Candidate& c = reference_[i];
-      result_.alternation.push_back({c.touch, problem_.cosine_at(c.place), c.value, multipliers_[i]});
+      result_.alternation.push_back(
+          {c.touch, c.is_tangent, problem_.cosine_at(c.place), c.value, multipliers_[i]});
     }
     std::sort(result_.alternation.begin(), result_.alternation.end(),
               [](const AlternationPoint& a, const AlternationPoint& b) {
@@ -425,9 +476,9 @@ class Exchange {
   MinimaxOptimum result_;
   std::vector<double> values_;
   std::vector<SearchPlace> exact_;  ///< of the problem's, those that are not met by themselves
-  Few<Candidate> candidates_, reference_;
+  Few<Candidate> candidates_, reference_, tangents_;
   Unknowns multipliers_{};
-  double penalty_ = 1;
+  double level_ = 0, violation_ = 0, penalty_ = 1;
   double expected_ = 0;  ///< the level that the last programme promised
 };
 

@@ -45,6 +45,9 @@ struct Curve {
   /// The value, and its derivatives by the parameters.
   std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> across;
   std::function<long double(const SearchPlace&, const WideParameters&)> wide;
+  /// The same two of the slope into the domain, at s = 0 or 1.
+  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across;
+  std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope;
 };
 
 struct MinimaxProblem {
@@ -68,6 +71,8 @@ enum class Touch {
 
 struct AlternationPoint {
   Touch touch;
+  bool is_tangent;  ///< it is the slope that the constraint holds: the value is the bound whatever the
+                    ///< parameters
   Cosine<double> at;
   double error;       ///< weight * error
   double multiplier;  ///< how much it holds the level up; those of `highest` and `lowest` sum to 1

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -58,12 +59,12 @@ class Minimax {
     for (const SearchPlace& place : places_) samples_.push_back(family_.sample(cosine(place.panel, place.s)));
   }
 
-  /// From least squares under the same error: Ceres from three starts, polished on few nodes.
+  /// From least squares under the same error: Ceres from one start, polished on few nodes.
   MinimaxOptimum solve() const {
-    const SampledProblem<F, double> basin(family_, Substitution::panels(metric_, family_.shape()),
-                                          basin_nodes);
-    const auto start = common_optimum(family_, basin);
-    if (start.status == Status::not_finite) return {.status = Status::not_finite, .why = "least squares finds no start"};
+    const auto panels = Substitution::panels(metric_, family_.shape());
+    const SampledProblem<F, double> basin(family_, panels,
+                                          basin_nodes / static_cast<unsigned>(panels.size()));
+    const auto start = common_optimum(family_, basin, 1);
     MinimaxParameters p{};
     std::copy(start.parameters.begin(), start.parameters.end(), p.begin());
     MinimaxOptimum optimum = solve_minimax(problem(), p);
@@ -125,7 +126,29 @@ class Minimax {
             [this, f](const SearchPlace& place, const WideParameters& p) {
               const auto s = static_cast<long double>(place.s);
               return f(family_, family_.sample(cosine(place.panel, s)), lifted<long double>(p));
+            },
+            [this, f](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+              using Inner = ceres::Jet<double, static_cast<int>(N)>;
+              std::array<Inner, N> q;
+              for (std::size_t i = 0; i < N; ++i) q[i] = Inner(p[i], static_cast<int>(i));
+              const Inner slope = slope_inward<Inner>(f, place, q);
+              for (std::size_t i = 0; i < N; ++i) gradient[i] = slope.v[static_cast<int>(i)];
+              return slope.a;
+            },
+            [this, f](const SearchPlace& place, const WideParameters& p) {
+              return slope_inward<long double>(f, place, lifted<long double>(p));
             }};
+  }
+
+  /// The derivative by the distance from the end of a panel.
+  template <class T, class Function>
+  T slope_inward(Function f, const SearchPlace& place, const std::array<T, N>& p) const {
+    using Jet = ceres::Jet<T, 1>;
+    Jet s(lift<T>(place.s));
+    s.v[0] = T(place.s == 0 ? 1.0 : -1.0);
+    std::array<Jet, N> q;
+    for (std::size_t i = 0; i < N; ++i) q[i] = Jet(p[i]);
+    return f(family_, family_.sample(cosine(place.panel, s)), q).v[0];
   }
 
   F family_;

@@ -18,8 +18,7 @@ Weight::Weight(std::string_view text) {
 
 std::optional<WeightFault> find_fault(const Weight& weight, const Domain& domain) {
   std::vector<double> cosines{domain.lower};
-  for (const double s : search_points())
-    cosines.push_back(domain.lower + s * (domain.upper - domain.lower));
+  for (const double s : search_points()) cosines.push_back(domain.lower + s * (domain.upper - domain.lower));
   cosines.push_back(domain.upper);
 
   std::vector<double> values;
@@ -33,8 +32,8 @@ std::optional<WeightFault> find_fault(const Weight& weight, const Domain& domain
     if (!(values[i] > least)) return WeightFault{cosines[i], values[i]};
     if (i == 0 || i + 1 == values.size() || values[i] > values[i - 1] || values[i] > values[i + 1]) continue;
     std::uintmax_t steps = 60;
-    const auto minimum = boost::math::tools::brent_find_minima(
-        [&](double c) { return weight.at(c); }, cosines[i - 1], cosines[i + 1], 53, steps);
+    const auto minimum = boost::math::tools::brent_find_minima([&](double c) { return weight.at(c); },
+                                                               cosines[i - 1], cosines[i + 1], 53, steps);
     if (!(minimum.second > least)) return WeightFault{minimum.first, minimum.second};
   }
   return std::nullopt;

@@ -88,7 +88,7 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
   Results results;
   std::vector<const FittableFamily*> fresnel_families;
   for (const FittableFamily& family : fittable_families()) {
-    if (!is_family_wanted(ids, family.info)) continue;
+    if (!is_family_wanted(ids, family.info) || (ids.empty() && family.info.is_comparison)) continue;
     const auto exponents = family.has_exponent() ? parse_sweep(family.info.sweep) : std::vector<double>{};
     results.refits.push_back(refit(family, exponents, whole_domain_metrics(), checkpoint));
     if (family.is_fresnel()) fresnel_families.push_back(&family);
