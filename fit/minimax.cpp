@@ -144,7 +144,7 @@ class Exchange {
           const double scaled = c.gradient[j] * result_.parameters[j];
           square += scaled * scaled;
         }
-        if (i == 0 && c.value == 0 && square == 0) break;
+        if (i == 0 && c.value == 0 && square == 0) break;  // met by itself
         if (!(square > 0) || !std::isfinite(square)) i = 60;
         const double step = -c.value / square;
         double largest = 0;
@@ -161,6 +161,8 @@ class Exchange {
       if (is_met) exact_.push_back(place);
       result_.parameters = start;
     }
+    if (exact_.size() > problem_.size)
+      return fail(Status::infeasible, "more places to be exact at than free parameters");
     return true;
   }
 
@@ -310,13 +312,13 @@ class Exchange {
   /// that does not lower the merit is halved.
   bool descend() {
     MinimaxParameters base = result_.parameters, step{};
-    double best = HUGE_VAL, scale = 1;
+    double best = HUGE_VAL, scale = 1, size = 1;
     for (; result_.iterations < most_steps; ++result_.iterations) {
       look();
       if (!(merit() < best)) {
         if (result_.iterations == 0) return fail(Status::not_finite, "the error at the start is not finite");
         scale /= 2;
-        if (scale < 1e-3) return stall(best);
+        if (scale < 1e-3) return stall(best, size) && go_to(base, step);
         for (std::size_t i = 0; i < problem_.size; ++i) result_.parameters[i] = base[i] + scale * step[i];
         continue;
       }
@@ -347,14 +349,14 @@ class Exchange {
       base = result_.parameters;
       best = merit();
       scale = 1;
-      double size = 0;
+      size = 0;
       for (std::size_t i = 0; i < problem_.size; ++i) {
         step[i] = lowest.unknowns[i];
+        if (!std::isfinite(step[i])) return fail(Status::not_finite, "a step is not finite");
         if (step[i] != 0) size = std::max(size, std::abs(step[i] / base[i]));
-        result_.parameters[i] = base[i] + step[i];
       }
       expected_ = lowest.unknowns[problem_.size];
-      if (!std::isfinite(size)) return fail(Status::not_finite, "a step is not finite");
+      go_to(base, step);
       if (size < last_step) {
         ++result_.iterations;
         return true;
@@ -382,13 +384,20 @@ class Exchange {
 
   std::string place_text(const Candidate& c) const { return to_text(problem_.cosine_at(c.place).cos_theta); }
 
-  /// No part of a step lowers the level any more, and yet it is no last step.
-  bool stall(double best) {
-    if (best - expected_ < 1e-9 * best)
-      return fail(Status::degenerate, "the level is as low as it gets, but fewer than " +
-                                          std::to_string(unknowns()) +
-                                          " places hold it there: the parameters are not determined");
-    return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
+  bool go_to(const MinimaxParameters& base, const MinimaxParameters& step) {
+    for (std::size_t i = 0; i < problem_.size; ++i) result_.parameters[i] = base[i] + step[i];
+    return true;
+  }
+
+  /// No part of a step lowers the level any more, and yet it is no last step. Where it is short, the level is
+  /// down to its rounding, and Newton may have it; else the level does not tell where the parameters are.
+  bool stall(double best, double size) {
+    if (best - expected_ >= 1e-9 * best)
+      return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
+    if (size < 1e-4) return true;
+    return fail(Status::degenerate, "the level is as low as it gets, but fewer than " +
+                                        std::to_string(unknowns()) +
+                                        " places hold it there: the parameters are not determined");
   }
 
   /// Newton on the equations of the reference, their residuals in long double, until a step is nothing.
