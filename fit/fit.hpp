@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "approx/record.hpp"
+#include "fit/alternation.hpp"
 #include "fit/effect.hpp"
 #include "fit/exact_fresnel.hpp"
 #include "fit/extremum.hpp"
 #include "fit/least_squares.hpp"
 #include "fit/metric.hpp"
-#include "fit/minimax.hpp"
 #include "fit/surface.hpp"
 #include "fit/symbolic.hpp"
 

@@ -16,8 +16,8 @@ constexpr double last_step = 1e-7;
 /// A multiplier below this holds nothing up.
 constexpr double no_multiplier = 1e-9;
 
-/// An extremum of a curve, with its derivatives by the parameters.
-struct Candidate {
+/// A place where a curve is extreme or held, with its value and the derivatives of that by the parameters.
+struct Contact {
   Touch touch;
   SearchPlace place;
   bool is_tangent;  ///< value and gradient are those of the curve's slope into the domain
@@ -38,7 +38,7 @@ bool is_of_form(Touch touch) {
 
 /// The maximum of sign * curve between low and high, from s: Newton on its slope, kept within what is known
 /// to hold the maximum.
-double climb(const Curve& curve, std::size_t panel, double low, double s, double high, double sign,
+double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s, double high, double sign,
              const MinimaxParameters& p) {
   for (int i = 0; i < 12; ++i) {
     const Along at = curve.along({panel, s}, p);
@@ -78,9 +78,11 @@ class Exchange {
     if (touch == Touch::lowest) return problem_.one_sided == Side::above ? 0 : 1;
     return 0;
   }
-  double share_of_level(const Candidate& c) const { return c.is_tangent ? 0 : share_of_level(c.touch); }
+  double share_of_level(const Contact& c) const { return c.is_tangent ? 0 : share_of_level(c.touch); }
 
-  const Curve& curve_of(Touch touch) const { return is_of_form(touch) ? problem_.form : problem_.error; }
+  const MinimaxCurve& curve_of(Touch touch) const {
+    return is_of_form(touch) ? problem_.form : problem_.error;
+  }
 
   bool fail(Status status, std::string why) {
     result_.status = status;
@@ -88,9 +90,9 @@ class Exchange {
     return false;
   }
 
-  Candidate candidate(Touch touch, const SearchPlace& place, bool is_tangent = false) const {
-    Candidate c{touch, place, is_tangent, 0, {}};
-    const Curve& curve = curve_of(touch);
+  Contact contact(Touch touch, const SearchPlace& place, bool is_tangent = false) const {
+    Contact c{touch, place, is_tangent, 0, {}};
+    const MinimaxCurve& curve = curve_of(touch);
     c.value = (is_tangent ? curve.slope_across : curve.across)(place, result_.parameters, c.gradient);
     return c;
   }
@@ -102,7 +104,7 @@ class Exchange {
   }
 
   /// By how much a step of the parameters and a level may use a condition up.
-  Condition condition(const Candidate& c) const {
+  Condition condition(const Contact& c) const {
     const double sign = sign_of(c.touch), bound = c.is_tangent ? 0 : bound_of(c.touch);
     Condition result{{}, sign * (bound - c.value), c.touch == Touch::exact};
     for (std::size_t i = 0; i < problem_.size; ++i) result.slope[i] = sign * c.gradient[i];
@@ -116,11 +118,11 @@ class Exchange {
     const auto consider = [&](Touch touch) {
       const SearchPlace ends[] = {problem_.places.front(), problem_.places.back()};
       for (const SearchPlace& place : ends) {
-        const Candidate c = candidate(touch, place);
+        const Contact c = contact(touch, place);
         const bool is_fixed =
             std::all_of(c.gradient.begin(), c.gradient.end(), [](double g) { return g == 0; });
         if (!is_fixed || c.value != bound_of(touch)) continue;
-        const Candidate tangent = candidate(touch, place, true);
+        const Contact tangent = contact(touch, place, true);
         if (std::any_of(tangent.gradient.begin(), tangent.gradient.end(), [](double g) { return g != 0; }))
           tangents_.push_back(tangent);
       }
@@ -138,7 +140,7 @@ class Exchange {
       const MinimaxParameters start = result_.parameters;
       bool is_met = false;
       for (int i = 0; i < 60 && !is_met; ++i) {
-        const Candidate c = candidate(Touch::exact, place);
+        const Contact c = contact(Touch::exact, place);
         double square = 0;
         for (std::size_t j = 0; j < problem_.size; ++j) {
           const double scaled = c.gradient[j] * result_.parameters[j];
@@ -167,7 +169,7 @@ class Exchange {
   }
 
   /// The extrema of a curve that a touch speaks of: maxima for `highest` and `at_most`, else minima.
-  void find_extrema(const Curve& curve, Touch touch) {
+  void find_extrema(const MinimaxCurve& curve, Touch touch) {
     const double sign = sign_of(touch);
     const auto& places = problem_.places;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -193,13 +195,13 @@ class Exchange {
           place.s = climb(curve, place.panel, low, (low + high) / 2, high, sign, result_.parameters);
         }
       }
-      candidates_.push_back(candidate(touch, place));
+      contacts_.push_back(contact(touch, place));
     }
   }
 
   /// All extrema at the parameters, their level, and by how much constraints are violated.
   void look() {
-    candidates_.clear();
+    contacts_.clear();
     problem_.error.everywhere(result_.parameters, values_);
     find_extrema(problem_.error, Touch::highest);
     find_extrema(problem_.error, Touch::lowest);
@@ -208,12 +210,12 @@ class Exchange {
       if (problem_.at_most) find_extrema(problem_.form, Touch::at_most);
       if (problem_.at_least) find_extrema(problem_.form, Touch::at_least);
     }
-    for (const SearchPlace& place : exact_) candidates_.push_back(candidate(Touch::exact, place));
-    for (const Candidate& c : tangents_) candidates_.push_back(candidate(c.touch, c.place, true));
+    for (const SearchPlace& place : exact_) contacts_.push_back(contact(Touch::exact, place));
+    for (const Contact& c : tangents_) contacts_.push_back(contact(c.touch, c.place, true));
 
     level_ = violation_ = 0;
     bool is_finite = true;
-    for (const Candidate& c : candidates_) {
+    for (const Contact& c : contacts_) {
       const double excess = -condition(c).bound;
       is_finite = is_finite && std::isfinite(excess);
       if (share_of_level(c) > 0) {
@@ -230,15 +232,15 @@ class Exchange {
 
   /// The extrema of the error with alternating signs, the largest of each run, no more than `count`; filled
   /// up with places of the search.
-  Few<Candidate> alternating(std::size_t count) const {
-    Few<Candidate> found;
+  Few<Contact> alternating(std::size_t count) const {
+    Few<Contact> found;
     double largest_gradient = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;
-    const auto size_of = [&](const Candidate& c) {
+    const auto size_of = [&](const Contact& c) {
       double size = 0;
       for (std::size_t i = 0; i < problem_.size; ++i) size = std::max(size, std::abs(c.gradient[i]));
       return size;
     };
-    for (const Candidate& c : candidates_) {
+    for (const Contact& c : contacts_) {
       if (is_of_form(c.touch) || c.touch == Touch::exact || c.is_tangent) continue;
       largest_gradient = std::max(largest_gradient, size_of(c));
       highest = std::max(highest, c.value);
@@ -248,15 +250,15 @@ class Exchange {
     // Where no parameter moves the error, as where every form of a family meets the target, nothing can be
     // levelled.
     found.erase(std::remove_if(found.begin(), found.end(),
-                               [&](const Candidate& c) { return !(size_of(c) > 1e-9 * largest_gradient); }),
+                               [&](const Contact& c) { return !(size_of(c) > 1e-9 * largest_gradient); }),
                 found.end());
     const double middle = problem_.one_sided ? (highest + lowest) / 2 : 0;
-    const auto height = [&](const Candidate& c) { return c.value - middle; };
-    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    const auto height = [&](const Contact& c) { return c.value - middle; };
+    std::sort(found.begin(), found.end(), [](const Contact& a, const Contact& b) {
       return std::pair(a.place.panel, a.place.s) < std::pair(b.place.panel, b.place.s);
     });
-    Few<Candidate> chain;
-    for (const Candidate& c : found) {
+    Few<Contact> chain;
+    for (const Contact& c : found) {
       const bool is_same_run = !chain.empty() && (height(chain.back()) < 0) == (height(c) < 0);
       if (!is_same_run) {
         chain.push_back(c);
@@ -270,7 +272,7 @@ class Exchange {
     const std::size_t all = problem_.places.size();
     for (std::size_t i = 0; chain.size() < count && i < count; ++i) {
       const SearchPlace place = problem_.places[(2 * i + 1) * all / (2 * count)];
-      chain.push_back(candidate(Touch::highest, place));
+      chain.push_back(contact(Touch::highest, place));
     }
     return chain;
   }
@@ -286,10 +288,10 @@ class Exchange {
       matrix[i][problem_.size] = i % 2 == 0 ? 1 : -1;
     }
     std::size_t next = count;
-    for (std::size_t j = 0; j < candidates_.size(); ++j) {
-      if (candidates_[j].touch != Touch::exact) continue;
+    for (std::size_t j = 0; j < contacts_.size(); ++j) {
+      if (contacts_[j].touch != Touch::exact) continue;
       reference[next] = j;
-      matrix[next] = candidates_[j].gradient;
+      matrix[next] = contacts_[j].gradient;
       matrix[next++][problem_.size] = 0;
     }
     if (!invert(matrix, unknowns(), inverse)) return false;
@@ -299,11 +301,11 @@ class Exchange {
     const double weight = above * share_of_level(Touch::highest) + below * share_of_level(Touch::lowest);
     const double flip = weight > 0 ? 1 : -1;
     for (std::size_t i = 0; i < count; ++i) {
-      Candidate c = chain[i];
+      Contact c = chain[i];
       c.touch = flip * shares[i] > 0 ? Touch::highest : Touch::lowest;
       reference[i] = conditions.size();
       conditions.push_back(condition(c));
-      candidates_.push_back(c);
+      contacts_.push_back(c);
     }
     return true;
   }
@@ -323,7 +325,7 @@ class Exchange {
         continue;
       }
       Few<Condition> conditions;
-      for (const Candidate& c : candidates_) conditions.push_back(condition(c));
+      for (const Contact& c : contacts_) conditions.push_back(condition(c));
       std::array<std::size_t, most_unknowns> reference{};
       if (!first_reference(conditions, reference))
         return fail(Status::degenerate,
@@ -341,7 +343,7 @@ class Exchange {
       reference_.clear();
       double held_up = 0;
       for (std::size_t i = 0; i < unknowns(); ++i) {
-        reference_.push_back(candidates_[lowest.reference[i]]);
+        reference_.push_back(contacts_[lowest.reference[i]]);
         multipliers_[i] = lowest.multipliers[i];
         if (share_of_level(reference_.back()) == 0) held_up += std::abs(multipliers_[i]);
       }
@@ -368,9 +370,9 @@ class Exchange {
 
   /// The constraint that the parameters violate most, and where.
   std::string most_violated() const {
-    const Candidate* worst = nullptr;
+    const Contact* worst = nullptr;
     double most = 0;
-    for (const Candidate& c : candidates_) {
+    for (const Contact& c : contacts_) {
       const double excess = -condition(c).bound;
       if (share_of_level(c) > 0 || !(excess > most)) continue;
       most = excess;
@@ -382,7 +384,7 @@ class Exchange {
     return "keep the form " + relation + bound + " at c = " + place_text(*worst);
   }
 
-  std::string place_text(const Candidate& c) const { return to_text(problem_.cosine_at(c.place).cos_theta); }
+  std::string place_text(const Contact& c) const { return to_text(problem_.cosine_at(c.place).cos_theta); }
 
   bool go_to(const MinimaxParameters& base, const MinimaxParameters& step) {
     for (std::size_t i = 0; i < problem_.size; ++i) result_.parameters[i] = base[i] + step[i];
@@ -419,12 +421,12 @@ class Exchange {
       std::array<long double, most_unknowns> values{};
       long double level = 0;
       for (std::size_t i = 0; i < unknowns(); ++i) {
-        Candidate& c = reference_[i];
-        const Curve& curve = curve_of(c.touch);
+        Contact& c = reference_[i];
+        const MinimaxCurve& curve = curve_of(c.touch);
         if (c.touch != Touch::exact && 0 < c.place.s && c.place.s < 1)
           c.place.s = climb(curve, c.place.panel, std::max(0.0, c.place.s - 0.01), c.place.s,
                             std::min(1.0, c.place.s + 0.01), sign_of(c.touch), result_.parameters);
-        c = candidate(c.touch, c.place, c.is_tangent);
+        c = contact(c.touch, c.place, c.is_tangent);
         matrix[i] = condition(c).slope;
         values[i] = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
         level += static_cast<long double>(multipliers_[i] * share_of_level(c) * sign_of(c.touch)) * values[i];
@@ -436,7 +438,7 @@ class Exchange {
       // What each equation lacks at this level.
       std::array<long double, most_unknowns> lack{};
       for (std::size_t i = 0; i < unknowns(); ++i) {
-        Candidate& c = reference_[i];
+        Contact& c = reference_[i];
         const auto sign = static_cast<long double>(sign_of(c.touch));
         const auto bound = static_cast<long double>(c.is_tangent ? 0 : bound_of(c.touch));
         lack[i] = sign * (bound - values[i]) + static_cast<long double>(share_of_level(c)) * level;
@@ -471,7 +473,7 @@ class Exchange {
 
   void record() {
     for (std::size_t i = 0; i < unknowns(); ++i) {
-      const Candidate& c = reference_[i];
+      const Contact& c = reference_[i];
       result_.alternation.push_back(
           {c.touch, c.is_tangent, problem_.cosine_at(c.place), c.value, multipliers_[i]});
     }
@@ -485,7 +487,7 @@ class Exchange {
   MinimaxOptimum result_;
   std::vector<double> values_;
   std::vector<SearchPlace> exact_;  ///< of the problem's, those that are not met by themselves
-  Few<Candidate> candidates_, reference_, tangents_;
+  Few<Contact> contacts_, reference_, tangents_;
   Unknowns multipliers_{};
   double level_ = 0, violation_ = 0, penalty_ = 1;
   double expected_ = 0;  ///< the level that the last programme promised

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "approx/cosine.hpp"
+#include "fit/alternation.hpp"
 #include "fit/exchange.hpp"
 #include "fit/metric.hpp"
 #include "fit/status.hpp"
@@ -39,7 +40,7 @@ struct Along {
 };
 
 /// A value of place and parameters, behind plain functions: the solver is the same for every form.
-struct Curve {
+struct MinimaxCurve {
   std::function<void(const MinimaxParameters&, std::span<double>)> everywhere;  ///< at the search places
   std::function<Along(const SearchPlace&, const MinimaxParameters&)> along;
   /// The value, and its derivatives by the parameters.
@@ -54,28 +55,10 @@ struct MinimaxProblem {
   std::size_t size = 0;             ///< free parameters
   std::vector<SearchPlace> places;  ///< by panel, then by s
   std::function<Cosine<double>(const SearchPlace&)> cosine_at;
-  Curve error, form;
+  MinimaxCurve error, form;
   std::optional<Side> one_sided = std::nullopt;
   std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
   std::vector<SearchPlace> exact_at = {};
-};
-
-/// Why a place belongs to the alternation.
-enum class Touch {
-  highest,   ///< weight * error is the level (0 where the form may not exceed its target)
-  lowest,    ///< it is minus the level (0 where the form may not fall below its target)
-  exact,     ///< the form is its target here by constraint
-  at_most,   ///< the form is at its upper bound
-  at_least,  ///< the form is at its lower bound
-};
-
-struct AlternationPoint {
-  Touch touch;
-  bool is_tangent;  ///< it is the slope that the constraint holds: the value is the bound whatever the
-                    ///< parameters
-  Cosine<double> at;
-  double error;       ///< weight * error
-  double multiplier;  ///< how much it holds the level up; those of `highest` and `lowest` sum to 1
 };
 
 struct MinimaxOptimum {

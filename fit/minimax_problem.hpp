@@ -102,7 +102,7 @@ class Minimax {
   }
 
   template <class Function>
-  Curve curve(Function f) const {
+  MinimaxCurve curve(Function f) const {
     return {[this, f](const MinimaxParameters& p, std::span<double> values) {
               const auto q = lifted<double>(p);
               for (std::size_t i = 0; i < samples_.size(); ++i) values[i] = f(family_, samples_[i], q);

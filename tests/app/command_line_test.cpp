@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "approx/ledger.hpp"
+#include "fit/fit.hpp"
 #include "reports/baseline.hpp"
 #include "reports/csv.hpp"
 #include "reports/files.hpp"
@@ -144,6 +145,56 @@ TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
   EXPECT_NE(outcome.out.find("0.78754461967478"), std::string::npos) << "the others are still printed";
 }
 
+TEST(FitCommand, MinimaxSaysWhatItFound) {
+  const Outcome text =
+      run_command_line({"fit", "fresnel-quadratic", "--norm", "minimax", "--error", "relative"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("minimax relative error; the cosine measure counts for the rms error alone"),
+            std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find(
+                "Level 0.02806530078, the error is + at c = 0.693332, - at c = 0.410036, + at c = 0.11586"),
+            std::string::npos)
+      << text.out;
+  const Outcome bound = run_command_line(
+      {"fit", "sg-scaled", "--exponent", "5", "--norm", "minimax", "--at-most", "1", "--fix", "x=0.75"});
+  EXPECT_NE(bound.out.find("The optimum sits on the constraint form <= 1 at c = 1\n"), std::string::npos)
+      << bound.out << bound.err;
+
+  const Outcome outcome =
+      run_command_line({"fit", "fresnel-quadratic", "--norm", "minimax", "--error", "relative", "--f0",
+                        "0.02", "--weight", "1 + 4 c", "--at-most", "1", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& objective = json["objective"];
+  EXPECT_EQ(objective["norm"], "minimax");
+  EXPECT_EQ(objective["error"], "relative");
+  EXPECT_EQ(objective["f0"], 0.02);
+  EXPECT_EQ(objective["weight"], "1 + 4 c");
+  EXPECT_EQ(objective["measure"], "cosine");
+  EXPECT_EQ(objective["measure_counts_for"], "rms_error alone: minimax has no measure");
+  EXPECT_EQ(objective["constraints"]["at_most"], 1);
+  EXPECT_TRUE(objective["constraints"]["one_sided"].is_null());
+  EXPECT_EQ(json["relative_to"], "F = f0 + (1 - f0) f, f0 = 0.02");
+  ASSERT_EQ(json["alternation"].size(), 3U);
+  for (const auto& point : json["alternation"]) {
+    EXPECT_EQ(point["holds"], "level");
+    EXPECT_NEAR(point["sign"].get<double>() * point["error"].get<double>(), json["level"].get<double>(),
+                1e-14);
+  }
+}
+
+TEST(FitCommand, LeastSquaresTakesGivenParametersAndRelativeErrors) {
+  const auto json = nlohmann::json::parse(
+      run_command_line({"fit", "fresnel-quadratic", "--error", "relative", "--fix", "b=-7", "--json"}).out);
+  EXPECT_EQ(json["parameters"]["b"], -7);
+  EXPECT_EQ(json["objective"]["constraints"]["fixed"]["b"], -7);
+  EXPECT_EQ(json["objective"]["measure_counts_for"], "the fit");
+  EXPECT_TRUE(json["level"].is_null());
+  const Outcome csv = run_command_line({"fit", "fresnel-quadratic", "--fix", "b=-7", "--csv"});
+  EXPECT_NE(csv.out.find("least-squares, b = -7"), std::string::npos) << csv.out;
+}
+
 TEST(ListCommand, NamesEveryClaimOnce) {
   const Outcome outcome = run_command_line({"list"});
   EXPECT_EQ(outcome.exit_code, 0);
@@ -155,6 +206,12 @@ TEST(ListCommand, NamesEveryClaimOnce) {
       EXPECT_NE(outcome.out.find("\n" + std::string(claim.id) + " "), std::string::npos) << claim.id;
       EXPECT_EQ(json["constants"][claims++]["id"], claim.id);
     }
+  }
+  for (const FittableFamily& family : fittable_families()) {
+    if (!family.info.is_comparison) continue;
+    EXPECT_NE(outcome.out.find("\n" + std::string(family.info.id) + " "), std::string::npos)
+        << family.info.id;
+    EXPECT_EQ(json["constants"][claims++]["id"], family.info.id) << "forms of comparison follow the claims";
   }
   EXPECT_EQ(json["constants"].size(), claims);
   EXPECT_EQ(json["constants"][0]["printed"], "x = 0.775") << "as printed, not as a number";
