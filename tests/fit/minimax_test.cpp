@@ -68,11 +68,13 @@ TEST(Minimax, TheErrorAlternates) {
                                  std::to_string(exponent) + " " + fit.why;
         ASSERT_EQ(fit.status, Status::converged) << what;
         EXPECT_EQ(fit.alternation.size(), family.parameters.size() + 1) << what;
+        // A parameter rounded to a double moves the error by as much as that, and the level may be small.
+        const double tolerance = 1e-12 + 4e-16 / *fit.level;
         double weights = 0;
         for (std::size_t i = 0; i < fit.alternation.size(); ++i) {
           const AlternationPoint& point = fit.alternation[i];
           const int sign = point.touch == Touch::highest ? 1 : -1;
-          EXPECT_NEAR(point.error * sign / *fit.level, 1, 1e-12) << what;
+          EXPECT_NEAR(point.error * sign / *fit.level, 1, tolerance) << what;
           EXPECT_GT(point.multiplier, 0) << what;
           weights += point.multiplier;
           if (i == 0) continue;
@@ -82,7 +84,7 @@ TEST(Minimax, TheErrorAlternates) {
         EXPECT_NEAR(weights, 1, 1e-12) << what << ": Kolmogorov's weights";
         const double largest =
             error == Error::absolute ? fit.max_abs_error.magnitude : fit.max_rel_error->magnitude;
-        EXPECT_NEAR(largest / *fit.level, 1, 1e-11) << what << ": by the search of another file";
+        EXPECT_NEAR(largest / *fit.level, 1, 10 * tolerance) << what << ": by the search of another file";
       }
     }
   }
@@ -215,7 +217,7 @@ TEST(Minimax, EndsWithAStatusWhateverIsAsked) {
     for (const char* id : {"sg-offset", "phong-blinn", "sg-scaled"}) {
       const Fit fit = find_family(id)->fit(exponent, minimax());
       EXPECT_LE(fit.iterations, most_steps + 60) << id << " " << exponent;
-      if (fit.status != Status::converged) EXPECT_EQ(fit.digits == 14 && fit.level > 0.0, false) << id;
+      EXPECT_EQ(fit.why.empty(), fit.status == Status::converged) << id << " " << exponent;
     }
   }
   for (const Domain domain : {Domain{0.5, 0.5000000000000001}, Domain{0, 1e-300}, Domain{0, 1e-12}}) {
