@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fit/families.hpp"
+#include "fit/solution.hpp"
 
 namespace shadefit {
 namespace {
@@ -83,14 +84,32 @@ std::optional<Extremum> max_rel_error(const Setting& setting, const Domain& doma
 }
 
 template <class F>
+std::optional<Domain> relative_domain(const Setting& setting, const Domain& domain) {
+  const auto ends = relative_ends(make_family<F>(setting), domain);
+  return ends ? std::optional(Domain{ends->second.cos_theta, domain.upper}) : std::nullopt;
+}
+
+template <class F>
+Solution solve(const F& family, const Metric& metric) {
+  const Cosine<double> top{metric.domain.upper, 1 - metric.domain.upper};
+  const Cosine<double> bottom{metric.domain.lower, 1 - metric.domain.lower};
+  if (metric.error == Error::absolute) return solve_under(family, metric, top, bottom);
+  if (const auto ends = relative_ends(family, metric.domain))
+    return solve_under(family, metric, ends->first, ends->second);
+  return {.parameters = std::vector<double>(F::parameters.size()),
+          .status = Status::not_finite,
+          .why = "a relative error has no meaning on this domain"};
+}
+
+template <class F>
 Fit fit(const Setting& setting, const Metric& metric) {
   const auto family = make_family<F>(setting);
-  const auto optimum = solve_least_squares(family, metric);
+  const Solution optimum = solve(family, metric);
   Fit result{.family = &F::info,
              .exponent = F::info.sweep.empty() ? std::nullopt : std::optional(setting.exponent),
              .surface = is_fresnel_family<F>() ? setting.surface : Surface{},
              .metric = metric,
-             .parameters = {optimum.parameters.begin(), optimum.parameters.end()},
+             .parameters = optimum.parameters,
              .status = optimum.status,
              .iterations = optimum.iterations,
              .digits = optimum.digits,
@@ -98,7 +117,10 @@ Fit fit(const Setting& setting, const Metric& metric) {
              .max_abs_error = {},
              .max_rel_error = std::nullopt,
              .relative_domain = {},
-             .relative_to = family.relative_to()};
+             .relative_to = family.relative_to(),
+             .level = optimum.level,
+             .alternation = optimum.alternation,
+             .why = optimum.why};
   if (result.status == Status::converged) {
     result.max_abs_error = max_abs_error<F>(setting, metric.domain, result.parameters);
     result.max_rel_error = max_rel_error<F>(setting, metric.domain, result.parameters);
@@ -151,15 +173,17 @@ constexpr auto reflectance_error_of() -> ReflectanceError (*)(const Surface&, st
 }
 
 template <class F>
-constexpr FittableFamily entry{F::info,           F::parameters,     &fit<F>,
-                               &max_abs_error<F>, &max_rel_error<F>, &effect<F>,
-                               &target<F>,        &form<F>,          reflectance_error_of<F>()};
+constexpr FittableFamily entry{
+    F::info,    F::parameters, &fit<F>,  &max_abs_error<F>,         &max_rel_error<F>,
+    &effect<F>, &target<F>,    &form<F>, reflectance_error_of<F>(), &relative_domain<F>};
 
 }  // namespace
 
 std::span<const FittableFamily> fittable_families() {
-  static constexpr std::array all{entry<SgOffset>, entry<FresnelOneTerm>, entry<FresnelQuadratic>,
-                                  entry<PhongBlinn>};
+  static constexpr std::array all{entry<SgOffset>,       entry<FresnelOneTerm>, entry<FresnelQuadratic>,
+                                  entry<PhongBlinn>,     entry<SgScaled>,       entry<FresnelCubic>,
+                                  entry<FresnelQuartic>, entry<FresnelFourth>,  entry<FresnelSquare>,
+                                  entry<FresnelRational>};
   return all;
 }
 

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/least_squares.hpp"
+#include "fit/metric.hpp"
+#include "fit/minimax_problem.hpp"
+#include "fit/rule_choice.hpp"
+#include "fit/status.hpp"
+#include "fit/under.hpp"
+
+/// A family solved under any metric: which solver, with which parameters free.
+namespace shadefit {
+
+/// What a solver found, all parameters of the family in its order.
+struct Solution {
+  std::vector<double> parameters;
+  Status status = Status::not_converged;
+  int iterations = 0;
+  int digits = 0;
+  double rms_error = 0;
+  std::optional<double> level = std::nullopt;
+  std::vector<AlternationPoint> alternation = {};
+  std::string why = {};
+};
+
+/// The given parameters of a metric by their places. Throws std::logic_error for a name that the family lacks
+/// and where none is left free.
+template <class F>
+GivenParameters<F::parameters.size()> given_parameters(const Constraints& constraints) {
+  GivenParameters<F::parameters.size()> given{};
+  for (const Held& held : constraints.held) {
+    const auto found = std::find(F::parameters.begin(), F::parameters.end(), held.parameter);
+    if (found == F::parameters.end()) throw std::logic_error("a held parameter that its family lacks");
+    given[static_cast<std::size_t>(found - F::parameters.begin())] = held.value;
+  }
+  if (std::all_of(given.begin(), given.end(), [](const auto& g) { return g.has_value(); }))
+    throw std::logic_error("no parameter is left free");
+  return given;
+}
+
+/// sqrt(integral of measure * error^2 / integral of measure) at given parameters: by the first two rules that
+/// agree to 1e-12, else by the largest.
+template <class F>
+double rms_of(const F& family, const Metric& metric, const std::array<double, F::parameters.size()>& p) {
+  const auto panels = Substitution::panels(metric, family.shape());
+  double last = -1;
+  for (std::size_t i = first_rule(metric, family.shape()); i < fit_rules.size(); ++i) {
+    const double rms = std::sqrt(SampledProblem<F, double>(family, panels, fit_rules[i]).square(p));
+    if (std::abs(rms - last) <= 1e-12 * rms) return rms;
+    last = rms;
+  }
+  return last;
+}
+
+/// A family with M parameters free, between two places.
+template <class F, std::size_t M>
+Solution solve_free(const Under<F, M>& family, const Metric& metric, const Cosine<double>& top,
+                    const Cosine<double>& bottom) {
+  Metric narrowed = metric;
+  narrowed.domain = {bottom.cos_theta, top.cos_theta};
+  std::array<double, M> p{};
+  const auto all = [&] {
+    const auto q = family.with_given(p);
+    return std::vector<double>(q.begin(), q.end());
+  };
+  if (metric.norm == Norm::least_squares) {
+    const auto optimum = solve_least_squares(family, narrowed);
+    p = optimum.parameters;
+    return {all(), optimum.status, optimum.iterations, optimum.digits, optimum.rms_error};
+  }
+  const MinimaxOptimum optimum = Minimax<Under<F, M>>(family, metric, top, bottom).solve();
+  std::copy_n(optimum.parameters.begin(), M, p.begin());
+  const double rms = optimum.status == Status::converged ? rms_of(family, narrowed, p) : 0;
+  return {all(), optimum.status, optimum.iterations,  optimum.digits,
+          rms,   optimum.level,  optimum.alternation, optimum.why};
+}
+
+/// A family under a metric whose places that count lie between `top` and `bottom`. `M`: as many parameters as
+/// may be free.
+template <class F, std::size_t M = F::parameters.size()>
+Solution solve_under(const F& family, const Metric& metric, const Cosine<double>& top,
+                     const Cosine<double>& bottom) {
+  const bool is_plain = metric.norm == Norm::least_squares && metric.error == Error::absolute &&
+                        metric.weight.empty() && metric.constraints.held.empty();
+  if constexpr (M == F::parameters.size()) {
+    if (is_plain) {
+      const auto optimum = solve_least_squares(family, metric);
+      return {{optimum.parameters.begin(), optimum.parameters.end()},
+              optimum.status,
+              optimum.iterations,
+              optimum.digits,
+              optimum.rms_error};
+    }
+  }
+  const auto given = given_parameters<F>(metric.constraints);
+  const auto held = static_cast<std::size_t>(
+      std::count_if(given.begin(), given.end(), [](const auto& g) { return g.has_value(); }));
+  if constexpr (M > 1) {
+    if (held + M > given.size()) return solve_under<F, M - 1>(family, metric, top, bottom);
+  }
+  return solve_free(Under<F, M>{family, metric.error, Weight(metric.weight), given}, metric, top, bottom);
+}
+
+}  // namespace shadefit
