@@ -57,11 +57,11 @@ enum class Trend {
 
 /// What a form has to be at its published and fitted parameters: an interval proof shows it
 /// (fit/certify.hpp).
-struct Curve {
+struct CurveShape {
   Trend trend = Trend::none;
   bool is_non_negative = false;
   bool is_at_most_one = false;
-  bool operator==(const Curve&) const = default;
+  bool operator==(const CurveShape&) const = default;
 };
 
 /// A family of approximations, for people. Its target and its form are templates, and print themselves.
@@ -71,7 +71,7 @@ struct Family {
   std::string_view variables;  ///< what each letter means
   std::string_view
       sweep;  ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
-  Curve curve = {};
+  CurveShape curve = {};
 };
 
 /// One published normalisation constant: a closed form that numeric integration has to confirm.

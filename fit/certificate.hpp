@@ -73,7 +73,7 @@ struct Certificate {
   /// The domain cut into boxes: the distances of their ends from either side, rising, each the end of one box
   /// and the start of the next. On each box |error| <= upper.
   std::vector<double> horizon, peak;
-  Curve curve;        ///< what is proven of the form on the domain, nothing where it is not
+  CurveShape curve;        ///< what is proven of the form on the domain, nothing where it is not
   int precision = 0;  ///< of the intervals, in bits
   bool operator==(const Certificate&) const = default;
 };
@@ -91,6 +91,9 @@ struct Certified {
   bool is_reached = false;
   CurveProof curve = {};
 };
+
+/// The cosines of a box, rounded outward.
+Domain cosines_of(const Box& box);
 
 /// Proves bounds of the largest error of a subject, `width` apart relative to it, and what the record says of
 /// the form's curve. A relative error is looked for where it has a meaning, which narrows the domain. Throws

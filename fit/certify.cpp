@@ -73,6 +73,12 @@ std::vector<double> ends_of(const std::vector<Box>& boxes, Side side) {
 
 }  // namespace
 
+Domain cosines_of(const Box& box) {
+  if (box.side == Side::horizon) return {box.lower, box.upper};
+  const Interval one(1);
+  return {lower_end(one - Interval(box.upper)), upper_end(one - Interval(box.lower))};
+}
+
 Certified certify(const Subject& asked, double width) {
   if (!(width >= least_width && width < 1)) {
     throw UserError("width '" + decimal(width, 6) + "' cannot be reached: it must be at least " +
@@ -97,7 +103,7 @@ Certified certify(const Subject& asked, double width) {
     certificate.attained = found.attained;
     certificate.places = found.places;
     std::vector<Box> boxes = found.boxes;
-    const Curve& curve = family->info.curve;
+    const CurveShape& curve = family->info.curve;
     result.curve = prove_curve(form, curve, boxes);
     certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
                          .is_non_negative = result.curve.non_negative == Proof::proven,

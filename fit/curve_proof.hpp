@@ -51,7 +51,7 @@ Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const
 
 /// Proves what the record says of a curve over boxes by rising cosine, which it cuts further where it has to.
 template <class Form>
-CurveProof prove_curve(const Form& form, const Curve& curve, std::vector<Box>& boxes) {
+CurveProof prove_curve(const Form& form, const CurveShape& curve, std::vector<Box>& boxes) {
   CurveProof result;
   if (curve.trend != Trend::none) {
     const bool falls = curve.trend == Trend::falls;

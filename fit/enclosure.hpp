@@ -122,12 +122,16 @@ class LargestSearch {
     return result;
   }
 
-  /// Neighbours become one.
+  /// Neighbours become one, and so do places with less between them than they are wide: around a maximum the
+  /// box that holds it may be settled before those beside it.
   static void append(std::vector<Box>& places, const Box& box) {
     if (!places.empty() && places.back().side == box.side) {
       Box& last = places.back();
-      if (last.upper == box.lower || last.lower == box.upper) {
-        last = {box.side, std::fmin(last.lower, box.lower), std::fmax(last.upper, box.upper)};
+      const Box both{box.side, std::fmin(last.lower, box.lower), std::fmax(last.upper, box.upper)};
+      const double widest = std::fmax(last.upper - last.lower, box.upper - box.lower);
+      const double gap = both.upper - both.lower - (last.upper - last.lower) - (box.upper - box.lower);
+      if (gap <= widest) {
+        last = both;
         return;
       }
     }

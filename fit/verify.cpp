@@ -116,7 +116,7 @@ std::string check_bounds(const Certificate& certificate, const std::vector<Box>&
 }
 
 template <class Form>
-std::string check_curve(const Curve& curve, const std::vector<Box>& boxes, const Form& form) {
+std::string check_curve(const CurveShape& curve, const std::vector<Box>& boxes, const Form& form) {
   for (const Box& box : boxes) {
     const Jet value = form(cosine_at(box.side, Jet(span_of(box.lower, box.upper), 0)));
     // c falls as the angle rises, 1 - c rises with it.

@@ -135,8 +135,8 @@ Subject read_subject(const Reader& reader) {
   return subject;
 }
 
-Curve read_curve(const Reader& reader) {
-  Curve curve;
+CurveShape read_curve(const Reader& reader) {
+  CurveShape curve;
   for (const Json& item : reader.list("proven")) {
     const std::string text = reader.text_of(item, "proven");
     if (text == "falls with the angle") {
@@ -172,7 +172,7 @@ Json write_certificate_json(const Certificate& certificate) {
   Json parameters = Json::object();
   for (const auto& [key, value] : subject.parameters) parameters[key] = value;
   Json proven = Json::array();
-  const Curve& curve = certificate.curve;
+  const CurveShape& curve = certificate.curve;
   if (curve.trend != Trend::none) proven.push_back(std::string(name(curve.trend)) + " with the angle");
   if (curve.is_non_negative) proven.push_back("non-negative");
   if (curve.is_at_most_one) proven.push_back("at most 1");
