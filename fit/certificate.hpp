@@ -29,10 +29,10 @@ struct Subject {
   std::string family;
   /// Name and value of each, in the order of the family's names. A value is a decimal text as it was printed,
   /// which no double need be and which the proof encloses; or, of a fit, a hexadecimal double.
-  std::vector<std::pair<std::string, std::string>> parameters;
-  Setting setting;
+  std::vector<std::pair<std::string, std::string>> parameters = {};
+  Setting setting = {};
   ErrorKind error = ErrorKind::absolute;
-  Domain domain;
+  Domain domain = {};
   bool operator==(const Subject&) const = default;
 };
 
@@ -73,7 +73,7 @@ struct Certificate {
   /// The domain cut into boxes: the distances of their ends from either side, rising, each the end of one box
   /// and the start of the next. On each box |error| <= upper.
   std::vector<double> horizon, peak;
-  CurveShape curve;        ///< what is proven of the form on the domain, nothing where it is not
+  CurveShape curve;   ///< what is proven of the form on the domain, nothing where it is not
   int precision = 0;  ///< of the intervals, in bits
   bool operator==(const Certificate&) const = default;
 };

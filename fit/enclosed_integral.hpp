@@ -19,13 +19,13 @@ inline constexpr int most_panels = 4000;
 
 /// A part of the domain: the variable is the distance from one side, 1 - c or c; of the angle measure the
 /// angle from the peak or from the horizon.
-struct Panel {
+struct IntegralPanel {
   bool is_at_peak;
   Interval lower, upper;
 };
 
 /// The domain in panels that meet at c = 1/2: near either end of [0, 1] nothing cancels.
-inline std::vector<Panel> panels_of(const Metric& metric) {
+inline std::vector<IntegralPanel> panels_of(const Metric& metric) {
   const Domain& domain = metric.domain;
   const Interval half = Interval(1) / Interval(2), one(1);
   const bool is_angle = metric.measure == Measure::angle;
@@ -37,7 +37,7 @@ inline std::vector<Panel> panels_of(const Metric& metric) {
     return is_angle ? atan(c / sqrt((one - c) * (one + c))) : c;
   };
   const Interval lower(domain.lower), upper(domain.upper);
-  std::vector<Panel> panels;
+  std::vector<IntegralPanel> panels;
   if (domain.upper > 0.5)
     panels.push_back({true, from_peak(one - upper), from_peak(domain.lower < 0.5 ? half : one - lower)});
   if (domain.lower < 0.5)
@@ -85,10 +85,10 @@ class EnclosedIntegral {
   template <class Integrand>
   std::optional<Values> of(const Integrand& integrand) {
     Values sum = filled(Interval(0));
-    std::vector<Panel> open = panels_of(metric_);
+    std::vector<IntegralPanel> open = panels_of(metric_);
     for (int count = 0; !open.empty(); ++count) {
       if (count == most_panels) return std::nullopt;
-      const Panel panel = open.back();
+      const IntegralPanel panel = open.back();
       open.pop_back();
       if (const auto part = part_of(integrand, panel)) {
         for (std::size_t i = 0; i < N; ++i) sum[i] = sum[i] + (*part)[i];
@@ -122,7 +122,7 @@ class EnclosedIntegral {
   }
 
   template <class T, class Integrand>
-  auto at(const Integrand& integrand, const Panel& panel, const T& s) const {
+  auto at(const Integrand& integrand, const IntegralPanel& panel, const T& s) const {
     const auto place = weighted_cosine(metric_.measure, panel.is_at_peak, s);
     auto values = integrand(place.cosine);
     for (auto& value : values) value = place.density * value;
@@ -131,7 +131,7 @@ class EnclosedIntegral {
 
   /// The integrals over a panel, where they are fine.
   template <class Integrand>
-  std::optional<Values> part_of(const Integrand& integrand, const Panel& panel) const {
+  std::optional<Values> part_of(const Integrand& integrand, const IntegralPanel& panel) const {
     const Interval all = Scalar<Interval>::hull(panel.lower, panel.upper);
     const Interval length = panel.upper - panel.lower;
     Values values = at(integrand, panel, all);

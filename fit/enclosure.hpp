@@ -122,15 +122,16 @@ class LargestSearch {
     return result;
   }
 
-  /// Neighbours become one, and so do places with less between them than they are wide: around a maximum the
-  /// box that holds it may be settled before those beside it.
+  /// Neighbours become one, and so do places with little between them: around a maximum the box that holds it
+  /// may be settled before those beside it, which are of about its size.
   static void append(std::vector<Box>& places, const Box& box) {
     if (!places.empty() && places.back().side == box.side) {
       Box& last = places.back();
       const Box both{box.side, std::fmin(last.lower, box.lower), std::fmax(last.upper, box.upper)};
+      constexpr double little = 8;  // times as wide as what is left
       const double widest = std::fmax(last.upper - last.lower, box.upper - box.lower);
       const double gap = both.upper - both.lower - (last.upper - last.lower) - (box.upper - box.lower);
-      if (gap <= widest) {
+      if (gap <= little * widest) {
         last = both;
         return;
       }

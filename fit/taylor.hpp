@@ -156,7 +156,7 @@ struct Scalar<Taylor<Order>> {
   }
   /// Where it is not decided there are two functions and no series.
   static T select(Certainty condition, const T& a, const T& b) {
-    if (condition == Certainty::unknown) return T(shadefit::log(Interval(-1)));
+    if (condition == Certainty::unknown) return T(std::vector(Order + 1, shadefit::log(Interval(-1))));
     return condition == Certainty::yes ? a : b;
   }
   static T min(const T& a, const T& b) { return select(less(b, a), b, a); }

@@ -71,8 +71,11 @@ TEST(Certificate, AFalseOneIsRefused) {
     const std::string why = reason_to_refuse(wrong);
     EXPECT_EQ(why.substr(0, reason.size()), reason);
   };
-  expect_refusal([](Certificate& c) { c.upper = c.lower = 3.7664127e-3; },
-                 "the error may exceed the upper bound at c in");
+  const auto understate = [](Certificate& c) {
+    c.upper = c.lower = 3.7664127e-3;
+    c.places = boxes_of({});
+  };
+  expect_refusal(understate, "the error may exceed the upper bound at c in");
   expect_refusal([](Certificate& c) { c.lower = c.upper; },
                  "the error does not reach the lower bound at its place");
   expect_refusal([](Certificate& c) { std::swap(c.lower, c.upper); }, "its bounds are no interval");
