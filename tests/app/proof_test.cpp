@@ -85,7 +85,8 @@ TEST(Fit, CertifyAddsProofs) {
   const Outcome outcome = run_command_line({"fit", "fresnel-quadratic", "--certify", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json fit = json::parse(outcome.out);
-  EXPECT_LE(fit["certified_max_abs_error"][0], fit["max_abs_error"]);
+  // The search in doubles rounds: below its last digits the proof knows better.
+  EXPECT_LE(fit["certified_max_abs_error"][0], fit["max_abs_error"].get<double>() * (1 + 1e-13));
   EXPECT_GE(fit["certified_max_abs_error"][1], fit["max_abs_error"]);
   EXPECT_EQ(fit["stationary_point"]["unique"], true);
   EXPECT_EQ(fit["stationary_point"]["minimum"], true);
@@ -121,7 +122,7 @@ TEST(BadInput, Certificates) {
   expect_refusal({"certify", "fresnel-quadratic", "--error", "squared"},
                  "--error 'squared' is unknown: it must be one of absolute, relative");
   expect_refusal({"certify", "sg-offset", "--out", "x.json"},
-                 "--out 'x.json' takes one certificate, not 20: name one --exponent");
+                 "--out 'x.json' takes one certificate, not 21: name one --exponent");
   expect_refusal({"certify", "fresnel-quadratic", "--out", "."},
                  "--out '.' names no file for the certificate");
   expect_refusal(
