@@ -48,6 +48,22 @@ struct Published {
   std::span<const Variant> variants;
 };
 
+/// How a curve runs with the angle, that is from c = 1 down to c = 0.
+enum class Trend {
+  none,   ///< nothing is said
+  falls,  ///< nowhere rises
+  rises,  ///< nowhere falls
+};
+
+/// What a form has to be at its published and fitted parameters: an interval proof shows it
+/// (fit/certify.hpp).
+struct CurveShape {
+  Trend trend = Trend::none;
+  bool is_non_negative = false;
+  bool is_at_most_one = false;
+  bool operator==(const CurveShape&) const = default;
+};
+
 /// A family of approximations, for people. Its target and its form are templates, and print themselves.
 struct Family {
   std::string_view id;
@@ -57,6 +73,7 @@ struct Family {
       sweep;  ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
   /// A form that no source names, to hold others against: `fit` and `list` know it, a report only on request.
   bool is_comparison = false;
+  CurveShape curve = {};
 };
 
 /// One published normalisation constant: a closed form that numeric integration has to confirm.

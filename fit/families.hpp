@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 
 #include "approx/cosine.hpp"
@@ -399,5 +400,9 @@ struct FresnelRational : FresnelFamily<RationalForm, 1> {
   static constexpr std::array<std::string_view, 1> parameters{"a"};
   static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
 };
+
+/// Every family, in the order of the report; those of comparison come last.
+using Families = std::tuple<SgOffset, FresnelOneTerm, FresnelQuadratic, PhongBlinn, SgScaled, FresnelCubic,
+                            FresnelQuartic, FresnelFourth, FresnelSquare, FresnelRational>;
 
 }  // namespace shadefit
