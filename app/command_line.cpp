@@ -101,11 +101,6 @@ void add_objective(CLI::App& fit, FitOptions& options) {
   fit.add_option("--norm", options.norm, "least-squares, or minimax: the largest error is least")
       ->capture_default_str()
       ->type_name("NAME");
-  fit.add_option("--error", options.error,
-                 "absolute, or relative to a lobe's target or to F = f0 + (1-f0) f of a Fresnel form")
-      ->capture_default_str()
-      ->type_name("NAME");
-  fit.add_option("--f0", options.f0, "of a Fresnel form's relative error; default: 0.04")->type_name("F0");
   fit.add_option("--weight", options.weight, "multiplies the error: a positive formula in c, as '1 + 4 c'")
       ->type_name("FORMULA");
   fit.add_option("--fix", options.fix, "a parameter that is given, not fitted; may be repeated")
@@ -144,6 +139,12 @@ void add_fit_options(CLI::App& command, FitOptions& fit) {
       ->type_name("N");
   command.add_option("--extinction", fit.extinction, "extinction k of a conductor n + i k; default: 0")
       ->type_name("K");
+  command
+      .add_option("--error", fit.error,
+                  "absolute, or relative to a lobe's target or to F = f0 + (1-f0) f of a Fresnel form")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command.add_option("--f0", fit.f0, "of a Fresnel form's relative error; default: 0.04")->type_name("F0");
 }
 
 void add_fit(CLI::App& app, Call& call) {
@@ -171,9 +172,6 @@ void add_certify(CLI::App& app, Call& call) {
       ->add_option("--parameters", call.certify.parameters,
                    "NAME=VALUE, by commas; default: the published values, else the fitted")
       ->type_name("LIST");
-  certify->add_option("--error", call.certify.error, "absolute or relative")
-      ->capture_default_str()
-      ->type_name("NAME");
   certify->add_option("--width", call.certify.width, "of the bounds, relative to the error")
       ->capture_default_str()
       ->type_name("W");

@@ -47,7 +47,6 @@ struct FitOptions {
 struct CertifyOptions {
   FitOptions fit;                         ///< which form, where, and the fit where nothing was published
   std::optional<std::string> parameters;  ///< "a=-5.55473,b=-6.98316"; empty: published, else fitted
-  std::string error = "absolute";         ///< or "relative"
   std::string width = "1e-9";             ///< of the bounds, relative
   std::optional<std::string> out;         ///< a file for the certificate
 };

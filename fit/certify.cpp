@@ -36,7 +36,7 @@ void require_parameters(const FittableFamily& family, const Subject& subject) {
 /// Where the error has a meaning; of a double end, the double.
 template <class F>
 Domain narrowed(const F& family, const Subject& subject) {
-  if (subject.error == ErrorKind::absolute) return subject.domain;
+  if (subject.error == Error::absolute) return subject.domain;
   const auto end = family.relative_end();
   const double lower = end ? std::max(subject.domain.lower, end->cos_theta) : subject.domain.upper;
   if (!(lower < subject.domain.upper))
@@ -52,7 +52,7 @@ std::optional<Place> probable_place(const FittableFamily& family, const F&, cons
   std::vector<double> parameters;
   for (const auto& [name, text] : subject.parameters)
     parameters.push_back(upper_end(enclosed_constant(text).value()));
-  if (subject.error == ErrorKind::absolute)
+  if (subject.error == Error::absolute)
     return place_of(family.max_abs_error(subject.setting, subject.domain, parameters).at);
   const auto found = family.max_rel_error(subject.setting, subject.domain, parameters);
   return found ? std::optional(place_of(found->at)) : std::nullopt;
@@ -115,7 +115,7 @@ Certified certify(const Subject& asked, double width) {
   });
 }
 
-Subject subject_of(const Fit& fit, ErrorKind error) {
+Subject subject_of(const Fit& fit, Error error) {
   Subject subject{.family = std::string(fit.family->id),
                   .parameters = {},
                   .setting = setting_of(fit),

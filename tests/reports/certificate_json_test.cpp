@@ -38,7 +38,7 @@ TEST(CertificateJson, ReadsBackWhatItWrites) {
   const Certificate lobe = certify({.family = "sg-offset",
                                     .parameters = {{"x", "0.75"}},
                                     .setting = 7.5,
-                                    .error = ErrorKind::relative},
+                                    .error = Error::relative},
                                    1e-3)
                                .certificate;
   EXPECT_TRUE(read_certificate(certificate_text(lobe), "f").certificate == lobe);
