@@ -10,8 +10,6 @@
 #include "bench/problems.hpp"
 #include "fit/families.hpp"
 #include "fit/least_squares.hpp"
-#include "fit/minimax_problem.hpp"
-#include "fit/under.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -72,24 +70,6 @@ void register_both(const std::string& name, const std::vector<Problem<F>>&... pr
   })->Unit(benchmark::kMicrosecond);
 }
 
-/// The pair by its largest error, from nothing: the places of the search sampled, a start by Ceres, the
-/// exchange, the polish.
-void register_minimax(Error error) {
-  const Under<FresnelQuadratic, 2> pair{.family = {}, .error_kind = error};
-  const Metric metric{.norm = Norm::minimax, .error = error};
-  const auto name = "minimax/fresnel-quadratic/" + std::string(shadefit::name(error));
-  benchmark::RegisterBenchmark(name.c_str(), [pair, metric](benchmark::State& state) {
-    MinimaxOptimum optimum;
-    for (auto _ : state) {
-      optimum = Minimax<Under<FresnelQuadratic, 2>>(pair, metric, {1, 0}, {0, 1}).solve();
-      benchmark::DoNotOptimize(optimum);
-    }
-    if (optimum.status != Status::converged) state.SkipWithError("a fit did not converge");
-    state.counters["digits"] = optimum.digits;
-    state.counters["steps"] = optimum.iterations;
-  })->Unit(benchmark::kMicrosecond);
-}
-
 }  // namespace
 
 void register_fits() {
@@ -100,8 +80,6 @@ void register_fits() {
   register_both("phong-blinn", problems<PhongBlinn>(cosine));
   register_both("catalogue", problems<SgOffset>(measures), problems<FresnelOneTerm>(measures),
                 problems<FresnelQuadratic>(measures), problems<PhongBlinn>(measures));
-  register_minimax(Error::absolute);
-  register_minimax(Error::relative);
 }
 
 }  // namespace shadefit::bench

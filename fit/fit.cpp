@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
@@ -63,12 +64,25 @@ std::optional<Domain> relative_domain(const Setting& setting, const Domain& doma
   return ends ? std::optional(Domain{ends->second.cos_theta, domain.upper}) : std::nullopt;
 }
 
+/// Upper and lower end of the places that count under a metric; empty where its error has a meaning nowhere.
+template <class F>
+std::optional<std::pair<Cosine<double>, Cosine<double>>> ends_under(const F& family, const Metric& metric) {
+  if (metric.error == Error::relative) return relative_ends(family, metric.domain);
+  return std::pair(Cosine<double>{metric.domain.upper, 1 - metric.domain.upper},
+                   Cosine<double>{metric.domain.lower, 1 - metric.domain.lower});
+}
+
+template <class F>
+double objective(const Setting& setting, const Metric& metric, std::span<const double> parameters) {
+  const auto family = make_family<F>(setting);
+  const auto ends = ends_under(family, metric);
+  if (!ends) return std::numeric_limits<double>::quiet_NaN();
+  return objective_at(family, metric, ends->first, ends->second, parameter_array<F>(parameters));
+}
+
 template <class F>
 Solution solve(const F& family, const Metric& metric) {
-  const Cosine<double> top{metric.domain.upper, 1 - metric.domain.upper};
-  const Cosine<double> bottom{metric.domain.lower, 1 - metric.domain.lower};
-  if (metric.error == Error::absolute) return solve_under(family, metric, top, bottom);
-  if (const auto ends = relative_ends(family, metric.domain))
+  if (const auto ends = ends_under(family, metric))
     return solve_under(family, metric, ends->first, ends->second);
   return {.parameters = std::vector<double>(F::parameters.size()),
           .status = Status::not_finite,
@@ -148,8 +162,8 @@ constexpr auto reflectance_error_of() -> ReflectanceError (*)(const Surface&, st
 
 template <class F>
 constexpr FittableFamily entry{
-    F::info,    F::parameters, &fit<F>,  &max_abs_error<F>,         &max_rel_error<F>,
-    &effect<F>, &target<F>,    &form<F>, reflectance_error_of<F>(), &relative_domain<F>};
+    F::info,       F::parameters, &fit<F>,  &max_abs_error<F>,         &max_rel_error<F>,  &effect<F>,
+    &objective<F>, &target<F>,    &form<F>, reflectance_error_of<F>(), &relative_domain<F>};
 
 }  // namespace
 

@@ -59,6 +59,8 @@ struct FittableFamily {
   Extremum (*max_abs_error)(const Setting&, const Domain&, std::span<const double> parameters);
   std::optional<Extremum> (*max_rel_error)(const Setting&, const Domain&, std::span<const double> parameters);
   Effect (*effect)(const Setting&, const Domain&, std::span<const double> from, std::span<const double> to);
+  /// What the metric makes least, at given parameters: the rms error, or the largest weight * |error|.
+  double (*objective)(const Setting&, const Metric&, std::span<const double> parameters);
 
   Symbolic (*target)();  ///< of the cosine c and the exponent k
   Symbolic (*form)();    ///< and of the parameters

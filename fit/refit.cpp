@@ -169,14 +169,6 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>
   return reports;
 }
 
-std::vector<const Published*> numbers_of(const Family& family) {
-  std::vector<const Published*> numbers;
-  for (const Published& published : published_constants) {
-    if (published.family == family.id) numbers.push_back(&published);
-  }
-  return numbers;
-}
-
 std::vector<double> exponents_needed_by(const Published& published, const Family& family) {
   if (family.sweep.empty()) return {};
   return published.statement == Statement::fit_somewhere ? parse_sweep(family.sweep)

@@ -11,6 +11,7 @@
 #include "approx/record.hpp"
 #include "fit/checkpoint.hpp"
 #include "fit/fit.hpp"
+#include "fit/published_curve.hpp"
 #include "fit/verdict.hpp"
 
 /// Refitting a family: its exponents under each measure, and what that says of the published numbers.
@@ -63,9 +64,6 @@ class FitCache {
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
                                       std::span<const Metric> under,
                                       const Checkpoint& checkpoint = keep_going);
-
-/// Every number published for the family.
-std::vector<const Published*> numbers_of(const Family& family);
 
 /// What there is to say of a family: the exponents and those that the `numbers` were published for, in rising
 /// order, and the means and limits of fits among the numbers. The checkpoint is called before each fit and

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "fit/extremum.hpp"
 #include "fit/least_squares.hpp"
 #include "fit/metric.hpp"
 #include "fit/minimax_problem.hpp"
@@ -58,6 +59,26 @@ double rms_of(const F& family, const Metric& metric, const std::array<double, F:
     last = rms;
   }
   return last;
+}
+
+/// What a metric makes least over the places between `top` and `bottom`, at given parameters.
+template <class F>
+double objective_at(const F& family, const Metric& metric, const Cosine<double>& top,
+                    const Cosine<double>& bottom, const std::array<double, F::parameters.size()>& p) {
+  constexpr std::size_t N = F::parameters.size();
+  const Under<F, N> under{family, metric.error, Weight(metric.weight), {}};
+  Metric narrowed = metric;
+  narrowed.domain = {bottom.cos_theta, top.cos_theta};
+  if (metric.norm == Norm::least_squares) return rms_of(under, narrowed, p);
+  const auto error = [&]<class T>(const Cosine<T>& c) {
+    std::array<T, N> q;
+    for (std::size_t i = 0; i < N; ++i) q[i] = lift<T>(p[i]);
+    return under.error(under.sample(c), q);
+  };
+  const Shape shape = under.shape().for_search();
+  return metric.error == Error::relative
+             ? largest_magnitude(error, Substitution::between(top, bottom, shape)).magnitude
+             : largest_magnitude(error, Substitution::panels({.domain = narrowed.domain}, shape)).magnitude;
 }
 
 /// A family with M parameters free, between two places.
