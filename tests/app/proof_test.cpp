@@ -55,6 +55,22 @@ TEST(Certify, WritesACertificateThatHolds) {
       << holds.out;
 }
 
+/// From inside glass the error is largest at the critical angle, where the target falls like a square root:
+/// neighbouring doubles are as near as a box can be.
+TEST(Certify, AWidthThatIsNotReachedSaysSo) {
+  const std::vector<std::string> inside{"certify", "fresnel-quadratic", "--target", "exact", "--ior",
+                                        "0.6667"};
+  const Outcome outcome = run_command_line(inside);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.err.find(
+                "fresnel-quadratic: the width 1e-09 was not reached: the largest error is in [0.95694"),
+            std::string::npos)
+      << outcome.err;
+  auto wider = inside;
+  wider.insert(wider.end(), {"--width", "1e-6"});
+  EXPECT_EQ(run_command_line(wider).exit_code, 0);
+}
+
 TEST(Verify, RefusesWithTheReason) {
   const TemporaryDirectory directory;
   const std::string file = directory / "pair.json";
