@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -53,6 +54,16 @@ TEST(Certify, WritesACertificateThatHolds) {
   EXPECT_NE(holds.out.find("holds: the largest absolute error of exp2((a c + b) c) is in [0.0037664127395"),
             std::string::npos)
       << holds.out;
+}
+
+/// From inside glass the error is largest at the critical angle, where the target falls like a square root.
+TEST(Certify, ReachesTheLeastWidthAtAKink) {
+  const Outcome outcome = run_command_line(
+      {"certify", "fresnel-quadratic", "--target", "exact", "--ior", "0.6667", "--width", "1e-15", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json at = json::parse(outcome.out)["certified_max_error_at"];
+  EXPECT_NEAR(at[0][0], std::sqrt(1 - 0.6667 * 0.6667), 1e-9);
+  EXPECT_NEAR(at[0][1], std::sqrt(1 - 0.6667 * 0.6667), 1e-9);
 }
 
 TEST(Verify, RefusesWithTheReason) {
