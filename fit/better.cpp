@@ -10,7 +10,7 @@
 namespace shadefit {
 namespace {
 
-Candidate candidate(const FittableFamily& family, const Subject& subject, std::vector<double> values,
+Contender contender(const FittableFamily& family, const Subject& subject, std::vector<double> values,
                     double width) {
   const Metric metric{.domain = subject.domain};
   const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
@@ -27,49 +27,49 @@ Candidate candidate(const FittableFamily& family, const Subject& subject, std::v
 }
 
 /// The printed constants of a family, each set once.
-void append_published(std::vector<Candidate>& candidates, const FittableFamily& family,
+void append_published(std::vector<Contender>& contenders, const FittableFamily& family,
                       const Setting& setting, double width) {
   for (const Published* number : numbers_of(family.info)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
     Subject subject{.family = std::string(family.info.id), .parameters = {}, .setting = setting};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
       subject.parameters.emplace_back(parameter, printed);
-    const bool is_known = std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
+    const bool is_known = std::any_of(contenders.begin(), contenders.end(), [&](const Contender& other) {
       return other.family == &family && other.parameters == subject.parameters;
     });
     if (is_known) continue;
-    Candidate found = candidate(family, subject, published_parameters(family, *number), width);
+    Contender found = contender(family, subject, published_parameters(family, *number), width);
     found.published = number->id;
-    found.origin = std::string(number->source.author) + " " + std::string(number->source.year);
-    candidates.push_back(std::move(found));
+    found.origin = std::string(number->source.author) + " " + std::to_string(number->source.year);
+    contenders.push_back(std::move(found));
   }
 }
 
-void append_fit(std::vector<Candidate>& candidates, const FittableFamily& family, const Setting& setting,
+void append_fit(std::vector<Contender>& contenders, const FittableFamily& family, const Setting& setting,
                 const Metric& metric, std::string origin, double width) {
   const Fit fit = family.fit(setting, metric);
   if (fit.status != Status::converged) return;
-  Candidate found = candidate(family, subject_of(fit), fit.parameters, width);
+  Contender found = contender(family, subject_of(fit), fit.parameters, width);
   found.origin = std::move(origin);
-  candidates.push_back(std::move(found));
+  contenders.push_back(std::move(found));
 }
 
-void append_fits(std::vector<Candidate>& candidates, const FittableFamily& family, const Setting& setting,
+void append_fits(std::vector<Contender>& contenders, const FittableFamily& family, const Setting& setting,
                  bool under_every_measure, double width) {
   if (under_every_measure) {
     for (const Measure measure : measures)
-      append_fit(candidates, family, setting, {.measure = measure},
+      append_fit(contenders, family, setting, {.measure = measure},
                  "least squares, " + std::string(name(measure)), width);
   }
   for (const Error error : {Error::absolute, Error::relative})
-    append_fit(candidates, family, setting, {.norm = Norm::minimax, .error = error},
+    append_fit(contenders, family, setting, {.norm = Norm::minimax, .error = error},
                "minimax, " + std::string(name(error)), width);
 }
 
 /// Less error, proven, at no more instructions.
-bool is_better(const Candidate& candidate, const Candidate& published) {
-  return candidate.max_abs_error.certificate.upper < published.max_abs_error.certificate.lower &&
-         candidate.operations.total() <= published.operations.total();
+bool is_better(const Contender& contender, const Contender& published) {
+  return contender.max_abs_error.certificate.upper < published.max_abs_error.certificate.lower &&
+         contender.operations.total() <= published.operations.total();
 }
 
 }  // namespace
@@ -81,20 +81,20 @@ bool have_same_target(const FittableFamily& a, const FittableFamily& b) {
 Comparison compare_forms(const FittableFamily& family, const Setting& setting, double width,
                          const Checkpoint& checkpoint) {
   Comparison comparison{setting, {}};
-  auto& candidates = comparison.candidates;
+  auto& contenders = comparison.contenders;
   for (const FittableFamily& other : fittable_families()) {
     checkpoint();
-    if (have_same_target(family, other)) append_published(candidates, other, setting, width);
+    if (have_same_target(family, other)) append_published(contenders, other, setting, width);
   }
-  const std::size_t published = candidates.size();
+  const std::size_t published = contenders.size();
   for (const FittableFamily& other : fittable_families()) {
     checkpoint();
     if (have_same_target(family, other))
-      append_fits(candidates, other, setting, other.info.id == family.info.id, width);
+      append_fits(contenders, other, setting, other.info.id == family.info.id, width);
   }
-  for (std::size_t i = published; i < candidates.size(); ++i) {
+  for (std::size_t i = published; i < contenders.size(); ++i) {
     for (std::size_t j = 0; j < published; ++j) {
-      if (is_better(candidates[i], candidates[j])) candidates[i].beats.push_back(candidates[j].published);
+      if (is_better(contenders[i], contenders[j])) contenders[i].beats.push_back(contenders[j].published);
     }
   }
   return comparison;

@@ -14,7 +14,7 @@
 namespace shadefit {
 
 /// A form with its constants.
-struct Candidate {
+struct Contender {
   const FittableFamily* family;
   std::string_view published;  ///< the id of the first of the printed numbers; empty where they were fitted
   std::string origin;          ///< whose constants they are: a source, or the objective of a fit
@@ -28,10 +28,10 @@ struct Candidate {
   std::vector<std::string_view> beats = {};
 };
 
-/// All candidates for one target; the published ones first.
+/// All contenders for one target; the published ones first.
 struct Comparison {
   Setting setting;  ///< exponent or surface
-  std::vector<Candidate> candidates;
+  std::vector<Contender> contenders;
 };
 
 /// Whether two families approximate the same function.

@@ -58,7 +58,7 @@ struct Certificate {
   std::string target, form;  ///< the formulas as they print themselves
   double lower = 0;
   double upper = 0;
-  Place attained;           ///< here |error| >= lower
+  ExactPlace attained;      ///< here |error| >= lower
   std::vector<Box> places;  ///< outside of these |error| <= lower; by rising cosine
   /// The domain cut into boxes: the distances of their ends from either side, rising, each the end of one box
   /// and the start of the next. On each box |error| <= upper.

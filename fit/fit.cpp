@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "fit/family_visit.hpp"
-#include "fit/solution.hpp"
+#include "fit/solve.hpp"
 
 namespace shadefit {
 namespace {
@@ -64,6 +64,11 @@ std::optional<Domain> relative_domain(const Setting& setting, const Domain& doma
   return ends ? std::optional(Domain{ends->second.cos_theta, domain.upper}) : std::nullopt;
 }
 
+bool is_plain(const Metric& metric) {
+  return metric.norm == Norm::least_squares && metric.error == Error::absolute && metric.weight.empty() &&
+         metric.constraints.held.empty();
+}
+
 /// Upper and lower end of the places that count under a metric; empty where its error has a meaning nowhere.
 template <class F>
 std::optional<std::pair<Cosine<double>, Cosine<double>>> ends_under(const F& family, const Metric& metric) {
@@ -82,6 +87,7 @@ double objective(const Setting& setting, const Metric& metric, std::span<const d
 
 template <class F>
 Solution solve(const F& family, const Metric& metric) {
+  if (is_plain(metric)) return solve_plain(family, metric);
   if (const auto ends = ends_under(family, metric))
     return solve_under(family, metric, ends->first, ends->second);
   return {.parameters = std::vector<double>(F::parameters.size()),

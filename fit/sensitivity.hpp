@@ -42,9 +42,9 @@ struct OtherContract {
 
 struct Sensitivity {
   double objective;  ///< of the fit: its rms error, or the largest weight * |error|
-  std::vector<ParameterSensitivity> parameters;
-  std::optional<CommonDigits> noticeable_digits, slight_digits;
-  std::vector<OtherContract> contracts;
+  std::vector<ParameterSensitivity> parameters = {};
+  std::optional<CommonDigits> noticeable_digits = std::nullopt, slight_digits = std::nullopt;
+  std::vector<OtherContract> contracts = {};
 };
 
 /// Of a fit that converged. The contracts: the fit's own, then other measures where the norm has one, then

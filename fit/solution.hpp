@@ -104,30 +104,4 @@ Solution solve_free(const Under<F, M>& family, const Metric& metric, const Cosin
           rms,   optimum.level,  optimum.alternation, optimum.why};
 }
 
-/// A family under a metric whose places that count lie between `top` and `bottom`. `M`: as many parameters as
-/// may be free.
-template <class F, std::size_t M = F::parameters.size()>
-Solution solve_under(const F& family, const Metric& metric, const Cosine<double>& top,
-                     const Cosine<double>& bottom) {
-  const bool is_plain = metric.norm == Norm::least_squares && metric.error == Error::absolute &&
-                        metric.weight.empty() && metric.constraints.held.empty();
-  if constexpr (M == F::parameters.size()) {
-    if (is_plain) {
-      const auto optimum = solve_least_squares(family, metric);
-      return {{optimum.parameters.begin(), optimum.parameters.end()},
-              optimum.status,
-              optimum.iterations,
-              optimum.digits,
-              optimum.rms_error};
-    }
-  }
-  const auto given = given_parameters<F>(metric.constraints);
-  const auto held = static_cast<std::size_t>(
-      std::count_if(given.begin(), given.end(), [](const auto& g) { return g.has_value(); }));
-  if constexpr (M > 1) {
-    if (held + M > given.size()) return solve_under<F, M - 1>(family, metric, top, bottom);
-  }
-  return solve_free(Under<F, M>{family, metric.error, Weight(metric.weight), given}, metric, top, bottom);
-}
-
 }  // namespace shadefit

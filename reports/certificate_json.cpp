@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kind_of_file = "shadefit certificate";
 constexpr const char* digest_field = "digest";
 
-std::string_view name(Side side) {
-  return side == Side::peak ? "1 - c" : "c";
+std::string_view name(Origin side) {
+  return side == Origin::peak ? "1 - c" : "c";
 }
 
 /// CRC-32, as in zip and PNG, of the fields but the digest.
@@ -109,8 +109,8 @@ class Reader {
   std::string name_;
 };
 
-const std::vector<std::pair<std::string_view, Side>> sides{{name(Side::horizon), Side::horizon},
-                                                           {name(Side::peak), Side::peak}};
+const std::vector<std::pair<std::string_view, Origin>> origins{{name(Origin::horizon), Origin::horizon},
+                                                               {name(Origin::peak), Origin::peak}};
 
 Surface read_surface(const Reader& reader) {
   if (reader.field("surface").is_null()) return {};
@@ -231,10 +231,11 @@ ReadCertificate read_certificate(const std::string& text, const std::string& nam
   certificate.lower = largest[0];
   certificate.upper = largest[1];
   const Reader attained = reader.inner("attained");
-  certificate.attained = {attained.choice<Side>("of", sides), attained.number("at")};
+  certificate.attained = {attained.choice<Origin>("of", origins), attained.number("at")};
   for (const Json& item : reader.list("places")) {
     const Reader place = reader.item(item);
-    certificate.places.push_back({place.choice<Side>("of", sides), place.number("from"), place.number("to")});
+    certificate.places.push_back(
+        {place.choice<Origin>("of", origins), place.number("from"), place.number("to")});
   }
   certificate.curve = read_curve(reader);
   certificate.precision = reader.integer("precision");

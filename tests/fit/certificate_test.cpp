@@ -83,7 +83,7 @@ TEST(Certificate, AFalseOneIsRefused) {
                  "the error does not reach the lower bound");
   expect_refusal(
       [](Certificate& c) {
-        c.attained = {Side::peak, 0.75};
+        c.attained = {Origin::peak, 0.75};
       },
       "the place of its lower bound is outside");
   expect_refusal([](Certificate& c) { c.places.clear(); },
