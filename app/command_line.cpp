@@ -27,7 +27,8 @@ void require_values(const std::vector<std::string>& arguments) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
     const bool takes_text = option == "--out" || option == "--baseline" || option == "--measure" ||
-                            option == "--target" || option == "--only" || option == "--verdict";
+                            option == "--target" || option == "--only" || option == "--verdict" ||
+                            option == "--error";
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
                                   option, arguments[i + 1]));
@@ -63,6 +64,8 @@ struct Call {
   RunOptions run = {};
   bool no_plots = false;
   FitOptions fit = {};
+  CertifyOptions certify = {};
+  VerifyOptions verify = {};
   ExplainOptions explain = {};
   CheckOptions check = {};
   bool all = false;
@@ -92,34 +95,69 @@ void add_run(CLI::App& app, Call& call) {
   });
 }
 
-void add_fit(CLI::App& app, Call& call) {
-  auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
-  fit->add_option("id", call.fit.id, "a family or a published constant, see 'shadefit list'")->required();
-  fit->add_option("--exponent", call.fit.exponent, "K or A:B:STEP, by commas; default: the record's own")
+/// What `fit` and `certify` are both told: which form, and what it is fitted to.
+void add_fit_options(CLI::App& command, FitOptions& fit) {
+  command.add_option("id", fit.id, "a family or a published constant, see 'shadefit list'")->required();
+  command.add_option("--exponent", fit.exponent, "K or A:B:STEP, by commas; default: the record's own")
       ->type_name("K");
-  fit->add_option("--measure", call.fit.measure, "cosine, angle or cosine-weighted")
+  command.add_option("--measure", fit.measure, "cosine, angle or cosine-weighted")
       ->capture_default_str()
       ->type_name("NAME");
-  fit->add_option("--domain", call.fit.domain, "A:B, the cosines to fit over; default: 0:1")
-      ->type_name("A:B");
-  fit->add_option("--target", call.fit.target,
+  command.add_option("--domain", fit.domain, "A:B, the cosines to fit over; default: 0:1")->type_name("A:B");
+  command
+      .add_option("--target", fit.target,
                   "of a Fresnel family: schlick, or exact for the reflectance of a surface")
       ->capture_default_str()
       ->type_name("NAME");
-  fit->add_option(
-         "--ior", call.fit.ior,
-         "index of refraction of a surface, whose F the errors are then of; with exact by default 1.5")
+  command
+      .add_option(
+          "--ior", fit.ior,
+          "index of refraction of a surface, whose F the errors are then of; with exact by default 1.5")
       ->type_name("N");
-  fit->add_option("--extinction", call.fit.extinction, "extinction k of a conductor n + i k; default: 0")
+  command.add_option("--extinction", fit.extinction, "extinction k of a conductor n + i k; default: 0")
       ->type_name("K");
+}
+
+void add_fit(CLI::App& app, Call& call) {
+  auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
+  add_fit_options(*fit, call.fit);
   auto* json = fit->add_flag("--json", call.fit.json, "print JSON, every number to its last bit");
   auto* csv =
       fit->add_flag("--csv", call.fit.csv, "print the columns of fits.csv, every number to its last bit")
           ->excludes(json);
-  fit->add_flag("--latex", call.fit.latex, "print the table as a LaTeX tabular")
-      ->excludes(json)
-      ->excludes(csv);
+  auto* latex = fit->add_flag("--latex", call.fit.latex, "print the table as a LaTeX tabular")
+                    ->excludes(json)
+                    ->excludes(csv);
+  fit->add_flag("--certify", call.fit.certify,
+                "prove bounds of the largest error, the stationary point and the curve")
+      ->excludes(csv)
+      ->excludes(latex);
   fit->callback([&call] { call.outcome = fit_command(call.fit, call.checkpoint); });
+}
+
+void add_certify(CLI::App& app, Call& call) {
+  auto* certify = app.add_subcommand("certify", "bounds of a form's largest error, proven by intervals");
+  add_fit_options(*certify, call.certify.fit);
+  certify
+      ->add_option("--parameters", call.certify.parameters,
+                   "NAME=VALUE, by commas; default: the published values, else the fitted")
+      ->type_name("LIST");
+  certify->add_option("--error", call.certify.error, "absolute or relative")
+      ->capture_default_str()
+      ->type_name("NAME");
+  certify->add_option("--width", call.certify.width, "of the bounds, relative to the error")
+      ->capture_default_str()
+      ->type_name("W");
+  certify->add_option("--out", call.certify.out, "write the certificate, for 'shadefit verify'")
+      ->type_name("FILE");
+  certify->add_flag("--json", call.certify.fit.json, "print JSON");
+  certify->callback([&call] { call.outcome = certify_command(call.certify, call.checkpoint); });
+}
+
+void add_verify(CLI::App& app, Call& call) {
+  auto* verify = app.add_subcommand("verify", "check a certificate again, on its own boxes");
+  verify->add_option("file", call.verify.file, "what 'shadefit certify --out' wrote")->required();
+  verify->callback([&call] { call.outcome = verify_command(call.verify); });
 }
 
 void add_explain(CLI::App& app, Call& call) {
@@ -148,6 +186,8 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_list(app, call);
   add_run(app, call);
   add_fit(app, call);
+  add_certify(app, call);
+  add_verify(app, call);
   add_explain(app, call);
   add_check(app, call);
 

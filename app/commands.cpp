@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 
+#include "app/fit_arguments.hpp"
 #include "approx/catalogue.hpp"
 #include "approx/ledger.hpp"
 #include "fit/ledger.hpp"
@@ -16,6 +17,7 @@
 #include "reports/gnuplot.hpp"
 #include "reports/ledger_section.hpp"
 #include "reports/plots.hpp"
+#include "reports/proofs.hpp"
 #include "reports/report.hpp"
 #include "reports/tables.hpp"
 #include "reports/utf8.hpp"
@@ -49,11 +51,15 @@ Domain parse_domain(const std::string& text) {
   return {*lower, *upper};
 }
 
+}  // namespace
+
 Metric parse_metric(const FitOptions& options) {
   Metric metric{.measure = parse_measure(options.measure)};
   if (options.domain) metric.domain = parse_domain(*options.domain);
   return metric;
 }
+
+namespace {
 
 const Published* find_published(const std::string& id) {
   const auto found = std::find_if(published_constants.begin(), published_constants.end(),
@@ -124,6 +130,8 @@ Surface parse_surface(const FittableFamily& family, const FitOptions& options) {
   return {is_exact ? Surface::Formula::exact : Surface::Formula::schlick, ior, extinction};
 }
 
+}  // namespace
+
 std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,
                                   const FitOptions& options) {
   const Surface surface = parse_surface(family, options);
@@ -131,6 +139,22 @@ std::vector<Setting> settings_for(const FittableFamily& family, const Published*
   if (!family.has_exponent()) return {Setting{0, surface}};
   return {exponents.begin(), exponents.end()};
 }
+
+NamedFit find_fit(const std::string& id) {
+  const bool is_normalisation = std::any_of(normalisations.begin(), normalisations.end(),
+                                            [&](const Normalisation& n) { return n.id == id; });
+  if (is_normalisation) {
+    throw UserError(fmt::format("'{0}' is integrated, not fitted: see 'shadefit run --only {0}'", id));
+  }
+  if (find_claim(id) != nullptr && find_family(id) == nullptr && find_published(id) == nullptr) {
+    throw UserError(fmt::format("'{0}' is a claim, not fitted: see 'shadefit explain {0}'", id));
+  }
+  require_known(id, ids_with_a_fit(), "constant to fit");
+  const Published* published = find_family(id) == nullptr ? find_published(id) : nullptr;
+  return {find_family(published != nullptr ? published->family : std::string_view(id)), published};
+}
+
+namespace {
 
 std::string json_text(const nlohmann::ordered_json& json) {
   return json.dump(2) + "\n";
@@ -141,6 +165,11 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   if (options.exponent) {
     throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
                                 *options.exponent, published.id));
+  }
+  if (options.certify) {
+    throw UserError(
+        fmt::format("--certify does not apply: {0} is a mean or a limit of fits; see 'shadefit certify {0}'",
+                    published.id));
   }
   parse_surface(family, options);  // no such number is of a Fresnel form: refuses what would be ignored
   FitCache fits(family);
@@ -163,14 +192,31 @@ std::string console_text(const Refit& refit, const Metric& metric) {
          write_console(fits_overview(refit), Precision::report);
 }
 
-std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric) {
+/// The proofs of each fit, where they are asked for.
+std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint) {
+  std::vector<FitProof> proofs;
+  for (const FitReport& report : refit.fits) {
+    if (!options.certify) break;
+    checkpoint();
+    proofs.push_back(prove_fit(report.fit));
+  }
+  return proofs;
+}
+
+std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
+                      const std::vector<FitProof>& proofs) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
-  if (!options.json) return console_text(refit, metric);
-  if (refit.fits.size() == 1) return json_text(write_fit_json(*refit.family, refit.fits.front()));
+  if (!options.json) {
+    const std::string text = console_text(refit, metric);
+    return options.certify ? text + "\n" + write_console(proofs_table(refit, proofs), Precision::full) : text;
+  }
   auto array = nlohmann::ordered_json::array();
-  for (const FitReport& report : refit.fits) array.push_back(write_fit_json(*refit.family, report));
-  return json_text(array);
+  for (std::size_t i = 0; i < refit.fits.size(); ++i) {
+    array.push_back(write_fit_json(*refit.family, refit.fits[i]));
+    if (options.certify) add_proof_json(array.back(), *refit.family, proofs[i]);
+  }
+  return json_text(array.size() == 1 ? array.front() : array);
 }
 
 std::string not_converged_lines(const Refit& refit) {
@@ -319,20 +365,8 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
 }
 
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
-  const bool is_normalisation = std::any_of(normalisations.begin(), normalisations.end(),
-                                            [&](const Normalisation& n) { return n.id == options.id; });
-  if (is_normalisation) {
-    throw UserError(
-        fmt::format("'{0}' is integrated, not fitted: see 'shadefit run --only {0}'", options.id));
-  }
-  if (find_claim(options.id) != nullptr && find_family(options.id) == nullptr &&
-      find_published(options.id) == nullptr) {
-    throw UserError(fmt::format("'{0}' is a claim, not fitted: see 'shadefit explain {0}'", options.id));
-  }
-  require_known(options.id, ids_with_a_fit(), "constant to fit");
-  const Published* published = find_family(options.id) == nullptr ? find_published(options.id) : nullptr;
-  const FittableFamily& family =
-      *find_family(published != nullptr ? published->family : std::string_view(options.id));
+  const auto [family_found, published] = find_fit(options.id);
+  const FittableFamily& family = *family_found;
   if (published != nullptr && published->statement != Statement::best_fit)
     return derived_command(family, *published, options);
 
@@ -343,8 +377,9 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
       {},
       fit_and_assess(fits, settings_for(family, published, options), std::array{metric}, checkpoint),
       {}};
-  const std::string err = not_converged_lines(refit);
-  return {err.empty() ? 0 : 1, fits_text(refit, options, metric), err};
+  const auto proofs = proofs_of(refit, options, checkpoint);
+  const std::string err = not_converged_lines(refit) + not_reached_lines(refit, proofs);
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, proofs), err};
 }
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint) {

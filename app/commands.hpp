@@ -33,6 +33,19 @@ struct FitOptions {
   bool json = false;
   bool csv = false;
   bool latex = false;
+  bool certify = false;  ///< with proofs
+};
+
+struct CertifyOptions {
+  FitOptions fit;                         ///< which form, where, and the fit where nothing was published
+  std::optional<std::string> parameters;  ///< "a=-5.55473,b=-6.98316"; empty: published, else fitted
+  std::string error = "absolute";         ///< or "relative"
+  std::string width = "1e-9";             ///< of the bounds, relative
+  std::optional<std::string> out;         ///< a file for the certificate
+};
+
+struct VerifyOptions {
+  std::string file;
 };
 
 struct ExplainOptions {
@@ -46,6 +59,8 @@ struct CheckOptions {
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
+Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint);
+Outcome verify_command(const VerifyOptions& options);
 Outcome explain_command(const ExplainOptions& options);
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint);
 

@@ -150,13 +150,15 @@ inline constexpr Family fresnel_one_term_family{
     .id = "fresnel-one-term",
     .title = "Fresnel by one exp2",
     .variables = "c = the cosine between view and half vector; A the sharpness in powers of two",
-    .sweep = ""};
+    .sweep = "",
+    .curve = {.trend = Trend::rises, .is_non_negative = true, .is_at_most_one = true}};
 
 inline constexpr Family fresnel_quadratic_family{
     .id = "fresnel-quadratic",
     .title = "Fresnel by exp2 of a quadratic",
     .variables = "c = the cosine between view and half vector; a, b the coefficients of the exponent",
-    .sweep = ""};
+    .sweep = "",
+    .curve = {.trend = Trend::rises, .is_non_negative = true, .is_at_most_one = true}};
 
 inline constexpr std::array fresnel_quadratic_a_variants{
     Variant{"-5.55437", "mrdoob/three.js#7028, mended in #7625"}};

@@ -101,7 +101,8 @@ inline constexpr Family sg_offset{
     .id = "sg-offset",
     .title = "Spherical Gaussian offset",
     .variables = "c = n.h or r.v, the cosine to the lobe's axis; k the specular exponent; x the offset",
-    .sweep = "1:15:1,25,50,100,1000,10000,1000000"};
+    .sweep = "1:15:1,25,50,100,1000,10000,1000000",
+    .curve = {.trend = Trend::falls, .is_non_negative = true, .is_at_most_one = true}};
 
 inline constexpr std::array sg_offset_published{
     Published{.id = "sg-offset-mean",

@@ -53,13 +53,15 @@ ApproachLaw<T> factor_law(const T& p) {
   return {integer<T>(4), (p + integer<T>(2)) / integer<T>(2)};
 }
 
-inline constexpr Family phong_blinn{.id = "phong-blinn",
-                                    .title = "Phong lobe by a Blinn lobe",
-                                    .variables =
-                                        "c = cos(theta), theta the Phong angle; k the Phong exponent rho; x "
-                                        "the factor from it to Blinn's, which takes "
-                                        "cos(theta/2)",
-                                    .sweep = "1,2,4,8,16,32,64,128,256,512,1024,2048"};
+inline constexpr Family phong_blinn{
+    .id = "phong-blinn",
+    .title = "Phong lobe by a Blinn lobe",
+    .variables =
+        "c = cos(theta), theta the Phong angle; k the Phong exponent rho; x "
+        "the factor from it to Blinn's, which takes "
+        "cos(theta/2)",
+    .sweep = "1,2,4,8,16,32,64,128,256,512,1024,2048",
+    .curve = {.trend = Trend::falls, .is_non_negative = true, .is_at_most_one = true}};
 
 inline constexpr std::array phong_blinn_published{
     Published{.id = "phong-blinn-fisher-woo",

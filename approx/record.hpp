@@ -48,6 +48,22 @@ struct Published {
   std::span<const Variant> variants;
 };
 
+/// How a curve runs with the angle, that is from c = 1 down to c = 0.
+enum class Trend {
+  none,   ///< nothing is said
+  falls,  ///< nowhere rises
+  rises,  ///< nowhere falls
+};
+
+/// What a form has to be at its published and fitted parameters: an interval proof shows it
+/// (fit/certify.hpp).
+struct CurveShape {
+  Trend trend = Trend::none;
+  bool is_non_negative = false;
+  bool is_at_most_one = false;
+  bool operator==(const CurveShape&) const = default;
+};
+
 /// A family of approximations, for people. Its target and its form are templates, and print themselves.
 struct Family {
   std::string_view id;
@@ -55,6 +71,7 @@ struct Family {
   std::string_view variables;  ///< what each letter means
   std::string_view
       sweep;  ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
+  CurveShape curve = {};
 };
 
 /// One published normalisation constant: a closed form that numeric integration has to confirm.

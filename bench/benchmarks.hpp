@@ -12,6 +12,9 @@ void register_parts();
 /// The ledger, and each of its claims.
 void register_claims();
 
+/// Proofs: certificates, their check, stationary points.
+void register_proofs();
+
 /// The command as a process: its time and its memory.
 void register_process();
 

@@ -35,6 +35,7 @@ int main(int argc, char** argv) {
   shadefit::bench::register_fits();
   shadefit::bench::register_parts();
   shadefit::bench::register_claims();
+  shadefit::bench::register_proofs();
   shadefit::bench::register_process();
   RememberingReporter reporter;
   const bool has_run = benchmark::RunSpecifiedBenchmarks(&reporter) > 0;

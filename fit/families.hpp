@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
 
 #include "approx/cosine.hpp"
@@ -280,5 +281,8 @@ struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
     return {{{0, -b}, {-a / 2, -b / 2}, {-a, 0}}};
   }
 };
+
+/// Every family, in the order of the report.
+using Families = std::tuple<SgOffset, FresnelOneTerm, FresnelQuadratic, PhongBlinn>;
 
 }  // namespace shadefit

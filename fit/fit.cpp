@@ -4,44 +4,18 @@
 #include <array>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
-#include "fit/families.hpp"
+#include "fit/family_visit.hpp"
 
 namespace shadefit {
 namespace {
 
 template <class F>
-F make_family(const Setting& setting) {
-  if constexpr (requires(F f) { f.exponent; }) {
-    return F{{setting.exponent}};
-  } else {
-    return F{{setting.surface}};
-  }
-}
-
-template <class F>
 constexpr bool is_fresnel_family() {
   return requires(F f) {
     f.surface;
-  };
-}
-
-template <class F>
-auto parameter_array(std::span<const double> parameters) {
-  std::array<double, F::parameters.size()> p;
-  std::copy_n(parameters.begin(), p.size(), p.begin());
-  return p;
-}
-
-/// A function of the cosine that evaluates one of a family's error functions at fixed parameters, in any
-/// scalar.
-template <class F, std::size_t N, class Function>
-auto at_parameters(const F& family, const std::array<double, N>& parameters, Function function) {
-  return [=]<class T>(const Cosine<T>& c) {
-    std::array<T, N> p;
-    for (std::size_t i = 0; i < N; ++i) p[i] = lift<T>(parameters[i]);
-    return function(family, family.sample(c), p);
   };
 }
 
@@ -158,8 +132,9 @@ constexpr FittableFamily entry{F::info,           F::parameters,     &fit<F>,
 }  // namespace
 
 std::span<const FittableFamily> fittable_families() {
-  static constexpr std::array all{entry<SgOffset>, entry<FresnelOneTerm>, entry<FresnelQuadratic>,
-                                  entry<PhongBlinn>};
+  static constexpr auto all = []<class... F>(std::type_identity<std::tuple<F...>>) {
+    return std::array{entry<F>...};
+  }(std::type_identity<Families>{});
   return all;
 }
 

@@ -101,6 +101,9 @@ struct Scalar<Interval> {
     return result;
   }
 
+  /// Whether it is the number 0 and no other: `==` of two intervals ends the process where it is undecided.
+  static bool is_zero(const Interval& x) { return mpfi_is_zero(x.backend().data()) > 0; }
+
   /// The smallest interval that contains both; not a number where either is (a function left its domain).
   static Interval hull(const Interval& a, const Interval& b) {
     if (is_nan(a) || is_nan(b)) return nan();

@@ -77,10 +77,15 @@ struct Scalar<ceres::Jet<T, N>> {
  private:
   static T one() { return shadefit::integer<T>(1); }
 
-  /// Whether a value and all its derivatives are zero; ceres::Jet's own == looks at the value alone.
+  /// Whether a value and all its derivatives are zero; ceres::Jet's own == looks at the value alone. A scalar
+  /// whose == is no plain question says it itself.
   template <class U>
   static bool is_zero(const U& x) {
-    return x == shadefit::integer<U>(0);
+    if constexpr (requires { Scalar<U>::is_zero(x); }) {
+      return Scalar<U>::is_zero(x);
+    } else {
+      return x == shadefit::integer<U>(0);
+    }
   }
   template <class U, int M>
   static bool is_zero(const ceres::Jet<U, M>& x) {
@@ -98,15 +103,22 @@ struct Scalar<ceres::Jet<T, N>> {
   }
 };
 
-/// A value as the scalar P: itself, or the constant Jet (of Jets) with that value.
+/// Whether a scalar is a Jet.
+template <class T>
+inline constexpr bool is_jet = false;
+template <class T, int N>
+inline constexpr bool is_jet<ceres::Jet<T, N>> = true;
+
+/// A value as the scalar P: itself, the constant Jet (of Jets) with that value, or what else P makes of it
+/// (an interval holds a double exactly).
 template <class P, class T>
 P lift(const T& value) {
   if constexpr (std::same_as<P, T>) {
     return value;
-  } else if constexpr (std::floating_point<P>) {
-    return static_cast<P>(value);
-  } else {
+  } else if constexpr (is_jet<P>) {
     return P(lift<typename P::Scalar>(value));
+  } else {
+    return static_cast<P>(value);
   }
 }
 

@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fit/certificate.hpp"
+#include "fit/certified_formula.hpp"
+#include "fit/curve_proof.hpp"
+#include "fit/decimal.hpp"
+#include "fit/enclosure.hpp"
+#include "fit/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The parameters in the order of the family's names, each a constant.
+void require_parameters(const FittableFamily& family, const Subject& subject) {
+  const auto& given = subject.parameters;
+  for (const auto& [name, value] : given) {
+    if (std::find(family.parameters.begin(), family.parameters.end(), name) == family.parameters.end())
+      throw UserError("parameter '" + name + "' is unknown: " + subject.family + " has none of that name");
+    if (!enclosed_constant(value))
+      throw UserError("parameter " + name + " '" + value + "' is not a finite number");
+  }
+  for (std::size_t i = 0; i < family.parameters.size(); ++i) {
+    const std::string name(family.parameters[i]);
+    const auto count =
+        std::count_if(given.begin(), given.end(), [&](const auto& p) { return p.first == name; });
+    if (count == 0) throw UserError("parameter '" + name + "' of " + subject.family + " is missing");
+    if (count > 1) throw UserError("parameter '" + name + "' is given twice");
+  }
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i].first != family.parameters[i])
+      throw UserError("parameter '" + given[i].first + "' stands out of order");
+  }
+}
+
+/// Where the error has a meaning; of a double end, the double.
+template <class F>
+Domain narrowed(const F& family, const Subject& subject) {
+  if (subject.error == ErrorKind::absolute) return subject.domain;
+  const auto end = family.relative_end();
+  const double lower = end ? std::max(subject.domain.lower, end->cos_theta) : subject.domain.upper;
+  if (!(lower < subject.domain.upper))
+    throw UserError("a relative error of " + subject.family + " has no meaning on the domain " +
+                    to_text(subject.domain));
+  return {lower, subject.domain.upper};
+}
+
+/// Where a search in plain doubles sees the largest error. Nothing rests on it but how soon the proof is
+/// done.
+template <class F>
+std::optional<Place> probable_place(const FittableFamily& family, const F&, const Subject& subject) {
+  std::vector<double> parameters;
+  for (const auto& [name, text] : subject.parameters)
+    parameters.push_back(upper_end(enclosed_constant(text).value()));
+  if (subject.error == ErrorKind::absolute)
+    return place_of(family.max_abs_error(subject.setting, subject.domain, parameters).at);
+  const auto found = family.max_rel_error(subject.setting, subject.domain, parameters);
+  return found ? std::optional(place_of(found->at)) : std::nullopt;
+}
+
+/// The ends of the boxes of one side, rising.
+std::vector<double> ends_of(const std::vector<Box>& boxes, Side side) {
+  std::vector<double> ends;
+  for (const Box& box : boxes) {
+    if (box.side != side) continue;
+    ends.push_back(box.lower);
+    ends.push_back(box.upper);
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+}  // namespace
+
+Domain cosines_of(const Box& box) {
+  if (box.side == Side::horizon) return {box.lower, box.upper};
+  const Interval one(1);
+  return {lower_end(one - Interval(box.upper)), upper_end(one - Interval(box.lower))};
+}
+
+Certified certify(const Subject& asked, double width) {
+  if (!(width >= least_width && width < 1)) {
+    throw UserError("width '" + decimal(width, 6) + "' cannot be reached: it must be at least " +
+                    decimal(least_width, 6) + ", what an enclosure by doubles can say, and less than 1");
+  }
+  const FittableFamily* family = find_family(asked.family);
+  if (family == nullptr) throw UserError("'" + asked.family + "' is no family");
+  require_parameters(*family, asked);
+  return visit_formula(asked, [&](const auto& error, const auto& form, const auto& formulas) {
+    Certified result;
+    Certificate& certificate = result.certificate;
+    certificate.subject = asked;
+    certificate.subject.domain = narrowed(formulas, asked);
+    certificate.target = target_text(*family, asked.setting);
+    certificate.form = to_text(family->form());
+    certificate.precision = interval_precision();
+    const Enclosure found =
+        enclose_largest(error, certificate.subject.domain,
+                        {.width = width, .hint = probable_place(*family, formulas, certificate.subject)});
+    certificate.lower = found.lower;
+    certificate.upper = found.upper;
+    certificate.attained = found.attained;
+    certificate.places = found.places;
+    std::vector<Box> boxes = found.boxes;
+    const CurveShape& curve = family->info.curve;
+    result.curve = prove_curve(form, curve, boxes);
+    certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
+                         .is_non_negative = result.curve.non_negative == Proof::proven,
+                         .is_at_most_one = result.curve.at_most_one == Proof::proven};
+    certificate.horizon = ends_of(boxes, Side::horizon);
+    certificate.peak = ends_of(boxes, Side::peak);
+    result.is_reached = found.is_reached;
+    return result;
+  });
+}
+
+Subject subject_of(const Fit& fit, ErrorKind error) {
+  Subject subject{.family = std::string(fit.family->id),
+                  .parameters = {},
+                  .setting = setting_of(fit),
+                  .error = error,
+                  .domain = fit.metric.domain};
+  const FittableFamily& family = *find_family(fit.family->id);
+  for (std::size_t i = 0; i < family.parameters.size(); ++i)
+    subject.parameters.emplace_back(std::string(family.parameters[i]), hex_text(fit.parameters[i]));
+  return subject;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "fit/certificate.hpp"
+
+/// Certificates as files.
+///
+/// Every number that a proof rests on is text, a hexadecimal double or a decimal as it was printed: nothing
+/// is rounded on the way. `digest` is the CRC-32 of all other fields, compact and in their order. It is for
+/// accidents, a changed digit or a lost line; whoever recomputes it over a false statement meets the
+/// mathematics of `reason_to_refuse`.
+namespace shadefit {
+
+/// The version of the file; it rises when a field changes its meaning.
+inline constexpr int certificate_schema = 1;
+
+/// A certificate with its digest.
+nlohmann::ordered_json write_certificate_json(const Certificate& certificate);
+
+/// The same as the text of a file.
+std::string certificate_text(const Certificate& certificate);
+
+/// What came of reading a file: a certificate, or the reason why what looks like one is refused.
+struct ReadCertificate {
+  Certificate certificate;
+  std::string refused;  ///< empty; else that its digest is not that of its fields
+};
+
+/// Reads a certificate. `name` is for messages. Throws UserError, a line, for a text that ends early or is no
+/// JSON, is no certificate, is one of another version, or lacks a field.
+ReadCertificate read_certificate(const std::string& text, const std::string& name);
+
+}  // namespace shadefit

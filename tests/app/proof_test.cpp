@@ -1,0 +1,134 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "fit/certificate.hpp"
+#include "reports/certificate_json.hpp"
+#include "reports/files.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using nlohmann::json;
+using testing::TemporaryDirectory;
+
+void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << line;
+  EXPECT_EQ(outcome.out, "") << line;
+  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
+}
+
+TEST(Certify, ThePublishedValuesWhereThereAreAny) {
+  const Outcome outcome = run_command_line({"certify", "fresnel-quadratic", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json form = json::parse(outcome.out);
+  EXPECT_EQ(form["parameters_from"], "published");
+  EXPECT_EQ(form["parameters"]["a"], "-5.55473");
+  EXPECT_LE(form["certified_max_error"][0], 3.7664127395073188e-3);
+  EXPECT_GE(form["certified_max_error"][1], 3.7664127395073188e-3);
+  EXPECT_EQ(form["curve"]["rises with the angle"], "proven");
+  const auto from = [](std::vector<std::string> arguments) {
+    arguments.push_back("--json");
+    return json::parse(run_command_line(arguments).out)["parameters_from"];
+  };
+  EXPECT_EQ(from({"certify", "sg-offset", "--exponent", "5"}), "published");
+  EXPECT_EQ(from({"certify", "sg-offset", "--exponent", "7"}), "fitted");
+  EXPECT_EQ(from({"certify", "sg-offset-mean", "--exponent", "7"}), "published");
+  EXPECT_EQ(from({"certify", "fresnel-quadratic", "--parameters", "b=-7,a=-5.5"}), "given");
+}
+
+TEST(Certify, WritesACertificateThatHolds) {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "pair.json";
+  const Outcome made = run_command_line({"certify", "fresnel-quadratic", "--width", "1e-12", "--out", file});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.out.find("published"), std::string::npos);
+  const Outcome holds = run_command_line({"verify", file});
+  EXPECT_EQ(holds.exit_code, 0) << holds.err;
+  EXPECT_NE(holds.out.find("holds: the largest absolute error of exp2((a c + b) c) is in [0.0037664127395"),
+            std::string::npos)
+      << holds.out;
+}
+
+TEST(Verify, RefusesWithTheReason) {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "pair.json";
+  ASSERT_EQ(run_command_line({"certify", "fresnel-quadratic", "--out", file}).exit_code, 0);
+  std::string text = read_file(file);
+  // A changed field, digest as it was: an accident.
+  auto fields = nlohmann::ordered_json::parse(text);
+  fields["parameters"]["a"] = "-5.55437";
+  const Outcome changed = run_command_line({"verify", directory.file("changed.json", fields.dump(1))});
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_NE(changed.err.find("is refused: its digest is"), std::string::npos) << changed.err;
+  // A false bound under a digest of its own: the mathematics refuses it.
+  Certificate certificate = read_certificate(text, file).certificate;
+  certificate.upper = certificate.lower;
+  certificate.lower *= 0.5;
+  certificate.upper *= 0.75;
+  const Outcome wrong =
+      run_command_line({"verify", directory.file("false.json", certificate_text(certificate))});
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_NE(wrong.err.find("is refused: the error may exceed"), std::string::npos) << wrong.err;
+  const std::string cut = directory.file("cut.json", text.substr(0, text.size() / 2));
+  expect_refusal({"verify", cut}, "certificate '" + cut + "' ends early: it is no whole JSON");
+  const std::string none = directory / "none.json";
+  EXPECT_EQ(run_command_line({"verify", none}).exit_code, 2);
+}
+
+TEST(Fit, CertifyAddsProofs) {
+  const Outcome outcome = run_command_line({"fit", "fresnel-quadratic", "--certify", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json fit = json::parse(outcome.out);
+  EXPECT_LE(fit["certified_max_abs_error"][0], fit["max_abs_error"]);
+  EXPECT_GE(fit["certified_max_abs_error"][1], fit["max_abs_error"]);
+  EXPECT_EQ(fit["stationary_point"]["unique"], true);
+  EXPECT_EQ(fit["stationary_point"]["minimum"], true);
+  EXPECT_LE(fit["stationary_point"]["box"]["a"][0], fit["parameters"]["a"]);
+  EXPECT_GE(fit["stationary_point"]["box"]["a"][1], fit["parameters"]["a"]);
+  EXPECT_EQ(fit["curve"]["at most 1"], "proven");
+  const Outcome text = run_command_line({"fit", "sg-offset", "--exponent", "5", "--certify"});
+  EXPECT_NE(text.out.find("one minimum, x in ["), std::string::npos) << text.out;
+  EXPECT_FALSE(json::parse(run_command_line({"fit", "fresnel-quadratic", "--json"}).out)
+                   .contains("certified_max_abs_error"));
+}
+
+TEST(BadInput, Certificates) {
+  const auto pair = [](const char* parameters) {
+    return std::vector<std::string>{"certify", "fresnel-quadratic", "--parameters", parameters};
+  };
+  expect_refusal(pair("a=-5,c=2"), "parameter 'c' is unknown: fresnel-quadratic has none of that name");
+  expect_refusal(pair("a=-5"), "parameter 'b' of fresnel-quadratic is missing");
+  expect_refusal(pair("a=-5,b=-6,a=1"), "parameter 'a' is given twice");
+  expect_refusal(pair("a=nan,b=-6"), "parameter a 'nan' is not a finite number");
+  for (const char* text : {"", "a", "a=1,", "=1"})
+    expect_refusal(pair(text),
+                   "--parameters '" + std::string(text) + "' is not a list NAME=VALUE, by commas");
+  const auto width = [](const char* text) {
+    return std::vector<std::string>{"certify", "fresnel-quadratic", "--width", text};
+  };
+  expect_refusal(width("x"), "--width 'x' is not a finite number");
+  for (const char* text : {"0", "1", "2"})
+    expect_refusal(width(text), "--width '" + std::string(text) +
+                                    "' is no relative width: it must be greater than 0 and less than 1");
+  expect_refusal(width("1e-20"),
+                 "--width '1e-20' cannot be reached: the bounds are doubles, 1e-15 is the least");
+  expect_refusal({"certify", "fresnel-quadratic", "--error", "squared"},
+                 "--error 'squared' is unknown: it must be one of absolute, relative");
+  expect_refusal({"certify", "sg-offset", "--out", "x.json"},
+                 "--out 'x.json' takes one certificate, not 20: name one --exponent");
+  expect_refusal({"certify", "fresnel-quadratic", "--out", "."},
+                 "--out '.' names no file for the certificate");
+  expect_refusal(
+      {"fit", "sg-offset-mean", "--certify"},
+      "--certify does not apply: sg-offset-mean is a mean or a limit of fits; see 'shadefit certify "
+      "sg-offset-mean'");
+}
+
+}  // namespace
+}  // namespace shadefit

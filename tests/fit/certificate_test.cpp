@@ -1,0 +1,177 @@
+#include "fit/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/enclosure.hpp"
+#include "fit/hex_float.hpp"
+#include "fit/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+Subject published_pair() {
+  return {.family = "fresnel-quadratic", .parameters = {{"a", "-5.55473"}, {"b", "-6.98316"}}};
+}
+
+Subject gaussian(double exponent) {
+  return {.family = "sg-offset", .parameters = {{"x", "0.775"}}, .setting = exponent};
+}
+
+TEST(Certificate, HoldsWhatItSays) {
+  Subject relative = gaussian(5), part = published_pair();
+  relative.error = ErrorKind::relative;
+  part.domain = {0.25, 0.625};
+  Subject exact{
+      .family = "fresnel-one-term", .parameters = {{"A", "8.35"}}, .setting = {0, exact_surface(1.5)}};
+  for (const Subject& subject :
+       {published_pair(), gaussian(1), gaussian(37.5), gaussian(1e6), relative, part, exact}) {
+    const Certified made = certify(subject, usual_width);
+    EXPECT_TRUE(made.is_reached) << subject.family;
+    EXPECT_EQ(made.curve.trend, Proof::proven) << subject.family;
+    EXPECT_EQ(made.curve.non_negative, Proof::proven);
+    EXPECT_EQ(made.curve.at_most_one, Proof::proven);
+    EXPECT_EQ(reason_to_refuse(made.certificate), "") << subject.family;
+  }
+}
+
+TEST(Certificate, EveryFitOfTheCatalogue) {
+  for (const FittableFamily& family : fittable_families()) {
+    for (const double k : family.has_exponent() ? std::vector{1.0, 15.0, 1000.0} : std::vector{0.0}) {
+      const Fit fit = family.fit(Setting(k), {});
+      const Certified made = certify(subject_of(fit), usual_width);
+      EXPECT_TRUE(made.is_reached) << family.info.id << k;
+      EXPECT_EQ(reason_to_refuse(made.certificate), "") << family.info.id << k;
+      EXPECT_NEAR(made.certificate.upper, fit.max_abs_error.magnitude, 2e-9 * made.certificate.upper);
+    }
+  }
+}
+
+TEST(Certificate, ARelativeErrorHasItsOwnDomain) {
+  Subject subject = gaussian(5);
+  subject.error = ErrorKind::relative;
+  const Certificate made = certify(subject, usual_width).certificate;
+  EXPECT_NEAR(made.subject.domain.lower, std::exp(-std::log(255) / 5), 1e-15);
+  subject.domain = {0, 0.25};
+  EXPECT_THROW(certify(subject, usual_width), UserError) << "the target is below 1/255 there";
+}
+
+/// Each single falsehood is refused, by the reason that names it.
+TEST(Certificate, AFalseOneIsRefused) {
+  const Certificate truth = certify(published_pair(), usual_width).certificate;
+  const auto expect_refusal = [&](const std::function<void(Certificate&)>& falsify,
+                                  const std::string& reason) {
+    Certificate wrong = truth;
+    falsify(wrong);
+    const std::string why = reason_to_refuse(wrong);
+    EXPECT_EQ(why.substr(0, reason.size()), reason);
+  };
+  const auto understate = [](Certificate& c) {
+    c.upper = c.lower = 3.7664127e-3;
+    c.places = boxes_of({});
+  };
+  expect_refusal(understate, "the error may exceed the upper bound at c in");
+  expect_refusal([](Certificate& c) { c.lower = c.upper; },
+                 "the error does not reach the lower bound at its place");
+  expect_refusal([](Certificate& c) { std::swap(c.lower, c.upper); }, "its bounds are no interval");
+  expect_refusal([](Certificate& c) { c.attained.distance = 0.25; },
+                 "the error does not reach the lower bound");
+  expect_refusal(
+      [](Certificate& c) {
+        c.attained = {Side::peak, 0.75};
+      },
+      "the place of its lower bound is outside");
+  expect_refusal([](Certificate& c) { c.places.clear(); },
+                 "the error may exceed the lower bound outside of its places");
+  expect_refusal([](Certificate& c) { c.horizon.front() = 0x1p-9; },
+                 "the boxes in c do not reach from 0x0p+0");
+  expect_refusal([](Certificate& c) { c.peak.pop_back(); }, "the boxes in 1 - c do not reach");
+  expect_refusal([](Certificate& c) { c.peak.clear(); }, "the boxes in 1 - c do not reach");
+  expect_refusal([](Certificate& c) { std::swap(c.horizon[1], c.horizon[2]); },
+                 "the ends of the boxes in c do not rise");
+  expect_refusal([](Certificate& c) { c.horizon = {0, 0.5}; }, "the error may exceed");
+  expect_refusal([](Certificate& c) { c.subject.domain.lower = 0.125; },
+                 "the boxes in c do not reach from 0x1p-3");
+  expect_refusal([](Certificate& c) { c.subject.domain.upper = 2; }, "the domain is not within [0, 1]");
+  expect_refusal([](Certificate& c) { c.subject.parameters[1].second = "-6.983146"; }, "the error");
+  expect_refusal([](Certificate& c) { c.subject.parameters[1].second = "b"; },
+                 "the parameter b 'b' is no finite number");
+  expect_refusal([](Certificate& c) { c.subject.parameters.pop_back(); },
+                 "a parameter is missing, or too much");
+  expect_refusal([](Certificate& c) { c.subject.parameters[0].first = "A"; },
+                 "the family has no parameter 'A'");
+  expect_refusal([](Certificate& c) { c.subject.family = "fresnel"; }, "there is no family 'fresnel'");
+  expect_refusal([](Certificate& c) { c.form = "exp2(a c)"; }, "the form 'exp2(a c)' is not the family's");
+  expect_refusal([](Certificate& c) { c.target = "(1 - c)^4"; },
+                 "the target '(1 - c)^4' is not the family's");
+  expect_refusal([](Certificate& c) { c.precision = 9999; }, "it was made with 9999 bits");
+  expect_refusal([](Certificate& c) { c.curve.trend = Trend::falls; }, "the form may turn at c in");
+  expect_refusal([](Certificate& c) { c.subject.error = ErrorKind::relative; }, "the error");
+}
+
+TEST(Certificate, WhatACurveIsNot) {
+  Subject rising = published_pair();
+  rising.parameters[0].second = "1";
+  rising.parameters[1].second = "0.5";
+  const Certified made = certify(rising, usual_width);
+  EXPECT_EQ(made.curve.trend, Proof::refuted) << "it falls with the angle";
+  EXPECT_EQ(made.curve.at_most_one, Proof::refuted);
+  EXPECT_EQ(made.curve.non_negative, Proof::proven);
+  EXPECT_EQ(made.certificate.curve.trend, Trend::none);
+  EXPECT_EQ(reason_to_refuse(made.certificate), "");
+  Certificate wrong = made.certificate;
+  wrong.curve.is_at_most_one = true;
+  EXPECT_EQ(reason_to_refuse(wrong).substr(0, 21), "the form may exceed 1");
+}
+
+/// A decimal is enclosed, not rounded: the certificate of a printed number is about that number.
+TEST(Certificate, PrintedNumbersAreNotRounded) {
+  Subject rounded = published_pair();
+  for (auto& [name, value] : rounded.parameters) value = hex_text(std::stod(value));
+  const Certificate a = certify(published_pair(), least_width).certificate,
+                    b = certify(rounded, least_width).certificate;
+  EXPECT_LT(a.upper, b.lower) << "the nearest doubles have an error larger by 5e-18";
+}
+
+TEST(Certificate, HexadecimalTexts) {
+  for (const double x : {0.0, 1.0, -5.55473, 0x1p-1074, 1.7976931348623157e308, 0.1})
+    EXPECT_EQ(parse_hex(hex_text(x)), x);
+  EXPECT_EQ(hex_text(-0.75), "-0x1.8p-1");
+  for (const char* text :
+       {"", "0x", "1.8p-1", "0x1.8p-1x", "0xinf", "0xnan", "--0x1p+0", "-0x-1p+0", "0x1p+9999"})
+    EXPECT_FALSE(parse_hex(text)) << text;
+}
+
+TEST(Certificate, SubjectsThatAreNone) {
+  const auto refusal = [](const Subject& subject, double width = usual_width) -> std::string {
+    try {
+      certify(subject, width);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Subject subject = published_pair();
+  subject.parameters[1].first = "c";
+  EXPECT_EQ(refusal(subject), "parameter 'c' is unknown: fresnel-quadratic has none of that name");
+  subject = published_pair();
+  subject.parameters.pop_back();
+  EXPECT_EQ(refusal(subject), "parameter 'b' of fresnel-quadratic is missing");
+  subject.parameters.push_back({"a", "1"});
+  EXPECT_EQ(refusal(subject), "parameter 'a' is given twice");
+  for (const char* text : {"nan", "inf", "", "x", "1e400"}) {
+    subject = published_pair();
+    subject.parameters[0].second = text;
+    EXPECT_EQ(refusal(subject), "parameter a '" + std::string(text) + "' is not a finite number");
+  }
+  for (const double width : {0.0, -1.0, 1e-20, 1.0, std::nan("")})
+    EXPECT_NE(refusal(published_pair(), width).find("cannot be reached"), std::string::npos) << width;
+}
+
+}  // namespace
+}  // namespace shadefit
