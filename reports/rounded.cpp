@@ -1,0 +1,157 @@
+#include "reports/rounded.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "fit/decimal.hpp"
+#include "fit/hex_float.hpp"
+#include "fit/rounded_interval.hpp"
+
+namespace shadefit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The first published value of each parameter; empty where one has none.
+std::vector<double> published_values(const FitReport& report) {
+  std::vector<double> values;
+  for (const std::string_view parameter : find_family(report.fit.family->id)->parameters) {
+    const auto found = std::find_if(report.assessments.begin(), report.assessments.end(),
+                                    [&](const Assessment& a) { return a.published->parameter == parameter; });
+    if (found == report.assessments.end()) return {};
+    values.push_back(constant<double>(found->published->printed));
+  }
+  return values;
+}
+
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json constants_json(const FittableFamily& family, const RoundedConstants& constants, ErrorKind error) {
+  Json parameters, decimals, hexes;
+  for (std::size_t i = 0; i < family.parameters.size(); ++i) {
+    const std::string parameter(family.parameters[i]);
+    parameters[parameter] = constants.parameters[i];
+    decimals[parameter] = constants.texts[i];
+    hexes[parameter] = hex_text(constants.parameters[i]);
+  }
+  return {{"parameters", parameters},
+          {"decimal", decimals},
+          {"hex", hexes},
+          {error == ErrorKind::relative ? "max_rel_error" : "max_abs_error", constants.max_error},
+          {"at", constants.at},
+          {"real_error", optional_json(constants.real_error)},
+          {"rounding_error", optional_json(constants.rounding_error)},
+          {"srgb_codes", optional_json(constants.srgb_codes)},
+          {"gpu_bound", optional_json(constants.gpu_bound)}};
+}
+
+std::vector<Cell> row_of(const std::string_view name, const RoundedConstants& constants) {
+  std::vector<Cell> row{std::string(name)};
+  for (std::size_t i = 0; i < constants.parameters.size(); ++i) {
+    row.emplace_back(constants.texts[i]);
+    row.emplace_back(hex_text(constants.parameters[i]));
+  }
+  const auto some = [](const std::optional<double>& value) {
+    return value ? Cell(Number{*value, 6}) : Cell();
+  };
+  row.insert(row.end(), {Number{constants.max_error, 6}, Number{constants.at, 6}, some(constants.gpu_bound),
+                         some(constants.srgb_codes)});
+  return row;
+}
+
+/// What `max error` is.
+std::string meaning_of_error(const NumberFormat& format) {
+  switch (format.kind) {
+    case NumberFormat::Kind::half:
+    case NumberFormat::Kind::bfloat16:
+      return "every operation rounded, at every " + to_text(format) + " of the domain";
+    case NumberFormat::Kind::single:
+      return "a proven bound: of the form in real numbers, and of the rounding of each operation in float";
+    case NumberFormat::Kind::decimal:
+      break;
+  }
+  return "a proven bound: of the form in real numbers, and of the rounding of each operation in double";
+}
+
+/// What "best" is.
+std::string meaning_of_best(const Rounded& rounded) {
+  const std::string by = rounded.format.is_narrow() ? "" : " by their error in real numbers";
+  if (rounded.is_proven) return fmt::format("Best: proven, among {}{}.", rounded.searched, by);
+  return fmt::format("Best found{}: of {} constants tried among {}, not proven.", by, rounded.evaluated,
+                     rounded.searched);
+}
+
+}  // namespace
+
+std::optional<Rounded> round_report(const FitReport& report, const NumberFormat& format,
+                                    const Checkpoint& checkpoint) {
+  if (report.fit.status != Status::converged) return std::nullopt;
+  return round_fit(report.fit, format, published_values(report), ErrorKind::absolute, checkpoint);
+}
+
+Table rounded_table(const Refit& refit, const std::vector<std::optional<Rounded>>& rounded) {
+  const FittableFamily& family = *refit.family;
+  Table table;
+  if (family.has_exponent()) table.columns.emplace_back("exponent");
+  table.columns.emplace_back("constants");
+  for (const std::string_view parameter : family.parameters) {
+    table.columns.emplace_back(parameter);
+    table.columns.push_back(std::string(parameter) + " hex");
+  }
+  for (const char* column : {"max abs error", "at c", "on a GPU at most", "8-bit sRGB codes"})
+    table.columns.emplace_back(column);
+  for (std::size_t i = 0; i < rounded.size(); ++i) {
+    if (!rounded[i]) continue;
+    const auto add = [&](std::string_view name, const RoundedConstants& constants) {
+      std::vector<Cell> row = row_of(name, constants);
+      if (family.has_exponent()) row.insert(row.begin(), Number{*refit.fits[i].fit.exponent, all_digits});
+      table.rows.push_back(row);
+    };
+    add(rounded[i]->is_proven ? "best" : "best found", rounded[i]->best);
+    add("fitted, rounded", rounded[i]->naive);
+    if (rounded[i]->published) add("published, rounded", *rounded[i]->published);
+  }
+  return table;
+}
+
+std::string rounded_text(const std::vector<std::optional<Rounded>>& rounded) {
+  std::string text;
+  std::vector<std::string> said;  // each sentence once, whatever the sweep
+  const auto say = [&](const std::string& sentence) {
+    if (std::find(said.begin(), said.end(), sentence) != said.end()) return;
+    said.push_back(sentence);
+    text += sentence + "\n";
+  };
+  for (const auto& r : rounded) {
+    if (!r) continue;
+    say(fmt::format("Max abs error: {}.", meaning_of_error(r->format)));
+    if (r->best.gpu_bound) say(fmt::format("On a GPU: {}.", GpuModel::assumption));
+    say(meaning_of_best(*r));
+  }
+  return text;
+}
+
+void add_rounded_json(Json& fit_json, const FittableFamily& family, const std::optional<Rounded>& rounded) {
+  Json json;
+  if (rounded) {
+    json = {{"format", to_text(rounded->format)}, {"error", name(rounded->error)}};
+    json.update(constants_json(family, rounded->best, rounded->error));
+    json["naive"] = constants_json(family, rounded->naive, rounded->error);
+    json["published"] =
+        rounded->published ? constants_json(family, *rounded->published, rounded->error) : Json();
+    json["proven"] = rounded->is_proven;
+    json["searched"] = rounded->searched;
+    json["boxes"] = rounded->boxes;
+    json["tried"] = rounded->evaluated;
+    json["error_is"] = meaning_of_error(rounded->format);
+    json["gpu_model"] = rounded->best.gpu_bound ? Json(GpuModel::assumption) : Json();
+  }
+  fit_json["rounded"] = json;
+}
+
+}  // namespace shadefit
