@@ -208,20 +208,8 @@ std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, c
   return proofs;
 }
 
-/// The rounded constants of each fit, where they are asked for.
-using RoundedFits = std::vector<std::optional<Rounded>>;
-
-RoundedFits rounded_fits(const Refit& refit, const std::optional<NumberFormat>& format,
-                         const Checkpoint& checkpoint) {
-  RoundedFits rounded;
-  for (const FitReport& report : refit.fits) {
-    if (format) rounded.push_back(round_report(report, *format, checkpoint));
-  }
-  return rounded;
-}
-
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
-                      const std::vector<FitProof>& proofs, const RoundedFits& rounded) {
+                      const std::vector<FitProof>& proofs, const std::vector<RoundedFit>& rounded) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) {
@@ -400,7 +388,8 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
       fit_and_assess(fits, settings_for(family, published, options), std::array{metric}, checkpoint),
       {}};
   const auto proofs = proofs_of(refit, options, checkpoint);
-  const auto rounded = rounded_fits(refit, format, checkpoint);
+  const auto rounded =
+      format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{};
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, proofs);
   return {err.empty() ? 0 : 1, fits_text(refit, options, metric, proofs, rounded), err};
 }

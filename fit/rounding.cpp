@@ -25,6 +25,12 @@ Domain domain_of(const F& family, const Domain& domain, ErrorKind kind) {
   return {std::max(domain.lower, end->cos_theta), domain.upper};
 }
 
+/// The shortest decimal that reads back as a double.
+std::string shortest(double value) {
+  std::array<char, 40> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 /// The least decimal digits that read back as a number of the lattice.
 template <class Lattice>
 std::string shortest(const Lattice& lattice, std::int64_t index) {
@@ -69,9 +75,9 @@ void require_exponent(const FittableFamily& family, double exponent, const Numbe
   if (!family.has_exponent()) return;
   const double rounded = static_cast<double>(NarrowResult<Format>::rounded(exponent));
   if (rounded == exponent) return;
-  throw UserError("--exponent '" + decimal(exponent, 17) + "' is no number of " + to_text(format) +
-                  (std::isfinite(rounded) ? ": the nearest is " + decimal(rounded, 17)
-                                          : ": the largest is " + decimal(largest_of<Format>, 17)));
+  throw UserError("--exponent '" + shortest(exponent) + "' is no number of " + to_text(format) +
+                  (std::isfinite(rounded) ? ": the nearest is " + shortest(rounded)
+                                          : ": the largest is " + shortest(largest_of<Format>)));
 }
 
 template <std::size_t N, class Lattice>

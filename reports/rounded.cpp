@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
-#include "fit/decimal.hpp"
 #include "fit/hex_float.hpp"
 #include "fit/rounded_interval.hpp"
+#include "fit/user_error.hpp"
 
 namespace shadefit {
 namespace {
@@ -50,17 +51,24 @@ Json constants_json(const FittableFamily& family, const RoundedConstants& consta
           {"gpu_bound", optional_json(constants.gpu_bound)}};
 }
 
+/// A bound to 6 digits, rounded up: what is printed is one too.
+Cell at_most(double bound) {
+  constexpr int digits = 6;
+  if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
+  const double unit = std::pow(10.0, std::floor(std::log10(bound)) - (digits - 1));
+  return Number{std::ceil(bound / unit) * unit, digits};
+}
+
 std::vector<Cell> row_of(const std::string_view name, const RoundedConstants& constants) {
   std::vector<Cell> row{std::string(name)};
   for (std::size_t i = 0; i < constants.parameters.size(); ++i) {
     row.emplace_back(constants.texts[i]);
     row.emplace_back(hex_text(constants.parameters[i]));
   }
-  const auto some = [](const std::optional<double>& value) {
-    return value ? Cell(Number{*value, 6}) : Cell();
-  };
-  row.insert(row.end(), {Number{constants.max_error, 6}, Number{constants.at, 6}, some(constants.gpu_bound),
-                         some(constants.srgb_codes)});
+  row.push_back(at_most(constants.max_error));
+  row.emplace_back(Number{constants.at, 6});
+  for (const auto& bound : {constants.gpu_bound, constants.srgb_codes})
+    row.push_back(bound ? at_most(*bound) : Cell());
   return row;
 }
 
@@ -88,13 +96,27 @@ std::string meaning_of_best(const Rounded& rounded) {
 
 }  // namespace
 
-std::optional<Rounded> round_report(const FitReport& report, const NumberFormat& format,
-                                    const Checkpoint& checkpoint) {
-  if (report.fit.status != Status::converged) return std::nullopt;
-  return round_fit(report.fit, format, published_values(report), ErrorKind::absolute, checkpoint);
+RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint) {
+  if (report.fit.status != Status::converged) return {.reason = "the fit did not converge"};
+  return {.rounded =
+              round_fit(report.fit, format, published_values(report), ErrorKind::absolute, checkpoint)};
 }
 
-Table rounded_table(const Refit& refit, const std::vector<std::optional<Rounded>>& rounded) {
+std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
+                                      const Checkpoint& checkpoint) {
+  std::vector<RoundedFit> fits;
+  for (const FitReport& report : refit.fits) {
+    try {
+      fits.push_back(round_report(report, format, checkpoint));
+    } catch (const UserError& error) {
+      if (!is_record || refit.fits.size() == 1) throw;
+      fits.push_back({.reason = error.what()});
+    }
+  }
+  return fits;
+}
+
+Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
   const FittableFamily& family = *refit.family;
   Table table;
   if (family.has_exponent()) table.columns.emplace_back("exponent");
@@ -105,21 +127,22 @@ Table rounded_table(const Refit& refit, const std::vector<std::optional<Rounded>
   }
   for (const char* column : {"max abs error", "at c", "on a GPU at most", "8-bit sRGB codes"})
     table.columns.emplace_back(column);
-  for (std::size_t i = 0; i < rounded.size(); ++i) {
-    if (!rounded[i]) continue;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (!fits[i].rounded) continue;
+    const Rounded& rounded = *fits[i].rounded;
     const auto add = [&](std::string_view name, const RoundedConstants& constants) {
       std::vector<Cell> row = row_of(name, constants);
       if (family.has_exponent()) row.insert(row.begin(), Number{*refit.fits[i].fit.exponent, all_digits});
       table.rows.push_back(row);
     };
-    add(rounded[i]->is_proven ? "best" : "best found", rounded[i]->best);
-    add("fitted, rounded", rounded[i]->naive);
-    if (rounded[i]->published) add("published, rounded", *rounded[i]->published);
+    add(rounded.is_proven ? "best" : "best found", rounded.best);
+    add("fitted, rounded", rounded.naive);
+    if (rounded.published) add("published, rounded", *rounded.published);
   }
   return table;
 }
 
-std::string rounded_text(const std::vector<std::optional<Rounded>>& rounded) {
+std::string rounded_text(const std::vector<RoundedFit>& fits) {
   std::string text;
   std::vector<std::string> said;  // each sentence once, whatever the sweep
   const auto say = [&](const std::string& sentence) {
@@ -127,30 +150,38 @@ std::string rounded_text(const std::vector<std::optional<Rounded>>& rounded) {
     said.push_back(sentence);
     text += sentence + "\n";
   };
-  for (const auto& r : rounded) {
-    if (!r) continue;
-    say(fmt::format("Max abs error: {}.", meaning_of_error(r->format)));
-    if (r->best.gpu_bound) say(fmt::format("On a GPU: {}.", GpuModel::assumption));
-    say(meaning_of_best(*r));
+  for (const RoundedFit& fit : fits) {
+    if (!fit.rounded) {
+      say(fmt::format("Not rounded: {}.", fit.reason));
+      continue;
+    }
+    say(fmt::format("Max abs error: {}.", meaning_of_error(fit.rounded->format)));
+    if (fit.rounded->best.gpu_bound) say(fmt::format("On a GPU: {}.", GpuModel::assumption));
+    say(meaning_of_best(*fit.rounded));
   }
   return text;
 }
 
-void add_rounded_json(Json& fit_json, const FittableFamily& family, const std::optional<Rounded>& rounded) {
-  Json json;
-  if (rounded) {
-    json = {{"format", to_text(rounded->format)}, {"error", name(rounded->error)}};
-    json.update(constants_json(family, rounded->best, rounded->error));
-    json["naive"] = constants_json(family, rounded->naive, rounded->error);
-    json["published"] =
-        rounded->published ? constants_json(family, *rounded->published, rounded->error) : Json();
-    json["proven"] = rounded->is_proven;
-    json["searched"] = rounded->searched;
-    json["boxes"] = rounded->boxes;
-    json["tried"] = rounded->evaluated;
-    json["error_is"] = meaning_of_error(rounded->format);
-    json["gpu_model"] = rounded->best.gpu_bound ? Json(GpuModel::assumption) : Json();
+void add_rounded_json(Json& fit_json, const FittableFamily& family, const RoundedFit& fit) {
+  if (!fit.rounded) {
+    fit_json["rounded"] = nullptr;
+    fit_json["rounded_reason"] = fit.reason;
+    return;
   }
+  const Rounded& rounded = *fit.rounded;
+  const auto json_of = [&](const RoundedConstants& constants) {
+    return constants_json(family, constants, rounded.error);
+  };
+  Json json{{"format", to_text(rounded.format)}, {"error", name(rounded.error)}};
+  json.update(json_of(rounded.best));
+  json["naive"] = json_of(rounded.naive);
+  json["published"] = rounded.published ? json_of(*rounded.published) : Json();
+  json["proven"] = rounded.is_proven;
+  json["searched"] = rounded.searched;
+  json["boxes"] = rounded.boxes;
+  json["tried"] = rounded.evaluated;
+  json["error_is"] = meaning_of_error(rounded.format);
+  json["gpu_model"] = rounded.best.gpu_bound ? Json(GpuModel::assumption) : Json();
   fit_json["rounded"] = json;
 }
 
