@@ -118,11 +118,10 @@ std::pair<std::filesystem::path, std::string> parse_file(const std::string& text
 
 std::string not_reached(const Certificate& certificate, double width) {
   const Setting& setting = certificate.subject.setting;
-  return fmt::format(
-      "shadefit: {}{}: the width {} was not reached in {} boxes: the largest error is in [{}, {}]\n",
-      certificate.subject.family,
-      setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : "", width, most_boxes,
-      certificate.lower, certificate.upper);
+  return fmt::format("shadefit: {}{}: the width {} was not reached: the largest error is in [{}, {}]\n",
+                     certificate.subject.family,
+                     setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : "", width,
+                     certificate.lower, certificate.upper);
 }
 
 }  // namespace

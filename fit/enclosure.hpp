@@ -79,7 +79,9 @@ class LargestSearch {
   double bound_on(const Box& box) {
     const Interval distance = span_of(box.lower, box.upper);
     const Jet value = f_(cosine_at(box.side, Jet(distance, 0)));
-    const double natural = largest_magnitude_in(value.a);
+    double natural = largest_magnitude_in(value.a);
+    // At a kink below a root a Jet's maximum is the hull of both branches, an interval's own is not.
+    if (std::isinf(natural)) natural = largest_magnitude_in(f_(cosine_at(box.side, distance)));
     if (natural <= lower_ || !is_bounded(value.v[0])) return natural;
     const double centre = box.lower + (box.upper - box.lower) / 2;
     const Interval mean = raise({box.side, centre}) + value.v[0] * (distance - Interval(centre));

@@ -83,6 +83,8 @@ bool is_bounded_by(const Function& error, const Box& box, double bound) {
   const auto fits = [&](const Interval& value) { return largest_magnitude_in(value) <= bound; };
   const Jet range = error(cosine_at(box.side, Jet(distance, 0)));
   if (fits(range.a)) return true;
+  // Without its derivative a formula may be narrower: a Jet's maximum is the hull of what it chooses from.
+  if (!is_bounded(range.a)) return fits(error(cosine_at(box.side, distance)));
   const Interval& slope = range.v[0];
   if (!is_bounded(slope)) return false;
   const double inner = box.lower + (box.upper - box.lower) / 2;

@@ -158,9 +158,8 @@ Json parse(const std::string& text, const std::string& name) {
   // A value that opens and does not close: what is left of a file that was cut off.
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_discarded()) return json;
-  const auto last = text.find_last_not_of(" \t\r\n");
-  const bool ends_early =
-      text.find('{') != std::string::npos && (last == std::string::npos || text[last] != '}');
+  const auto first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
+  const bool ends_early = first != std::string::npos && text[first] == '{' && text[last] != '}';
   throw UserError("certificate '" + name +
                   (ends_early ? "' ends early: it is no whole JSON" : "' is no JSON"));
 }
