@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <iterator>
 #include <sstream>
@@ -26,9 +27,9 @@ void require_values(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
-    const bool takes_text = option == "--out" || option == "--baseline" || option == "--measure" ||
-                            option == "--target" || option == "--only" || option == "--verdict" ||
-                            option == "--error" || option == "--round";
+    constexpr std::array take_text{"--out",  "--baseline", "--measure", "--target", "--only",     "--verdict",
+                                   "--norm", "--error",    "--weight",  "--fix",    "--one-sided", "--round"};
+    const bool takes_text = std::find(take_text.begin(), take_text.end(), option) != take_text.end();
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
                                   option, arguments[i + 1]));
@@ -95,6 +96,28 @@ void add_run(CLI::App& app, Call& call) {
   });
 }
 
+/// What the options of `fit` ask of the error and of the answer.
+void add_objective(CLI::App& fit, FitOptions& options) {
+  fit.add_option("--norm", options.norm, "least-squares, or minimax: the largest error is least")
+      ->capture_default_str()
+      ->type_name("NAME");
+  fit.add_option("--weight", options.weight, "multiplies the error: a positive formula in c, as '1 + 4 c'")
+      ->type_name("FORMULA");
+  fit.add_option("--fix", options.fix, "a parameter that is given, not fitted; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  fit.add_option("--exact-at", options.exact_at,
+                 "an end of the domain where the form has to be its target; minimax only, may be repeated")
+      ->type_name("C")
+      ->allow_extra_args(false);
+  fit.add_option("--one-sided", options.one_sided,
+                 "above or below: the side of its target that the form has to keep to; minimax only")
+      ->type_name("NAME");
+  fit.add_option("--at-most", options.at_most, "what the form may not exceed; minimax only")->type_name("V");
+  fit.add_option("--at-least", options.at_least, "what the form may not fall below; minimax only")
+      ->type_name("V");
+}
+
 /// What `fit` and `certify` are both told: which form, and what it is fitted to.
 void add_fit_options(CLI::App& command, FitOptions& fit) {
   command.add_option("id", fit.id, "a family or a published constant, see 'shadefit list'")->required();
@@ -116,11 +139,18 @@ void add_fit_options(CLI::App& command, FitOptions& fit) {
       ->type_name("N");
   command.add_option("--extinction", fit.extinction, "extinction k of a conductor n + i k; default: 0")
       ->type_name("K");
+  command
+      .add_option("--error", fit.error,
+                  "absolute, or relative to a lobe's target or to F = f0 + (1-f0) f of a Fresnel form")
+      ->capture_default_str()
+      ->type_name("NAME");
+  command.add_option("--f0", fit.f0, "of a Fresnel form's relative error; default: 0.04")->type_name("F0");
 }
 
 void add_fit(CLI::App& app, Call& call) {
   auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
   add_fit_options(*fit, call.fit);
+  add_objective(*fit, call.fit);
   auto* json = fit->add_flag("--json", call.fit.json, "print JSON, every number to its last bit");
   auto* csv =
       fit->add_flag("--csv", call.fit.csv, "print the columns of fits.csv, every number to its last bit")
@@ -147,9 +177,6 @@ void add_certify(CLI::App& app, Call& call) {
       ->add_option("--parameters", call.certify.parameters,
                    "NAME=VALUE, by commas; default: the published values, else the fitted")
       ->type_name("LIST");
-  certify->add_option("--error", call.certify.error, "absolute or relative")
-      ->capture_default_str()
-      ->type_name("NAME");
   certify->add_option("--width", call.certify.width, "of the bounds, relative to the error")
       ->capture_default_str()
       ->type_name("W");

@@ -7,11 +7,13 @@
 #include <filesystem>
 
 #include "app/fit_arguments.hpp"
+#include "app/metric_options.hpp"
 #include "approx/catalogue.hpp"
 #include "approx/ledger.hpp"
 #include "fit/ledger.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
+#include "reports/alternation.hpp"
 #include "reports/baseline.hpp"
 #include "reports/fit_json.hpp"
 #include "reports/gnuplot.hpp"
@@ -25,41 +27,6 @@
 #include "reports/writers.hpp"
 
 namespace shadefit {
-namespace {
-
-Measure parse_measure(const std::string& text) {
-  std::vector<std::string> known;
-  for (const Measure measure : measures) {
-    if (text == name(measure)) return measure;
-    known.emplace_back(name(measure));
-  }
-  throw UserError(
-      fmt::format("--measure '{}' is unknown: it must be one of {}", text, fmt::join(known, ", ")));
-}
-
-/// "A:B" with 0 <= A < B <= 1.
-Domain parse_domain(const std::string& text) {
-  const auto colon = text.find(':');
-  const auto lower = parse_number(std::string_view(text).substr(0, colon));
-  const auto upper =
-      colon == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(colon + 1));
-  if (!lower || !upper)
-    throw UserError(fmt::format("--domain '{}' is not a pair A:B of finite numbers", text));
-  if (!(*lower < *upper))
-    throw UserError(fmt::format("--domain '{}' is empty or reversed: A must be less than B", text));
-  if (*lower < 0 || *upper > 1)
-    throw UserError(fmt::format("--domain '{}' leaves [0, 1]: A and B are cosines", text));
-  return {*lower, *upper};
-}
-
-}  // namespace
-
-Metric parse_metric(const FitOptions& options) {
-  Metric metric{.measure = parse_measure(options.measure)};
-  if (options.domain) metric.domain = parse_domain(*options.domain);
-  return metric;
-}
-
 namespace {
 
 const Published* find_published(const std::string& id) {
@@ -90,10 +57,13 @@ std::vector<double> exponents_for(const FittableFamily& family, const Published*
   }
 }
 
-double parse_finite(const std::string& option, const std::string& text) {
-  const auto value = parse_number(text);
-  if (!value) throw UserError(fmt::format("{} '{}' is not a finite number", option, text));
-  return *value;
+/// A reflectance at normal incidence that leaves something to be fitted.
+double parse_f0(const std::string& text) {
+  const double f0 = parse_finite("--f0", text);
+  if (!(0 <= f0 && f0 < 1))
+    throw UserError(
+        fmt::format("--f0 '{}' is no reflectance at normal incidence: it must be in [0, 1)", text));
+  return f0;
 }
 
 /// The surface that a Fresnel form is fitted to.
@@ -111,14 +81,19 @@ Surface parse_surface(const FittableFamily& family, const FitOptions& options) {
     if (is_exact) refuse("--target", options.target);
     if (options.ior) refuse("--ior", *options.ior);
     if (options.extinction) refuse("--extinction", *options.extinction);
+    if (options.f0) refuse("--f0", *options.f0);
     return {};
   }
   if (!options.ior && !is_exact) {
     if (options.extinction)
       throw UserError(
           fmt::format("--extinction '{}' does not apply: it belongs to --ior", *options.extinction));
-    return {};
+    Surface any;
+    if (options.f0) any.f0 = parse_f0(*options.f0);
+    return any;
   }
+  if (options.f0)
+    throw UserError(fmt::format("--f0 '{}' does not apply: a surface of --ior has its own", *options.f0));
   const std::string index = options.ior.value_or("1.5");
   const double ior = parse_finite("--ior", index);
   const double extinction = options.extinction ? parse_finite("--extinction", *options.extinction) : 0;
@@ -128,7 +103,7 @@ Surface parse_surface(const FittableFamily& family, const FitOptions& options) {
     throw UserError(fmt::format(
         "--ior '{}' is no index of an interface: it must be greater than 0, and without extinction not 1",
         index));
-  return {is_exact ? Surface::Formula::exact : Surface::Formula::schlick, ior, extinction};
+  return {is_exact ? Surface::Formula::exact : Surface::Formula::schlick, ior, extinction, std::nullopt};
 }
 
 }  // namespace
@@ -178,7 +153,9 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   }
   parse_surface(family, options);  // no such number is of a Fresnel form: refuses what would be ignored
   FitCache fits(family);
-  const auto assessment = assess(fits, published, parse_metric(options));
+  const auto exponents = exponents_of(published);
+  const std::vector<Setting> settings(exponents.begin(), exponents.end());
+  const auto assessment = assess(fits, published, parse_metric(options, family, settings));
   if (!assessment)
     return {1, "",
             fmt::format("shadefit: {} rests on fits that did not converge, or has no limit on this domain\n",
@@ -190,11 +167,24 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   return {0, write(table, Precision::full), ""};
 }
 
+/// "cosine measure, least squares", or what else the metric says.
+std::string headline(const Metric& metric) {
+  if (metric.norm == Norm::minimax)
+    return describe(metric) +
+           fmt::format("; the {} measure counts for the rms error alone", name(metric.measure));
+  const bool is_plain =
+      metric.error == Error::absolute && metric.weight.empty() && metric.constraints == Constraints{};
+  return is_plain ? describe(metric) + " measure, least squares"
+                  : "least squares, measure: " + describe(metric);
+}
+
 std::string console_text(const Refit& refit, const Metric& metric) {
   const Family& info = refit.family->info;
-  return fmt::format("{}: {} ~ {}, {} measure, least squares\n", info.id, target_of(refit.fits.front().fit),
-                     to_text(refit.family->form()), describe(metric)) +
-         write_console(fits_overview(refit), Precision::report);
+  std::string text = fmt::format("{}: {} ~ {}, {}\n", info.id, target_of(refit.fits.front().fit),
+                                 to_text(refit.family->form()), headline(metric)) +
+                     write_console(fits_overview(refit), Precision::report);
+  for (const FitReport& report : refit.fits) text += alternation_text(report.fit);
+  return text;
 }
 
 /// The proofs of each fit, where they are asked for.
@@ -228,15 +218,28 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
   return json_text(array.size() == 1 ? array.front() : array);
 }
 
+/// "sg-offset at exponent 5".
+std::string which_fit(const Fit& fit) {
+  return std::string(fit.family->id) + (fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "");
+}
+
 std::string not_converged_lines(const Refit& refit) {
   std::string lines;
   for (const FitReport& report : refit.fits) {
     if (report.fit.status == Status::converged) continue;
-    lines += fmt::format("shadefit: {}{} did not converge: {}\n", refit.family->info.id,
-                         report.fit.exponent ? fmt::format(" at exponent {}", *report.fit.exponent) : "",
-                         name(report.fit.status));
+    lines += fmt::format("shadefit: {} did not converge: {}{}\n", which_fit(report.fit),
+                         name(report.fit.status), report.fit.why.empty() ? "" : ": " + report.fit.why);
   }
   return lines;
+}
+
+/// Constraints that a form cannot satisfy are the user's to mend.
+void require_feasible(const Refit& refit) {
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::infeasible)
+      throw UserError(fmt::format("{} cannot satisfy the constraints{}: {}", which_fit(report.fit),
+                                  describe(report.fit.metric.constraints), report.fit.why));
+  }
 }
 
 /// What a run says of its plots, on standard output and standard error.
@@ -341,12 +344,12 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   const bool with_verdicts = options.verdict.has_value();
   const auto claims =
       with_verdicts ? claims_with(parse_verdict(*options.verdict), checkpoint) : unjudged_claims();
-  if (options.json)
-    return {0, json_text({{"schema", 1}, {"constants", write_json(claims_list(claims, with_verdicts))}}), ""};
-  return {0,
-          options.latex ? write_latex(claims_list(claims, with_verdicts), Precision::report)
-                        : write_console(claims_for_a_terminal(claims, with_verdicts), Precision::report),
-          ""};
+  const bool is_narrow = !options.json && !options.latex;
+  Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
+  if (!with_verdicts) add_forms_of_comparison(list);
+  if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), ""};
+  const auto write = options.latex ? write_latex : write_console;
+  return {0, write(list, Precision::report), ""};
 }
 
 Outcome explain_command(const ExplainOptions& options) {
@@ -379,14 +382,12 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
   if (published != nullptr && published->statement != Statement::best_fit)
     return derived_command(family, *published, options);
 
-  const Metric metric = parse_metric(options);
+  const auto settings = settings_for(family, published, options);
+  const Metric metric = parse_metric(options, family, settings);
   const auto format = options.round ? std::optional(parse_number_format(*options.round)) : std::nullopt;
   FitCache fits(family);
-  const Refit refit{
-      &family,
-      {},
-      fit_and_assess(fits, settings_for(family, published, options), std::array{metric}, checkpoint),
-      {}};
+  const Refit refit{&family, {}, fit_and_assess(fits, settings, std::array{metric}, checkpoint), {}};
+  require_feasible(refit);
   const auto proofs = proofs_of(refit, options, checkpoint);
   const auto rounded =
       format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{};

@@ -26,6 +26,14 @@ struct FitOptions {
   std::string id;
   std::optional<std::string> exponent;  ///< empty: the record's own sweep
   std::string measure = "cosine";
+  std::string norm = "least-squares";
+  std::string error = "absolute";
+  std::optional<std::string> f0;         ///< what relative errors of a Fresnel form are stated for
+  std::optional<std::string> weight;     ///< a formula in c
+  std::vector<std::string> fix;          ///< "NAME=VALUE" each
+  std::vector<std::string> exact_at;     ///< ends of the domain
+  std::optional<std::string> one_sided;  ///< "above" or "below"
+  std::optional<std::string> at_most, at_least;
   std::optional<std::string> domain;      ///< "A:B" in cosines; empty: all of [0, 1]
   std::string target = "schlick";         ///< or "exact": the reflectance of a surface; Fresnel families only
   std::optional<std::string> ior;         ///< of the surface; empty: none in particular, of an exact one 1.5
@@ -40,7 +48,6 @@ struct FitOptions {
 struct CertifyOptions {
   FitOptions fit;                         ///< which form, where, and the fit where nothing was published
   std::optional<std::string> parameters;  ///< "a=-5.55473,b=-6.98316"; empty: published, else fitted
-  std::string error = "absolute";         ///< or "relative"
   std::string width = "1e-9";             ///< of the bounds, relative
   std::optional<std::string> out;         ///< a file for the certificate
 };

@@ -6,7 +6,6 @@
 #include "app/commands.hpp"
 #include "approx/record.hpp"
 #include "fit/fit.hpp"
-#include "fit/metric.hpp"
 
 /// What the arguments of `fit` and `certify` name. Each throws UserError for what they do not.
 namespace shadefit {
@@ -19,9 +18,6 @@ struct NamedFit {
 
 /// The family of an id, its own or that of a published constant.
 NamedFit find_fit(const std::string& id);
-
-/// The metric of the options.
-Metric parse_metric(const FitOptions& options);
 
 /// The settings: one for each exponent, or one for the surface.
 std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,

@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/fit_arguments.hpp"
+#include "app/metric_options.hpp"
 #include "approx/catalogue.hpp"
 #include "fit/certificate.hpp"
 #include "fit/enclosure.hpp"
@@ -64,7 +65,7 @@ struct Chosen {
 };
 
 Chosen chosen_constants(const CertifyOptions& options, const NamedFit& named, const Setting& setting,
-                        const Metric& metric, ErrorKind error) {
+                        const Metric& metric, Error error) {
   const FittableFamily& family = *named.family;
   Subject subject{std::string(family.info.id), {}, setting, error, metric.domain};
   if (options.parameters) {
@@ -83,13 +84,6 @@ Chosen chosen_constants(const CertifyOptions& options, const NamedFit& named, co
         family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : ""));
   }
   return {subject_of(fit, error), "fitted"};
-}
-
-ErrorKind parse_error(const std::string& text) {
-  for (const ErrorKind kind : {ErrorKind::absolute, ErrorKind::relative}) {
-    if (text == name(kind)) return kind;
-  }
-  throw UserError(fmt::format("--error '{}' is unknown: it must be one of absolute, relative", text));
 }
 
 /// A relative width that bounds can have.
@@ -129,10 +123,10 @@ std::string not_reached(const Certificate& certificate, double width) {
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint) {
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
-  const Metric metric = parse_metric(options.fit);
-  const ErrorKind error = parse_error(options.error);
   const double width = parse_width(options.width);
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
+  const Metric metric = parse_metric(options.fit, family, settings);
+  const Error error = metric.error;
   if (options.out && settings.size() != 1)
     throw UserError(fmt::format("--out '{}' takes one certificate, not {}: name one --exponent", *options.out,
                                 settings.size()));

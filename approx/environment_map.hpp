@@ -219,18 +219,25 @@ inline constexpr std::array environment_map_claims{
               "2^(-octaves/(levels - 1)) a level: for the printed number of levels it is the same chain, for "
               "another number it is not.",
           .source = sources::lagarde_2012_cubemapgen},
-    Claim{.id = "mip-select",
-          .statement = "a shader that reads level (1 - g) levels of a chain made for g = 1 - m/(levels - 1) "
-                       "finds the power of its gloss",
-          .inputs = {{"levels", "6"}, {"octaves", "10"}, {"first octave", "1"}, {"gloss bits", "8"}},
-          .derivation =
-              "The level belongs to the gloss g' = 1 - (1 - g) levels/(levels - 1), so the power found is "
-              "2^(-octaves (1 - g)/(levels - 1)) of the power wanted, down to g = 1/levels, where it is "
-              "2^(-octaves/levels); below, the level is clamped to the last one. Between two levels the "
-              "chain is taken to hold the power of the level's formula; trilinear filtering mixes two lobes "
-              "there, which is not quite one. Within one step of the stored gloss counts as found. Read with "
-              "the levels below the first one as its count, the shader inverts the generator.",
-          .source = sources::lagarde_2011_adopting},
+    Claim{
+        .id = "mip-select",
+        .statement = "a shader that reads level (1 - g) levels of a chain made for g = 1 - m/(levels - 1) "
+                     "finds the power of its gloss",
+        .inputs = {{"levels", "6"},
+                   {"octaves", "10"},
+                   {"first octave", "1"},
+                   {"gloss bits", "8"},
+                   {"gloss steps that count as found", "1"}},
+        .derivation =
+            "The level belongs to the gloss g' = 1 - (1 - g) levels/(levels - 1), so the power found is "
+            "2^(-octaves (1 - g)/(levels - 1)) of the power wanted, down to g = 1/levels, where it is "
+            "2^(-octaves/levels); below, the level is clamped to the last one. Between two levels the "
+            "chain is taken to hold the power of the level's formula; trilinear filtering mixes two lobes "
+            "there, which is not quite one. Within one step of the stored gloss counts as found; found at the "
+            "two ends of the gloss alone, where any count reads the first and the last level, would be "
+            "`refuted`. Read with the levels below the first one as its count, the shader inverts the "
+            "generator.",
+        .source = sources::lagarde_2011_adopting},
     Claim{
         .id = "power-range",
         .statement = "specular powers of real surfaces run from 0.1 to more than 100000, too much for the "

@@ -128,6 +128,37 @@ T fresnel_quadratic(const T& cos_theta, const T& a, const T& b) {
   return exp2(fresnel_quadratic_exponent(cos_theta, a, b));
 }
 
+/// exp2(((a c + b) c + d) c): one multiply-add more than `fresnel_quadratic`.
+template <class T>
+T fresnel_cubic(const T& cos_theta, const T& a, const T& b, const T& d) {
+  return exp2(((a * cos_theta + b) * cos_theta + d) * cos_theta);
+}
+
+/// exp2((((a c + b) c + d) c + g) c): two multiply-adds more than `fresnel_quadratic`.
+template <class T>
+T fresnel_quartic(const T& cos_theta, const T& a, const T& b, const T& d, const T& g) {
+  return exp2((((a * cos_theta + b) * cos_theta + d) * cos_theta + g) * cos_theta);
+}
+
+/// s (1 - c)^4: two squarings, scaled; s = 1 is what some shaders have in place of Schlick's weight.
+template <class T>
+T fresnel_fourth(const T& cos_theta, const T& scale) {
+  return scale * grazing_power(cos_theta, 4);
+}
+
+/// (1 - c)^2 (1 + (a c + b) c): multiplications and additions alone; 1 at c = 0 and 0 at c = 1, as the
+/// target.
+template <class T>
+T fresnel_square(const T& cos_theta, const T& a, const T& b) {
+  return grazing_power(cos_theta, 2) * (integer<T>(1) + (a * cos_theta + b) * cos_theta);
+}
+
+/// (1 - c)^4/(1 + a c), a > -1: 1 at c = 0 and 0 at c = 1, as the target; a division in place of the exp2.
+template <class T>
+T fresnel_rational(const T& cos_theta, const T& a) {
+  return grazing_power(cos_theta, 4) / (integer<T>(1) + a * cos_theta);
+}
+
 /// The A of `fresnel_one_term` for a spherical Gaussian of (1 - c)^5 with offset x: (5 + x) / ln 2.
 /// (1-c)^5 ~ exp((5+x)((1-c) - 1)) = exp2(-(5+x)/ln2 c). Under the cosine measure the best A is this of the
 /// best x, because c -> 1 - c maps one problem onto the other.
@@ -159,6 +190,41 @@ inline constexpr Family fresnel_quadratic_family{
     .variables = "c = the cosine between view and half vector; a, b the coefficients of the exponent",
     .sweep = "",
     .curve = {.trend = Trend::rises, .is_non_negative = true, .is_at_most_one = true}};
+
+inline constexpr Family fresnel_cubic_family{
+    .id = "fresnel-cubic",
+    .title = "Fresnel by exp2 of a cubic",
+    .variables = "c = the cosine between view and half vector; a, b, d the coefficients of the exponent",
+    .sweep = "",
+    .is_comparison = true};
+
+inline constexpr Family fresnel_quartic_family{
+    .id = "fresnel-quartic",
+    .title = "Fresnel by exp2 of a quartic",
+    .variables = "c = the cosine between view and half vector; a, b, d, g the coefficients of the exponent",
+    .sweep = "",
+    .is_comparison = true};
+
+inline constexpr Family fresnel_fourth_family{
+    .id = "fresnel-fourth",
+    .title = "Fresnel by a scaled fourth power",
+    .variables = "c = the cosine between view and half vector; s the scale",
+    .sweep = "",
+    .is_comparison = true};
+
+inline constexpr Family fresnel_square_family{
+    .id = "fresnel-square",
+    .title = "Fresnel by a square and a quadratic",
+    .variables = "c = the cosine between view and half vector; a, b the coefficients of the second factor",
+    .sweep = "",
+    .is_comparison = true};
+
+inline constexpr Family fresnel_rational_family{
+    .id = "fresnel-rational",
+    .title = "Fresnel by a fourth power over a line",
+    .variables = "c = the cosine between view and half vector; a > -1 the slope of the denominator",
+    .sweep = "",
+    .is_comparison = true};
 
 inline constexpr std::array fresnel_quadratic_a_variants{
     Variant{"-5.55437", "mrdoob/three.js#7028, mended in #7625"}};

@@ -70,6 +70,25 @@ T lobe_relative_error(const T& change, const T& log_ratio) {
   return expm1(change - log_ratio);
 }
 
+/// A exp((k + x)(c - 1)): the spherical Gaussian with its peak at A.
+template <class T>
+T scaled_gaussian_lobe(const T& cos_theta, const T& exponent, const T& scale, const T& offset) {
+  return scale * gaussian_lobe(cos_theta, exponent, offset);
+}
+
+/// `lobe_error` of a form scale * base * exp(change): base ((scale - 1) + scale expm1(change) - expm1(L)),
+/// scale near 1.
+template <class T>
+T scaled_lobe_error(const T& base, const T& scale, const T& change, const T& ratio_minus_one) {
+  return base * ((scale - integer<T>(1)) + scale * expm1(change) - ratio_minus_one);
+}
+
+/// form / target - 1 for the same: (scale - 1) + scale expm1(change - L).
+template <class T>
+T scaled_lobe_relative_error(const T& scale, const T& change, const T& log_ratio) {
+  return (scale - integer<T>(1)) + scale * lobe_relative_error(change, log_ratio);
+}
+
 /// How a quantity approaches its limit as k grows: x(k) = limit + slope / k + O(1/k^2).
 template <class T>
 struct ApproachLaw {
@@ -103,6 +122,14 @@ inline constexpr Family sg_offset{
     .variables = "c = n.h or r.v, the cosine to the lobe's axis; k the specular exponent; x the offset",
     .sweep = "1:15:1,25,50,100,1000,10000,1000000",
     .curve = {.trend = Trend::falls, .is_non_negative = true, .is_at_most_one = true}};
+
+inline constexpr Family sg_scaled{
+    .id = "sg-scaled",
+    .title = "Spherical Gaussian, scale and offset",
+    .variables =
+        "c = n.h or r.v, the cosine to the lobe's axis; k the specular exponent; A the peak, x the offset",
+    .sweep = sg_offset.sweep,
+    .is_comparison = true};
 
 inline constexpr std::array sg_offset_published{
     Published{.id = "sg-offset-mean",

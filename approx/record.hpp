@@ -71,6 +71,8 @@ struct Family {
   std::string_view variables;  ///< what each letter means
   std::string_view
       sweep;  ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
+  /// A form that no source names, to hold others against: `fit` and `list` know it, a report only on request.
+  bool is_comparison = false;
   CurveShape curve = {};
 };
 

@@ -59,10 +59,12 @@ inline constexpr std::array von_mises_fisher_claims{
         .id = "vmf-large-k",
         .statement = "for k > 2 the density is about k/(2 pi) e^(-k(1-c))",
         .printed = {{"k", "2"}},
-        .inputs = {{"about", "0.02"}, {"y", "0.001,1,2"}},
+        .inputs = {{"about", "0.02"}, {"no longer about", "0.05"}, {"y", "0.001,1,2"}},
         .derivation =
             "sinh k = e^k (1 - e^(-2k))/2, so this over the density is 1 - e^(-2k) at every angle: it is too "
-            "small by e^(-2k) of its value. About is read as within 2 %, which is so from k = ln(50)/2 on.",
+            "small by e^(-2k) of its value, most at the smallest k. About is read as within 2 %, which is so from "
+            "k = ln(50)/2 on: `conditional` for a smaller k, as it then holds beyond that, and `refuted` for one "
+            "at which more than 5 % are missing.",
         .figure = {},
         .source = sources::lagarde_2012},
 };

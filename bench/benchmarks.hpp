@@ -6,6 +6,9 @@ namespace shadefit::bench {
 /// Whole fits: with nodes and samples ready, and from nothing.
 void register_fits();
 
+/// Minimax fits of the Fresnel pair.
+void register_minimax();
+
 /// What a run is made of, one by one: sampling, searches for the largest error, integrals.
 void register_parts();
 

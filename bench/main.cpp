@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   shadefit::bench::register_fits();
+  shadefit::bench::register_minimax();
   shadefit::bench::register_parts();
   shadefit::bench::register_claims();
   shadefit::bench::register_proofs();

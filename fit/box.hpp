@@ -14,7 +14,7 @@ namespace shadefit {
 /// The end of [0, 1] from which a cosine is measured. A lobe of exponent 1e6 lives within 1 - c = 1e-5, and a
 /// power of c turns within any c, however small: near either end a double holds the distance from it, not c
 /// and 1 - c both. The sides meet at c = 1/2, which both hold.
-enum class Side {
+enum class Origin {
   horizon,  ///< the distance is c, up to 1/2
   peak,     ///< the distance is 1 - c, up to 1/2
 };
@@ -22,15 +22,15 @@ enum class Side {
 inline constexpr double half_way = 0.5;
 
 /// One place, exactly.
-struct Place {
-  Side side = Side::peak;
+struct ExactPlace {
+  Origin side = Origin::peak;
   double distance = 0;
-  bool operator==(const Place&) const = default;
+  bool operator==(const ExactPlace&) const = default;
 };
 
 /// The places between two distances from one side.
 struct Box {
-  Side side = Side::peak;
+  Origin side = Origin::peak;
   double lower = 0;
   double upper = 0;
   bool operator==(const Box&) const = default;
@@ -38,28 +38,29 @@ struct Box {
 
 /// The cosine at a distance from a side, in any scalar.
 template <class T>
-Cosine<T> cosine_at(Side side, const T& distance) {
+Cosine<T> cosine_at(Origin side, const T& distance) {
   const T rest = integer<T>(1) - distance;
-  return side == Side::peak ? Cosine<T>{rest, distance} : Cosine<T>{distance, rest};
+  return side == Origin::peak ? Cosine<T>{rest, distance} : Cosine<T>{distance, rest};
 }
 
 /// The place nearest to a cosine, from the side on which it lies.
-inline Place place_of(const Cosine<double>& c) {
-  return c.one_minus_cos <= half_way ? Place{Side::peak, c.one_minus_cos} : Place{Side::horizon, c.cos_theta};
+inline ExactPlace place_of(const Cosine<double>& c) {
+  return c.one_minus_cos <= half_way ? ExactPlace{Origin::peak, c.one_minus_cos}
+                                     : ExactPlace{Origin::horizon, c.cos_theta};
 }
 
 /// A domain as one or two boxes. 1 - c of a double c in [1/2, 1] is exact, so the boxes are the domain.
 inline std::vector<Box> boxes_of(const Domain& domain) {
   std::vector<Box> boxes;
   if (domain.lower < half_way)
-    boxes.push_back({Side::horizon, domain.lower, std::min(domain.upper, half_way)});
+    boxes.push_back({Origin::horizon, domain.lower, std::min(domain.upper, half_way)});
   if (domain.upper > half_way)
-    boxes.push_back({Side::peak, 1 - domain.upper, std::min(1 - domain.lower, half_way)});
+    boxes.push_back({Origin::peak, 1 - domain.upper, std::min(1 - domain.lower, half_way)});
   return boxes;
 }
 
 /// Whether a place lies in one of the boxes.
-inline bool is_inside(const Place& place, const std::vector<Box>& boxes) {
+inline bool is_inside(const ExactPlace& place, const std::vector<Box>& boxes) {
   return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
     return box.side == place.side && box.lower <= place.distance && place.distance <= box.upper;
   });

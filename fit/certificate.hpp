@@ -14,16 +14,6 @@
 /// it.
 namespace shadefit {
 
-/// Which error of a form is bounded.
-enum class ErrorKind {
-  absolute,  ///< form - target
-  relative,  ///< of what the family's `relative_to` says
-};
-
-constexpr std::string_view name(ErrorKind kind) {
-  return kind == ErrorKind::absolute ? "absolute" : "relative";
-}
-
 /// What a proof is about: one form with its constants, and where.
 struct Subject {
   std::string family;
@@ -31,7 +21,7 @@ struct Subject {
   /// which no double need be and which the proof encloses; or, of a fit, a hexadecimal double.
   std::vector<std::pair<std::string, std::string>> parameters = {};
   Setting setting = {};
-  ErrorKind error = ErrorKind::absolute;
+  Error error = Error::absolute;
   Domain domain = {};
   bool operator==(const Subject&) const = default;
 };
@@ -68,7 +58,7 @@ struct Certificate {
   std::string target, form;  ///< the formulas as they print themselves
   double lower = 0;
   double upper = 0;
-  Place attained;           ///< here |error| >= lower
+  ExactPlace attained;      ///< here |error| >= lower
   std::vector<Box> places;  ///< outside of these |error| <= lower; by rising cosine
   /// The domain cut into boxes: the distances of their ends from either side, rising, each the end of one box
   /// and the start of the next. On each box |error| <= upper.
@@ -102,7 +92,7 @@ Domain cosines_of(const Box& box);
 Certified certify(const Subject& subject, double width);
 
 /// The subject of a fit, its parameters exact.
-Subject subject_of(const Fit& fit, ErrorKind error = ErrorKind::absolute);
+Subject subject_of(const Fit& fit, Error error = Error::absolute);
 
 /// Checks a certificate again, by evaluations of the formula on its boxes alone. Empty where all that it says
 /// holds, else the reason to refuse it, a line.

@@ -40,7 +40,7 @@ auto visit_formula(const Subject& subject, const Visitor& visitor) {
       p[i] = enclosed_constant(subject.parameters.at(i).second).value();
     const auto form = at_parameters(
         family, p, [](const F& f, const auto& sample, const auto& q) { return f.form(sample, q); });
-    if (subject.error == ErrorKind::relative) {
+    if (subject.error == Error::relative) {
       const auto error = at_parameters(family, p, [](const F& f, const auto& sample, const auto& q) {
         return f.relative_error(sample, q);
       });

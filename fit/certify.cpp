@@ -36,7 +36,7 @@ void require_parameters(const FittableFamily& family, const Subject& subject) {
 /// Where the error has a meaning; of a double end, the double.
 template <class F>
 Domain narrowed(const F& family, const Subject& subject) {
-  if (subject.error == ErrorKind::absolute) return subject.domain;
+  if (subject.error == Error::absolute) return subject.domain;
   const auto end = family.relative_end();
   const double lower = end ? std::max(subject.domain.lower, end->cos_theta) : subject.domain.upper;
   if (!(lower < subject.domain.upper))
@@ -48,18 +48,18 @@ Domain narrowed(const F& family, const Subject& subject) {
 /// Where a search in plain doubles sees the largest error. Nothing rests on it but how soon the proof is
 /// done.
 template <class F>
-std::optional<Place> probable_place(const FittableFamily& family, const F&, const Subject& subject) {
+std::optional<ExactPlace> probable_place(const FittableFamily& family, const F&, const Subject& subject) {
   std::vector<double> parameters;
   for (const auto& [name, text] : subject.parameters)
     parameters.push_back(upper_end(enclosed_constant(text).value()));
-  if (subject.error == ErrorKind::absolute)
+  if (subject.error == Error::absolute)
     return place_of(family.max_abs_error(subject.setting, subject.domain, parameters).at);
   const auto found = family.max_rel_error(subject.setting, subject.domain, parameters);
   return found ? std::optional(place_of(found->at)) : std::nullopt;
 }
 
 /// The ends of the boxes of one side, rising.
-std::vector<double> ends_of(const std::vector<Box>& boxes, Side side) {
+std::vector<double> ends_of(const std::vector<Box>& boxes, Origin side) {
   std::vector<double> ends;
   for (const Box& box : boxes) {
     if (box.side != side) continue;
@@ -74,7 +74,7 @@ std::vector<double> ends_of(const std::vector<Box>& boxes, Side side) {
 }  // namespace
 
 Domain cosines_of(const Box& box) {
-  if (box.side == Side::horizon) return {box.lower, box.upper};
+  if (box.side == Origin::horizon) return {box.lower, box.upper};
   const Interval one(1);
   return {lower_end(one - Interval(box.upper)), upper_end(one - Interval(box.lower))};
 }
@@ -108,14 +108,14 @@ Certified certify(const Subject& asked, double width) {
     certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
                          .is_non_negative = result.curve.non_negative == Proof::proven,
                          .is_at_most_one = result.curve.at_most_one == Proof::proven};
-    certificate.horizon = ends_of(boxes, Side::horizon);
-    certificate.peak = ends_of(boxes, Side::peak);
+    certificate.horizon = ends_of(boxes, Origin::horizon);
+    certificate.peak = ends_of(boxes, Origin::peak);
     result.is_reached = found.is_reached;
     return result;
   });
 }
 
-Subject subject_of(const Fit& fit, ErrorKind error) {
+Subject subject_of(const Fit& fit, Error error) {
   Subject subject{.family = std::string(fit.family->id),
                   .parameters = {},
                   .setting = setting_of(fit),

@@ -18,7 +18,7 @@ template <class Form>
 ceres::Jet<Interval, 1> form_on(const Form& form, const Box& box) {
   using Jet = ceres::Jet<Interval, 1>;
   Jet value = form(cosine_at(box.side, Jet(span_of(box.lower, box.upper), 0)));
-  if (box.side == Side::horizon) value.v[0] = -value.v[0];
+  if (box.side == Origin::horizon) value.v[0] = -value.v[0];
   return value;
 }
 
@@ -41,7 +41,7 @@ Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const
     }
     if (done.size() + open.size() >= most || !(box.lower < centre && centre < box.upper)) return Proof::open;
     const Box low{box.side, box.lower, centre}, high{box.side, centre, box.upper};
-    const bool is_rising = box.side == Side::horizon;  // in the cosine, the order of all boxes
+    const bool is_rising = box.side == Origin::horizon;  // in the cosine, the order of all boxes
     open.push_back(is_rising ? high : low);
     open.push_back(is_rising ? low : high);
   }

@@ -197,10 +197,10 @@ void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, d
   candidate.status = Status::not_converged;
 }
 
-/// The optimum on few nodes, if all three starts lead to it; else the status says why not. The Hessian that
-/// led the first one serves the other starts, and the larger rules after them.
+/// The optimum on few nodes, if all of the family's starts that are asked lead to it; else the status says
+/// why not. The Hessian that led the first one serves the other starts, and the larger rules after them.
 template <class F>
-auto common_optimum(const F& family, const SampledProblem<F, double>& problem) {
+auto common_optimum(const F& family, const SampledProblem<F, double>& problem, std::size_t asked = 3) {
   constexpr int N = SampledProblem<F, double>::N;
   const auto starts = family.starts();
   Candidate<N> common{.parameters = starts[0]};
@@ -220,8 +220,8 @@ auto common_optimum(const F& family, const SampledProblem<F, double>& problem) {
   common = descend(common);
   if (common.status != Status::converged) return common;
   const auto first = common;
-  for (const auto& start : {starts[1], starts[2]}) {
-    const auto candidate = descend({.parameters = start, .hessian = first.hessian});
+  for (std::size_t i = 1; i < asked; ++i) {
+    const auto candidate = descend({.parameters = starts[i], .hessian = first.hessian});
     if (candidate.status != Status::converged) {
       common.status = candidate.status;
     } else if (distance(candidate.parameters, first.parameters) > same_optimum &&

@@ -23,16 +23,16 @@ inline constexpr double least_width = 1e-15;
 inline constexpr int most_boxes = 20000;
 
 struct EnclosureOptions {
-  double width = usual_width;      ///< relative to the largest magnitude
-  std::optional<Place> hint = {};  ///< where it probably is: a good lower bound from the start
-  int boxes = most_boxes;          ///< the search gives up when it has as many
+  double width = usual_width;           ///< relative to the largest magnitude
+  std::optional<ExactPlace> hint = {};  ///< where it probably is: a good lower bound from the start
+  int boxes = most_boxes;               ///< the search gives up when it has as many
 };
 
 /// max |f| lies in [lower, upper].
 struct Enclosure {
   double lower = 0;
   double upper = 0;
-  Place attained;           ///< here |f| >= lower
+  ExactPlace attained;      ///< here |f| >= lower
   std::vector<Box> places;  ///< outside of these |f| <= lower; by rising cosine
   std::vector<Box> boxes;   ///< all that the domain was cut into, by rising cosine; on each |f| <= upper
   bool is_reached = false;  ///< the width that was asked for
@@ -92,7 +92,7 @@ class LargestSearch {
   }
 
   /// f at a place, which may raise the lower bound.
-  Interval raise(const Place& place) {
+  Interval raise(const ExactPlace& place) {
     const Interval value = f_(cosine_at(place.side, Interval(place.distance)));
     const double magnitude = smallest_magnitude_in(value);
     if (magnitude > lower_) {
@@ -111,8 +111,8 @@ class LargestSearch {
     std::vector<BoundedBox> all;
     for (; !boxes_.empty(); boxes_.pop()) all.push_back(boxes_.top());
     std::sort(all.begin(), all.end(), [](const BoundedBox& a, const BoundedBox& b) {
-      if (a.box.side != b.box.side) return a.box.side == Side::horizon;
-      return (a.box.side == Side::horizon) == (a.box.lower < b.box.lower);
+      if (a.box.side != b.box.side) return a.box.side == Origin::horizon;
+      return (a.box.side == Origin::horizon) == (a.box.lower < b.box.lower);
     });
     for (const auto& [box, bound] : all) {
       result.boxes.push_back(box);
@@ -145,7 +145,7 @@ class LargestSearch {
   EnclosureOptions options_;
   std::priority_queue<BoundedBox> boxes_;
   double lower_ = 0;
-  Place attained_;
+  ExactPlace attained_;
 };
 
 /// Encloses max |f| over a domain: see `Enclosure`. `is_reached` is false where f is not bounded, or too

@@ -6,6 +6,7 @@
 #include <concepts>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -61,14 +62,15 @@ struct LobeSample {
 template <>
 struct LobeSample<long double> {
   long double variable;
-  CommonFactor<long double> target;
+  CommonFactor<long double> base;
   long double log_ratio;
+  CommonFactor<long double> target;
 };
 
 template <class T>
 LobeSample<T> lobe_sample(const T& variable, const CommonFactor<T>& base, const T& log_ratio) {
   if constexpr (std::same_as<T, long double>) {
-    return {variable, base * exp(lift<CommonFactor<T>>(log_ratio)), log_ratio};
+    return {variable, base, log_ratio, base * exp(lift<CommonFactor<T>>(log_ratio))};
   } else {
     return {variable, base, log_ratio, expm1(log_ratio)};
   }
@@ -79,7 +81,7 @@ LobeSample<T> lobe_sample(const T& variable, const CommonFactor<T>& base, const 
 template <class Formulas>
 struct LobeFamily {
   static constexpr std::array<std::string_view, 1> parameters{"x"};
-  static std::string_view relative_to() { return "target >= 1/255"; }
+  static std::string relative_to() { return "target >= 1/255"; }
 
   double exponent;
 
@@ -107,6 +109,8 @@ struct LobeFamily {
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, 1>& p) const {
     if constexpr (std::same_as<T, long double>) {
+      // At c = 0 the target is 0, and the error is the form.
+      if (s.target == 0) return form(s, p);
       return lift<P>(s.target) * lobe_relative_error(change(s, p), lift<P>(s.log_ratio));
     } else {
       return lobe_error(lift<P>(s.base), change(s, p), lift<P>(s.ratio_minus_one));
@@ -120,7 +124,7 @@ struct LobeFamily {
 
   std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
 
- private:
+ protected:
   template <class T, class P>
   static P change(const Sample<T>& s, const std::array<P, 1>& p) {
     return (p[0] - integer<P>(Formulas::origin)) * lift<P>(s.variable);
@@ -168,6 +172,44 @@ struct SgOffset : LobeFamily<GaussianFormulas> {
   }
 };
 
+/// c^k by A exp((k+x)(c-1)).
+struct SgScaled : LobeFamily<GaussianFormulas> {
+  static constexpr const Family& info = sg_scaled;
+  static constexpr std::array<std::string_view, 2> parameters{"A", "x"};
+
+  template <class T>
+  static T form_of(const T& cos_theta, const T& exponent, const std::array<T, 2>& p) {
+    return scaled_gaussian_lobe(cos_theta, exponent, p[0], p[1]);
+  }
+
+  template <class T, class P>
+  P form(const Sample<T>& s, const std::array<P, 2>& p) const {
+    return p[0] * LobeFamily::form(s, std::array{p[1]});
+  }
+
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, 2>& p) const {
+    if constexpr (std::same_as<T, long double>) {
+      if (s.target == 0) return form(s, p);
+      return lift<P>(s.target) * relative_error(s, p);
+    } else {
+      return scaled_lobe_error(lift<P>(s.base), p[0], change(s, std::array{p[1]}),
+                               lift<P>(s.ratio_minus_one));
+    }
+  }
+
+  template <class T, class P>
+  P relative_error(const Sample<T>& s, const std::array<P, 2>& p) const {
+    return scaled_lobe_relative_error(p[0], change(s, std::array{p[1]}), lift<P>(s.log_ratio));
+  }
+
+  /// The scale is near 1; the offset as without it.
+  std::array<std::array<double, 2>, 3> starts() const {
+    const double scale = std::min(1.0, exponent);
+    return {{{1, 0.75 * scale}, {1 - 0.125 * scale, 0.25 * scale}, {1 + 0.125 * scale, 1.25 * scale}}};
+  }
+};
+
 /// cos^rho(theta) by cos^(x rho)(theta/2).
 struct PhongBlinn : LobeFamily<BlinnFormulas> {
   static constexpr const Family& info = phong_blinn;
@@ -185,8 +227,8 @@ struct PhongBlinn : LobeFamily<BlinnFormulas> {
   }
 };
 
-/// The weight of a surface's reflectance, (1-c)^5 where it is none in particular, by a form of one exp2: what
-/// the two Fresnel families share.
+/// The weight of a surface's reflectance, (1-c)^5 where it is none in particular, by a form: what the Fresnel
+/// families share.
 template <class Form, int N>
 struct FresnelFamily {
   /// Errors are those of the reflectance F = f0 + (1 - f0) f; where the surface is none in particular,
@@ -202,8 +244,9 @@ struct FresnelFamily {
     return Form::evaluate(cos_theta, p);
   }
 
-  std::string_view relative_to() const {
-    if (!surface.is_named()) return "F = f0 + (1 - f0) f, f0 = 0.04";
+  std::string relative_to() const {
+    if (!surface.is_named())
+      return "F = f0 + (1 - f0) f, f0 = " + (surface.f0 ? to_text(*surface.f0) : std::string(reference_f0));
     return surface.is_exact() ? "the exact F" : "Schlick's F, f0 of the surface";
   }
 
@@ -234,12 +277,12 @@ struct FresnelFamily {
     return surface.is_named() ? (integer<P>(1) - normal_reflectance<P>(surface)) * difference : difference;
   }
 
-  /// (Fhat - F)/F: what a shader's reader sees.
+  /// (Fhat - F)/F = (1 - f0)/F (form - target): what a shader's reader sees.
   template <class T, class P>
   P relative_error(const Sample<T>& s, const std::array<P, N>& p) const {
-    const P f0 = normal_reflectance<P>(surface);
-    const P target = schlick_reflectance(f0, lift<P>(s.target));
-    return (schlick_reflectance(f0, form(s, p)) - target) / target;
+    const T f0 = normal_reflectance<T>(surface);
+    const T scale = (integer<T>(1) - f0) / schlick_reflectance(f0, s.target);
+    return lift<P>(scale) * (form(s, p) - lift<P>(s.target));
   }
 
   static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
@@ -282,7 +325,84 @@ struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   }
 };
 
-/// Every family, in the order of the report.
-using Families = std::tuple<SgOffset, FresnelOneTerm, FresnelQuadratic, PhongBlinn>;
+struct CubicForm {
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 3>& p) {
+    return fresnel_cubic(c, p[0], p[1], p[2]);
+  }
+};
+
+struct QuarticForm {
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 4>& p) {
+    return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
+  }
+};
+
+struct FourthForm {
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_fourth(c, p[0]);
+  }
+};
+
+struct SquareForm {
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 2>& p) {
+    return fresnel_square(c, p[0], p[1]);
+  }
+};
+
+struct RationalForm {
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_rational(c, p[0]);
+  }
+};
+
+/// The same by exp2(((a c + b) c + d) c); the starts are those of the quadratic, and beside them.
+struct FresnelCubic : FresnelFamily<CubicForm, 3> {
+  static constexpr const Family& info = fresnel_cubic_family;
+  static constexpr std::array<std::string_view, 3> parameters{"a", "b", "d"};
+  std::array<std::array<double, 3>, 3> starts() const {
+    const double d = half_sharpness(), b = d * d;
+    return {{{-b / 8, -b / 8, -d}, {b / 8, -b / 8, -d}, {-b / 8, -b / 4, -d / 2}}};
+  }
+};
+
+/// The same by exp2((((a c + b) c + d) c + g) c).
+struct FresnelQuartic : FresnelFamily<QuarticForm, 4> {
+  static constexpr const Family& info = fresnel_quartic_family;
+  static constexpr std::array<std::string_view, 4> parameters{"a", "b", "d", "g"};
+  std::array<std::array<double, 4>, 3> starts() const {
+    const double g = half_sharpness(), d = g * g;
+    return {{{-d / 16, -d / 16, -d / 8, -g}, {d / 16, -d / 8, -d / 8, -g}, {-d / 8, d / 16, -d / 8, -g}}};
+  }
+};
+
+/// The same by s (1-c)^4.
+struct FresnelFourth : FresnelFamily<FourthForm, 1> {
+  static constexpr const Family& info = fresnel_fourth_family;
+  static constexpr std::array<std::string_view, 1> parameters{"s"};
+  static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
+};
+
+/// The same by (1-c)^2 (1 + (a c + b) c).
+struct FresnelSquare : FresnelFamily<SquareForm, 2> {
+  static constexpr const Family& info = fresnel_square_family;
+  static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
+  static std::array<std::array<double, 2>, 3> starts() { return {{{1, -1}, {2, -3}, {4, -4}}}; }
+};
+
+/// The same by (1-c)^4/(1 + a c).
+struct FresnelRational : FresnelFamily<RationalForm, 1> {
+  static constexpr const Family& info = fresnel_rational_family;
+  static constexpr std::array<std::string_view, 1> parameters{"a"};
+  static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
+};
+
+/// Every family, in the order of the report; those of comparison come last.
+using Families = std::tuple<SgOffset, FresnelOneTerm, FresnelQuadratic, PhongBlinn, SgScaled, FresnelCubic,
+                            FresnelQuartic, FresnelFourth, FresnelSquare, FresnelRational>;
 
 }  // namespace shadefit

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "fit/family_visit.hpp"
+#include "fit/solve.hpp"
 
 namespace shadefit {
 namespace {
@@ -57,14 +59,51 @@ std::optional<Extremum> max_rel_error(const Setting& setting, const Domain& doma
 }
 
 template <class F>
+std::optional<Domain> relative_domain(const Setting& setting, const Domain& domain) {
+  const auto ends = relative_ends(make_family<F>(setting), domain);
+  return ends ? std::optional(Domain{ends->second.cos_theta, domain.upper}) : std::nullopt;
+}
+
+bool is_plain(const Metric& metric) {
+  return metric.norm == Norm::least_squares && metric.error == Error::absolute && metric.weight.empty() &&
+         metric.constraints.held.empty();
+}
+
+/// Upper and lower end of the places that count under a metric; empty where its error has a meaning nowhere.
+template <class F>
+std::optional<std::pair<Cosine<double>, Cosine<double>>> ends_under(const F& family, const Metric& metric) {
+  if (metric.error == Error::relative) return relative_ends(family, metric.domain);
+  return std::pair(Cosine<double>{metric.domain.upper, 1 - metric.domain.upper},
+                   Cosine<double>{metric.domain.lower, 1 - metric.domain.lower});
+}
+
+template <class F>
+double objective(const Setting& setting, const Metric& metric, std::span<const double> parameters) {
+  const auto family = make_family<F>(setting);
+  const auto ends = ends_under(family, metric);
+  if (!ends) return std::numeric_limits<double>::quiet_NaN();
+  return objective_at(family, metric, ends->first, ends->second, parameter_array<F>(parameters));
+}
+
+template <class F>
+Solution solve(const F& family, const Metric& metric) {
+  if (is_plain(metric)) return solve_plain(family, metric);
+  if (const auto ends = ends_under(family, metric))
+    return solve_under(family, metric, ends->first, ends->second);
+  return {.parameters = std::vector<double>(F::parameters.size()),
+          .status = Status::not_finite,
+          .why = "a relative error has no meaning on this domain"};
+}
+
+template <class F>
 Fit fit(const Setting& setting, const Metric& metric) {
   const auto family = make_family<F>(setting);
-  const auto optimum = solve_least_squares(family, metric);
+  const Solution optimum = solve(family, metric);
   Fit result{.family = &F::info,
              .exponent = F::info.sweep.empty() ? std::nullopt : std::optional(setting.exponent),
              .surface = is_fresnel_family<F>() ? setting.surface : Surface{},
              .metric = metric,
-             .parameters = {optimum.parameters.begin(), optimum.parameters.end()},
+             .parameters = optimum.parameters,
              .status = optimum.status,
              .iterations = optimum.iterations,
              .digits = optimum.digits,
@@ -72,7 +111,10 @@ Fit fit(const Setting& setting, const Metric& metric) {
              .max_abs_error = {},
              .max_rel_error = std::nullopt,
              .relative_domain = {},
-             .relative_to = family.relative_to()};
+             .relative_to = family.relative_to(),
+             .level = optimum.level,
+             .alternation = optimum.alternation,
+             .why = optimum.why};
   if (result.status == Status::converged) {
     result.max_abs_error = max_abs_error<F>(setting, metric.domain, result.parameters);
     result.max_rel_error = max_rel_error<F>(setting, metric.domain, result.parameters);
@@ -125,9 +167,9 @@ constexpr auto reflectance_error_of() -> ReflectanceError (*)(const Surface&, st
 }
 
 template <class F>
-constexpr FittableFamily entry{F::info,           F::parameters,     &fit<F>,
-                               &max_abs_error<F>, &max_rel_error<F>, &effect<F>,
-                               &target<F>,        &form<F>,          reflectance_error_of<F>()};
+constexpr FittableFamily entry{
+    F::info,       F::parameters, &fit<F>,  &max_abs_error<F>,         &max_rel_error<F>,  &effect<F>,
+    &objective<F>, &target<F>,    &form<F>, reflectance_error_of<F>(), &relative_domain<F>};
 
 }  // namespace
 

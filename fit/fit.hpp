@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "approx/record.hpp"
+#include "fit/alternation.hpp"
 #include "fit/effect.hpp"
 #include "fit/exact_fresnel.hpp"
 #include "fit/extremum.hpp"
@@ -38,11 +40,15 @@ struct Fit {
   Status status;
   int iterations;                         ///< Ceres and Newton steps together
   int digits;                             ///< correct digits of the worst parameter, at most 14
-  double rms_error;                       ///< sqrt(integral of measure * error^2 / integral of measure)
+  double rms_error;                       ///< sqrt(integral of measure * error^2 / integral of measure), the
+                                          ///< error as the metric says, with its weight
   Extremum max_abs_error;                 ///< of form - target
   std::optional<Extremum> max_rel_error;  ///< of what `relative_to` says; empty where that has no meaning
   Domain relative_domain;                 ///< where it was looked for
-  std::string_view relative_to;
+  std::string relative_to;
+  std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest weight * |error|
+  std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit
+  std::string why = {};  ///< of a fit that did not converge, where its status does not say it all
 };
 
 /// A family behind plain functions; parameters are in the order of `parameters`.
@@ -53,12 +59,17 @@ struct FittableFamily {
   Extremum (*max_abs_error)(const Setting&, const Domain&, std::span<const double> parameters);
   std::optional<Extremum> (*max_rel_error)(const Setting&, const Domain&, std::span<const double> parameters);
   Effect (*effect)(const Setting&, const Domain&, std::span<const double> from, std::span<const double> to);
+  /// What the metric makes least, at given parameters: the rms error, or the largest weight * |error|.
+  double (*objective)(const Setting&, const Metric&, std::span<const double> parameters);
 
   Symbolic (*target)();  ///< of the cosine c and the exponent k
   Symbolic (*form)();    ///< and of the parameters
 
   /// Of a Fresnel form, how far it is from its target on a surface; null for others.
   ReflectanceError (*reflectance_error)(const Surface&, std::span<const double> parameters) = nullptr;
+
+  /// The part of a domain in which a relative error has a meaning; empty where there is none.
+  std::optional<Domain> (*relative_domain)(const Setting&, const Domain&) = nullptr;
 
   bool is_fresnel() const { return reflectance_error != nullptr; }
 

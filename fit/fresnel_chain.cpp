@@ -1,9 +1,9 @@
 #include "fit/fresnel_chain.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "approx/catalogue.hpp"
+#include "fit/published_curve.hpp"
 
 namespace shadefit {
 namespace {
@@ -48,21 +48,6 @@ void append_links(std::vector<FresnelLink>& chain, const OpticalConstants& const
 }
 
 }  // namespace
-
-std::vector<double> published_parameters(const FittableFamily& family, const Published& published) {
-  std::vector<double> parameters;
-  for (const std::string_view parameter : family.parameters) {
-    const auto found =
-        std::find_if(published_constants.begin(), published_constants.end(), [&](const Published& other) {
-          return other.family == published.family && other.parameter == parameter &&
-                 other.source.place == published.source.place && other.statement == published.statement &&
-                 other.convention.name == published.convention.name;
-        });
-    if (found == published_constants.end()) throw std::logic_error("a published curve lacks a parameter");
-    parameters.push_back(constant<double>(found->printed));
-  }
-  return parameters;
-}
 
 std::vector<FresnelLink> fresnel_chain(const std::vector<const FittableFamily*>& families) {
   std::vector<FresnelLink> chain;

@@ -27,8 +27,4 @@ struct FresnelLink {
 /// its form refitted to the exact reflectance (least squares in F, uniform in the cosine).
 std::vector<FresnelLink> fresnel_chain(const std::vector<const FittableFamily*>& families);
 
-/// The parameters that the published curve of that number has: those that the same source prints together. In
-/// the order of the family's names.
-std::vector<double> published_parameters(const FittableFamily& family, const Published& published);
-
 }  // namespace shadefit

@@ -20,23 +20,6 @@ std::optional<double> fitted(FitCache& fits, double exponent, const Metric& metr
   return fit.status == Status::converged ? std::optional(fit.parameters[parameter]) : std::nullopt;
 }
 
-/// The value that a published number states, computed under a metric.
-std::optional<double> computed_value(FitCache& fits, const Published& published, const Metric& metric) {
-  const std::size_t parameter = parameter_index(fits.family(), published.parameter);
-  if (published.statement == Statement::limit_of_fits) {
-    const auto law = extrapolate(fits, metric, parameter);
-    return law ? std::optional(law->limit) : std::nullopt;
-  }
-  const auto exponents = exponents_of(published);
-  double sum = 0;
-  for (const double exponent : exponents) {
-    const auto value = fitted(fits, exponent, metric, parameter);
-    if (!value) return std::nullopt;
-    sum += *value;
-  }
-  return sum / static_cast<double>(exponents.size());
-}
-
 /// The largest effect over the exponents of the published number; other parameters stay as fitted. Numbers
 /// that agree to the ten digits that a report shows have no effect: what is left of them is rounding.
 Effect effect_of_replacing(FitCache& fits, const Published& published, const Metric& metric,
@@ -44,12 +27,13 @@ Effect effect_of_replacing(FitCache& fits, const Published& published, const Met
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
   Effect worst;
   if (std::abs(constant<double>(published.printed) - computed) < 1e-10 * std::abs(computed)) return worst;
+  const bool has_exponent = fits.family().has_exponent();
   for (const double exponent : exponents_of(published)) {
     auto from = fits.at(exponent, metric).parameters, to = from;
     from[parameter] = constant<double>(published.printed);
     to[parameter] = computed;
-    const Effect effect = fits.family().effect(exponent, metric.domain, from, to);
-    if (effect.absolute.magnitude >= worst.absolute.magnitude) worst = effect;
+    worst.include(fits.family().effect(exponent, metric.domain, from, to),
+                  has_exponent ? Coordinate{"k = ", exponent} : Coordinate{});
   }
   return worst;
 }
@@ -67,6 +51,22 @@ const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
   const auto found = fits_.find(key);
   return found != fits_.end() ? found->second
                               : fits_.emplace(key, family_.fit(setting, metric)).first->second;
+}
+
+std::optional<double> computed_value(FitCache& fits, const Published& published, const Metric& metric) {
+  const std::size_t parameter = parameter_index(fits.family(), published.parameter);
+  if (published.statement == Statement::limit_of_fits) {
+    const auto law = extrapolate(fits, metric, parameter);
+    return law ? std::optional(law->limit) : std::nullopt;
+  }
+  const auto exponents = exponents_of(published);
+  double sum = 0;
+  for (const double exponent : exponents) {
+    const auto value = fitted(fits, exponent, metric, parameter);
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
+  return sum / static_cast<double>(exponents.size());
 }
 
 std::vector<double> exponents_of(const Published& published) {
@@ -167,14 +167,6 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>
     }
   }
   return reports;
-}
-
-std::vector<const Published*> numbers_of(const Family& family) {
-  std::vector<const Published*> numbers;
-  for (const Published& published : published_constants) {
-    if (published.family == family.id) numbers.push_back(&published);
-  }
-  return numbers;
 }
 
 std::vector<double> exponents_needed_by(const Published& published, const Family& family) {

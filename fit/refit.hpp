@@ -11,6 +11,7 @@
 #include "approx/record.hpp"
 #include "fit/checkpoint.hpp"
 #include "fit/fit.hpp"
+#include "fit/published_curve.hpp"
 #include "fit/verdict.hpp"
 
 /// Refitting a family: its exponents under each measure, and what that says of the published numbers.
@@ -64,15 +65,16 @@ std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>
                                       std::span<const Metric> under,
                                       const Checkpoint& checkpoint = keep_going);
 
-/// Every number published for the family.
-std::vector<const Published*> numbers_of(const Family& family);
-
 /// What there is to say of a family: the exponents and those that the `numbers` were published for, in rising
 /// order, and the means and limits of fits among the numbers. The checkpoint is called before each fit and
 /// each mean or limit.
 Refit refit(const FittableFamily& family, std::vector<double> exponents,
             std::vector<const Published*> numbers, std::span<const Metric> under,
             const Checkpoint& checkpoint = keep_going);
+
+/// The value that a published number states, computed under a metric. Empty where a fit that it needs did not
+/// converge, or where there is no limit.
+std::optional<double> computed_value(FitCache& fits, const Published& published, const Metric& metric);
 
 /// Judges one published number of the cache's family: the value under `metric`, against the other measures
 /// and the record's own convention. Empty where a fit that the value needs did not converge.

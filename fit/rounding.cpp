@@ -1,7 +1,6 @@
 #include "fit/rounding.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "approx/encoding.hpp"
@@ -17,18 +16,12 @@ namespace {
 
 /// The cosines at which the error has a meaning.
 template <class F>
-Domain domain_of(const F& family, const Domain& domain, ErrorKind kind) {
-  if (kind == ErrorKind::absolute) return domain;
+Domain domain_of(const F& family, const Domain& domain, Error kind) {
+  if (kind == Error::absolute) return domain;
   const auto end = family.relative_end();
   if (!end || end->cos_theta >= domain.upper)
     throw UserError("a relative error has no meaning on this domain: the target vanishes there");
   return {std::max(domain.lower, end->cos_theta), domain.upper};
-}
-
-/// The shortest decimal that reads back as a double.
-std::string shortest(double value) {
-  std::array<char, 40> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }
 
 /// The least decimal digits that read back as a number of the lattice.
@@ -69,15 +62,27 @@ LatticePoint<N> rounded_point(const Lattice& lattice, const FittableFamily& fami
   return point;
 }
 
+/// The largest error is searched as it is, and the form as it comes.
+void require_no_more(const Metric& metric, const NumberFormat& format) {
+  const auto refuse = [&](bool is_there, const char* option) {
+    if (is_there) throw UserError("--round '" + to_text(format) + "' does not apply with " + option);
+  };
+  refuse(!metric.weight.empty(), "--weight: the largest error is searched without one");
+  refuse(!metric.constraints.exact_at.empty(), "--exact-at: rounding would break it");
+  refuse(metric.constraints.one_sided.has_value(), "--one-sided: rounding would break it");
+  refuse(metric.constraints.at_most.has_value(), "--at-most: rounding would break it");
+  refuse(metric.constraints.at_least.has_value(), "--at-least: rounding would break it");
+}
+
 /// An exponent is a constant of the form too.
 template <class Format>
 void require_exponent(const FittableFamily& family, double exponent, const NumberFormat& format) {
   if (!family.has_exponent()) return;
   const double rounded = static_cast<double>(NarrowResult<Format>::rounded(exponent));
   if (rounded == exponent) return;
-  throw UserError("--exponent '" + shortest(exponent) + "' is no number of " + to_text(format) +
-                  (std::isfinite(rounded) ? ": the nearest is " + shortest(rounded)
-                                          : ": the largest is " + shortest(largest_of<Format>)));
+  throw UserError("--exponent '" + to_text(exponent) + "' is no number of " + to_text(format) +
+                  (std::isfinite(rounded) ? ": the nearest is " + to_text(rounded)
+                                          : ": the largest is " + to_text(largest_of<Format>)));
 }
 
 template <std::size_t N, class Lattice>
@@ -121,7 +126,7 @@ RoundedConstants assessed(const NarrowProblem<F, Format>& problem, const F& fami
 
 /// A bound of scale * |computed - real| of a form over a domain.
 template <class F>
-double rounding_bound(const F& family, ErrorKind kind, const Domain& domain,
+double rounding_bound(const F& family, Error kind, const Domain& domain,
                       const std::array<double, F::parameters.size()>& parameters, const Rounding& rounding) {
   const auto error = [&](const Cosine<Interval>& c) {
     std::array<RunningError, F::parameters.size()> p;
@@ -138,7 +143,7 @@ double rounding_bound(const F& family, ErrorKind kind, const Domain& domain,
 template <class F, class Lattice>
 RoundedConstants assessed(const RealProblem<F, Lattice>& problem, const F& family,
                           const LatticePoint<F::parameters.size()>& point, const Setting& setting,
-                          const Domain& domain, ErrorKind kind, bool is_float) {
+                          const Domain& domain, Error kind, bool is_float) {
   RoundedConstants constants = constants_at(problem.lattice(), point);
   const auto p = parameter_array<F>(constants.parameters);
   Subject subject{.family = std::string(F::info.id), .setting = setting, .error = kind, .domain = domain};
@@ -166,10 +171,15 @@ constexpr std::size_t most_dimensions = 2;
 /// Neighbourhoods that a search may move through.
 constexpr int most_moves = 100;
 
+/// Which parameters are given: they stay at the first start.
+template <std::size_t N>
+using GivenPlaces = std::array<bool, N>;
+
 /// All of the lattice, or else neighbourhoods until the best of one is its centre.
 template <class Problem>
 LatticeOptimum<Problem::N> search(Problem& problem, const std::vector<LatticePoint<Problem::N>>& starts,
-                                  long limit, const Checkpoint& checkpoint, Rounded& rounded) {
+                                  const GivenPlaces<Problem::N>& given, long limit,
+                                  const Checkpoint& checkpoint, Rounded& rounded) {
   constexpr std::size_t N = Problem::N;
   const std::int64_t last = problem.lattice().last();
   LatticeOptimum<N> best;
@@ -177,6 +187,9 @@ LatticeOptimum<Problem::N> search(Problem& problem, const std::vector<LatticePoi
     LatticeBox<N> all;
     all.lower.fill(-last);
     all.upper.fill(last);
+    for (std::size_t i = 0; i < N; ++i) {
+      if (given[i]) all.lower[i] = all.upper[i] = starts.front()[i];
+    }
     best = search_lattice<N>(problem, all, starts, limit, checkpoint);
     rounded.boxes = best.boxes;
     rounded.evaluated = best.evaluated;
@@ -194,8 +207,9 @@ LatticeOptimum<Problem::N> search(Problem& problem, const std::vector<LatticePoi
   for (int move = 0; move < most_moves; ++move) {
     LatticeBox<N> box;
     for (std::size_t i = 0; i < N; ++i) {
-      box.lower[i] = std::max(-last, centre[i] - neighbourhood);
-      box.upper[i] = std::min(last, centre[i] + neighbourhood);
+      const std::int64_t steps = given[i] ? 0 : neighbourhood;
+      box.lower[i] = std::max(-last, centre[i] - steps);
+      box.upper[i] = std::min(last, centre[i] + steps);
     }
     best = search_lattice<N>(problem, box, from, limit, checkpoint);
     rounded.boxes += best.boxes;
@@ -218,17 +232,23 @@ void round_with(const Fit& fit, Problem& problem, const std::vector<double>& pub
     return rounded_point<N>(problem.lattice(), family, rounded.format, p);
   };
   std::vector<LatticePoint<N>> starts{point(fit.parameters)};
-  if (!published.empty()) starts.push_back(point(published));
-  const auto best = search(problem, starts, limit, checkpoint, rounded);
+  GivenPlaces<N> given{};
+  for (const Held& held : fit.metric.constraints.held) given[parameter_index(family, held.parameter)] = true;
+  const bool is_free = std::find(given.begin(), given.end(), true) == given.end();
+  if (!published.empty() && is_free) starts.push_back(point(published));
+  const auto best = search(problem, starts, given, limit, checkpoint, rounded);
+  if (!is_free) rounded.searched += ", for the parameters that are not given";
   rounded.naive = assess(starts.front());
-  if (!published.empty()) rounded.published = assess(starts.back());
+  if (!published.empty()) rounded.published = assess(point(published));
   rounded.best = assess(best.point);
 }
 
 }  // namespace
 
 Rounded round_fit(const Fit& fit, const NumberFormat& format, const std::vector<double>& published,
-                  ErrorKind error, const Checkpoint& checkpoint, long limit) {
+                  const Checkpoint& checkpoint, long limit) {
+  require_no_more(fit.metric, format);
+  const Error error = fit.metric.error;
   return visit_family(fit.family->id, [&]<class F>(std::type_identity<F>) {
     const Setting setting = setting_of(fit);
     const F family = make_family<F>(setting);

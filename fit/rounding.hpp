@@ -29,7 +29,7 @@ struct RoundedConstants {
 
 struct Rounded {
   NumberFormat format;
-  ErrorKind error = ErrorKind::absolute;
+  Error error = Error::absolute;
   RoundedConstants best = {};
   RoundedConstants naive = {};                     ///< each parameter of the fit rounded by itself
   std::optional<RoundedConstants> published = {};  ///< the published values rounded
@@ -43,11 +43,11 @@ struct Rounded {
 inline constexpr long most_lattice_boxes = 1000000;
 
 /// Searches all numbers of the format for the parameters whose largest error over the fit's domain is least:
-/// whatever the norm of the fit was. The fit has to have converged; `published` are the parameters' published
-/// values or empty. Throws UserError where a parameter overflows the format, or the exponent is no number of
-/// it.
+/// of the kind, absolute or relative, that the fit's metric names, whatever its norm. Given parameters stay,
+/// rounded. The fit has to have converged; `published` are the parameters' published values or empty. Gives
+/// up after `limit` boxes. Throws UserError where a parameter overflows the format, the exponent is no number
+/// of it, or the metric has a weight, or a constraint on the form, which rounding breaks.
 Rounded round_fit(const Fit& fit, const NumberFormat& format, const std::vector<double>& published,
-                  ErrorKind error = ErrorKind::absolute, const Checkpoint& checkpoint = keep_going,
-                  long limit = most_lattice_boxes);
+                  const Checkpoint& checkpoint = keep_going, long limit = most_lattice_boxes);
 
 }  // namespace shadefit

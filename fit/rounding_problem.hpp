@@ -26,15 +26,15 @@ struct Measured {
 
 /// What the error of a family is at a cosine: see its `error` and `relative_error`.
 template <class F, class T>
-Measured<T> measured_at(const F& family, ErrorKind kind, const Cosine<T>& c) {
+Measured<T> measured_at(const F& family, Error kind, const Cosine<T>& c) {
   const T one = integer<T>(1);
   if constexpr (requires { family.exponent; }) {
     const T target = F::target_of(c.cos_theta, lift<T>(family.exponent));
-    return {target, kind == ErrorKind::relative ? T(one / target) : one};
+    return {target, kind == Error::relative ? T(one / target) : one};
   } else {
     const T target = family.sample(c).target;
     const T f0 = normal_reflectance<T>(family.surface);
-    if (kind == ErrorKind::relative) return {target, T((one - f0) / schlick_reflectance(f0, target))};
+    if (kind == Error::relative) return {target, T((one - f0) / schlick_reflectance(f0, target))};
     return {target, family.surface.is_named() ? T(one - f0) : one};
   }
 }
@@ -121,7 +121,7 @@ class NarrowProblem {
     Input input{};
   };
 
-  NarrowProblem(const F& family, ErrorKind kind, const Domain& domain) : family_(family) {
+  NarrowProblem(const F& family, Error kind, const Domain& domain) : family_(family) {
     auto index = lattice_.nearest(domain.lower);
     if (lattice_.value(index) < domain.lower) ++index;
     for (; lattice_.value(index) <= domain.upper; ++index) {
@@ -207,7 +207,7 @@ class RealProblem {
  public:
   static constexpr std::size_t N = F::parameters.size();
 
-  RealProblem(const F& family, const Setting& setting, ErrorKind kind, const Domain& domain, Lattice lattice)
+  RealProblem(const F& family, const Setting& setting, Error kind, const Domain& domain, Lattice lattice)
       : family_(family), setting_(setting), kind_(kind), domain_(domain), lattice_(lattice) {
     for (int i = 0; i <= first_trials; ++i)
       add_trial(domain.lower + (domain.upper - domain.lower) * i / first_trials);
@@ -226,7 +226,7 @@ class RealProblem {
     std::array<double, N> p;
     for (std::size_t i = 0; i < N; ++i) p[i] = lattice_.value(point[i]);
     const FittableFamily& family = *find_family(F::info.id);
-    const Extremum worst = kind_ == ErrorKind::relative
+    const Extremum worst = kind_ == Error::relative
                                ? family.max_rel_error(setting_, domain_, p).value_or(Extremum{})
                                : family.max_abs_error(setting_, domain_, p);
     if (std::isnan(worst.magnitude)) return unbounded;
@@ -246,7 +246,7 @@ class RealProblem {
 
   F family_;
   Setting setting_;
-  ErrorKind kind_;
+  Error kind_;
   Domain domain_;
   Lattice lattice_;
   Trials trials_;

@@ -10,6 +10,8 @@ enum class Status {
   ambiguous,  ///< the three starts did not meet within `same_optimum` of each other
   not_converged,  ///< no quadrature rule settled the answer, or the gradient is not zero there
   not_finite,     ///< a value was infinite or not a number
+  degenerate,     ///< of minimax: fewer alternation points than parameters + 1 hold the optimum
+  infeasible,     ///< of minimax: no parameters near least squares satisfy the constraints
 };
 
 constexpr std::string_view name(Status status) {
@@ -22,6 +24,10 @@ constexpr std::string_view name(Status status) {
       return "not-converged";
     case Status::not_finite:
       return "not-finite";
+    case Status::degenerate:
+      return "degenerate";
+    case Status::infeasible:
+      return "infeasible";
   }
   return "unknown";
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
+#include <concepts>
 #include <optional>
 #include <string_view>
 
@@ -21,6 +22,9 @@ struct Surface {
   Formula formula = Formula::schlick;
   double ior = 0;         ///< index of refraction, behind over in front; 0: no surface in particular
   double extinction = 0;  ///< 0: a dielectric; above: a conductor
+  /// Of no surface in particular, the reflectance at normal incidence that relative errors are stated for;
+  /// empty: the `reference_f0`.
+  std::optional<double> f0 = std::nullopt;
 
   auto operator<=>(const Surface&) const = default;
 
@@ -30,18 +34,31 @@ struct Surface {
 
 /// The exact formula for an index of refraction and an extinction.
 constexpr Surface exact_surface(double ior, double extinction = 0) {
-  return {Surface::Formula::exact, ior, extinction};
+  return {Surface::Formula::exact, ior, extinction, std::nullopt};
 }
 
 /// Schlick's formula for the same surface.
 constexpr Surface schlick_surface(double ior, double extinction = 0) {
-  return {Surface::Formula::schlick, ior, extinction};
+  return {Surface::Formula::schlick, ior, extinction, std::nullopt};
 }
 
-/// The reflectance at normal incidence, where the surface has none the `reference_f0`.
+/// The `reference_f0`; its text is read once.
+template <class T>
+T reference_reflectance() {
+  if constexpr (std::floating_point<T>) {
+    static const T value = constant<T>(reference_f0);
+    return value;
+  } else if constexpr (requires { typename T::Scalar; }) {
+    return T(reference_reflectance<typename T::Scalar>());
+  } else {
+    return constant<T>(reference_f0);
+  }
+}
+
+/// The reflectance at normal incidence, where the surface has none its f0.
 template <class T>
 T normal_reflectance(const Surface& surface) {
-  if (!surface.is_named()) return constant<T>(reference_f0);
+  if (!surface.is_named()) return surface.f0 ? lift<T>(*surface.f0) : reference_reflectance<T>();
   if (surface.extinction == 0) return reflectance_at_normal(lift<T>(surface.ior));
   return conductor_reflectance_at_normal(lift<T>(surface.ior), lift<T>(surface.extinction));
 }

@@ -14,7 +14,7 @@ namespace {
 using Jet = ceres::Jet<Interval, 1>;
 
 std::string text_of(const Box& box) {
-  return std::string(box.side == Side::peak ? "1 - c" : "c") + " in [" + hex_text(box.lower) + ", " +
+  return std::string(box.side == Origin::peak ? "1 - c" : "c") + " in [" + hex_text(box.lower) + ", " +
          hex_text(box.upper) + "]";
 }
 
@@ -52,8 +52,8 @@ std::string check_subject(const Certificate& certificate) {
 }
 
 /// The boxes of a side between two distances, where the ends say that they cover it.
-std::string check_cover(const std::vector<double>& ends, Side side, double from, double to) {
-  const std::string where = side == Side::peak ? "1 - c" : "c";
+std::string check_cover(const std::vector<double>& ends, Origin side, double from, double to) {
+  const std::string where = side == Origin::peak ? "1 - c" : "c";
   if (from >= to) return ends.empty() ? "" : "there are boxes in " + where + " outside of the domain";
   if (ends.size() < 2 || ends.front() != from || ends.back() != to)
     return "the boxes in " + where + " do not reach from " + hex_text(from) + " to " + hex_text(to);
@@ -66,11 +66,11 @@ std::string check_cover(const std::vector<double>& ends, Side side, double from,
 
 std::vector<Box> boxes_in(const Certificate& certificate) {
   std::vector<Box> boxes;
-  const auto append = [&](Side side, const std::vector<double>& ends) {
+  const auto append = [&](Origin side, const std::vector<double>& ends) {
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) boxes.push_back({side, ends[i], ends[i + 1]});
   };
-  append(Side::horizon, certificate.horizon);
-  append(Side::peak, certificate.peak);
+  append(Origin::horizon, certificate.horizon);
+  append(Origin::peak, certificate.peak);
   return boxes;
 }
 
@@ -95,7 +95,7 @@ bool is_bounded_by(const Function& error, const Box& box, double bound) {
 template <class Function>
 std::string check_bounds(const Certificate& certificate, const std::vector<Box>& boxes,
                          const Function& error) {
-  const Place& place = certificate.attained;
+  const ExactPlace& place = certificate.attained;
   const bool is_in_domain = std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
     return box.side == place.side && box.lower <= place.distance && place.distance <= box.upper;
   });
@@ -122,7 +122,7 @@ std::string check_curve(const CurveShape& curve, const std::vector<Box>& boxes, 
   for (const Box& box : boxes) {
     const Jet value = form(cosine_at(box.side, Jet(span_of(box.lower, box.upper), 0)));
     // c falls as the angle rises, 1 - c rises with it.
-    const bool falls_with_distance = (curve.trend == Trend::falls) == (box.side == Side::peak);
+    const bool falls_with_distance = (curve.trend == Trend::falls) == (box.side == Origin::peak);
     const bool goes = falls_with_distance ? is_never_positive(value.v[0]) : is_never_negative(value.v[0]);
     if (curve.trend != Trend::none && !goes) return "the form may turn at " + text_of(box);
     if (curve.is_non_negative && !is_never_negative(value.a))
@@ -139,11 +139,11 @@ std::string reason_to_refuse(const Certificate& certificate) {
   const Domain& domain = certificate.subject.domain;
   const double half = 0.5;
   if (const auto reason =
-          check_cover(certificate.horizon, Side::horizon, domain.lower, std::min(domain.upper, half));
+          check_cover(certificate.horizon, Origin::horizon, domain.lower, std::min(domain.upper, half));
       !reason.empty())
     return reason;
   if (const auto reason =
-          check_cover(certificate.peak, Side::peak, 1 - domain.upper, std::min(1 - domain.lower, half));
+          check_cover(certificate.peak, Origin::peak, 1 - domain.upper, std::min(1 - domain.lower, half));
       !reason.empty())
     return reason;
   const std::vector<Box> boxes = boxes_in(certificate);

@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kind_of_file = "shadefit certificate";
 constexpr const char* digest_field = "digest";
 
-std::string_view name(Side side) {
-  return side == Side::peak ? "1 - c" : "c";
+std::string_view name(Origin side) {
+  return side == Origin::peak ? "1 - c" : "c";
 }
 
 /// CRC-32, as in zip and PNG, of the fields but the digest.
@@ -48,6 +48,7 @@ Json places_json(const std::vector<Box>& places) {
 }
 
 Json surface_json(const Surface& surface) {
+  if (surface.f0) return {{"f0", hex_text(*surface.f0)}};
   if (!surface.is_named()) return {};
   return {{"formula", surface.is_exact() ? "exact" : "schlick"},
           {"ior", hex_text(surface.ior)},
@@ -108,15 +109,21 @@ class Reader {
   std::string name_;
 };
 
-const std::vector<std::pair<std::string_view, Side>> sides{{name(Side::horizon), Side::horizon},
-                                                           {name(Side::peak), Side::peak}};
+const std::vector<std::pair<std::string_view, Origin>> origins{{name(Origin::horizon), Origin::horizon},
+                                                               {name(Origin::peak), Origin::peak}};
 
 Surface read_surface(const Reader& reader) {
   if (reader.field("surface").is_null()) return {};
   const Reader surface = reader.inner("surface");
+  if (reader.field("surface").contains("f0")) {
+    Surface any;
+    any.f0 = surface.number("f0");
+    if (!(0 <= *any.f0 && *any.f0 < 1)) surface.fail("f0", "is not at least 0 and less than 1");
+    return any;
+  }
   return {surface.choice<Surface::Formula>(
               "formula", {{"exact", Surface::Formula::exact}, {"schlick", Surface::Formula::schlick}}),
-          surface.number("ior"), surface.number("extinction")};
+          surface.number("ior"), surface.number("extinction"), std::nullopt};
 }
 
 Subject read_subject(const Reader& reader) {
@@ -127,8 +134,8 @@ Subject read_subject(const Reader& reader) {
     subject.parameters.emplace_back(key, reader.text_of(value, "parameters"));
   subject.setting.exponent = reader.field("exponent").is_null() ? 0 : reader.number("exponent");
   subject.setting.surface = read_surface(reader);
-  subject.error = reader.choice<ErrorKind>("error", {{name(ErrorKind::absolute), ErrorKind::absolute},
-                                                     {name(ErrorKind::relative), ErrorKind::relative}});
+  subject.error = reader.choice<Error>(
+      "error", {{name(Error::absolute), Error::absolute}, {name(Error::relative), Error::relative}});
   const auto domain = reader.numbers("domain");
   if (domain.size() != 2) reader.fail("domain", "is not a pair");
   subject.domain = {domain[0], domain[1]};
@@ -224,10 +231,11 @@ ReadCertificate read_certificate(const std::string& text, const std::string& nam
   certificate.lower = largest[0];
   certificate.upper = largest[1];
   const Reader attained = reader.inner("attained");
-  certificate.attained = {attained.choice<Side>("of", sides), attained.number("at")};
+  certificate.attained = {attained.choice<Origin>("of", origins), attained.number("at")};
   for (const Json& item : reader.list("places")) {
     const Reader place = reader.item(item);
-    certificate.places.push_back({place.choice<Side>("of", sides), place.number("from"), place.number("to")});
+    certificate.places.push_back(
+        {place.choice<Origin>("of", origins), place.number("from"), place.number("to")});
   }
   certificate.curve = read_curve(reader);
   certificate.precision = reader.integer("precision");

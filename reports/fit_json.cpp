@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "reports/alternation.hpp"
 #include "reports/tables.hpp"
 
 namespace shadefit {
@@ -14,11 +15,44 @@ Json domain_json(const Domain& domain) {
   return {domain.lower, domain.upper};
 }
 
-Json objective_json(const Metric& metric) {
+Json optional_json(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
+}
+
+Json constraints_json(const Constraints& constraints) {
+  Json fixed = Json::object();
+  for (const Held& held : constraints.held) fixed[held.parameter] = held.value;
+  return {{"fixed", fixed},
+          {"exact_at", constraints.exact_at},
+          {"one_sided", constraints.one_sided ? Json(name(*constraints.one_sided)) : Json()},
+          {"at_most", optional_json(constraints.at_most)},
+          {"at_least", optional_json(constraints.at_least)}};
+}
+
+/// `f0` is what a Fresnel form's relative error is of; null for others.
+Json objective_json(const Metric& metric, const std::optional<double>& f0) {
+  const bool is_minimax = metric.norm == Norm::minimax;
   return {{"measure", name(metric.measure)},
+          {"measure_counts_for", is_minimax ? "rms_error alone: minimax has no measure" : "the fit"},
           {"norm", name(metric.norm)},
           {"error", name(metric.error)},
+          {"f0", optional_json(f0)},
+          {"weight", metric.weight.empty() ? "1" : metric.weight},
+          {"constraints", constraints_json(metric.constraints)},
           {"domain", domain_json(metric.domain)}};
+}
+
+/// Where the error is at the level, or the form at a constraint: from the peak down.
+Json alternation_json(const Fit& fit) {
+  Json points = Json::array();
+  for (const AlternationPoint& point : fit.alternation) {
+    points.push_back({{"at", point.at.cos_theta},
+                      {"sign", sign_of_error(point, fit.metric.constraints)},
+                      {"error", point.error},
+                      {"holds", what_holds(point, fit.metric.constraints)},
+                      {"multiplier", point.multiplier}});
+  }
+  return points;
 }
 
 Json range_json(const std::optional<ExponentRange>& range) {
@@ -55,6 +89,8 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
   const bool is_answer = fit.status == Status::converged;
   const auto answer = [&](const Json& value) { return is_answer ? value : Json(); };
 
+  const auto f0 = family.is_fresnel() ? std::optional(normal_reflectance<double>(fit.surface)) : std::nullopt;
+
   Json parameters, published;
   for (std::size_t i = 0; i < family.parameters.size(); ++i)
     parameters[std::string(family.parameters[i])] = answer(fit.parameters[i]);
@@ -84,7 +120,10 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"status", name(fit.status)},
           {"iterations", fit.iterations},
           {"digits", fit.digits},
-          {"objective", objective_json(fit.metric)},
+          {"objective", objective_json(fit.metric, f0)},
+          {"level", fit.level ? answer(*fit.level) : Json()},
+          {"alternation", fit.level ? answer(alternation_json(fit)) : Json()},
+          {"why", fit.why.empty() ? Json() : Json(fit.why)},
           {"target", target_of(fit)},
           {"ior", fit.surface.is_named() ? Json(fit.surface.ior) : Json()},
           {"extinction", fit.surface.is_named() ? Json(fit.surface.extinction) : Json()},
@@ -110,7 +149,7 @@ Json write_derived_json(const Assessment& a) {
           {"status", name(Status::converged)},
           {"iterations", nullptr},
           {"digits", nullptr},
-          {"objective", objective_json(a.metric)},
+          {"objective", objective_json(a.metric, std::nullopt)},
           {"assessments", Json::array({assessment_json(a)})}};
 }
 

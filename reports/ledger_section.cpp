@@ -126,6 +126,16 @@ Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_ve
   return table;
 }
 
+void add_forms_of_comparison(Table& list) {
+  for (const FittableFamily& family : fittable_families()) {
+    if (!family.info.is_comparison) continue;
+    std::vector<Cell> row{word(family.info.id), word("-"), word("a form of comparison, fit takes it")};
+    if (list.columns.size() == 4)
+      row.insert(row.begin() + 2, fmt::format("{} ~ {}", to_text(family.target()), to_text(family.form())));
+    list.rows.push_back(row);
+  }
+}
+
 std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
   std::vector<std::pair<std::string, int>> counts;
   for (const Verdict verdict : all_verdicts) counts.emplace_back(name(verdict), 0);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "approx/catalogue.hpp"
 #include "approx/ledger.hpp"
@@ -32,17 +33,18 @@ bool is_wanted(const std::vector<std::string>& ids, std::string_view id) {
   return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-/// A family is refitted as a whole where it is asked for; for its published numbers alone only at the
-/// exponents that they need.
+/// A family is refitted as a whole where it is asked for, for its published numbers alone only at the
+/// exponents that they need. A form of comparison is not part of everything.
 struct WantedFits {
   std::vector<double> exponents;
   std::vector<const Published*> numbers;
 };
 
-WantedFits wanted_fits(const std::vector<std::string>& ids, const Family& family) {
+std::optional<WantedFits> wanted_fits(const std::vector<std::string>& ids, const Family& family) {
+  if (ids.empty() && family.is_comparison) return std::nullopt;
   const std::vector<const Published*> all = numbers_of(family);
   if (is_wanted(ids, family.id))
-    return {family.sweep.empty() ? std::vector<double>{} : parse_sweep(family.sweep), all};
+    return WantedFits{family.sweep.empty() ? std::vector<double>{} : parse_sweep(family.sweep), all};
   WantedFits wanted;
   for (const Published* number : all) {
     if (!is_wanted(ids, number->id)) continue;
@@ -50,7 +52,7 @@ WantedFits wanted_fits(const std::vector<std::string>& ids, const Family& family
     const auto needed = exponents_needed_by(*number, family);
     wanted.exponents.insert(wanted.exponents.end(), needed.begin(), needed.end());
   }
-  return wanted;
+  return wanted.numbers.empty() ? std::nullopt : std::optional(wanted);
 }
 
 /// A family stands for the claims that bear its name: sg-offset for sg-offset-mean.
@@ -103,10 +105,10 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
   Results results;
   std::vector<const FittableFamily*> fresnel_families;
   for (const FittableFamily& family : fittable_families()) {
-    const WantedFits wanted = wanted_fits(ids, family.info);
-    if (wanted.numbers.empty()) continue;
+    const auto wanted = wanted_fits(ids, family.info);
+    if (!wanted) continue;
     results.refits.push_back(
-        refit(family, wanted.exponents, wanted.numbers, whole_domain_metrics(), checkpoint));
+        refit(family, wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
     if (family.is_fresnel()) fresnel_families.push_back(&family);
   }
   checkpoint();

@@ -32,7 +32,7 @@ Json optional_json(const std::optional<double>& value) {
   return value ? Json(*value) : Json();
 }
 
-Json constants_json(const FittableFamily& family, const RoundedConstants& constants, ErrorKind error) {
+Json constants_json(const FittableFamily& family, const RoundedConstants& constants, Error error) {
   Json parameters, decimals, hexes;
   for (std::size_t i = 0; i < family.parameters.size(); ++i) {
     const std::string parameter(family.parameters[i]);
@@ -43,12 +43,16 @@ Json constants_json(const FittableFamily& family, const RoundedConstants& consta
   return {{"parameters", parameters},
           {"decimal", decimals},
           {"hex", hexes},
-          {error == ErrorKind::relative ? "max_rel_error" : "max_abs_error", constants.max_error},
+          {error == Error::relative ? "max_rel_error" : "max_abs_error", constants.max_error},
           {"at", constants.at},
           {"real_error", optional_json(constants.real_error)},
           {"rounding_error", optional_json(constants.rounding_error)},
           {"srgb_codes", optional_json(constants.srgb_codes)},
           {"gpu_bound", optional_json(constants.gpu_bound)}};
+}
+
+std::string_view short_name(Error error) {
+  return error == Error::relative ? "rel" : "abs";
 }
 
 /// A bound to 6 digits, rounded up: what is printed is one too.
@@ -98,8 +102,7 @@ std::string meaning_of_best(const Rounded& rounded) {
 
 RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint) {
   if (report.fit.status != Status::converged) return {.reason = "the fit did not converge"};
-  return {.rounded =
-              round_fit(report.fit, format, published_values(report), ErrorKind::absolute, checkpoint)};
+  return {.rounded = round_fit(report.fit, format, published_values(report), checkpoint)};
 }
 
 std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
@@ -125,7 +128,11 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
     table.columns.emplace_back(parameter);
     table.columns.push_back(std::string(parameter) + " hex");
   }
-  for (const char* column : {"max abs error", "at c", "on a GPU at most", "8-bit sRGB codes"})
+  const auto first =
+      std::find_if(fits.begin(), fits.end(), [](const auto& f) { return f.rounded.has_value(); });
+  const Error error = first == fits.end() ? Error::absolute : first->rounded->error;
+  table.columns.push_back(fmt::format("max {} error", short_name(error)));
+  for (const char* column : {"at c", "on a GPU at most", "8-bit sRGB codes"})
     table.columns.emplace_back(column);
   for (std::size_t i = 0; i < fits.size(); ++i) {
     if (!fits[i].rounded) continue;
@@ -155,7 +162,8 @@ std::string rounded_text(const std::vector<RoundedFit>& fits) {
       say(fmt::format("Not rounded: {}.", fit.reason));
       continue;
     }
-    say(fmt::format("Max abs error: {}.", meaning_of_error(fit.rounded->format)));
+    say(fmt::format("Max {} error: {}.", short_name(fit.rounded->error),
+                    meaning_of_error(fit.rounded->format)));
     if (fit.rounded->best.gpu_bound) say(fmt::format("On a GPU: {}.", GpuModel::assumption));
     say(meaning_of_best(*fit.rounded));
   }

@@ -54,10 +54,18 @@ void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
   row.insert(row.end(), cells);
 }
 
+/// "least-squares", and what else of the objective is not usual: "minimax, relative error, b = -7".
+std::string norm_text(const Metric& metric) {
+  std::string text(name(metric.norm));
+  if (metric.error != Error::absolute) text += fmt::format(", {} error", name(metric.error));
+  if (!metric.weight.empty()) text += ", weight " + metric.weight;
+  return text + describe(metric.constraints);
+}
+
 void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric,
                    const std::string& target) {
   append(row, {target, to_text(refit.family->form()), to_text(metric.domain), word(name(metric.measure)),
-               word(name(metric.norm))});
+               norm_text(metric)});
 }
 
 void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, std::size_t parameter,

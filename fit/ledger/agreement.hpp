@@ -35,7 +35,7 @@ struct Agreement {
 /// "within 1e-12", or how far off: below the tolerance, a bound and not its rounding noise.
 std::string within(double gap, std::string_view tolerance);
 
-/// What replaces a lobe c^from by c^to in a picture (both powers at least 1), in the words of `sentence`.
-std::string effect_of_power(double from, double to);
+/// What replacing a lobe c^from by c^to does to a picture, after a lead; both powers above 0.
+std::string effect_of_power(double from, double to, std::string_view lead = {});
 
 }  // namespace shadefit

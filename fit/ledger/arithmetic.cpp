@@ -11,6 +11,7 @@
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/ledger/half_banding.hpp"
 #include "fit/ledger/topics.hpp"
@@ -75,18 +76,20 @@ Finding gaussian_at_zero(const Claim& claim) {
   const Verdict verdict = power_is_zero && exact > 0
                               ? verdict_of_cases(1 + nonzero.size(), 1 + formats.size())
                               : Verdict::refuted;
-  const double code = srgb_code(static_cast<double>(exact));
   const std::string value = "exp(-" + decimal(power, 6) + ")";
-  return {verdict, split_list(zero, "0", nonzero, "not 0") + ", exactly 10^" + decimal(magnitude, 7),
-          "exactly " + value + " is 10^" + decimal(magnitude, 7) + ", but it is " +
-              split_list(zero, "0", nonzero, "not 0") + "; exp(-k) is above 0 up to k = " + enumerated(last) +
-              " in " + enumerated(formats) + ", and where subnormals are flushed up to about " +
-              enumerated(last_normal) + "; 0^" + decimal(power, 6) + " is " + (power_is_zero ? "" : "not ") +
-              "0 in each",
-          "at c = 0 of a highlight of peak 1 the Gaussian leaves " +
-              (code < 1e-3 ? "less than 0.001" : decimal(code, 2)) +
-              " of an 8-bit sRGB code at this power, one code or more only up to power " +
-              decimal(last_visible_power(), 3)};
+  Effect left;
+  left.show(power_lobe(0.0, power), static_cast<double>(exact), at_cosine({0, 1}));
+  const std::string effect = sentence(left, "the edge of a highlight", "the Gaussian");
+  return {
+      verdict, split_list(zero, "0", nonzero, "not 0") + ", exactly 10^" + decimal(magnitude, 7),
+      "exactly " + value + " is 10^" + decimal(magnitude, 7) + ", but it is " +
+          split_list(zero, "0", nonzero, "not 0") + "; exp(-k) is above 0 up to k = " + enumerated(last) +
+          " in " + enumerated(formats) + ", and where subnormals are flushed up to about " +
+          enumerated(last_normal) + "; 0^" + decimal(power, 6) + " is " + (power_is_zero ? "" : "not ") +
+          "0 in each; of a highlight of peak 1 the Gaussian leaves an 8-bit sRGB code or more at c = 0 up "
+          "to power " +
+          decimal(last_visible_power(), 3) + " alone",
+      effect == "none" ? none_because(value + " is below the least positive double") : effect};
 }
 
 /// How exp2(log2(0) b) fares in a format.
@@ -112,10 +115,31 @@ std::string exponents_that(const std::vector<std::string>& exponents, const std:
   return found.empty() ? "no b" : "b = " + enumerated(found);
 }
 
+/// What a render target of fixed point stores: NaN becomes 0. Source: Microsoft, Direct3D 11.3 Functional
+/// Specification, 3.2.3.6, "FLOAT -> UNORM".
+double as_stored(double value) {
+  return std::isnan(value) ? 0 : value;
+}
+
+/// What exp2(log2(0) b) for 0^b stores, over all exponents and formats.
+Effect effect_of_power_of_zero(const std::vector<std::string>& exponents,
+                               const std::vector<std::string>& formats) {
+  Effect effect;
+  for (const std::string& format : formats) {
+    for (const std::string& b : exponents) {
+      const double exponent = number_of(b);
+      effect.show(exponent == 0 ? 1 : power_lobe(0.0, exponent), as_stored(power_of_zero(format, b)),
+                  {{"c = ", 0}, {"b = ", exponent}});
+    }
+  }
+  return effect;
+}
+
 /// Where the sharpness A = k/ln 2 overflows a format, and what becomes of the Gaussian then.
 struct Overflow {
   double last_power;              ///< the largest power of the format whose sharpness is finite
   bool is_nan = true;             ///< beyond it exp2(A c - A) is NaN at c = 0, 0.5 and 1
+  Effect effect = {};             ///< of that on the lobe, at the last power of the format
   bool is_nan_at_peak = true;     ///< exp2(A (c - 1)) is NaN at c = 1
   bool is_nan_elsewhere = false;  ///< or at c = 0 or 0.5
 };
@@ -128,7 +152,10 @@ Overflow overflow_in(std::string_view format) {
     const T infinite = base_two_power(rounded_to<T>(largest));
     for (const char* c : {"0", "0.5", "1"}) {
       const T cosine = constant<T>(c);
-      found.is_nan &= std::isnan(widened(gaussian_lobe_base_two(cosine, infinite)));
+      const double value = widened(gaussian_lobe_base_two(cosine, infinite));
+      found.is_nan &= std::isnan(value);
+      found.effect.show(power_lobe(widened(cosine), largest), as_stored(value),
+                        {{"c = ", widened(cosine)}, {"k = ", largest}});
       const bool difference = std::isnan(widened(gaussian_lobe_base_two_of_difference(cosine, infinite)));
       (widened(cosine) == 1 ? found.is_nan_at_peak : found.is_nan_elsewhere) = difference;
     }
@@ -146,28 +173,34 @@ Finding nan_at_zero(const Claim& claim) {
   const std::string of_zero = exponents_that(
       exponents, formats, [](double y) { return y == 0; }, zero);
   double least = largest;  // the power up to which no format overflows
+  Effect lost;             // where one does
   bool is_nan = true, is_peak_alone = true;
   std::vector<std::string> last, safe;
   for (const std::string& format : formats) {
     const Overflow found = overflow_in(format);
     last.push_back(decimal(found.last_power, 5) + " in " + format);
     least = std::min(least, found.last_power);
+    if (largest > found.last_power) lost.include(found.effect);
     is_nan = is_nan && found.is_nan;
     is_peak_alone = is_peak_alone && found.is_nan_at_peak && !found.is_nan_elsewhere;
     if (largest <= found.last_power) safe.push_back(format);
   }
   const std::array parts{verdict_of_cases(nan, formats.size() * exponents.size()),
                          verdict_of_cases(safe.size(), formats.size())};
-  return {worst(parts), "NaN for " + of_nan + ", 0 for " + of_zero,
-          "exp2(log2(0) b) is NaN for " + of_nan + " and 0, the right value, for " + of_zero + " in " +
-              enumerated(formats) + "; exp2(A c - A) is never NaN while A = k/ln 2 is finite, up to k = " +
-              enumerated(last) + ", which covers the powers up to " + decimal(largest, 6) + " in " +
-              (safe.empty() ? "none of them" : enumerated(safe)) +
-              (is_nan ? "; beyond, it is NaN at c = 0, 0.5 and 1" : "") +
-              (is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : ""),
-          "none for a power above 0 and up to " + decimal(least, 5) +
-              "; outside, a pixel without a value, which every filter that reads it spreads, where c^0 is 1 "
-              "and a lobe that steep is 0 beside its peak"};
+  return {
+      worst(parts), "NaN for " + of_nan + ", 0 for " + of_zero,
+      "exp2(log2(0) b) is NaN for " + of_nan + " and 0, the right value, for " + of_zero + " in " +
+          enumerated(formats) + "; exp2(A c - A) is never NaN while A = k/ln 2 is finite, up to k = " +
+          enumerated(last) + ", which covers the powers up to " + decimal(largest, 6) + " in " +
+          (safe.empty() ? "none of them" : enumerated(safe)) +
+          (is_nan ? "; beyond, it is NaN at c = 0, 0.5 and 1" : "") +
+          (is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : "") + "; for a power above 0 and up to " +
+          decimal(least, 5) +
+          " no pixel is without a value; elsewhere one is, which every filter that reads it spreads and a "
+          "target of fixed point stores as 0",
+      sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
+                          "NaN stored as 0, exp2(log2(0) b)"),
+                 sentence(lost, "the curve", "exp2(A c - A)")})};
 }
 
 }  // namespace

@@ -53,14 +53,11 @@ Judgement judge_under(const std::vector<TransferFunction>& conventions, std::str
   return judge(printed, alternatives.front(), std::span(alternatives).subspan(1));
 }
 
-/// What one linear value in the place of another does to a picture.
-std::string effect_of_linear(double used, double right) {
-  const double off = std::abs(used - right);
-  if (off == 0) return "none";
-  return decimal(used, 4) + " in the place of " + decimal(right, 4) + " is " + decimal(off, 2) + " too " +
-         (used < right ? "dark" : "bright") + ", " + decimal(off / right, 2) + " of it, " +
-         decimal(off / half_ulp(right), 3) + " ulps of a half float, " +
-         decimal(std::abs(srgb_code(used) - srgb_code(right)), 2) + " 8-bit sRGB codes";
+/// What one linear value in the place of another, at a code, does to a picture.
+std::string effect_of_linear(double used, double right, double code) {
+  Effect effect;
+  effect.show(right, used, {{"code ", code}});
+  return sentence(effect, "a linear value", decimal(used, 4) + " in the place of " + decimal(right, 4));
 }
 
 struct Range {
@@ -112,8 +109,7 @@ Finding chart_range(const Claim& claim) {
   const auto found = std::find_if(conventions.begin(), conventions.end(), gives_all);
   const TransferFunction& convention = found == conventions.end() ? conventions.front() : *found;
   std::vector<Verdict> verdicts;
-  std::vector<std::string> values, computed;
-  std::string effect;
+  std::vector<std::string> values, computed, effects;
   Range exponents{0, std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const auto& [name, printed] = claim.printed[i];
@@ -122,15 +118,14 @@ Finding chart_range(const Claim& claim) {
     values.push_back("code " + decimal(codes[i], 6) + " is " + linear_under_each(conventions, codes[i]));
     const Range own = exponents_that_give(printed, codes[i]);
     exponents = {std::max(exponents.from, own.from), std::min(exponents.to, own.to)};
-    const std::string own_effect = effect_of_linear(number_of(printed), conventions.front().linear(codes[i]));
-    if (own_effect != "none") effect += (effect.empty() ? "" : "; ") + own_effect;
+    effects.push_back(effect_of_linear(number_of(printed), conventions.front().linear(codes[i]), codes[i]));
   }
   const bool is_other = found != conventions.end() && found != conventions.begin();
   return {is_other ? Verdict::other_objective : worst(verdicts),
           computed[0] + ", " + computed[1] + " under " + convention.name,
           values[0] + "; " + values[1] + "; both printed numbers have all their digits under " +
               conventions_that_give_all(conventions, claim, codes) + "; " + exponents_sentence(exponents),
-          effect.empty() ? "none" : effect};
+          sentences(effects)};
 }
 
 Finding chart_range_given_twice(const Claim& claim) {
@@ -150,7 +145,7 @@ Finding chart_range_given_twice(const Claim& claim) {
               " under " + std::to_string(closer_to_first) + " of " + std::to_string(conventions.size()) +
               "; " + std::string(printed_first) + " is code " + code_under_each(conventions, first) + ", " +
               std::string(printed_second) + " code " + code_under_each(conventions, second),
-          effect_of_linear(second, first)};
+          effect_of_linear(second, first, code)};
 }
 
 namespace {
@@ -180,13 +175,9 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
                           : holds_elsewhere  ? Verdict::other_objective
                           : overlaps(stored) ? Verdict::conditional
                                              : Verdict::refuted;
-  const double below = codes.at(0) - stored.code(common.at(0)),
-               above = stored.code(common.at(1)) - codes.at(1);
-  std::string effect;
-  if (below > 0) effect = decimal(common.at(0), 4) + " lies " + decimal(below, 2) + " codes below the chart";
-  if (above > 0)
-    effect += (effect.empty() ? "" : ", ") + decimal(common.at(1), 4) + " lies " + decimal(above, 2) +
-              " codes above it";
+  Effect effect;  // of keeping a common value within the chart
+  for (const double value : common)
+    effect.show(value, std::clamp(value, own.from, std::max(own.from, own.to)), {{"linear ", value}});
   return {verdict, decimal(own.from, 7) + " .. " + decimal(own.to, 7),
           std::string(material) + " of " + decimal(common.at(0), 4) + " to " + decimal(common.at(1), 4) +
               ", codes " + decimal(stored.code(common.at(0)), 4) + " to " +
@@ -195,7 +186,7 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
               ", and overlap them under " +
               std::to_string(std::count_if(conventions.begin(), conventions.end(), overlaps)) + " of " +
               std::to_string(conventions.size()),
-          effect};
+          sentence(effect, "a linear value", "keeping " + std::string(material) + " within the chart")};
 }
 
 }  // namespace
@@ -209,12 +200,8 @@ Finding chart_holds_common_materials(const Claim& claim) {
   const Finding dielectrics = part("dielectrics", "dielectric codes", "common dielectrics");
   const Finding metals = part("metals", "metal codes", "common metals");
   const std::array verdicts{*dielectrics.verdict, *metals.verdict};
-  std::vector<std::string> effects;
-  for (const Finding* finding : {&dielectrics, &metals}) {
-    if (!finding->effect.empty()) effects.push_back(finding->effect);
-  }
   return {worst(verdicts), "dielectrics " + dielectrics.computed + ", metals " + metals.computed,
-          dielectrics.evidence + "; " + metals.evidence, effects.empty() ? "none" : enumerated(effects)};
+          dielectrics.evidence + "; " + metals.evidence, sentences({dielectrics.effect, metals.effect})};
 }
 
 Finding middle_grey(const Claim& claim) {
@@ -234,7 +221,7 @@ Finding middle_grey(const Claim& claim) {
               decimal(stored.linear(number_of(printed)), 4) + " and code " + decimal(naive, 6) + " is " +
               decimal(stored.linear(naive), 4) + " of the light under " + stored.name + "; the grey card's " +
               decimal(photographic, 4) + " is code " + decimal(stored.code(photographic), 4),
-          effect_of_linear(stored.linear(number_of(printed)), linear)};
+          effect_of_linear(stored.linear(number_of(printed)), linear, number_of(printed))};
 }
 
 }  // namespace shadefit

@@ -92,7 +92,8 @@ std::string effect_of_count(double printed, int counted_total) {
          " than printed";
 }
 
-/// The parts of a finding, joined as they come.
+/// The parts of a finding, joined as they come. A count changes no picture: what it means is the reason of a
+/// "none".
 struct Parts {
   std::vector<Verdict> verdicts;
   std::vector<std::string> computed;
@@ -108,7 +109,8 @@ struct Parts {
   Finding finding(const std::string& context) const {
     std::string values;
     for (const std::string& value : computed) values += (values.empty() ? "" : "; ") + value;
-    return {worst(verdicts), values, evidence + context, effect.empty() ? "none" : effect};
+    return {worst(verdicts), values, evidence + context,
+            effect.empty() ? "none" : none_because("no value changes; " + effect)};
   }
 };
 

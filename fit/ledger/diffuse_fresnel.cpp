@@ -6,11 +6,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "approx/encoding.hpp"
 #include "approx/fresnel.hpp"
 #include "approx/material.hpp"
 #include "fit/decimal.hpp"
-#include "fit/effect.hpp"
 #include "fit/integrate.hpp"
 
 namespace shadefit {
@@ -86,14 +84,9 @@ std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& fo
 
 /// What the stand-in does to a picture, by what both send back under a uniform sky.
 std::string effect_under_sky(const Claim& claim, double factor, double stand_in) {
-  const double more = stand_in - factor;
-  if (more == 0) return "none";
-  return "under a uniform sky " + std::string(claim.inputs.at("stand-in")) + " sends back " +
-         decimal(std::abs(more), 2) + " of the light " + (more > 0 ? "more" : "less") + " than " +
-         std::string(claim.inputs.at("factor")) + ", " + decimal(std::abs(more) / factor, 2) + " of it, " +
-         decimal(std::abs(more) / half_ulp(factor), 3) +
-         " ulps of a half float; where the latter shows as 0.5 of white, " +
-         decimal(std::abs(srgb_code(0.5 * stand_in / factor) - srgb_code(0.5)), 2) + " 8-bit sRGB codes";
+  return effect_of_factor(stand_in, factor,
+                          "under a uniform sky " + std::string(claim.inputs.at("stand-in")) +
+                              " in the place of " + std::string(claim.inputs.at("factor")));
 }
 
 Verdict verdict_on(const DiffuseUnderFresnel& found) {

@@ -10,6 +10,7 @@
 
 #include "approx/encoding.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/half.hpp"
 #include "fit/ledger/list.hpp"
 #include "fit/ledger/march.hpp"
@@ -41,6 +42,19 @@ long entries_of_bayer(const std::vector<double>& entries) {
   return same;
 }
 
+/// What an entry in the place of another does to the matrix: its offsets are shares of a step.
+std::string effect_of_entry(std::string_view matrix, double x, double wanted) {
+  const std::vector<double> printed = dither_matrix(matrix, x), corrected = dither_matrix(matrix, wanted);
+  const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(printed.size()))));
+  Effect effect;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    effect.show(
+        corrected[i], printed[i],
+        {{"row ", static_cast<double>(i / size + 1)}, {"column ", static_cast<double>(i % size + 1)}});
+  }
+  return sentence(effect, "an entry, a share of a step,", "x = " + decimal(x, 6));
+}
+
 Finding bayer(const Claim& claim) {
   const std::string_view printed = claim.printed[0].value, matrix = claim.inputs.at("matrix");
   const double x = number_of(printed);
@@ -56,15 +70,11 @@ Finding bayer(const Claim& claim) {
                 "/" + count + ") is missing";
   if (!wanted) return {Verdict::refuted, "none", evidence, "none"};
   const std::vector<double> corrected = dither_matrix(matrix, *wanted);
-  const double off = mean_of(entries) - mean_of(corrected);
   return {judge(printed, {"what the others leave over", *wanted}, {}).verdict, decimal(*wanted, 6),
           evidence + "; x = " + std::string(printed) + " where the others leave " + decimal(*wanted, 6) +
               " over; the mean offset is " + decimal(mean_of(entries), 6) + ", complete " +
               decimal(mean_of(corrected), 6),
-          off == 0 ? "none"
-                   : "the mean start of a march moves by " + decimal(std::abs(off), 2) +
-                         " of a step, one pixel in " + count + " by " + decimal(std::abs(x - *wanted), 2) +
-                         " of a step"};
+          effect_of_entry(matrix, x, *wanted)};
 }
 
 /// The rms of single pixels, each with its own offset, over all of them.
@@ -127,10 +137,11 @@ March dithered_march(const std::vector<double>& offsets, double dithered, double
   return march;
 }
 
-/// "0.1, 16 8-bit sRGB codes", of an error beside a half-lit ray of strength 1.
-std::string with_codes(double error) {
-  const std::string codes = decimal(srgb_code(0.5 + error) - srgb_code(0.5), 2);
-  return decimal(error, 3) + ", " + codes + " 8-bit sRGB " + (codes == "1" ? "code" : "codes");
+/// What the largest error of a march does to a half-lit ray of strength 1.
+std::string effect_of_march(double largest, std::string_view what, const std::string& lead) {
+  Effect effect;
+  effect.show(0.5, 0.5 + largest, {{"lit share ", 0.5}});
+  return sentence(effect, what, lead);
 }
 
 Finding march_steps(const Claim& claim) {
@@ -152,15 +163,22 @@ Finding march_steps(const Claim& claim) {
           falling.sentence + "; against " + decimal(march_rms(plain), 4) + " of " + plain_steps + ", " +
               counted(static_cast<long>(dithered), "dithered step") + " have " + as_printed.sentence +
               " with x = " + std::string(x) + ", and " + corrected.sentence + " with " + corrected_x,
-          "beside a half-lit ray of strength 1, " + plain_steps + " are off by up to " +
-              with_codes(1 / plain) + ", dithered and blurred by up to " + with_codes(as_printed.largest) +
-              ", with " + corrected_x + " by up to " + with_codes(corrected.largest)};
+          sentences({effect_of_march(1 / plain, "a half-lit ray of strength 1", "a march of " + plain_steps),
+                     effect_of_march(as_printed.largest, "it", "a dithered and blurred one"),
+                     effect_of_march(corrected.largest, "it", "such a one with " + corrected_x)})};
 }
 
 /// The sum of weights at which white loses so many codes.
 double weight_that_loses(double codes, double epsilon) {
   const double kept = srgb_decode((255 - codes) / 255);
   return epsilon * kept / (1 - kept);
+}
+
+/// What epsilon does to white whose taps have that sum of weights: one that is 0 leaves black.
+std::string effect_on_white(double weight, double epsilon, const std::string& lead) {
+  Effect effect;
+  effect.show(1, guarded_mean(weight, weight, epsilon), {{"W = ", weight}});
+  return sentence(effect, "white", lead);
 }
 
 Finding bilateral_epsilon(const Claim& claim) {
@@ -190,8 +208,9 @@ Finding bilateral_epsilon(const Claim& claim) {
               decimal(gap_of(weight_that_loses(second_codes, epsilon)), 6) +
               " away); from there the loss grows up to all of it, and with every tap " + black +
               " or more away W = 0 leaves black",
-          "at most " + decimal(255 - srgb_code(flat), 2) +
-              " 8-bit sRGB codes where depths agree; at depth edges a dark or black pixel, all 255 codes"};
+          sentences({effect_on_white(taps, epsilon, "where depths agree it"),
+                     epsilon > 0 ? effect_on_white(0, epsilon, "where every tap is beyond a depth edge it")
+                                 : "none"})};
 }
 
 }  // namespace

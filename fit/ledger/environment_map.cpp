@@ -38,14 +38,11 @@ Finding evaluate_lambert(const Claim& claim) {
               " to " + decimal(widths.back(), 6) + ", by the mean and by the closed form of a face " +
               within(apart, claim.inputs.at("tolerance")) + "; the lobe of power " + decimal(printed, 6) +
               " covers " + decimal(lobe_solid_angle(printed), 10) + " sr and lies " + decimal(beyond, 6) +
-              " levels beyond the last",
+              " levels beyond the last; with both lobes scaled to the same integral the peak is " +
+              decimal(lobe_solid_angle(printed) / lobe_solid_angle(found), 3) + " times as bright",
           gap <= tolerance
               ? "none"
-              : "c^" + decimal(found, 3) + " for c^" + decimal(printed, 3) + " " +
-                    effect_of_power(printed, found) +
-                    "; with both lobes scaled to the same integral the "
-                    "peak is " +
-                    decimal(lobe_solid_angle(printed) / lobe_solid_angle(found), 3) + " times as bright"};
+              : effect_of_power(printed, found, "c^" + decimal(found, 3) + " for c^" + decimal(printed, 3))};
 }
 
 /// A way to read "unblurred", and the power from which on it holds.
@@ -82,14 +79,15 @@ Finding evaluate_mean_power(const Claim& claim) {
   const double s = number_of(printed);
   std::string evidence = "s = " + enumerated(words) + "; at " + decimal(s, 6) + " the lobe covers " +
                          decimal(lobe_solid_angle(s) / mean_texel_solid_angle(width, 0.0), 4) +
-                         " mean texels";
+                         " mean texels and belongs to level " + decimal(mip_level_of_power(width, s), 3);
   if (closest.verdict == Verdict::other_objective)
     evidence += "; of these " + counted(static_cast<long>(readings.size()), "reading") + " the first " +
                 counted(static_cast<long>(digits), "printed digit") + " are those of " + closest.objective;
-  const std::string computed = "power = " + decimal(readings.front().value * unit, 6);
-  return {verdict, computed, evidence,
-          "a chain whose level 0 is unfiltered has the power " + decimal(s, 6) + " at level " +
-              decimal(mip_level_of_power(width, s), 3) + ", by the size of a mean texel"};
+  const double found = readings.front().value * unit;
+  return {verdict, "power = " + decimal(found, 6), evidence,
+          effect_of_power(s, found,
+                          "an unfiltered level 0, whose mean texel is a lobe of power " + decimal(found, 6) +
+                              ", in the place of " + decimal(s, 6))};
 }
 
 Finding evaluate_power_range(const Claim& claim) {
@@ -102,16 +100,16 @@ Finding evaluate_power_range(const Claim& claim) {
   const auto bits = [&](std::string_view name) { return std::string(claim.inputs.at(name)) + " bits"; };
   const double lowest = decode_gloss(0.0, input("octaves"), input("first octave"));
   const double highest = decode_gloss(1.0, input("octaves"), input("first octave"));
-  return {judge(claim.printed[0].value, {"", 100 * step}, {}).verdict, "step = " + percent(step),
-          "a gloss of " + bits("bits") + " over [" + decimal(lowest, 6) + ", " + decimal(highest, 6) +
-              "] steps by " + percent(step) + " of the power; over the " + decimal(range, 4) +
-              " octaves from " + decimal(input("least"), 6) + " to " + decimal(input("most"), 6) + " by " +
-              percent(relative_gloss_step(range, steps(input("bits")))) + ", with " + bits("more bits") +
-              " by " + percent(relative_gloss_step(range, steps(input("more bits")))) +
-              "; a power stored as a whole number of " + bits("bits") + " steps by " + percent(1) +
-              " at 1, ends at " + decimal(steps(input("bits")), 6) + " and has no power below 1",
-          "one step of the gloss at power " + decimal(middle, 4) + " " +
-              effect_of_power(middle, middle * (1 + step))};
+  return {
+      judge(claim.printed[0].value, {"", 100 * step}, {}).verdict, "step = " + percent(step),
+      "a gloss of " + bits("bits") + " over [" + decimal(lowest, 6) + ", " + decimal(highest, 6) +
+          "] steps by " + percent(step) + " of the power; over the " + decimal(range, 4) + " octaves from " +
+          decimal(input("least"), 6) + " to " + decimal(input("most"), 6) + " by " +
+          percent(relative_gloss_step(range, steps(input("bits")))) + ", with " + bits("more bits") + " by " +
+          percent(relative_gloss_step(range, steps(input("more bits")))) +
+          "; a power stored as a whole number of " + bits("bits") + " steps by " + percent(1) +
+          " at 1, ends at " + decimal(steps(input("bits")), 6) + " and has no power below 1",
+      effect_of_power(middle, middle * (1 + step), "one step of the gloss at power " + decimal(middle, 4))};
 }
 
 }  // namespace

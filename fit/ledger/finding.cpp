@@ -3,12 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
-#include "approx/encoding.hpp"
 #include "approx/scalar.hpp"
 #include "fit/decimal.hpp"
 #include "fit/effect.hpp"
 
 namespace shadefit {
+namespace {
+
+/// What multiplying every linear grey by that ratio does; white first, as a ratio is the same for all.
+Effect effect_on_greys(double ratio) {
+  Effect effect;
+  for (int i = 255; i >= 1; --i) {
+    const double grey = i / 255.0;
+    effect.show(grey, grey * ratio, {{"grey ", static_cast<double>(i), "/255"}});
+  }
+  return effect;
+}
+
+}  // namespace
 
 Verdict worst(std::span<const Verdict> parts) {
   // The enumerators stand in the order of their distance from `confirmed`.
@@ -36,21 +48,22 @@ double number_of(std::string_view text) {
 }
 
 double codes_of_factor(double ratio) {
-  double codes = 0;
-  for (int i = 1; i <= 255; ++i) {
-    const double colour = i / 255.0;
-    codes = std::max(codes, std::abs(srgb_code(colour * ratio) - srgb_code(colour)));
-  }
-  return codes;
+  return effect_on_greys(ratio).srgb_codes;
 }
 
-std::string effect_of_factor(double printed, double exact) {
+std::string effect_of_factor(double printed, double exact, std::string_view lead) {
   if (printed == exact) return "none";
   const double ratio = printed / exact;
-  return "scales what it multiplies by 1 " + std::string(ratio < 1 ? "- " : "+ ") +
-         decimal(std::abs(ratio - 1), 2) + ": at most " + decimal(codes_of_factor(ratio), 2) +
-         " 8-bit sRGB codes, the constant itself off by " + decimal(std::abs(printed - exact), 2) + ", " +
-         decimal(std::abs(printed - exact) / half_ulp(exact), 2) + " ulps of a half float";
+  // of a ratio to 1 there is nothing to add
+  const std::string itself =
+      exact == 1 ? "" : " (itself off by " + decimal(std::abs(printed - exact), 2) + ")";
+  return sentence(effect_on_greys(ratio), "a linear grey",
+                  std::string(lead) + (lead.empty() ? "" : " ") + "scales what it multiplies by 1 " +
+                      (ratio < 1 ? "- " : "+ ") + decimal(std::abs(ratio - 1), 2) + itself + ", which");
+}
+
+std::string none_because(std::string_view reason) {
+  return "none: " + std::string(reason);
 }
 
 }  // namespace shadefit

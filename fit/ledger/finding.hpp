@@ -17,7 +17,9 @@ struct Finding {
   std::optional<Verdict> verdict;  ///< empty where the evidence is weaker than the printed digits
   std::string computed;            ///< what stands beside the printed numbers
   std::string evidence;            ///< one sentence with its numbers, without a full stop
-  std::string effect = "none";     ///< what the difference does to a picture, or "none"
+  /// What the difference does to a picture, by `sentence` of fit/effect.hpp, parts between semicolons; or
+  /// "none", or "none: " with the reason.
+  std::string effect = "none";
 };
 
 /// How a claim is computed: of the record alone, so that a test may change what is printed or given and see
@@ -58,9 +60,11 @@ double number_of(std::string_view text);
 /// the 255 linear greys.
 double codes_of_factor(double ratio);
 
-/// What a wrong constant does to what it multiplies, in words: its relative difference, and the largest shift
-/// in 8-bit sRGB codes over all colours in [0, 1] and in half-precision ulps of the constant. "none" where
-/// printed and exact are equal.
-std::string effect_of_factor(double printed, double exact);
+/// What a wrong constant does to what it multiplies: to the 255 linear greys, in the words of `sentence`.
+/// "none" where printed and exact are equal. The lead says which constant it is, or where: "at k = 2 it".
+std::string effect_of_factor(double printed, double exact, std::string_view lead = {});
+
+/// "none: no value changes", of a difference that no picture shows.
+std::string none_because(std::string_view reason);
 
 }  // namespace shadefit

@@ -59,13 +59,23 @@ double largest_code_shift(const Form& form, double f0) {
   });
 }
 
+/// What a form in the place of (1-c)^5 does to F.
+template <class Form>
+Effect effect_on_reflectance(const Form& form, double f0) {
+  const auto reflectance = [f0](const auto& weight) {
+    return [f0, &weight]<class T>(const Cosine<T>& c) {
+      return T(schlick_reflectance(lift<T>(f0), T(weight(c.cos_theta))));
+    };
+  };
+  const auto exact = []<class T>(const T& c) { return schlick_weight(c); };
+  return effect_between(reflectance(exact), reflectance(form), Substitution({}, {}));
+}
+
 /// What a weight that should be 0 at normal incidence does there.
 std::string effect_at_normal(double weight, double f0) {
-  const double reflectance = schlick_reflectance(f0, weight);
-  return "at normal incidence F of f0 = " + decimal(f0, 3) + " is " + decimal(reflectance, 4) +
-         " instead: " + decimal(reflectance / f0 - 1, 2) + " of its value, " +
-         decimal((reflectance - f0) / half_ulp(f0), 2) + " ulps of a half float, " +
-         decimal(srgb_code(reflectance) - srgb_code(f0), 2) + " 8-bit sRGB codes too bright";
+  Effect effect;
+  effect.show(f0, schlick_reflectance(f0, weight), at_cosine({1, 0}));
+  return sentence(effect, "F of f0 = " + decimal(f0, 3), "at normal incidence it");
 }
 
 Finding fitted_sharpness(const Claim& claim) {
@@ -225,9 +235,9 @@ Finding power_four(const Claim& claim) {
               ", against " + sentence_of(of_gaussian) + " for exp2(-" + std::string(claim.inputs.at("A")) +
               " c), each rms by two rules to " + decimal(rms_tolerance, 1) +
               "; at single angles it is the closer one " + ranges_in_words(closer, 4),
-          "of f0 = " + decimal(f0, 3) + ", " + name_of_power + " moves F by up to " +
-              decimal(largest_code_shift(power_form, f0), 2) + " 8-bit sRGB codes, exp2 by up to " +
-              decimal(largest_code_shift(gaussian, f0), 2)};
+          sentences(
+              {sentence(effect_on_reflectance(power_form, f0), "F of f0 = " + decimal(f0, 3), name_of_power),
+               sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
 }
 
 Finding relative_errors(const Claim& claim) {
@@ -252,8 +262,8 @@ Finding relative_errors(const Claim& claim) {
               " and the one-term form by up to " + decimal(large_codes, 3) +
               ": by the reading of one code the pair would " + (small_codes <= 1 ? "pass" : "fail") +
               " and the one-term form would " + (large_codes <= 1 ? "pass" : "fail"),
-          "of f0 = " + decimal(f0, 3) + ", exp2(-A c) moves F by up to " + decimal(large_codes, 2) +
-              " 8-bit sRGB codes, the pair by up to " + decimal(small_codes, 2)};
+          sentences({sentence(effect_on_reflectance(single, f0), "F of f0 = " + decimal(f0, 3), "exp2(-A c)"),
+                     sentence(effect_on_reflectance(pair, f0), "it", "the pair")})};
 }
 
 Finding exponent_sum(const Claim& claim) {
@@ -266,7 +276,7 @@ Finding exponent_sum(const Claim& claim) {
   return {verdict, decimal(sum, 10),
           "a + b of the printed pair is " + decimal(sum, 10) + "; of the unrounded optimum it is " +
               decimal(best, 10) + ", by which the printed number is " + std::string(name(of_best)),
-          effect_of_factor(std::exp2(number_of(printed)), std::exp2(sum))};
+          effect_of_factor(std::exp2(number_of(printed)), std::exp2(sum), "at c = 1 it")};
 }
 
 /// In half arithmetic, how many pairs of f0 and g have F above max(g, f0) at c = 0, where the weight is 1.
@@ -296,6 +306,7 @@ Finding roughness_range(const Claim& claim) {
   const int steps = static_cast<int>(std::lround(input(claim, "steps")));
   const double highest = schlick_weight(input(claim, "from")), lowest = schlick_weight(input(claim, "to"));
   double outside = 0;  // how far F leaves its range
+  Effect effect;
   int pairs = 0, flat = 0;
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps; ++j, ++pairs) {
@@ -304,6 +315,8 @@ Finding roughness_range(const Claim& claim) {
       for (const double weight : {lowest, highest}) {
         const double f = schlick_reflectance_of_gloss(f0, gloss, weight);
         outside = std::max({outside, f0 - f, f - max(gloss, f0)});
+        const double within = std::clamp(f, f0, std::max(gloss, f0));
+        if (within != f) effect.show(within, f, {{"f0 = ", f0}, {"g = ", gloss}});
       }
     }
   }
@@ -322,7 +335,7 @@ Finding roughness_range(const Claim& claim) {
               "F above max(g, f0) at " +
               std::to_string(half.pairs) + " pairs, by at most " + decimal(half.ulps, 2) +
               " ulps of a half float",
-          stays ? "none" : "adds up to " + decimal(outside, 4) + " to F"};
+          stays ? "none" : sentence(effect, "F", "beyond its range it")};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "fit/binary_logarithm.hpp"
 #include "fit/decimal.hpp"
 #include "fit/effect.hpp"
+#include "fit/ledger/agreement.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/multiprecision.hpp"
 
@@ -63,22 +64,19 @@ std::string glosses(const Claim& claim) {
 /// What decoding to M with the printed constant does to exp2(M c - M), at the gloss where it is most.
 std::string effect_on_lobe(const Claim& claim, double ratio) {
   Effect most;
-  double most_codes = 0;
   for (const double exponent : powers(claim)) {
     const auto lobe = [](double of) {
       return [of]<class T>(const Cosine<T>& c) {
         return gaussian_lobe_near_peak(c.one_minus_cos, lift<T>(of), integer<T>(0));
       };
     };
-    const Effect effect =
-        effect_between(lobe(exponent), lobe(exponent * ratio), {Metric{}, {.concentration = 2 * exponent}});
-    if (effect.absolute.magnitude >= most.absolute.magnitude) most = effect;
-    most_codes = std::max(most_codes, effect.srgb_codes);
+    most.include(
+        effect_between(lobe(exponent), lobe(exponent * ratio), {Metric{}, {.concentration = 2 * exponent}}),
+        {"power ", exponent});
   }
-  return "every power is " + decimal(std::abs(ratio - 1), 2) + " of itself too " +
-         (ratio < 1 ? "low" : "high") + ": over " + glosses(claim) + " the lobe moves by at most " +
-         decimal(most.absolute.magnitude, 2) + ", " + decimal(most.half_ulps, 2) + " ulps of a half float, " +
-         decimal(most_codes, 2) + " 8-bit sRGB codes";
+  return sentence(most, "the lobe",
+                  "every power is " + decimal(std::abs(ratio - 1), 2) + " of itself too " +
+                      (ratio < 1 ? "low" : "high") + ", which over " + glosses(claim));
 }
 
 Finding log2_constant(const Claim& claim) {
@@ -108,10 +106,9 @@ std::string effect_on_normalisation(const Claim& claim, double factor, double co
   const auto all = powers(claim);
   const double worst =
       *std::max_element(all.begin(), all.end(), [&](double a, double b) { return off(a) < off(b); });
-  const std::string effect = effect_of_factor(printed(worst), game_normalisation(worst));
-  return effect == "none"
-             ? effect
-             : "the normalisation is furthest off at the power " + decimal(worst, 5) + ", where it " + effect;
+  return effect_of_factor(
+      printed(worst), game_normalisation(worst),
+      "the normalisation is furthest off at the power " + decimal(worst, 5) + ", where it");
 }
 
 Finding ln2_over_eight(const Claim& claim) {
@@ -147,7 +144,11 @@ Finding gloss_decode(const Claim& claim) {
           "s is " + exactly(lowest) + " at g = " + std::string(claim.inputs.at("from")) + " and " +
               exactly(highest) + " at g = " + std::string(claim.inputs.at("to")) + ", and " +
               (ratio > 1 ? "rises" : "does not rise") + " between: " + counted(std::lround(steps), "step") +
-              " of a stored gloss, each times " + decimal(ratio, 6)};
+              " of a stored gloss, each times " + decimal(ratio, 6),
+          sentences(
+              {effect_of_power(rounded(lowest), number_of(claim.printed.at("lowest")), "at the lowest gloss"),
+               effect_of_power(rounded(highest), number_of(claim.printed.at("highest")),
+                               "at the highest gloss")})};
 }
 
 /// Two sides of an identity at the places of a claim: the largest difference, and whether it is rounding.
@@ -202,6 +203,15 @@ Finding normalised_mad(const Claim& claim) {
           effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
 }
 
+/// What c = exp(log(c)) becomes with it.
+Effect effect_of_misprinted_log() {
+  Effect effect;
+  effect.show(1, exp(misprinted_log_by_log2(1.0)), at_cosine({1, 0}));
+  for (const double y : search_points())
+    effect.show(1 - y, exp(misprinted_log_by_log2(1 - y)), at_cosine({1 - y, y}));
+  return effect;
+}
+
 Finding log2_first(const Claim& claim) {
   const RootsOfTwo<Decimal50> roots;
   const auto excess = [&](const Decimal50& u) {
@@ -221,10 +231,10 @@ Finding log2_first(const Claim& claim) {
               ": log2(a ln 2) - log(a) is " + decimal(rounded(excess(all.front())), 4) + " at a = 2^" +
               decimal(rounded(all.front()), 6) + ", " + decimal(rounded(excess(all.back())), 4) +
               " at a = 2^" + decimal(rounded(all.back()), 6) +
-              " and 0 at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6) + " alone",
-          "c^k computed with it as exp(k log(c)) would peak at " + decimal(peak, 3) +
-              "^k instead of 1: " + decimal(srgb_code(1.0) - srgb_code(peak), 3) +
-              " 8-bit sRGB codes too dark at k = 1, more at higher powers"};
+              " and 0 at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6) +
+              " alone; c^k computed with it as exp(k log(c)) peaks at " + decimal(peak, 3) +
+              "^k instead of 1, the darker the higher the power",
+          sentence(effect_of_misprinted_log(), "the curve", "at k = 1 c^k computed with it")};
 }
 
 Finding log2_second(const Claim& claim) {

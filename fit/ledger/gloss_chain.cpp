@@ -29,7 +29,8 @@ std::string number(long count) {
 struct Places {
   long right = 0;
   long wrong = 0;
-  double worst = 1;  ///< computed over printed, the ratio furthest from 1
+  double worst = 1;   ///< computed over printed, the ratio furthest from 1
+  double wanted = 0;  ///< the printed one there
 };
 
 /// Powers of two are exact up to the last bits of exp2: a printed one is met within 1e-12 of itself.
@@ -43,15 +44,23 @@ Places compare_with_printed(const Quantities& printed, const std::vector<double>
     const double ratio = powers[i] / number_of(printed[i].value);
     const bool is_right = std::abs(ratio - 1) <= 1e-12;
     ++(is_right ? places.right : places.wrong);
-    if (!is_right && std::abs(std::log(ratio)) > std::abs(std::log(places.worst))) places.worst = ratio;
+    if (is_right || std::abs(std::log(ratio)) <= std::abs(std::log(places.worst))) continue;
+    places.worst = ratio;
+    places.wanted = number_of(printed[i].value);
   }
   return places;
 }
 
-std::string effect_of(const Places& places) {
+/// What the series does at the place where it is furthest off.
+std::string effect_of(const Places& places, std::string_view maker) {
   if (places.wrong == 0) return "none";
-  return counted(places.wrong, "power") + " of the series off, by a factor of up to " +
-         decimal(places.worst, 4);
+  if (places.wanted == 0) return none_because("the series have different lengths");
+  const double found = places.wanted * places.worst;
+  return effect_of_power(places.wanted, found,
+                         std::string(maker) + " makes " + counted(places.wrong, "level") +
+                             " for another power, up to " + decimal(places.worst, 4) +
+                             " times the one meant: the lobe of power " + decimal(found, 4) +
+                             " for that of " + decimal(places.wanted, 4));
 }
 
 /// The powers for which the levels of a chain are made. `is_whole_quotient`: level / (levels - 1) as the
@@ -72,8 +81,14 @@ struct Selection {
   double worst_ratio = 1;  ///< power found over power wanted, furthest from 1
   double wanted = 0;       ///< there
   int worst_code = 0;      ///< there
-  std::vector<int> found;  ///< the codes whose power is found within a step of the gloss
+  std::vector<int> found;  ///< the codes whose power is found within the steps of the gloss that count
 };
+
+/// Whether the codes say more than the two ends of the gloss, which any count finds: the first level is that
+/// of g = 1 and the last one that of g = 0.
+bool has_more_than_the_ends(const std::vector<int>& codes, int last_code) {
+  return std::any_of(codes.begin(), codes.end(), [&](int code) { return code != 0 && code != last_code; });
+}
 
 /// `count`: what the shader multiplies 1 - g by.
 Selection select_levels(const Claim& claim, double count) {
@@ -81,6 +96,7 @@ Selection select_levels(const Claim& claim, double count) {
   const double octaves = number_of(claim.inputs.at("octaves"));
   const double first_octave = number_of(claim.inputs.at("first octave"));
   const int last_code = (1 << static_cast<int>(number_of(claim.inputs.at("gloss bits")))) - 1;
+  const double steps = number_of(claim.inputs.at("gloss steps that count as found"));
   Selection result;
   for (int code = 0; code <= last_code; ++code) {
     const double gloss = static_cast<double>(code) / last_code;
@@ -88,7 +104,7 @@ Selection select_levels(const Claim& claim, double count) {
     const double wanted = decode_gloss(gloss, octaves, first_octave);
     const double ratio = decode_gloss(gloss_of_level(level, levels), octaves, first_octave) / wanted;
     // Codes that are exactly a step apart count: the slack is far above the rounding and below any step.
-    if (std::abs(std::log2(ratio)) <= octaves / last_code + 1e-9) result.found.push_back(code);
+    if (std::abs(std::log2(ratio)) <= steps * octaves / last_code + 1e-9) result.found.push_back(code);
     if (std::abs(std::log2(ratio)) > std::abs(std::log2(result.worst_ratio)) + 1e-9) {
       result.worst_ratio = ratio;
       result.wanted = wanted;
@@ -130,10 +146,7 @@ Finding evaluate_gloss_chain(const Claim& claim) {
               counted(static_cast<long>(claim.printed.size()), "power") +
               " printed; the loop as printed divides integers and makes them for " + series(by_loop) + ", " +
               number(loop.right) + " of them",
-          verdict == Verdict::confirmed ? "none"
-                                        : "as the loop is printed " + counted(loop.wrong, "level") +
-                                              " would be made for another power, up to " +
-                                              decimal(loop.worst, 4) + " times the one meant"};
+          effect_of(loop, "the loop as printed")};
 }
 
 Finding evaluate_sphere_powers(const Claim& claim) {
@@ -145,7 +158,7 @@ Finding evaluate_sphere_powers(const Claim& claim) {
           counted(spheres, "sphere") + " with glosses from 1 to 0 in steps of " +
               decimal(1.0 / (spheres - 1), 6) + " have the powers " + series(powers) + ": " +
               counted(places.right, "power") + " as printed, " + number(places.wrong) + " not",
-          effect_of(places)};
+          effect_of(places, "the series")};
 }
 
 Finding evaluate_power_drop(const Claim& claim) {
@@ -165,7 +178,7 @@ Finding evaluate_power_drop(const Claim& claim) {
               std::string(claim.inputs.at("octaves")) + " octaves drops by " + drop_of_gloss(levels) +
               " a level over " + counted(levels, "level") + ", by " + drop_of_gloss(levels + 2) + " over " +
               counted(levels + 2, "level"),
-          effect_of(places)};
+          effect_of(places, "the series")};
 }
 
 Finding evaluate_mip_select(const Claim& claim) {
@@ -173,22 +186,27 @@ Finding evaluate_mip_select(const Claim& claim) {
   const long codes = 1L << static_cast<int>(number_of(claim.inputs.at("gloss bits")));
   const Selection printed = select_levels(claim, levels), inverse = select_levels(claim, levels - 1);
   const auto all = [&](const Selection& s) { return static_cast<long>(s.found.size()) == codes; };
-  // The full gloss reads level 0 whatever the count, so there is always a part on which it holds.
-  const Verdict verdict = all(printed) ? Verdict::confirmed : Verdict::conditional;
+  const Verdict verdict = all(printed) ? Verdict::confirmed
+                          : has_more_than_the_ends(printed.found, static_cast<int>(codes) - 1)
+                              ? Verdict::conditional
+                              : Verdict::refuted;
+  const std::string_view steps = claim.inputs.at("gloss steps that count as found");
   const double found = printed.wanted * printed.worst_ratio;
   return {verdict, "found / wanted = " + decimal(printed.worst_ratio, 4) + " at worst",
-          "of the " + counted(codes, "gloss code") + " the power is found within one code's step at " +
+          "of the " + counted(codes, "gloss code") + " the power is found within " +
+              (steps == "1" ? "one code's step" : std::string(steps) + " of a code's step") + " at " +
               runs_of(printed.found) + "; at worst, code " + std::to_string(printed.worst_code) +
               ", it finds " + decimal(found, 4) + " where " + decimal(printed.wanted, 4) + " is wanted, " +
               decimal(printed.worst_ratio, 4) +
               " of it; a shader that multiplies by levels - 1 = " + decimal(levels - 1, 3) + " finds it at " +
-              counted(static_cast<long>(inverse.found.size()), "code"),
-          verdict == Verdict::confirmed
-              ? "none"
-              : "the lobe of power " + decimal(found, 4) + " for that of " + decimal(printed.wanted, 4) +
-                    " " + effect_of_power(printed.wanted, found) + "; the reflection is as wide as " +
-                    decimal(lobe_solid_angle(found) / lobe_solid_angle(printed.wanted), 3) +
-                    " times the solid angle meant"};
+              counted(static_cast<long>(inverse.found.size()), "code") +
+              "; at the worst the reflection is as wide as " +
+              decimal(lobe_solid_angle(found) / lobe_solid_angle(printed.wanted), 3) +
+              " times the solid angle meant",
+          verdict == Verdict::confirmed ? "none"
+                                        : effect_of_power(printed.wanted, found,
+                                                          "the lobe of power " + decimal(found, 4) +
+                                                              " for that of " + decimal(printed.wanted, 4))};
 }
 
 }  // namespace shadefit

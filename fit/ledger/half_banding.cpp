@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "approx/lobe.hpp"
 #include "fit/banding.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/half_result.hpp"
 #include "fit/ledger/formats.hpp"
 
@@ -23,19 +25,22 @@ struct RoundedForm {
   std::string_view name;
   Rounded curve;
   bool is_published;  ///< one of the two that the claim speaks of
+  /// How many roundings the exponent of its exp2 goes through with a float cosine, each relative to the
+  /// exponent itself; 0: one of them is relative to something larger.
+  int relative_roundings;
 };
 
 constexpr std::array rounded_forms{
-    RoundedForm{"pow", power_by_exp2<HalfResult>, true},
+    RoundedForm{"pow", power_by_exp2<HalfResult>, true, 2},  // of log2(c) and of the product
     RoundedForm{
         "exp2(A c - A)",
         [](const HalfResult& c, const HalfResult& k) { return gaussian_lobe_base_two(c, base_two_power(k)); },
-        true},
+        true, 0},  // A c is rounded relative to A
     RoundedForm{"exp2(A (c - 1))",
                 [](const HalfResult& c, const HalfResult& k) {
                   return gaussian_lobe_base_two_of_difference(c, base_two_power(k));
                 },
-                false}};
+                false, 2}};  // of c - 1 and of the product; that of A makes another smooth lobe
 
 /// A curve of a float or half cosine at one power, sampled as the inputs say.
 struct Highlight {
@@ -60,28 +65,62 @@ Banding banding_of(const RoundedForm& form, const Highlight& highlight) {
   return banding_of([&](double c) { return static_cast<double>(form.curve(HalfResult(c), k)); }, highlight);
 }
 
-/// The first whole power that bands: looked for at 1, 2, 4 .. `last`, then between the last of these that
-/// does not and the first that does. Empty where none of these does.
+/// The largest step, in 8-bit sRGB codes, that roundings can put into a smooth highlight of peak 1 and of any
+/// power up to `last`, where those of the exponent t of 2^-t are relative to it. With u = 2^-11 each value is
+/// within 2^-t e^(+-r), r = ((1+u)^n - 1) t ln 2 + u, of the exact one, and a step is at most one such
+/// interval. Subnormal halves add 2^-25 to the result, and `last` times that to t. Searched over the value.
+double largest_step_of_roundings(int roundings, double last) {
+  constexpr double unit = 0x1p-11, subnormal = 0x1p-25;
+  const double relative = std::pow(1 + unit, roundings) - 1;
+  return largest_sampled([&](double value) {
+    if (value == 0) return 0.0;
+    const double r = -std::log(value) * relative + unit + ln2<double>() * last * subnormal;
+    return srgb_code(value * std::exp(r) + subnormal) - srgb_code(value * std::exp(-r) - subnormal);
+  });
+}
+
+/// Whether those roundings prove that a form with a float cosine bands at no power up to `last`.
+bool never_bands(const RoundedForm& form, double visible, double last) {
+  return form.relative_roundings > 0 && largest_step_of_roundings(form.relative_roundings, last) <= visible;
+}
+
+/// The first whole power up to `last` that bands, each one tried from 1 on. Empty where none does: proved by
+/// the roundings where that can be.
 std::optional<int> first_banding_power(const RoundedForm& form, Highlight highlight, double visible,
                                        double last) {
-  const auto bands = [&](int k) {
+  if (!highlight.half_cosine && never_bands(form, visible, last)) return std::nullopt;
+  highlight.least = visible;
+  for (int k = 1; k <= last; ++k) {
     highlight.exponent = k;
-    highlight.least = visible;
-    return banding_of(form, highlight).step > visible;
-  };
-  for (int k = 1; k <= last; k *= 2) {
-    if (!bands(k)) continue;
-    int first = k / 2 + 1;
-    while (!bands(first)) ++first;
-    return first;
+    if (banding_of(form, highlight).step > visible) return k;
   }
   return std::nullopt;
+}
+
+/// What rounding does to c^k at that power. A half cosine stands for all that round to it, up to half a step
+/// of the halves in [0.5, 1] on either side.
+Effect effect_of_rounding(const RoundedForm& form, const Highlight& highlight) {
+  const HalfResult k = HalfResult::rounded(highlight.exponent);
+  Effect effect;
+  const auto show = [&](double cosine, double stored) {
+    effect.show(power_lobe(cosine, highlight.exponent),
+                static_cast<double>(form.curve(HalfResult(stored), k)), at_cosine({cosine, 1 - cosine}));
+  };
+  if (!highlight.half_cosine) {
+    for (const double c : floats_over_the_highlight(highlight.exponent, highlight.samples)) show(c, c);
+    return effect;
+  }
+  for (const double c : halves_near_the_peak()) {
+    show(c - 0x1p-12, c);
+    show(std::min(1.0, c + 0x1p-12), c);
+  }
+  return effect;
 }
 
 /// A case of the claim: how many of the published forms band at the power, how many at the low one.
 struct BandingCase {
   std::size_t bands = 0, low_bands = 0, forms = 0;
-  double step = 0;  ///< the largest of the published forms at the power
+  Effect effect;  ///< of the published forms at the power
   std::string computed, evidence;
 };
 
@@ -99,7 +138,7 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
       ++found.forms;
       found.bands += at_power.step > visible ? 1 : 0;
       found.low_bands += at_low.step > visible ? 1 : 0;
-      found.step = std::max(found.step, at_power.step);
+      found.effect.include(effect_of_rounding(form, {power, half_cosine, samples}));
     }
     const auto from = first_banding_power(form, {power, half_cosine, samples}, visible, last);
     steps.push_back(decimal(at_power.step, 2));
@@ -109,9 +148,15 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
   }
   found.computed = "steps of " + enumerated(steps);
   found.evidence = enumerated(steps) + " codes, showing " + enumerated(codes) + " of the 256, and at power " +
-                   decimal(low, 4) + " " + enumerated(low_steps) +
-                   " codes, the first power (of powers of two, then between them) up to " + decimal(last, 6) +
-                   " that bands being " + enumerated(first);
+                   decimal(low, 4) + " " + enumerated(low_steps) + " codes, the first whole power up to " +
+                   decimal(last, 6) + " (each tried, from 1 on) that bands being " + enumerated(first);
+  for (const RoundedForm& form : rounded_forms) {
+    if (half_cosine || !never_bands(form, visible, last)) continue;
+    found.evidence += " (none because its roundings leave at most " +
+                      decimal(largest_step_of_roundings(form.relative_roundings, last), 2) +
+                      " codes at any of them)";
+    break;  // the same for all of them
+  }
   return found;
 }
 
@@ -138,14 +183,16 @@ Finding evaluate_half_banding(const Claim& claim) {
   std::vector<std::string> names;
   for (const RoundedForm& form : rounded_forms) names.emplace_back(form.name);
   const int samples = static_cast<int>(number_of(claim.inputs.at("samples of a float cosine")));
-  return {worst(parts), half.computed + " codes with a half cosine, " + wide.computed + " with a float one",
-          "largest steps of " + enumerated(names) + " at power " + exponent + ": with the cosine in half " +
-              half.evidence + "; with the cosine in float and half arithmetic " + wide.evidence,
-          "at power " + exponent + " neighbouring values of a smooth highlight of peak 1 lie up to " +
-              decimal(std::max(half.step, wide.step), 2) +
-              " 8-bit sRGB codes apart; with cosine and arithmetic in float and only the result in half, the "
-              "remedy of the comments, " +
-              decimal(step_of_remedy(number_of(exponent), samples), 2)};
+  return {
+      worst(parts), half.computed + " codes with a half cosine, " + wide.computed + " with a float one",
+      "largest steps of " + enumerated(names) + " at power " + exponent + ": with the cosine in half " +
+          half.evidence + "; with the cosine in float and half arithmetic " + wide.evidence +
+          "; with cosine and arithmetic in float and only the result in half, the remedy of the comments, "
+          "the largest step at power " +
+          exponent + " is " + decimal(step_of_remedy(number_of(exponent), samples), 2) + " codes",
+      sentences({sentence(half.effect, "a smooth highlight of peak 1",
+                          "at power " + exponent + " rounding, with the cosine in half,"),
+                 sentence(wide.effect, "it", "with the cosine in float it")})};
 }
 
 }  // namespace shadefit

@@ -1,13 +1,16 @@
 #include "approx/harmonics.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "approx/encoding.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/integrate.hpp"
 #include "fit/ledger/agreement.hpp"
 #include "fit/ledger/topics.hpp"
@@ -97,8 +100,7 @@ Finding evaluate_basis(const Claim& claim) {
     computed.push_back(std::string(printed.name) + " = " + decimal(exact, 10));
     norms.push_back("1 " + std::string(stated < exact ? "- " : "+ ") +
                     decimal(std::abs(stated * stated / (exact * exact) - 1), 3));
-    if (const std::string effect = effect_of_factor(stated, exact); effect != "none")
-      effects.push_back(std::string(printed.name) + " " + effect);
+    effects.push_back(effect_of_factor(stated, exact, printed.name));
   }
   if (products.error > number_of(tolerance)) verdicts.push_back(std::nullopt);
   verdicts.push_back(verdict_of(gap <= number_of(tolerance) || products.error > number_of(tolerance)));
@@ -107,7 +109,7 @@ Finding evaluate_basis(const Claim& claim) {
               " and sqrt(3/(4 pi)) = " + decimal(closed_forms[1], 10) +
               " make the four functions orthonormal " + within(std::max(gap, products.error), tolerance) +
               ", by two rules; the printed factors leave squared norms of " + enumerated(norms),
-          effects.empty() ? "none" : effects.front() + "; " + effects.back()};
+          sentences(effects)};
 }
 
 Finding evaluate_memory(const Claim& claim) {
@@ -131,9 +133,30 @@ Finding evaluate_memory(const Claim& claim) {
 
 /// What the first bands keep of the clamped cosine.
 struct Kept {
-  double energy = 0;  ///< share of the squared norm
-  double peak = 0;    ///< value that faces the light, where the original has 1
+  double energy = 0;          ///< share of the squared norm
+  double peak = 0;            ///< value that faces the light, where the original has 1
+  std::vector<double> peaks;  ///< what each band adds to that
+
+  /// What is left of max(cos theta, 0).
+  double at(double cos_theta) const {
+    double sum = 0;
+    for (std::size_t band = 0; band < peaks.size(); ++band)
+      sum += peaks[band] * legendre_polynomial(static_cast<int>(band), cos_theta);
+    return sum;
+  }
 };
+
+/// What keeping those bands does to a white surface, at every degree from the light.
+std::string effect_of_keeping(const Kept& kept, std::string_view coefficients) {
+  Effect effect;
+  for (int degrees = 0; degrees <= 180; ++degrees) {
+    const double cosine = std::cos(degrees * std::numbers::pi / 180);
+    effect.show(std::max(0.0, cosine), kept.at(cosine),
+                {{"theta = ", static_cast<double>(degrees), " degrees"}});
+  }
+  return sentence(effect, "the light on a white surface",
+                  "keeping " + std::string(coefficients) + " coefficients");
+}
 
 /// Bands 0 .. bands - 1, from moments by two rules beside their closed form.
 Kept keep_bands(int bands, Agreement& agreement) {
@@ -146,7 +169,8 @@ Kept keep_bands(int bands, Agreement& agreement) {
     agreement.compare(moment + 1, shifted(gauss_kronrod(integrand, 0, 1, rule_tolerance, rule_tolerance)),
                       tanh_sinh([&](double c) { return integrand(c) + 1; }, 0, 1, rule_tolerance));
     kept.energy += energy_of_band(band, moment);
-    kept.peak += peak_of_band(band, moment);
+    kept.peaks.push_back(peak_of_band(band, moment));
+    kept.peak += kept.peaks.back();
   }
   return kept;
 }
@@ -200,11 +224,13 @@ Finding evaluate_loss(const Claim& claim) {
               words(more, claim.inputs.at("more coefficients")) + ", by closed forms that two rules meet " +
               within(agreement.gap, tolerance) + "; a little is read as at most " + decimal(little, 3) +
               " of the energy; read as one 8-bit sRGB code facing the light it would take " +
-              decimal(enough * enough, 6) + " coefficients",
-          "a white surface facing the light drops by " + decimal(srgb_code(1.0) - srgb_code(few.peak), 3) +
-              " 8-bit sRGB codes with " + std::string(claim.inputs.at("coefficients")) +
-              " coefficients; with " + std::string(claim.inputs.at("more coefficients")) +
-              " it is too bright by " + decimal(100 * (more.peak - 1), 3) + " %"};
+              decimal(enough * enough, 6) + " coefficients; facing the light white drops by " +
+              decimal(srgb_code(1.0) - srgb_code(few.peak), 3) + " such codes with " +
+              std::string(claim.inputs.at("coefficients")) + " and is too bright by " +
+              decimal(100 * (more.peak - 1), 3) + " % with " +
+              std::string(claim.inputs.at("more coefficients")),
+          sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
+                     effect_of_keeping(more, claim.inputs.at("more coefficients"))})};
 }
 
 }  // namespace

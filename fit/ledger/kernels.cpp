@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "approx/encoding.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/extremum.hpp"
 #include "fit/ledger/lobe_rule.hpp"
 #include "fit/ledger/topics.hpp"
@@ -261,18 +261,17 @@ std::string errors_in_words(const std::vector<Contest>& contests, const std::vec
   return text;
 }
 
-/// How far a candidate is from the lobe, in the value and in 8-bit sRGB codes.
-std::string largest_errors(const Candidate& candidate, double exponent) {
-  const auto over_angle = [&](const auto& difference) {
-    return largest_sampled([&](double s) {
-      const Place place = LobeRule::place_at(s * pi<double>() / 2);
-      return difference(candidate.kernel(place, candidate.parameter),
-                        power_lobe_near_peak(place.one_minus_cos, exponent));
-    });
-  };
-  return decimal(over_angle([](double a, double b) { return std::abs(a - b); }), 2) + " (" +
-         decimal(over_angle([](double a, double b) { return std::abs(srgb_code(a) - srgb_code(b)); }), 2) +
-         " 8-bit sRGB codes)";
+/// What a candidate in the place of the lobe does, looked for at a thousand angles and both ends.
+Effect effect_of(const Candidate& candidate, double exponent) {
+  constexpr int steps = 1000;
+  Effect effect;
+  for (int i = 0; i <= steps; ++i) {
+    const Place place = LobeRule::place_at(i * pi<double>() / (2 * steps));
+    effect.show(power_lobe_near_peak(place.one_minus_cos, exponent),
+                candidate.kernel(place, candidate.parameter),
+                at_cosine({1 - place.one_minus_cos, place.one_minus_cos}));
+  }
+  return effect;
 }
 
 /// "the printed Gauss-Weierstrass at all of them", one part for each winner.
@@ -321,22 +320,24 @@ Finding other_kernels(const Claim& claim) {
                                  [](const Contest& c) { return c.winner().name == spherical_gaussian; });
   const auto of = static_cast<long>(contests.size());
   const Contest &first = contests.front(), &last = contests.back();
-  return {
-      is_known ? std::optional(verdict_of_part(won, of)) : std::nullopt,
-      "smallest at " + std::to_string(won) + " of " + counted(of, "exponent"),
-      "of " + counted(of, "exponent") + " from " + decimal(first.exponent, 6) + " to " +
-          decimal(last.exponent, 6) + " the smallest rms error (x read as the " + std::string(reading) +
-          ") is " + winners_in_words(contests) +
-          ", and of those that need neither the angle nor a series that of " +
-          std::string(spherical_gaussian) + " at " + std::to_string(wins_of_the_cosine(contests, reading)) +
-          " of them; at k = " + std::string(claim.inputs.at("shown")) +
-          " the errors are: " + errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))) + "; " +
-          ratio_in_words(last, reading) + "; what a shader executes: " + costs() +
-          " (to be within 1/255: " + terms_to_see(first) + ", " + terms_to_see(last) +
-          "); the squared errors by two rules agree to " + decimal(rule_tolerance, 1) + " of themselves",
-      "at k = " + decimal(first.exponent, 6) + " " + std::string(spherical_gaussian) + " is off by up to " +
-          largest_errors(first.candidates[0], first.exponent) + ", " + std::string(first.winner().name) +
-          " by up to " + largest_errors(first.winner(), first.exponent)};
+  return {is_known ? std::optional(verdict_of_part(won, of)) : std::nullopt,
+          "smallest at " + std::to_string(won) + " of " + counted(of, "exponent"),
+          "of " + counted(of, "exponent") + " from " + decimal(first.exponent, 6) + " to " +
+              decimal(last.exponent, 6) + " the smallest rms error (x read as the " + std::string(reading) +
+              ") is " + winners_in_words(contests) +
+              ", and of those that need neither the angle nor a series that of " +
+              std::string(spherical_gaussian) + " at " +
+              std::to_string(wins_of_the_cosine(contests, reading)) +
+              " of them; at k = " + std::string(claim.inputs.at("shown")) +
+              " the errors are: " + errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))) + "; " +
+              ratio_in_words(last, reading) + "; what a shader executes: " + costs() +
+              " (to be within 1/255: " + terms_to_see(first) + ", " + terms_to_see(last) +
+              "); the squared errors by two rules agree to " + decimal(rule_tolerance, 1) + " of themselves",
+          sentences({sentence(effect_of(first.candidates[0], first.exponent), "the lobe",
+                              "at k = " + decimal(first.exponent, 6) + " " + std::string(spherical_gaussian)),
+                     first.winner().name == spherical_gaussian
+                         ? "none"
+                         : sentence(effect_of(first.winner(), first.exponent), "it", first.winner().name)})};
 }
 
 }  // namespace

@@ -64,9 +64,9 @@ Finding offset_bounds(const Claim& claim) {
   if (*finding.verdict != Verdict::confirmed)
     finding.evidence += "; under the first it is in [" + decimal(low, 4) + ", " + decimal(high, 4) + "] " +
                         sentence(within, exponents);
-  finding.effect = "x = " + decimal(high, 4) +
-                   " in place of the best x at k = " + decimal(first.highest_at, 3) + " " +
-                   effect_of_offset(first.highest_at, first.highest, high);
+  finding.effect =
+      sentence(effect_of_offset(first.highest_at, first.highest, high), "the curve",
+               "x = " + decimal(high, 4) + " in place of the best x at k = " + decimal(first.highest_at, 3));
   return finding;
 }
 
@@ -125,15 +125,16 @@ Finding plain_accurate(const Claim& claim) {
   const auto end = [](const std::vector<ExponentInterval>& w) {
     return w.empty() ? "none" : decimal(w.front().to, 4);
   };
-  return {worst(parts),
-          "accurate above = " + start(is_accurate) + ", poor below = " + end(is_poor) +
-              ", bad up to = " + end(powers.where),
-          looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
-              decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
-              " " + sentence(is_poor, exponents) + ", within one 8-bit sRGB code " +
-              sentence(is_a_code, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
-              "/k for k to infinity; " + powers.words,
-          "at k = " + decimal(above, 4) + " the form " + effect_of_gaussian(above, offset)};
+  return {
+      worst(parts),
+      "accurate above = " + start(is_accurate) + ", poor below = " + end(is_poor) +
+          ", bad up to = " + end(powers.where),
+      looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
+          decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
+          " " + sentence(is_poor, exponents) + ", within one 8-bit sRGB code " +
+          sentence(is_a_code, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
+          "/k for k to infinity; " + powers.words,
+      sentence(effect_of_gaussian(above, offset), "the curve", "at k = " + decimal(above, 4) + " the form")};
 }
 
 /// A crossing near the peak, and what is gained between it and the peak.
@@ -141,14 +142,13 @@ struct PeakSide {
   double exponent;
   Cosine<double> crossing;
   bool holds;             ///< the plain form is the closer one from there to the peak, and not below
-  double plain, shifted;  ///< the largest errors on the peak's side
-  double plain_codes, shifted_codes;
+  Effect plain, shifted;  ///< of the two forms on the peak's side
 };
 
 std::optional<PeakSide> peak_side(double exponent, double offset) {
   const auto crossing = peak_crossing(exponent, offset);
   if (!crossing) return std::nullopt;
-  PeakSide side{exponent, *crossing, true, 0, 0, 0, 0};
+  PeakSide side{exponent, *crossing, true, {}, {}};
   // 64 places on the peak's side, and as many below the crossing, where the lobe has not yet vanished
   const double top = crossing->one_minus_cos, bottom = std::min(1.0, 16 * top);
   constexpr int places = 64;
@@ -158,16 +158,15 @@ std::optional<PeakSide> peak_side(double exponent, double offset) {
     const double plain = lobe_error_at(c, exponent, 0), shifted = lobe_error_at(c, exponent, offset);
     if (i != places) side.holds = side.holds && (i < places) == (plain < shifted);
     if (i > places) continue;
-    side.plain = std::max(side.plain, plain);
-    side.shifted = std::max(side.shifted, shifted);
-    side.plain_codes = std::max(side.plain_codes, lobe_codes_at(c, exponent, 0));
-    side.shifted_codes = std::max(side.shifted_codes, lobe_codes_at(c, exponent, offset));
+    show_gaussian(side.plain, c, exponent, 0);
+    show_gaussian(side.shifted, c, exponent, offset);
   }
   return side;
 }
 
 std::string gain_in_codes(const PeakSide& side) {
-  return decimal(side.shifted_codes - side.plain_codes, 2) + " at k = " + exponent_text(side.exponent);
+  return decimal(side.shifted.srgb_codes - side.plain.srgb_codes, 2) +
+         " at k = " + exponent_text(side.exponent);
 }
 
 Finding plain_peak(const Claim& claim) {
@@ -188,7 +187,10 @@ Finding plain_peak(const Claim& claim) {
   const PeakSide& last = sides.back();
   const double t = last.exponent * last.crossing.one_minus_cos;
   const auto most = *std::max_element(sides.begin(), sides.end(), [](const PeakSide& a, const PeakSide& b) {
-    return a.shifted - a.plain < b.shifted - b.plain;
+    const auto gain = [](const PeakSide& side) {
+      return side.shifted.absolute.magnitude - side.plain.absolute.magnitude;
+    };
+    return gain(a) < gain(b);
   });
   return {verdict_of(holds), "c > 1 - " + decimal(law.limit, 4) + "/k as k grows",
           "x = 0 is closer than x = " + decimal(offset, 4) + " from the peak to c = " + enumerated(words) +
@@ -196,10 +198,10 @@ Finding plain_peak(const Claim& claim) {
               decimal(law.limit, 4) + " - " + decimal(-law.slope, 4) +
               "/k; on the peak's side the largest error in 8-bit sRGB codes is less by " +
               gain_in_codes(sides.front()) + ", by " + gain_in_codes(sides.back()),
-          "on the peak's side of the crossing the largest error is " + decimal(most.plain, 2) + ", " +
-              decimal(most.plain_codes, 2) + " 8-bit sRGB codes, for x = 0 and " + decimal(most.shifted, 2) +
-              ", " + decimal(most.shifted_codes, 2) + " codes, for x = " + decimal(offset, 4) +
-              " at k = " + exponent_text(most.exponent) + ", the power that gains most"};
+          sentences({sentence(most.plain, "the curve",
+                              "on the peak's side of the crossing at k = " + exponent_text(most.exponent) +
+                                  ", the power that gains most, the form with x = 0"),
+                     sentence(most.shifted, "the curve", "with x = " + decimal(offset, 4) + " it")})};
 }
 
 /// How far two offsets are apart over the exponents.
@@ -238,19 +240,20 @@ Finding offset_one_low(const Claim& claim) {
   const std::array parts{verdict_of_range(covers(fits, low_from, low_to), fits),
                          verdict_of_range(covers(gap.is_subtle, high_from, high_to), gap.is_subtle)};
   const std::string x = "x = " + decimal(offset, 4);
-  return {
-      worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
-      looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
-          " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
-          decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
-          decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
-          " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " + looked_at(high) +
-          " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
-          ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
-          sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) +
-          " from k = " + decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
-      "at k = " + decimal(used_at, 4) + " the form with " + x + " " + effect_of_gaussian(used_at, offset) +
-          "; at k = " + decimal(high_from, 4) + " dropping it " + effect_of_offset(high_from, offset, 0)};
+  return {worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
+          looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
+              " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
+              decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
+              decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
+              " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " +
+              looked_at(high) + " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
+              ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
+              sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) + " from k = " +
+              decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
+          sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
+                              "at k = " + decimal(used_at, 4) + " the form with " + x),
+                     sentence(effect_of_offset(high_from, offset, 0), "the curve",
+                              "at k = " + decimal(high_from, 4) + " dropping it")})};
 }
 
 Finding offset_matters(const Claim& claim) {
@@ -282,8 +285,9 @@ Finding offset_matters(const Claim& claim) {
           looked_at(exponents) + " the forms differ by less than " + decimal(subtle, 3) + ": " +
               enumerated(words) + ", so all of them from k = " + decimal(start, 4) +
               "; by at most one 8-bit sRGB code, in this order, " + enumerated(codes),
-          "at k = " + decimal(from, 4) + " going from x = " + decimal(widest.low, 4) + " to " +
-              decimal(widest.high, 4) + " " + effect_of_offset(from, widest.low, widest.high)};
+          sentence(effect_of_offset(from, widest.low, widest.high), "the curve",
+                   "at k = " + decimal(from, 4) + " going from x = " + decimal(widest.low, 4) + " to " +
+                       decimal(widest.high, 4))};
 }
 
 }  // namespace

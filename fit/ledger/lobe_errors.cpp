@@ -119,16 +119,16 @@ double lobe_error_at(const Cosine<double>& c, double exponent, double offset) {
   return std::abs(error(exponent, offset)(c));
 }
 
-double lobe_codes_at(const Cosine<double>& c, double exponent, double offset) {
-  return std::abs(srgb_code(double(gaussian(exponent, offset)(c))) - srgb_code(double(target(exponent)(c))));
+void show_gaussian(Effect& effect, const Cosine<double>& c, double exponent, double offset) {
+  effect.show(target(exponent)(c), gaussian(exponent, offset)(c), at_cosine(c));
 }
 
-std::string effect_of_gaussian(double exponent, double offset) {
-  return sentence(effect_between(target(exponent), gaussian(exponent, offset), places(exponent)));
+Effect effect_of_gaussian(double exponent, double offset) {
+  return effect_between(target(exponent), gaussian(exponent, offset), places(exponent));
 }
 
-std::string effect_of_offset(double exponent, double from, double to) {
-  return sentence(effect_between(gaussian(exponent, from), gaussian(exponent, to), places(exponent)));
+Effect effect_of_offset(double exponent, double from, double to) {
+  return effect_between(gaussian(exponent, from), gaussian(exponent, to), places(exponent));
 }
 
 }  // namespace shadefit

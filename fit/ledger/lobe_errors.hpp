@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "fit/effect.hpp"
 #include "fit/extremum.hpp"
 #include "fit/metric.hpp"
 
@@ -35,14 +35,16 @@ SmallestLobeError smallest_lobe_error(double exponent);
 /// peak the plain one is the closer. Empty for an offset that is not above 0: there is none.
 std::optional<Cosine<double>> peak_crossing(double exponent, double offset);
 
-/// |exp((k+x)(c-1)) - c^k| at a place, and the same in 8-bit sRGB codes.
+/// |exp((k+x)(c-1)) - c^k| at a place.
 double lobe_error_at(const Cosine<double>& c, double exponent, double offset);
-double lobe_codes_at(const Cosine<double>& c, double exponent, double offset);
 
-/// What using the Gaussian for c^k does to a picture, in words.
-std::string effect_of_gaussian(double exponent, double offset);
+/// Shows an effect what using the Gaussian for c^k does at a place.
+void show_gaussian(Effect& effect, const Cosine<double>& c, double exponent, double offset);
+
+/// What using the Gaussian for c^k does to a picture.
+Effect effect_of_gaussian(double exponent, double offset);
 
 /// What using one offset for another does to it.
-std::string effect_of_offset(double exponent, double from, double to);
+Effect effect_of_offset(double exponent, double from, double to);
 
 }  // namespace shadefit

@@ -1,10 +1,12 @@
 #include "approx/material.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "approx/encoding.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/ledger/colour_chart.hpp"
 #include "fit/ledger/diffuse_fresnel.hpp"
 #include "fit/ledger/list.hpp"
@@ -39,6 +41,20 @@ Census census_of(double dielectric_f0, int codes) {
   return census;
 }
 
+/// What a clamp of the base colour to the brightest that keeps the sum at most 1 does to a dielectric.
+std::string effect_of_clamp(double dielectric_f0, int codes) {
+  const double brightest = std::max(0.0, brightest_base_colour(dielectric_f0, 0.0));
+  Effect effect;
+  for (int i = 0; i < codes; ++i) {
+    const double colour = srgb_decode(i / (codes - 1.0));
+    effect.show(colour, std::min(colour, brightest), {{"code ", static_cast<double>(i)}, {"m = ", 0}});
+  }
+  return sentence(effect, "it",
+                  "a clamp of the base colour to the " + decimal(brightest, 4) +
+                      " that sends back no more light "
+                      "than arrives");
+}
+
 Finding metallic_workflow(const Claim& claim) {
   const double f0 = number_of(claim.printed[0].value);
   const int codes = static_cast<int>(number_of(claim.inputs.at("codes")));
@@ -51,16 +67,14 @@ Finding metallic_workflow(const Claim& claim) {
       census.above_one == census.beyond_brightest ? std::optional(verdict) : std::nullopt,
       "c <= 1 - " + text + " (1-m)",
       "albedo + F0 = c + " + text + " (1-m) is at most 1 exactly where c <= 1 - " + text +
-          " (1-m): at every m up to c = " + decimal(brightest, 4) + ", above that only for m >= 1 - (1-c)/" +
-          text + "; its largest value is " + decimal(most, 4) + " at c = 1, m = 0; of the " +
-          std::to_string(pairs) + " pairs of codes " + std::to_string(census.above_one) + " are above 1" +
+          " (1-m): at every m up to c = " + decimal(brightest, 4) + ", code " +
+          decimal(srgb_code(brightest), 4) + ", above that only for m >= 1 - (1-c)/" + text +
+          "; its largest value is " + decimal(most, 4) +
+          " at c = 1, m = 0, a white dielectric at normal incidence; of the " + std::to_string(pairs) +
+          " pairs of codes " + std::to_string(census.above_one) + " are above 1" +
           (census.above_one > 0 ? ", from colour code " + std::to_string(census.first_colour) + " on" : "") +
           ", as many as the closed form says",
-      f0 <= 0 ? "none"
-              : "a white dielectric sends back " + decimal(most, 4) +
-                    " times the light, at normal incidence; base colours up to code " +
-                    decimal(srgb_code(brightest), 4) + " never do, and a clamp there moves white by " +
-                    decimal(255 - srgb_code(brightest), 2) + " 8-bit sRGB codes"};
+      effect_of_clamp(f0, codes)};
 }
 
 struct Channels {

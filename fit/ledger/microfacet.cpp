@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/microfacet_integrals.hpp"
 #include "fit/multiprecision.hpp"
@@ -96,7 +97,10 @@ Finding normalised(const Claim& claim) {
   const double expected = value_of(printed);
   const Distance worst = area_distance(distribution, widths, expected);
   return {judged(worst), decimal(worst.integral, 10), area_evidence(worst, widths, printed),
-          judged(worst) == Verdict::confirmed ? "none" : effect_of_factor(expected, worst.integral)};
+          judged(worst) == Verdict::confirmed
+              ? "none"
+              : effect_of_factor(expected, worst.integral,
+                                 "at roughness " + decimal(worst.roughness, 6) + " it")};
 }
 
 /// The largest relative distance of GTR1 at that alpha from `limit`, over normals from n to the horizon.
@@ -178,6 +182,14 @@ std::string views_in_words(const std::vector<double>& angles) {
          " to " + decimal(angles.back(), 6) + " degrees";
 }
 
+/// What a masking does to a surface with F = 1 that should reflect all of the light.
+std::string effect_of_masking(const Distance& worst, std::string_view distribution) {
+  return effect_of_factor(worst.integral, 1,
+                          std::string(distribution) + " with F = 1 and masking alone, at roughness " +
+                              decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
+                              " degrees,");
+}
+
 Finding masked_by_its_own(const Claim& claim) {
   const Widths widths(claim);
   const auto angles = views_of(claim);
@@ -192,9 +204,7 @@ Finding masked_by_its_own(const Claim& claim) {
           "the integral of G1 D(m) max(v.m, 0) differs from v.n by " + most + ", relative, at " +
               widths.words() + " and " + views_in_words(angles) + ", by two rules that agree within " +
               decimal(std::max(promised, worst.error), 1),
-          holds ? "none"
-                : "with F = 1 and masking alone, what should reflect all of the light reflects " +
-                      decimal(worst.integral, 2) + " times as much"};
+          holds ? "none" : effect_of_masking(worst, claim.inputs.at("distribution"))};
 }
 
 /// Up to where f stays at most 0 on a list of places with f's values there: the last place if it always does,
@@ -262,7 +272,7 @@ std::string at_flattest_view(const MaskingTable& table) {
   return enumerated(ratios);
 }
 
-/// One loan: its verdict, how wrong it gets and where it is good enough. Its effect is the largest ratio.
+/// One loan: its verdict, how wrong it gets and where it is good enough.
 Finding loan(std::string_view distribution, const Claim& claim) {
   const Widths widths(claim);
   const auto angles = views_of(claim);
@@ -286,20 +296,18 @@ Finding loan(std::string_view distribution, const Claim& claim) {
                      decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
                      " degrees; it is " + words(range, accurate) + " (" +
                      words(range_of(pair, widths, angles, table, code), code) + ", one 8-bit sRGB code)";
-  finding.effect = decimal(worst.integral, 2) + " times as much by " + std::string(distribution);
+  finding.effect = effect_of_masking(worst, distribution);
   return finding;
 }
 
 Finding masked_by_another(const Claim& claim) {
   const Finding blinn_phong = loan("blinn-phong", claim), gtr1 = loan("gtr1", claim);
   const Widths widths(claim);
-  return {
-      worst(std::array{blinn_phong.verdict, gtr1.verdict}),
-      "at worst " + blinn_phong.computed + ", " + gtr1.computed,
-      "at " + widths.words() + " and " + views_in_words(views_of(claim)) + ", " + blinn_phong.evidence +
-          "; " + gtr1.evidence,
-      "with F = 1 and masking alone, what should reflect all of the light reflects, at the worst of these, " +
-          blinn_phong.effect + ", " + gtr1.effect};
+  return {worst(std::array{blinn_phong.verdict, gtr1.verdict}),
+          "at worst " + blinn_phong.computed + ", " + gtr1.computed,
+          "at " + widths.words() + " and " + views_in_words(views_of(claim)) + ", " + blinn_phong.evidence +
+              "; " + gtr1.evidence,
+          sentences({blinn_phong.effect, gtr1.effect})};
 }
 
 }  // namespace

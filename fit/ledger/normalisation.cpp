@@ -106,7 +106,9 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, co
   finding.evidence +=
       " (two rules that agree within " + decimal(std::max(error, normalisation_tolerance), 1) + ")";
   if (finding.verdict != Verdict::confirmed)
-    finding.effect = effect_of_factor(printed.at(worst_check->exponent.value_or(1)), exact);
+    finding.effect =
+        effect_of_factor(printed.at(worst_check->exponent.value_or(1)), exact,
+                         worst_check->exponent ? "at a = " + decimal(*worst_check->exponent, 6) + " it" : "");
   return finding;
 }
 
@@ -318,7 +320,7 @@ Finding cheap_constant(const Claim& claim) {
                      closest_in_words(ratio, place, low) + "; energy that it creates, over " +
                      range_in_words(views_of(claim), "view angle") + " degrees: at " +
                      energy_in_words(curves);
-  finding.effect = effect_of_factor(1 + ratio(place), 1);
+  finding.effect = effect_of_factor(1 + ratio(place), 1, "at a = " + decimal(std::exp2(place), 3) + " it");
   return finding;
 }
 
@@ -334,23 +336,19 @@ Finding microfacet_constant(const Claim& claim) {
           plain.evidence + "; " + in_unit.evidence, plain.effect == "none" ? in_unit.effect : plain.effect};
 }
 
-/// What a detour costs in half precision: "none", or how many grey levels it moves.
+/// What a detour costs in half precision: "none", or what it moves.
 std::string effect_in_half(const std::function<Eigen::half(Eigen::half)>& left,
                            const std::function<Eigen::half(Eigen::half)>& right) {
   int moved = 0;
-  double ulps = 0, codes = 0;
+  Effect effect;
   for (int i = 1; i <= 255; ++i) {
     const Eigen::half grey = round_to_half(i / 255.0);
     const auto a = static_cast<double>(static_cast<float>(left(grey)));
     const auto b = static_cast<double>(static_cast<float>(right(grey)));
     moved += a != b;
-    ulps = std::max(ulps, std::abs(a - b) / half_ulp(b));
-    codes = std::max(codes, std::abs(srgb_code(a) - srgb_code(b)));
+    effect.show(b, a, {{"grey ", static_cast<double>(i), "/255"}});
   }
-  if (moved == 0) return "none";
-  return "in half precision the detour moves " + std::to_string(moved) + " of 255 grey levels, by at most " +
-         decimal(ulps, 2) + (ulps == 1 ? " ulp and " : " ulps and ") + decimal(codes, 2) +
-         " 8-bit sRGB codes";
+  return sentence(effect, std::to_string(moved) + " of 255 linear greys", "in half precision the detour");
 }
 
 /// An identity in c_diff, in 50 digits.

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "approx/encoding.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/extremum.hpp"
 #include "fit/ledger/published.hpp"
 #include "fit/ledger/topics.hpp"
@@ -121,14 +121,21 @@ AtView look_from(double view_angle, double exponent) {
           })};
 }
 
-/// The largest difference of the two lobes in 8-bit sRGB codes.
-double largest_code_shift(double view_angle, double exponent) {
+/// What the lobe of twice the Blinn angle does in the place of Phong's, seen from one angle: over lights at
+/// every degree from the normal and around it, on one side of the plane of the view.
+Effect effect_seen_from(double view_angle, double exponent) {
+  constexpr int step = 1;
   const Vector view = direction(radians(view_angle), 0);
-  return largest_over_lights([&](const Vector& light) {
-    const Angles a = angles_of(light, view);
-    return std::abs(srgb_code(lobe_of_angle(a.phong, exponent)) -
-                    srgb_code(lobe_of_angle(2 * a.blinn, exponent)));
-  });
+  Effect effect;
+  for (int polar = 0; polar <= 90; polar += step) {
+    for (int azimuth = 0; azimuth <= 180; azimuth += step) {
+      const Angles a = angles_of(direction(radians(polar), radians(azimuth)), view);
+      effect.show(lobe_of_angle(a.phong, exponent), lobe_of_angle(2 * a.blinn, exponent),
+                  {{"light ", static_cast<double>(polar), " degrees from n"},
+                   {"azimuth ", static_cast<double>(azimuth), " degrees"}});
+    }
+  }
+  return effect;
 }
 
 /// "3.905, 15.4 and 34.06"
@@ -157,7 +164,7 @@ std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& view
          " degrees from the normal the factor at the peak, across the plane of n and v, is 2 n.v: " +
          listed(
              views, [](const AtView& at) { return at.across; }, 5) +
-         "; over all lights twice the Blinn angle exceeds the Phong angle by at most 2 asin(1 - n.v): " +
+         ", as Blinn's highlight is narrower there; over all lights twice the Blinn angle exceeds the Phong angle by at most 2 asin(1 - n.v): " +
          listed(
              views, [](const AtView& at) { return at.excess; }, 5) +
          " degrees; cos^rho of the two, rho = " + std::string(claim.inputs.at("exponent")) +
@@ -181,15 +188,14 @@ Finding angle(const Claim& claim) {
   const AtView& worst_view = *std::max_element(
       views.begin(), views.end(), [](const AtView& a, const AtView& b) { return a.lobe < b.lobe; });
   const double middle = (in_plane.low + in_plane.high) / 2;
-  return {is_known ? std::optional(verdict) : std::nullopt, decimal(middle, 10) + " in a plane",
-          "with n, l and v in one plane, at every " + std::string(claim.inputs.at("step")) +
-              " degrees, the Phong angle is " + decimal(middle, 10) + " times the Blinn angle (to " +
-              decimal(angle_tolerance, 1) + "), and less than that for all others; " +
-              out_of_the_plane(claim, views),
-          "seen from " + decimal(worst_view.angle, 4) + " degrees the lobe differs by up to " +
-              decimal(worst_view.lobe, 2) + ", " +
-              decimal(largest_code_shift(worst_view.angle, exponent), 3) +
-              " 8-bit sRGB codes: at the peak Blinn's highlight is narrower across the plane by n.v"};
+  return {
+      is_known ? std::optional(verdict) : std::nullopt, decimal(middle, 10) + " in a plane",
+      "with n, l and v in one plane, at every " + std::string(claim.inputs.at("step")) +
+          " degrees, the Phong angle is " + decimal(middle, 10) + " times the Blinn angle (to " +
+          decimal(angle_tolerance, 1) + "), and less than that for all others; " +
+          out_of_the_plane(claim, views),
+      sentence(effect_seen_from(worst_view.angle, exponent), "Phong's lobe",
+               "seen from " + decimal(worst_view.angle, 4) + " degrees the lobe of twice the Blinn angle")};
 }
 
 }  // namespace

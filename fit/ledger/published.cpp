@@ -7,6 +7,7 @@
 
 #include "approx/catalogue.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/refit.hpp"
 #include "fit/sweep.hpp"
 
@@ -30,9 +31,9 @@ Published as_claimed(std::string_view id, const Claim& claim, std::string_view p
 std::string under_each_measure(FitCache& fits, const Published& published, const Domain& domain) {
   std::vector<std::string> values;
   for (const Measure measure : measures) {
-    const auto assessment = assess(fits, published, {.measure = measure, .domain = domain});
-    values.push_back((assessment ? decimal(assessment->computed, 10) : "no value") + " under the " +
-                     std::string(name(measure)) + " measure");
+    const auto value = computed_value(fits, published, {.measure = measure, .domain = domain});
+    values.push_back((value ? decimal(*value, 10) : "no value") + " under the " + std::string(name(measure)) +
+                     " measure");
   }
   return enumerated(values);
 }
@@ -52,24 +53,19 @@ std::string what_is_computed(const Published& published) {
   throw std::logic_error("a statement without words");
 }
 
-/// Of a number that was printed without its exponent: the worst of what it does in the place of the best one,
-/// from one end of the family's sweep to the other.
+/// Of a number that was printed without its exponent: what it does in the place of the best one, at the worst
+/// exponents of the family's sweep.
 std::string effect_elsewhere(FitCache& fits, const Published& published, const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
   Effect worst;
-  double at = 0;
   for (const double exponent : parse_sweep(fits.family().info.sweep)) {
     const Fit& fit = fits.at(exponent, metric);
     if (fit.status != Status::converged) continue;
     auto from = fit.parameters;
     from[parameter] = number_of(published.printed);
-    const Effect effect = fits.family().effect(exponent, metric.domain, from, fit.parameters);
-    if (effect.absolute.magnitude <= worst.absolute.magnitude) continue;
-    worst = effect;
-    at = exponent;
+    worst.include(fits.family().effect(exponent, metric.domain, from, fit.parameters), {"k = ", exponent});
   }
-  return "in the place of the best one, at k = " + decimal(at, 6) +
-         " where that matters most: " + sentence(worst);
+  return sentence(worst, "the curve", "in the place of the best one it");
 }
 
 /// One printed number: its verdict and its part of the sentence.
@@ -85,6 +81,9 @@ Finding evaluate_part(FitCache& fits, const Published& published, const Domain& 
                                     " and rounds to it from k = " + decimal(range->from, 3) + " to " +
                                     decimal(range->to, 3) + " under the cosine measure"
                               : " at no exponent of the sweep";
+    // of a number without its exponent the computed thing is where it is right
+    finding.computed = range ? "the best from k = " + decimal(range->from, 3) + " to " + decimal(range->to, 3)
+                             : "the best at no k";
     finding.effect = effect_elsewhere(fits, published, assessment->metric);
   } else {
     finding.evidence += " is " + under_each_measure(fits, published, domain);
@@ -110,16 +109,16 @@ Finding evaluate_published(const Claim& claim, std::initializer_list<std::string
     found.push_back(part.verdict);
     computed.push_back((printed.name.empty() ? "" : std::string(printed.name) + " = ") + part.computed);
     evidence.push_back(part.evidence);
-    if (part.effect != "none")
-      effects.push_back((printed.name.empty() ? "" : std::string(printed.name) + ": ") + part.effect);
+    effects.push_back(part.effect == "none" || printed.name.empty()
+                          ? part.effect
+                          : std::string(printed.name) + ": " + part.effect);
   }
   const auto joined = [](const std::vector<std::string>& parts, const char* between) {
     std::string out;
     for (const std::string& part : parts) out += (out.empty() ? "" : between) + part;
     return out;
   };
-  return {worst(found), joined(computed, ", "), joined(evidence, "; "),
-          effects.empty() ? "none" : joined(effects, "; ")};
+  return {worst(found), joined(computed, ", "), joined(evidence, "; "), sentences(effects)};
 }
 
 }  // namespace shadefit

@@ -8,8 +8,10 @@
 #include "approx/environment_map.hpp"
 #include "approx/lobe.hpp"
 #include "fit/decimal.hpp"
+#include "fit/effect.hpp"
 #include "fit/half.hpp"
 #include "fit/ledger/agreement.hpp"
+#include "fit/ledger/formats.hpp"
 #include "fit/substitution.hpp"
 #include "fit/sweep.hpp"
 
@@ -35,12 +37,23 @@ Eigen::half widest_lost_cap() {
   }
 }
 
-std::string effect_of_cap() {
+/// "in half precision the form gives 0 up to ..".
+std::string lost_caps() {
   const Eigen::half lost = widest_lost_cap();
-  const double angle = static_cast<double>(static_cast<float>(lost));
-  return "none in exact arithmetic; in half precision the form gives 0 up to phi = " +
-         decimal(angle / degree, 3) + " degrees, where 4 pi sin^2(phi/2) gives " +
-         decimal(static_cast<double>(static_cast<float>(cap_solid_angle_near_axis(lost))), 3);
+  return "in half precision the form gives 0 up to phi = " + decimal(widened(lost) / degree, 3) +
+         " degrees, where 4 pi sin^2(phi/2) gives " + decimal(widened(cap_solid_angle_near_axis(lost)), 3);
+}
+
+/// What half precision makes of the form, at every half-angle that is a half from 2^-6, a degree, to pi.
+std::string effect_of_cap() {
+  Effect effect;
+  for (std::uint16_t bits = 9 << 10;; ++bits) {
+    const auto angle = Eigen::numext::bit_cast<Eigen::half>(bits);
+    if (widened(angle) > std::numbers::pi) break;
+    effect.show(cap_solid_angle_near_axis(widened(angle)), widened(cap_solid_angle(angle)),
+                {{"phi = ", widened(angle) / degree, " degrees"}});
+  }
+  return sentence(effect, "the solid angle in sr", "in half precision the form");
 }
 
 /// The lobe's integral over the cosine (scaled by the power, to resolve its peak) and over the angle. A sharp
@@ -82,6 +95,13 @@ double compare_texel(double x, double y, double size, Agreement& agreement) {
   return closed_form;
 }
 
+/// What it means that a texel covers `ratio` of the mean one, for the power whose lobe covers a mean texel.
+std::string effect_of_texel(double mean, double ratio, const std::string& where) {
+  const double wanted = power_of_solid_angle(mean);
+  return effect_of_power(wanted, power_of_solid_angle(ratio * mean),
+                         where + " the power of the texel in the place of " + decimal(wanted, 4));
+}
+
 /// The level at which a mean texel covers what the lobe covers, by bisection: a texel doubles its edge with
 /// each level.
 double solved_level(double width, double exponent) {
@@ -108,7 +128,7 @@ Finding evaluate_cap(const Claim& claim) {
           "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
               counted(static_cast<long>(degrees.size()), "half-angle") + " " + from_to(degrees) +
               " degrees; the last one covers " + decimal(cap_solid_angle(degrees.back() * degree), 10) +
-              " sr",
+              " sr; " + lost_caps(),
           effect_of_cap()};
 }
 
@@ -151,11 +171,14 @@ Finding evaluate_texel(const Claim& claim) {
               " and one that touches the centre " + decimal(centre, 6) +
               " of the mean, in the limit of small texels " + decimal(corner_limit, 6) + " and " +
               decimal(centre_limit, 6) + " of it, the corner " + decimal(corner_limit / centre_limit, 6) +
-              " of the centre; with 2 texels a side, or 1, all are alike",
-          "a level chosen for the mean is too coarse by " + level_shift(centre) +
-              " at the centre of a face and too fine by " + level_shift(corner) +
+              " of the centre; with 2 texels a side, or 1, all are alike; a level chosen for the mean is too "
+              "coarse by " +
+              level_shift(centre) + " at the centre of a face and too fine by " + level_shift(corner) +
               " in its corners: as if the power were " + decimal(1 / centre, 3) + " and " +
-              decimal(1 / corner, 3) + " times what it is"};
+              decimal(1 / corner, 3) + " times what it is",
+          is_ordered ? sentences({effect_of_texel(mean, centre, "at the centre of a face"),
+                                  effect_of_texel(mean, corner, "in its corner")})
+                     : "none"};
 }
 
 Finding evaluate_mip_level(const Claim& claim) {
@@ -163,7 +186,8 @@ Finding evaluate_mip_level(const Claim& claim) {
   const std::vector<double> exponents = parse_sweep(claim.inputs.at("powers"));
   const std::string_view tolerance = claim.inputs.at("tolerance");
   const double root = number_of(claim.printed[0].value), factor = number_of(claim.printed[1].value);
-  double root_gap = 0, factor_gap = 0, formula_gap = 0, solved_root = 0, solved_factor = 0, shift = 0;
+  double root_gap = 0, factor_gap = 0, formula_gap = 0, solved_root = 0, solved_factor = 0;
+  double shift = 0, shifted = exponents.front();  // the largest in levels, and its power
   for (const double width : widths) {
     const double first = exponents.front(), first_level = solved_level(width, first);
     for (const double s : exponents) {
@@ -176,7 +200,10 @@ Finding evaluate_mip_level(const Claim& claim) {
       factor_gap = std::max(factor_gap, std::abs(solved_factor - factor));
       const double printed_shift =
           std::log2(root / solved_root) / 2 - (factor - solved_factor) * std::log2(s + 1);
-      shift = std::max(shift, std::abs(printed_shift));
+      if (std::abs(printed_shift) > std::abs(shift)) {
+        shift = printed_shift;
+        shifted = s;
+      }
     }
   }
   const bool holds = std::max({root_gap, factor_gap, formula_gap}) <= number_of(tolerance);
@@ -193,7 +220,11 @@ Finding evaluate_mip_level(const Claim& claim) {
           " level 0 belongs to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), 10) +
           ", the last level, " + decimal(std::log2(width), 3) +
           ", to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width))), 6),
-      holds ? "none" : "levels off by up to " + decimal(shift, 3)};
+      // a level doubles the texel's edge: four times the solid angle
+      holds ? "none"
+            : effect_of_power(
+                  shifted, shifted * std::exp2(-2 * shift),
+                  "a level off by " + decimal(std::abs(shift), 3) + " at power " + decimal(shifted, 6))};
 }
 
 }  // namespace shadefit

@@ -101,15 +101,21 @@ Finding sharp_density(const Claim& claim) {
   // Two exponentials and a handful of products, each rounded: some ten epsilons.
   constexpr double rounding = 1e-14;
   const double from = concentration_of_error(about), from_code = concentration_of_error(share_of_one_code());
-  const Verdict verdict = k >= from ? Verdict::confirmed : Verdict::conditional;
+  // At the printed k the error is largest of all k that the claim speaks of.
+  const double least = concentration_of_error(number_of(claim.inputs.at("no longer about")));
+  const Verdict verdict = k >= from    ? Verdict::confirmed
+                          : k >= least ? Verdict::conditional
+                                       : Verdict::refuted;
   return {apart <= rounding ? std::optional(verdict) : std::nullopt,
           "relative error " + decimal(law, 4) + " at k = " + std::string(claim.printed[0].value),
           "the relative error is -e^(-2k) at every angle (at 1 - c = " + std::string(claim.inputs.at("y")) +
               " the quotient of both densities says so to " + decimal(rounding, 1) + "): " + decimal(law, 4) +
               " at k = " + std::string(claim.printed[0].value) + "; it is within " +
-              std::string(claim.inputs.at("about")) + " from k = " + decimal(from, 4) +
+              std::string(claim.inputs.at("about")) + " from k = " + decimal(from, 4) + " on, within " +
+              std::string(claim.inputs.at("no longer about")) +
+              ", beyond which it is no longer about that, from k = " + decimal(least, 4) +
               " on, and by the reading of one 8-bit sRGB code from k = " + decimal(from_code, 4) + " on",
-          effect_of_factor(1 + law, 1)};
+          effect_of_factor(1 + law, 1, "at k = " + decimal(k, 4) + " and any c it")};
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "approx/ledger.hpp"
 #include "approx/phong_blinn.hpp"
+#include "fit/fit.hpp"
 #include "fit/sweep.hpp"
 #include "reports/baseline.hpp"
 #include "reports/csv.hpp"
@@ -59,10 +61,11 @@ TEST(FitCommand, JsonHasTheFieldsOfItsSchema) {
   EXPECT_EQ(json["published"], nlohmann::json::parse(R"({"a": -5.55473, "b": -6.98316})"));
   EXPECT_EQ(json["verdict"], "confirmed");
   EXPECT_EQ(json["digits"], 14);
-  EXPECT_EQ(
-      json["objective"],
-      nlohmann::json::parse(
-          R"({"measure": "cosine", "norm": "least-squares", "error": "absolute", "domain": [0.0, 1.0]})"));
+  EXPECT_EQ(json["objective"], nlohmann::json::parse(R"({
+    "measure": "cosine", "measure_counts_for": "the fit", "norm": "least-squares", "error": "absolute", "f0": 0.04,
+    "weight": "1", "domain": [0.0, 1.0],
+    "constraints": {"fixed": {}, "exact_at": [], "one_sided": null, "at_most": null, "at_least": null}})"));
+  EXPECT_TRUE(fit_json({"sg-offset", "--exponent", "4"})["objective"]["f0"].is_null()) << "a lobe has none";
   EXPECT_TRUE(fit_json({"sg-offset", "--exponent", "4"})["published"].is_null());
   EXPECT_TRUE(fit_json({"sg-offset", "--exponent", "4"})["verdict"].is_null());
 }
@@ -147,6 +150,56 @@ TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
   EXPECT_NE(outcome.out.find("0.78754461967478"), std::string::npos) << "the others are still printed";
 }
 
+TEST(FitCommand, MinimaxSaysWhatItFound) {
+  const Outcome text =
+      run_command_line({"fit", "fresnel-quadratic", "--norm", "minimax", "--error", "relative"});
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_NE(text.out.find("minimax relative error; the cosine measure counts for the rms error alone"),
+            std::string::npos)
+      << text.out;
+  EXPECT_NE(text.out.find(
+                "Level 0.02806530078, the error is + at c = 0.693332, - at c = 0.410036, + at c = 0.11586"),
+            std::string::npos)
+      << text.out;
+  const Outcome bound = run_command_line(
+      {"fit", "sg-scaled", "--exponent", "5", "--norm", "minimax", "--at-most", "1", "--fix", "x=0.75"});
+  EXPECT_NE(bound.out.find("The optimum sits on the constraint form <= 1 at c = 1\n"), std::string::npos)
+      << bound.out << bound.err;
+
+  const Outcome outcome =
+      run_command_line({"fit", "fresnel-quadratic", "--norm", "minimax", "--error", "relative", "--f0",
+                        "0.02", "--weight", "1 + 4 c", "--at-most", "1", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& objective = json["objective"];
+  EXPECT_EQ(objective["norm"], "minimax");
+  EXPECT_EQ(objective["error"], "relative");
+  EXPECT_EQ(objective["f0"], 0.02);
+  EXPECT_EQ(objective["weight"], "1 + 4 c");
+  EXPECT_EQ(objective["measure"], "cosine");
+  EXPECT_EQ(objective["measure_counts_for"], "rms_error alone: minimax has no measure");
+  EXPECT_EQ(objective["constraints"]["at_most"], 1);
+  EXPECT_TRUE(objective["constraints"]["one_sided"].is_null());
+  EXPECT_EQ(json["relative_to"], "F = f0 + (1 - f0) f, f0 = 0.02");
+  ASSERT_EQ(json["alternation"].size(), 3U);
+  for (const auto& point : json["alternation"]) {
+    EXPECT_EQ(point["holds"], "level");
+    EXPECT_NEAR(point["sign"].get<double>() * point["error"].get<double>(), json["level"].get<double>(),
+                1e-14);
+  }
+}
+
+TEST(FitCommand, LeastSquaresTakesGivenParametersAndRelativeErrors) {
+  const auto json = nlohmann::json::parse(
+      run_command_line({"fit", "fresnel-quadratic", "--error", "relative", "--fix", "b=-7", "--json"}).out);
+  EXPECT_EQ(json["parameters"]["b"], -7);
+  EXPECT_EQ(json["objective"]["constraints"]["fixed"]["b"], -7);
+  EXPECT_EQ(json["objective"]["measure_counts_for"], "the fit");
+  EXPECT_TRUE(json["level"].is_null());
+  const Outcome csv = run_command_line({"fit", "fresnel-quadratic", "--fix", "b=-7", "--csv"});
+  EXPECT_NE(csv.out.find("least-squares, b = -7"), std::string::npos) << csv.out;
+}
+
 TEST(ListCommand, NamesEveryClaimOnce) {
   const Outcome outcome = run_command_line({"list"});
   EXPECT_EQ(outcome.exit_code, 0);
@@ -158,6 +211,12 @@ TEST(ListCommand, NamesEveryClaimOnce) {
       EXPECT_NE(outcome.out.find("\n" + std::string(claim.id) + " "), std::string::npos) << claim.id;
       EXPECT_EQ(json["constants"][claims++]["id"], claim.id);
     }
+  }
+  for (const FittableFamily& family : fittable_families()) {
+    if (!family.info.is_comparison) continue;
+    EXPECT_NE(outcome.out.find("\n" + std::string(family.info.id) + " "), std::string::npos)
+        << family.info.id;
+    EXPECT_EQ(json["constants"][claims++]["id"], family.info.id) << "forms of comparison follow the claims";
   }
   EXPECT_EQ(json["constants"].size(), claims);
   EXPECT_EQ(json["constants"][0]["printed"], "x = 0.775") << "as printed, not as a number";
@@ -179,7 +238,12 @@ TEST(ListCommand, FiltersByVerdict) {
     for (const auto& row : json["constants"]) EXPECT_EQ(row["verdict"], name(verdict)) << row["id"];
     filtered += json["constants"].size();
   }
-  EXPECT_EQ(filtered, nlohmann::json::parse(run_command_line({"list", "--json"}).out)["constants"].size());
+  const auto families = fittable_families();
+  const auto comparisons = std::count_if(families.begin(), families.end(), [](const FittableFamily& family) {
+    return family.info.is_comparison;
+  });
+  const auto all = nlohmann::json::parse(run_command_line({"list", "--json"}).out)["constants"].size();
+  EXPECT_EQ(filtered + static_cast<std::size_t>(comparisons), all) << "forms of comparison claim nothing";
 }
 
 TEST(ExplainCommand, SaysWhatIsClaimedAndWhatIsComputed) {

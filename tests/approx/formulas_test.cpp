@@ -51,6 +51,12 @@ TEST(Lobe, RobustFormsAreThePlainOnes) {
                              tolerance));
         EXPECT_TRUE(is_close(where, Decimal50(difference / power_lobe(C, K)),
                              Decimal50(lobe_relative_error(change, ratio)), tolerance));
+        const Decimal100 A("1.0625");
+        const Decimal100 scaled = scaled_gaussian_lobe(C, K, A, X) - power_lobe(C, K);
+        EXPECT_TRUE(is_close(where, Decimal50(scaled),
+                             Decimal50(scaled_lobe_error(base, A, change, expm1(ratio))), tolerance));
+        EXPECT_TRUE(is_close(where, Decimal50(scaled / power_lobe(C, K)),
+                             Decimal50(scaled_lobe_relative_error(A, change, ratio)), tolerance));
       }
     }
   }
@@ -135,6 +141,13 @@ TEST(Fresnel, Landmarks) {
   EXPECT_EQ(schlick_reflectance(0.04, 1.0), 1);
   EXPECT_EQ(fresnel_one_term(0.0, 8.35), 1);
   EXPECT_EQ(fresnel_quadratic(0.0, -5.55473, -6.98316), 1);
+  EXPECT_EQ(fresnel_cubic(0.5, 0.0, -5.5, -7.0), fresnel_quadratic(0.5, -5.5, -7.0));
+  EXPECT_EQ(fresnel_quartic(0.5, 0.0, 0.0, -5.5, -7.0), fresnel_quadratic(0.5, -5.5, -7.0));
+  EXPECT_EQ(fresnel_fourth(0.5, 1.0), 1.0 / 16);
+  for (const double c : {0.0, 1.0}) {
+    EXPECT_EQ(fresnel_square(c, 2.2, -2.9), 1 - c) << "exact at both ends";
+    EXPECT_EQ(fresnel_rational(c, 1.26), 1 - c) << "exact at both ends";
+  }
   // Lagarde 2012: 0.003 and 0.000168 at c = 1
   EXPECT_NEAR(fresnel_one_term(1.0, 8.35), 0.003, 0.0005);
   EXPECT_NEAR(fresnel_quadratic(1.0, -5.55473, -6.98316), 0.000168, 0.0000005);

@@ -52,8 +52,10 @@ auto evaluate(const Formula<F>& formula, const std::vector<const char*>& a) {
     return formula.call(arg(0), arg(1));
   } else if constexpr (std::invocable<F, T, T, T>) {
     return formula.call(arg(0), arg(1), arg(2));
-  } else {
+  } else if constexpr (std::invocable<F, T, T, T, T>) {
     return formula.call(arg(0), arg(1), arg(2), arg(3));
+  } else {
+    return formula.call(arg(0), arg(1), arg(2), arg(3), arg(4));
   }
 }
 

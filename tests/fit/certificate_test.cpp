@@ -25,7 +25,7 @@ Subject gaussian(double exponent) {
 
 TEST(Certificate, HoldsWhatItSays) {
   Subject relative = gaussian(5), part = published_pair();
-  relative.error = ErrorKind::relative;
+  relative.error = Error::relative;
   part.domain = {0.25, 0.625};
   Subject exact{
       .family = "fresnel-one-term", .parameters = {{"A", "8.35"}}, .setting = {0, exact_surface(1.5)}};
@@ -54,7 +54,7 @@ TEST(Certificate, EveryFitOfTheCatalogue) {
 
 TEST(Certificate, ARelativeErrorHasItsOwnDomain) {
   Subject subject = gaussian(5);
-  subject.error = ErrorKind::relative;
+  subject.error = Error::relative;
   const Certificate made = certify(subject, usual_width).certificate;
   EXPECT_NEAR(made.subject.domain.lower, std::exp(-std::log(255) / 5), 1e-15);
   subject.domain = {0, 0.25};
@@ -83,7 +83,7 @@ TEST(Certificate, AFalseOneIsRefused) {
                  "the error does not reach the lower bound");
   expect_refusal(
       [](Certificate& c) {
-        c.attained = {Side::peak, 0.75};
+        c.attained = {Origin::peak, 0.75};
       },
       "the place of its lower bound is outside");
   expect_refusal([](Certificate& c) { c.places.clear(); },
@@ -111,7 +111,7 @@ TEST(Certificate, AFalseOneIsRefused) {
                  "the target '(1 - c)^4' is not the family's");
   expect_refusal([](Certificate& c) { c.precision = 9999; }, "it was made with 9999 bits");
   expect_refusal([](Certificate& c) { c.curve.trend = Trend::falls; }, "the form may turn at c in");
-  expect_refusal([](Certificate& c) { c.subject.error = ErrorKind::relative; }, "the error");
+  expect_refusal([](Certificate& c) { c.subject.error = Error::relative; }, "the error");
 }
 
 TEST(Certificate, WhatACurveIsNot) {

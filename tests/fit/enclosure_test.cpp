@@ -55,7 +55,7 @@ void expect_no_sample_above(const F& family, const std::array<const char*, F::pa
   const Enclosure found = enclose_largest(error, {});
   ASSERT_TRUE(found.is_reached);
   Decimal50 largest = 0;
-  for (const Side side : {Side::horizon, Side::peak}) {
+  for (const Origin side : {Origin::horizon, Origin::peak}) {
     for (int i = 0; i <= samples; ++i) {
       const double distance = 0.5 * i / samples;
       const Decimal50 magnitude = abs(error(cosine_at(side, Decimal50(distance))));
@@ -85,8 +85,8 @@ TEST(Enclosure, BoxesCoverTheDomainWithoutAGap) {
        {Domain{0, 1}, Domain{0.25, 1}, Domain{0.7, 0.9}, Domain{0.1, 0.3}, Domain{0, 0.5}}) {
     const Enclosure found = enclose_largest(error_of(quadratic, published_pair), domain);
     ASSERT_TRUE(found.is_reached) << to_text(domain);
-    const auto start = [](const Box& box) { return box.side == Side::horizon ? box.lower : 1 - box.upper; };
-    const auto end = [](const Box& box) { return box.side == Side::horizon ? box.upper : 1 - box.lower; };
+    const auto start = [](const Box& box) { return box.side == Origin::horizon ? box.lower : 1 - box.upper; };
+    const auto end = [](const Box& box) { return box.side == Origin::horizon ? box.upper : 1 - box.lower; };
     EXPECT_EQ(start(found.boxes.front()), domain.lower);
     EXPECT_EQ(end(found.boxes.back()), domain.upper);
     for (std::size_t i = 0; i + 1 < found.boxes.size(); ++i)
@@ -110,11 +110,11 @@ TEST(Enclosure, SharpAndBluntLobes) {
 
 TEST(Enclosure, AHintChangesNoBound) {
   const auto error = error_of(quadratic, published_pair);
-  const Enclosure wrong = enclose_largest(error, {}, {.hint = Place{Side::peak, 0.25}});
-  const Enclosure outside = enclose_largest(error, Domain{0, 0.5}, {.hint = Place{Side::peak, 0.25}});
+  const Enclosure wrong = enclose_largest(error, {}, {.hint = ExactPlace{Origin::peak, 0.25}});
+  const Enclosure outside = enclose_largest(error, Domain{0, 0.5}, {.hint = ExactPlace{Origin::peak, 0.25}});
   const Enclosure none = enclose_largest(error, {});
   EXPECT_EQ(wrong.upper, none.upper);
-  EXPECT_EQ(outside.attained.side, Side::horizon);
+  EXPECT_EQ(outside.attained.side, Origin::horizon);
 }
 
 TEST(Enclosure, WhatIsNotBoundedSaysSo) {

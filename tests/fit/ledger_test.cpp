@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -41,6 +42,50 @@ TEST(Ledger, EveryClaimIsJudgedWithWords) {
   }
 }
 
+/// "none", with a reason or without, or parts between semicolons that each give the largest absolute change
+/// and where it is, the largest relative one and where that is, ulps of a half and 8-bit sRGB codes.
+bool is_in_form(const std::string& effect) {
+  static const std::regex part(
+      R"(.*moves .+ by at most [-+.e0-9]+ \(at [^()]*[0-9][^()]*\), )"
+      R"(([-+.e0-9]+ of its value \(at [^()]*[0-9][^()]*\)|no relative change as no value reaches 1/255|)"
+      R"(0 of any value from 1/255 on), [-+.e0-9]+ ulps? of a half float, [-+.e0-9]+ 8-bit sRGB codes?, )"
+      R"(each at its worst)");
+  if (effect == "none" || effect.starts_with("none: ")) return true;
+  for (std::size_t at = 0; at < effect.size();) {
+    const std::size_t end = std::min(effect.find("; ", at), effect.size());
+    if (!std::regex_match(effect.substr(at, end - at), part)) return false;
+    at = end + 2;
+  }
+  return true;
+}
+
+TEST(Ledger, EveryEffectHasItsFourQuantitiesAndPlaces) {
+  std::size_t with_numbers = 0;
+  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; })) {
+    const std::string& effect = judged.finding.effect;
+    EXPECT_TRUE(is_in_form(effect)) << judged.claim->id << ": " << effect;
+    with_numbers += effect.starts_with("none") ? 0 : 1;
+  }
+  EXPECT_GT(with_numbers, 40U) << "effects, not their absence";
+}
+
+TEST(Ledger, TheFormOfAnEffectIsChecked) {
+  const std::string whole =
+      "x: moves it by at most 1e-05 (at c = 0.5), 0.2 of its value (at k = 3), 1 ulp of a half float, 0.3 "
+      "8-bit sRGB codes, each at its worst";
+  EXPECT_TRUE(is_in_form(whole));
+  EXPECT_TRUE(is_in_form(whole + "; " + whole));
+  EXPECT_TRUE(is_in_form("none: no value changes; 1 instruction a pixel more"));
+  EXPECT_FALSE(is_in_form(whole + "; the reflection is wider"));
+  EXPECT_FALSE(is_in_form("none for a power above 0; outside a pixel without a value"));
+  for (const std::string_view lost : {" (at c = 0.5)", " (at k = 3)", "0.2 of its value ",
+                                      " 1 ulp of a half float,", "0.3 8-bit sRGB codes"}) {
+    std::string changed = whole;
+    changed.erase(changed.find(lost), lost.size());
+    EXPECT_FALSE(is_in_form(changed)) << changed;
+  }
+}
+
 TEST(Ledger, AClaimThatNothingComputesIsAnErrorOfOurs) {
   EXPECT_THROW(evaluate(Claim{.id = "sg-ofset", .statement = "", .derivation = "", .source = {}}),
                std::logic_error);
@@ -67,8 +112,13 @@ TEST(Finding, EffectOfAFactor) {
   EXPECT_EQ(effect_of_factor(0.25, 0.25), "none");
   // A colour of 1/255 times 1.01: (12.92/255) * 0.01 * 255 = 0.1292 codes where sRGB is straight; at 1,
   // 255 * 1.055 * (1 - 0.99^(1/2.4)) for 0.99: 1.12. Both by hand.
-  EXPECT_NE(effect_of_factor(0.99, 1).find("1 - 0.01: at most 1.1 8-bit sRGB codes"), std::string::npos)
-      << effect_of_factor(0.99, 1);
+  // In halves the grey 254/255, just below 1, is worth most: 0.01 * 254/255 / 2^-11 = 20.4.
+  EXPECT_EQ(
+      effect_of_factor(0.99, 1, "at k = 2 it"),
+      "at k = 2 it scales what it multiplies by 1 - 0.01, which moves a linear grey by at most 0.01 (at "
+      "grey 255/255), 0.01 of its value (at grey 255/255), 20 ulps of a half float, 1.1 8-bit sRGB "
+      "codes, each at its worst");
+  EXPECT_NE(effect_of_factor(2.02, 2).find("1 + 0.01 (itself off by 0.02), which"), std::string::npos);
 }
 
 TEST(Decimal, SaysAsManyDigitsAsAreMeant) {

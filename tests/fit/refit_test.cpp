@@ -10,7 +10,7 @@
 namespace shadefit {
 namespace {
 
-constexpr std::array cosine_and_angle{Metric{.measure = Measure::cosine}, Metric{.measure = Measure::angle}};
+const std::array cosine_and_angle{Metric{.measure = Measure::cosine}, Metric{.measure = Measure::angle}};
 
 struct Expected {
   const char* id;

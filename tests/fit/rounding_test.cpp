@@ -87,7 +87,7 @@ TEST(Rounding, BestOfAllHalvesByBruteForce) {
 
 TEST(Rounding, SearchOfABoxIsBruteForce) {
   const FresnelQuadratic family;
-  NarrowProblem<FresnelQuadratic, HalfFormat> problem(family, ErrorKind::absolute, {});
+  NarrowProblem<FresnelQuadratic, HalfFormat> problem(family, Error::absolute, {});
   const auto& lattice = problem.lattice();
   for (const auto& [a, b] : {std::pair{-5.55473, -6.98316}, {-5.49, -7.01}, {-4.0, -7.5}}) {
     const LatticePoint<2> centre{lattice.nearest(a), lattice.nearest(b)};
@@ -108,7 +108,7 @@ TEST(Rounding, SearchOfABoxIsBruteForce) {
 // A bound of a box is at most the error of every point in it, whatever trials have come together.
 TEST(Rounding, BoundsOfBoxesHold) {
   const SgOffset family{{10}};
-  NarrowProblem<SgOffset, Bfloat16Format> problem(family, ErrorKind::absolute, {});
+  NarrowProblem<SgOffset, Bfloat16Format> problem(family, Error::absolute, {});
   const std::int64_t centre = problem.lattice().nearest(0.7);
   for (const std::int64_t width : {0, 1, 5, 40}) {
     for (std::int64_t i = centre - 60; i <= centre + 60; ++i) {
@@ -139,26 +139,25 @@ TEST(Rounding, MutationsAreNoBetter) {
       EXPECT_GE(changed, 2);
     };
     if (format == half) {
-      expect_worse(NarrowProblem<FresnelQuadratic, HalfFormat>({}, ErrorKind::absolute, {}));
+      expect_worse(NarrowProblem<FresnelQuadratic, HalfFormat>({}, Error::absolute, {}));
     } else {
-      expect_worse(NarrowProblem<FresnelQuadratic, Bfloat16Format>({}, ErrorKind::absolute, {}));
+      expect_worse(NarrowProblem<FresnelQuadratic, Bfloat16Format>({}, Error::absolute, {}));
     }
   }
 }
 
 TEST(Rounding, GivesUpHonestly) {
   const Fit fit = fit_of("fresnel-quadratic");
-  const Rounded few = round_fit(fit, half, {}, ErrorKind::absolute, keep_going, 40);
+  const Rounded few = round_fit(fit, half, {}, keep_going, 40);
   EXPECT_FALSE(few.is_proven);
   EXPECT_EQ(few.searched, "the constants within 16 steps of the format");
   const Rounded all = round_fit(fit, half, {});
   EXPECT_GE(few.best.max_error, all.best.max_error);
   EXPECT_LE(few.best.max_error, few.naive.max_error);
   int called = 0;
-  round_fit(fit, bfloat16, {}, ErrorKind::absolute, [&] { ++called; });
+  round_fit(fit, bfloat16, {}, [&] { ++called; });
   EXPECT_GT(called, 0);
-  EXPECT_THROW(round_fit(fit, bfloat16, {}, ErrorKind::absolute, [] { throw std::runtime_error("stop"); }),
-               std::runtime_error);
+  EXPECT_THROW(round_fit(fit, bfloat16, {}, [] { throw std::runtime_error("stop"); }), std::runtime_error);
 }
 
 /// scale (form - target) is what the family calls its error.
@@ -167,8 +166,8 @@ void expect_measured(const F& family, const std::array<double, F::parameters.siz
   for (const double c : {0.2, 0.5, 0.93}) {
     const Cosine<double> at{c, 1 - c};
     const double form = F::form_of(c, exponent_of(family), p);
-    const auto absolute = measured_at(family, ErrorKind::absolute, at);
-    const auto relative = measured_at(family, ErrorKind::relative, at);
+    const auto absolute = measured_at(family, Error::absolute, at);
+    const auto relative = measured_at(family, Error::relative, at);
     EXPECT_NEAR(absolute.scale * (form - absolute.target), family.error(family.sample(at), p), 1e-13);
     EXPECT_NEAR(relative.scale * (form - relative.target), family.relative_error(family.sample(at), p), 1e-9);
   }
@@ -184,21 +183,23 @@ TEST(Rounding, MeasuresTheErrorsOfTheFamilies) {
 }
 
 TEST(Rounding, RelativeErrorsAndDomains) {
-  const Rounded relative = round_fit(fit_of("fresnel-quadratic"), half, {}, ErrorKind::relative);
+  Fit fit = fit_of("fresnel-quadratic");
+  fit.metric.error = Error::relative;
+  const Rounded relative = round_fit(fit, half, {});
   EXPECT_TRUE(relative.is_proven);
   EXPECT_LT(relative.best.max_error, relative.naive.max_error);
-  const NarrowProblem<FresnelQuadratic, HalfFormat> problem({}, ErrorKind::relative, {});
+  const NarrowProblem<FresnelQuadratic, HalfFormat> problem({}, Error::relative, {});
   EXPECT_EQ(problem.worst_of(parameter_array<FresnelQuadratic>(relative.naive.parameters)).error,
             relative.naive.max_error);
 
   // the inputs are those of the domain, its ends too
-  const NarrowProblem<SgOffset, HalfFormat> part(SgOffset{{8}}, ErrorKind::absolute, {0.25, 0.75});
+  const NarrowProblem<SgOffset, HalfFormat> part(SgOffset{{8}}, Error::absolute, {0.25, 0.75});
   EXPECT_EQ(part.inputs().front().cos_theta, 0.25);
   EXPECT_EQ(part.inputs().back().cos_theta, 0.75);
   EXPECT_EQ(part.inputs().size(), 1024 + 512 + 1u);
-  const NarrowProblem<SgOffset, HalfFormat> whole(SgOffset{{8}}, ErrorKind::absolute, {});
+  const NarrowProblem<SgOffset, HalfFormat> whole(SgOffset{{8}}, Error::absolute, {});
   EXPECT_EQ(whole.inputs().size(), 15361u);
-  const NarrowProblem<SgOffset, HalfFormat> odd(SgOffset{{8}}, ErrorKind::absolute, {0.3, 0.7});
+  const NarrowProblem<SgOffset, HalfFormat> odd(SgOffset{{8}}, Error::absolute, {0.3, 0.7});
   EXPECT_GE(odd.inputs().front().cos_theta, 0.3);
   EXPECT_LE(odd.inputs().back().cos_theta, 0.7);
 }
@@ -309,6 +310,28 @@ TEST(Rounding, DecimalsAreTheBestOfTheirNeighbours) {
   }
 }
 
+TEST(Rounding, GivenParametersStay) {
+  Metric metric;
+  metric.constraints.held = {{"b", -7}};
+  const Rounded rounded = round_fit(find_family("fresnel-quadratic")->fit({0}, metric), half, {});
+  EXPECT_EQ(rounded.best.parameters[1], -7);
+  EXPECT_TRUE(rounded.is_proven);
+  EXPECT_EQ(rounded.searched, "all finite numbers of the format, for the parameters that are not given");
+  const BinaryLattice<HalfFormat> lattice;
+  double best = rounded.naive.max_error;
+  for (std::int64_t i = lattice.nearest(-8); i <= lattice.nearest(-3); ++i)
+    best = std::min(best, error_in_half(FresnelQuadratic{}, {lattice.value(i), -7}, best));
+  EXPECT_EQ(rounded.best.max_error, best);
+}
+
+// Three parameters: the neighbourhood is searched, and more cannot be said.
+TEST(Rounding, OfManyParametersTheNeighbourhood) {
+  const Rounded rounded = round_fit(fit_of("fresnel-cubic"), half, {});
+  EXPECT_EQ(rounded.searched, "the constants within 16 steps of the format");
+  EXPECT_LT(rounded.best.max_error, rounded.naive.max_error);
+  EXPECT_LT(rounded.best.max_error, round_fit(fit_of("fresnel-quadratic"), half, {}).best.max_error);
+}
+
 TEST(Rounding, RefusesWhatAFormatCannotHold) {
   const auto line = [](const auto& call) -> std::string {
     try {
@@ -333,6 +356,22 @@ TEST(Rounding, RefusesWhatAFormatCannotHold) {
               round_fit(fit_of("sg-offset", 8, {0.50001, 0.50002}), half, {});
             }),
             "--domain '0.50001:0.50002' holds no number of half");
+  const auto with = [&](const auto& change) {
+    Fit fit = fit_of("fresnel-one-term");
+    change(fit.metric);
+    return line([&] { round_fit(fit, half, {}); });
+  };
+  EXPECT_EQ(with([](Metric& m) { m.weight = "1 + c"; }),
+            "--round 'half' does not apply with --weight: the largest error is searched without one");
+  const std::string broken = ": rounding would break it";
+  EXPECT_EQ(with([](Metric& m) { m.constraints.exact_at = {1}; }),
+            "--round 'half' does not apply with --exact-at" + broken);
+  EXPECT_EQ(with([](Metric& m) { m.constraints.one_sided = Side::above; }),
+            "--round 'half' does not apply with --one-sided" + broken);
+  EXPECT_EQ(with([](Metric& m) { m.constraints.at_most = 1; }),
+            "--round 'half' does not apply with --at-most" + broken);
+  EXPECT_EQ(with([](Metric& m) { m.constraints.at_least = 0; }),
+            "--round 'half' does not apply with --at-least" + broken);
 }
 
 TEST(Rounding, FormatsByName) {

@@ -35,12 +35,11 @@ TEST(CertificateJson, ReadsBackWhatItWrites) {
           1e-3)
           .certificate;
   EXPECT_TRUE(read_certificate(certificate_text(glass), "f").certificate == glass);
-  const Certificate lobe = certify({.family = "sg-offset",
-                                    .parameters = {{"x", "0.75"}},
-                                    .setting = 7.5,
-                                    .error = ErrorKind::relative},
-                                   1e-3)
-                               .certificate;
+  const Certificate lobe =
+      certify(
+          {.family = "sg-offset", .parameters = {{"x", "0.75"}}, .setting = 7.5, .error = Error::relative},
+          1e-3)
+          .certificate;
   EXPECT_TRUE(read_certificate(certificate_text(lobe), "f").certificate == lobe);
 }
 

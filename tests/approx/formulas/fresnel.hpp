@@ -37,6 +37,17 @@ inline auto fresnel_formulas() {
               Lobes{{"0.25", "8"}, {"0.5", "8.5"}}, 16},
       Formula{"fresnel_quadratic", [](auto c, auto a, auto b) { return fresnel_quadratic(c, a, b); },
               Lobes{{"0.25", "-5.5", "-7"}, {"0.5", "-5.5", "-7"}}, 16},
+      Formula{"fresnel_cubic", [](auto c, auto a, auto b, auto d) { return fresnel_cubic(c, a, b, d); },
+              Lobes{{"0.25", "-5.5", "-2.5", "-7"}, {"0.5", "-5.5", "-2.5", "-7"}}, 16},
+      Formula{"fresnel_quartic",
+              [](auto c, auto a, auto b, auto d, auto g) { return fresnel_quartic(c, a, b, d, g); },
+              Lobes{{"0.25", "-7", "0.5", "-4", "-7"}, {"0.5", "-7", "0.5", "-4", "-7"}}, 16},
+      Formula{"fresnel_fourth", [](auto c, auto s) { return fresnel_fourth(c, s); },
+              Lobes{{"0.25", "0.75"}, {"0.5", "1"}}, 8},
+      Formula{"fresnel_square", [](auto c, auto a, auto b) { return fresnel_square(c, a, b); },
+              Lobes{{"0.25", "2", "-2.75"}, {"0.5", "2", "-2.75"}}, 16},
+      Formula{"fresnel_rational", [](auto c, auto a) { return fresnel_rational(c, a); },
+              Lobes{{"0.25", "1.25"}, {"0.5", "1.25"}}, 8},
       Formula{"one_term_sharpness", [](auto x) { return one_term_sharpness(x); }, Lobes{{"0.75"}, {"1"}}, 4},
   };
 }

@@ -44,6 +44,7 @@ TEST(EnvironmentMapClaims, RestOnWhatIsPrintedAndGiven) {
                                   {"mip-select", "octaves", "8"},
                                   {"mip-select", "first octave", "2"},
                                   {"mip-select", "gloss bits", "6"},
+                                  {"mip-select", "gloss steps that count as found", "2"},
                                   {"power-range", "printed 0", "2.77"},
                                   {"power-range", "least", "1"},
                                   {"power-range", "most", "1000"},
@@ -94,6 +95,19 @@ TEST(EnvironmentMapClaims, AGlossOfOneBitIsFoundAtBothEnds) {
   const Claim& claim = *find_claim("mip-select");
   EXPECT_EQ(verdict_of(claim), "conditional");
   EXPECT_EQ(verdict_of(with_input(claim, "gloss bits", "1")), "confirmed");
+}
+
+// Next to the full gloss, code 254, the power found is 10/255/5 of an octave from the one wanted, a fifth of
+// a step; the worst is 10/6 of an octave, 42.5 steps (levels = 6).
+TEST(EnvironmentMapClaims, HowNearCountsAsFoundDecides) {
+  const Claim& claim = *find_claim("mip-select");
+  const auto within = [&](std::string_view steps) {
+    return verdict_of(with_input(claim, "gloss steps that count as found", steps));
+  };
+  EXPECT_EQ(within("0.19"), "refuted");
+  EXPECT_EQ(within("0.21"), "conditional");
+  EXPECT_EQ(within("42.3"), "conditional");
+  EXPECT_EQ(within("42.6"), "confirmed");
 }
 
 TEST(EnvironmentMapClaims, ThePowerOfThePrintedDigits) {

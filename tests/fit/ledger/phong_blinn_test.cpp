@@ -22,6 +22,35 @@ TEST(PhongBlinnClaims, RestOnWhatIsPrintedAndGiven) {
                                        {"phong-blinn-angle", "exponent", "64"}});
 }
 
+// The best x falls from its value at blunt lobes to 4 at sharp ones: 4.2 came without its exponent, so that
+// any number that x takes is right for some. What a changed digit changes is for which: no two overlap, each
+// begins where the next larger one ends.
+TEST(PhongBlinnClaims, EachDigitHasItsOwnExponents) {
+  const Claim& claim = *find_claim("phong-blinn-factor");
+  const auto range_of = [&](std::string_view printed) {
+    const Finding finding = evaluate(with_printed(claim, 1, printed));
+    EXPECT_EQ(finding.verdict, Verdict::conditional) << printed;
+    const std::string& text = finding.computed;
+    const auto at = text.find("the best from k = ");
+    if (at == std::string::npos) ADD_FAILURE() << text;
+    return text.substr(at + 18);
+  };
+  std::string end;
+  for (const std::string_view printed : {"4.4", "4.3", "4.2", "4.1"}) {
+    const std::string range = range_of(printed);
+    const auto to = range.find(" to ");
+    if (!end.empty()) {
+      EXPECT_EQ(range.substr(0, to), end) << printed;
+    }
+    end = range.substr(to + 4);
+  }
+  for (const char* never : {"3.9", "3.2", "9.2"}) {
+    const Finding finding = evaluate(with_printed(claim, 1, never));
+    EXPECT_EQ(finding.verdict, Verdict::refuted) << never << ": " << finding.computed;
+    EXPECT_NE(finding.computed.find("the best at no k"), std::string::npos);
+  }
+}
+
 TEST(PhongBlinnClaims, OnlyTheViewAlongTheNormalHasEveryLightInItsPlane) {
   const Claim& claim = *find_claim("phong-blinn-angle");
   EXPECT_EQ(verdict_of(claim), "conditional");
@@ -91,7 +120,7 @@ TEST(PhongBlinnAngles, ReachTheirLaw) {
 // At 60 degrees 2 asin(1/2) is 60 degrees, and across the plane the two angles are equal.
 TEST(PhongBlinnClaims, SixtyDegreesByHand) {
   const Finding finding = evaluate(with_input(*find_claim("phong-blinn-angle"), "views", "60"));
-  EXPECT_NE(finding.evidence.find("2 n.v: 1;"), std::string::npos) << finding.evidence;
+  EXPECT_NE(finding.evidence.find("2 n.v: 1, "), std::string::npos) << finding.evidence;
   EXPECT_NE(finding.evidence.find("2 asin(1 - n.v): 60 degrees"), std::string::npos) << finding.evidence;
 }
 

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "fit/jet.hpp"
+#include "fit/metric.hpp"
+#include "fit/substitution.hpp"
+#include "fit/weight.hpp"
+
+/// A family as a metric sees it.
+namespace shadefit {
+
+/// The parameters of a family that are given, by their places; the others are free.
+template <std::size_t N>
+using GivenParameters = std::array<std::optional<double>, N>;
+
+/// A family of which M parameters are free, with the error that a metric asks for: absolute or relative,
+/// times the weight. A family itself, for the solvers.
+template <class F, std::size_t M>
+struct Under {
+  static constexpr std::size_t all = F::parameters.size();
+  static_assert(0 < M && M <= all);
+  /// As many names as there are free parameters; which ones they are, `given` says.
+  static constexpr std::array<std::string_view, M> parameters{};
+
+  F family;
+  Error error_kind = Error::absolute;
+  Weight weight = {};
+  GivenParameters<all> given = {};
+
+  template <class T>
+  struct Sample {
+    typename F::template Sample<T> inner;
+    T weight;
+  };
+
+  template <class T>
+  Sample<T> sample(const Cosine<T>& c) const {
+    return {family.sample(c), weight.at(c.cos_theta)};
+  }
+
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, M>& p) const {
+    const auto q = with_given(p);
+    const P e = error_kind == Error::relative ? family.relative_error(s.inner, q) : family.error(s.inner, q);
+    return weight.is_one() ? e : lift<P>(s.weight) * e;
+  }
+
+  template <class T, class P>
+  P form(const Sample<T>& s, const std::array<P, M>& p) const {
+    return family.form(s.inner, with_given(p));
+  }
+
+  /// A relative error does not fall off with its target.
+  Shape shape() const {
+    Shape shape = family.shape();
+    if (error_kind == Error::relative) shape.concentration = shape.end_power = 0;
+    return shape;
+  }
+
+  std::array<std::array<double, M>, 3> starts() const {
+    std::array<std::array<double, M>, 3> result{};
+    const auto of_family = family.starts();
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = without_given(of_family[i]);
+    return result;
+  }
+
+  /// All parameters in the family's order, the given ones in their places.
+  template <class P>
+  std::array<P, all> with_given(const std::array<P, M>& p) const {
+    std::array<P, all> q;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < all; ++i) q[i] = given[i] ? lift<P>(*given[i]) : p[next++];
+    return q;
+  }
+
+ private:
+  std::array<double, M> without_given(const std::array<double, all>& q) const {
+    std::array<double, M> p{};
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < all; ++i) {
+      if (!given[i]) p[next++] = q[i];
+    }
+    return p;
+  }
+};
+
+}  // namespace shadefit
