@@ -28,7 +28,7 @@ void require_values(const std::vector<std::string>& arguments) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
     constexpr std::array take_text{"--out",  "--baseline", "--measure", "--target", "--only",     "--verdict",
-                                   "--norm", "--error",    "--weight",  "--fix",    "--one-sided"};
+                                   "--norm", "--error",    "--weight",  "--fix",    "--one-sided", "--round"};
     const bool takes_text = std::find(take_text.begin(), take_text.end(), option) != take_text.end();
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
@@ -160,6 +160,11 @@ void add_fit(CLI::App& app, Call& call) {
                     ->excludes(csv);
   fit->add_flag("--certify", call.fit.certify,
                 "prove bounds of the largest error, the stationary point and the curve")
+      ->excludes(csv)
+      ->excludes(latex);
+  fit->add_option("--round", call.fit.round,
+                  "the best constants of a format, evaluated in it: float, half, bfloat16 or decimal:N")
+      ->type_name("FORMAT")
       ->excludes(csv)
       ->excludes(latex);
   fit->callback([&call] { call.outcome = fit_command(call.fit, call.checkpoint); });

@@ -21,6 +21,7 @@
 #include "reports/plots.hpp"
 #include "reports/proofs.hpp"
 #include "reports/report.hpp"
+#include "reports/rounded.hpp"
 #include "reports/tables.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
@@ -146,6 +147,10 @@ Outcome derived_command(const FittableFamily& family, const Published& published
         fmt::format("--certify does not apply: {0} is a mean or a limit of fits; see 'shadefit certify {0}'",
                     published.id));
   }
+  if (options.round) {
+    throw UserError(fmt::format("--round '{}' does not apply: {} is a mean or a limit of fits",
+                                *options.round, published.id));
+  }
   parse_surface(family, options);  // no such number is of a Fresnel form: refuses what would be ignored
   FitCache fits(family);
   const auto exponents = exponents_of(published);
@@ -194,17 +199,21 @@ std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, c
 }
 
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
-                      const std::vector<FitProof>& proofs) {
+                      const std::vector<FitProof>& proofs, const std::vector<RoundedFit>& rounded) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) {
-    const std::string text = console_text(refit, metric);
-    return options.certify ? text + "\n" + write_console(proofs_table(refit, proofs), Precision::full) : text;
+    std::string text = console_text(refit, metric);
+    if (options.certify) text += "\n" + write_console(proofs_table(refit, proofs), Precision::full);
+    if (options.round)
+      text += "\n" + write_console(rounded_table(refit, rounded), Precision::report) + rounded_text(rounded);
+    return text;
   }
   auto array = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < refit.fits.size(); ++i) {
     array.push_back(write_fit_json(*refit.family, refit.fits[i]));
     if (options.certify) add_proof_json(array.back(), *refit.family, proofs[i]);
+    if (options.round) add_rounded_json(array.back(), *refit.family, rounded[i]);
   }
   return json_text(array.size() == 1 ? array.front() : array);
 }
@@ -375,12 +384,15 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
 
   const auto settings = settings_for(family, published, options);
   const Metric metric = parse_metric(options, family, settings);
+  const auto format = options.round ? std::optional(parse_number_format(*options.round)) : std::nullopt;
   FitCache fits(family);
   const Refit refit{&family, {}, fit_and_assess(fits, settings, std::array{metric}, checkpoint), {}};
   require_feasible(refit);
   const auto proofs = proofs_of(refit, options, checkpoint);
+  const auto rounded =
+      format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{};
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, proofs);
-  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, proofs), err};
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, proofs, rounded), err};
 }
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint) {

@@ -41,7 +41,8 @@ struct FitOptions {
   bool json = false;
   bool csv = false;
   bool latex = false;
-  bool certify = false;  ///< with proofs
+  bool certify = false;              ///< with proofs
+  std::optional<std::string> round;  ///< "half", "bfloat16", "float" or "decimal:N": with constants of it
 };
 
 struct CertifyOptions {

@@ -66,7 +66,8 @@ Decimal50 value_of(const T& x) {
 Decimal50 value_of(Eigen::half x) {
   return Decimal50(static_cast<float>(x));
 }
-Decimal50 value_of(HalfResult x) {
+template <class Format>
+Decimal50 value_of(NarrowResult<Format> x) {
   return Decimal50(static_cast<double>(x));
 }
 template <class T, int N>
@@ -74,10 +75,14 @@ Decimal50 value_of(const ceres::Jet<T, N>& x) {
   return value_of(x.a);
 }
 
+using Bfloat16Result = NarrowResult<Bfloat16Format>;
+
 template <class T>
 double epsilon_of() {
   if constexpr (std::same_as<T, Eigen::half> || std::same_as<T, HalfResult>) {
     return 0x1p-10;
+  } else if constexpr (std::same_as<T, Bfloat16Result>) {
+    return 0x1p-7;
   } else if constexpr (requires { typename T::Scalar; }) {
     return epsilon_of<typename T::Scalar>();
   } else {
@@ -97,13 +102,14 @@ class EveryScalar : public ::testing::Test {};
 using Jet1 = ceres::Jet<double, 1>;
 using NestedJet = ceres::Jet<ceres::Jet<double, 2>, 2>;
 using WideNestedJet = ceres::Jet<ceres::Jet<long double, 1>, 1>;
-using ScalarTypes = ::testing::Types<float, double, long double, Eigen::half, HalfResult, Decimal50, Jet1,
-                                     NestedJet, WideNestedJet>;
+using ScalarTypes = ::testing::Types<float, double, long double, Eigen::half, HalfResult, Bfloat16Result,
+                                     Decimal50, Jet1, NestedJet, WideNestedJet>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int i) {
-    constexpr const char* names[] = {"Float",     "Double", "LongDouble", "Half",         "HalfResult",
-                                     "Decimal50", "Jet",    "NestedJet",  "WideNestedJet"};
+    constexpr const char* names[] = {"Float",      "Double",         "LongDouble", "Half",
+                                     "HalfResult", "Bfloat16Result", "Decimal50",  "Jet",
+                                     "NestedJet",  "WideNestedJet"};
     return names[i];
   }
 };

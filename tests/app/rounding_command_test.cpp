@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "fit/hex_float.hpp"
+
+namespace shadefit {
+namespace {
+
+using nlohmann::json;
+
+json rounded_json(std::vector<std::string> arguments) {
+  arguments.push_back("--json");
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+TEST(FitRound, SaysBothErrorsInJson) {
+  const json fit = rounded_json({"fit", "fresnel-quadratic", "--round", "half"});
+  const json& rounded = fit["rounded"];
+  EXPECT_EQ(rounded["format"], "half");
+  EXPECT_EQ(rounded["parameters"]["a"], -5.4921875);
+  EXPECT_EQ(rounded["decimal"]["a"], "-5.492");
+  EXPECT_EQ(rounded["hex"]["b"], "-0x1.c08p+2");
+  EXPECT_NEAR(rounded["max_abs_error"], 0.0035796, 1e-7);
+  EXPECT_NEAR(rounded["at"], 0.59668, 1e-5);
+  EXPECT_NEAR(rounded["naive"]["max_abs_error"], 0.0040267, 1e-7);
+  EXPECT_EQ(rounded["published"]["decimal"]["b"], "-6.984");
+  EXPECT_GE(rounded["gpu_bound"], rounded["max_abs_error"]);
+  EXPECT_EQ(rounded["proven"], true);
+  EXPECT_EQ(rounded["searched"], "all finite numbers of the format");
+  for (const char* parameter : {"a", "b"})
+    EXPECT_EQ(parse_hex(rounded["hex"][parameter].get<std::string>()),
+              rounded["parameters"][parameter].get<double>());
+}
+
+TEST(FitRound, EveryFormat) {
+  for (const char* format : {"half", "bfloat16", "float", "decimal:3"}) {
+    const json rounded = rounded_json({"fit", "fresnel-one-term", "--round", format})["rounded"];
+    EXPECT_EQ(rounded["format"], format);
+    EXPECT_LT(rounded["max_abs_error"], rounded["naive"]["max_abs_error"]) << format;
+    EXPECT_EQ(rounded["gpu_bound"].is_null(), format == std::string("decimal:3"));
+    EXPECT_EQ(rounded["real_error"].is_null(), rounded["srgb_codes"].is_number()) << format;
+  }
+}
+
+TEST(FitRound, ForTheConsole) {
+  const Outcome outcome = run_command_line({"fit", "sg-offset", "--exponent", "5,10", "--round", "half"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* part : {"best", "fitted, rounded", "published, rounded", "0x1.", "on a GPU at most",
+                           "every operation rounded, at every half of the domain", "within 2 ulp of a float",
+                           "Best: proven, among all finite numbers of the format."})
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+}
+
+// A sweep of the record's own exponents goes on where the format cannot hold one.
+TEST(FitRound, OfARecordsSweepLeavesOutWhatDoesNotFit) {
+  const json fits = rounded_json({"fit", "phong-blinn", "--round", "bfloat16"});
+  EXPECT_FALSE(fits.front()["rounded"].is_null());
+  const json sweep = rounded_json({"fit", "sg-offset", "--round", "half"});
+  EXPECT_FALSE(sweep.front()["rounded"].is_null());
+  EXPECT_TRUE(sweep.back()["rounded"].is_null());
+  EXPECT_EQ(sweep.back()["rounded_reason"],
+            "--exponent '1e+06' is no number of half: the largest is 65504");
+}
+
+void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << line;
+  EXPECT_EQ(outcome.out, "") << line;
+  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
+}
+
+TEST(FitRound, BadInput) {
+  const auto with = [](const std::string& format) {
+    return std::vector<std::string>{"fit", "fresnel-quadratic", "--round", format};
+  };
+  const std::string known = "is unknown: it must be one of float, half, bfloat16, decimal:N";
+  expect_refusal(with("double"), "--round 'double' " + known);
+  expect_refusal(with(""), "--round '' " + known);
+  const std::string rule = ": decimal:N takes a whole number N of significant digits from 1 to 17";
+  for (const char* text : {"decimal:0", "decimal:18", "decimal:x", "decimal:", "decimal:3.5"})
+    expect_refusal(with(text), "--round '" + std::string(text) + "'" + rule);
+  expect_refusal({"fit", "sg-offset", "--exponent", "0.1", "--round", "half"},
+                 "--exponent '0.1' is no number of half: the nearest is 0.0999755859375");
+  expect_refusal({"fit", "sg-offset", "--exponent", "70000", "--round", "half"},
+                 "--exponent '70000' is no number of half: the largest is 65504");
+  expect_refusal({"fit", "sg-offset-mean", "--round", "half"},
+                 "--round 'half' does not apply: sg-offset-mean is a mean or a limit of fits");
+  expect_refusal({"fit", "fresnel-quadratic", "--round", "--json"},
+                 "--round '--json' looks like an option: name a value (a path may begin with './')");
+  const Outcome both = run_command_line({"fit", "fresnel-quadratic", "--round", "half", "--csv"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_NE(both.err.find("excludes"), std::string::npos) << both.err;
+}
+
+}  // namespace
+}  // namespace shadefit
