@@ -27,8 +27,9 @@ void require_values(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
-    constexpr std::array take_text{"--out",  "--baseline", "--measure", "--target", "--only",     "--verdict",
-                                   "--norm", "--error",    "--weight",  "--fix",    "--one-sided", "--round"};
+    constexpr std::array take_text{"--out",    "--baseline", "--measure",   "--target",
+                                   "--only",   "--verdict",  "--norm",      "--error",
+                                   "--weight", "--fix",      "--one-sided", "--round"};
     const bool takes_text = std::find(take_text.begin(), take_text.end(), option) != take_text.end();
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
