@@ -28,7 +28,8 @@ Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts);
 /// The same, as narrow as a terminal: no statements, long cells cut, a source as "author year".
 Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts);
 
-/// Adds a row for each form of comparison, which no source names, to one of these two tables without verdicts.
+/// Adds a row for each form of comparison, which no source names, to one of these two tables without
+/// verdicts.
 void add_forms_of_comparison(Table& list);
 
 /// "82 claims: 61 confirmed, 4 rounding, ..": verdicts that occur, in their order.

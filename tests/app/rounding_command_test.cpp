@@ -65,8 +65,7 @@ TEST(FitRound, OfARecordsSweepLeavesOutWhatDoesNotFit) {
   const json sweep = rounded_json({"fit", "sg-offset", "--round", "half"});
   EXPECT_FALSE(sweep.front()["rounded"].is_null());
   EXPECT_TRUE(sweep.back()["rounded"].is_null());
-  EXPECT_EQ(sweep.back()["rounded_reason"],
-            "--exponent '1e+06' is no number of half: the largest is 65504");
+  EXPECT_EQ(sweep.back()["rounded_reason"], "--exponent '1e+06' is no number of half: the largest is 65504");
 }
 
 void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
