@@ -15,12 +15,14 @@
 #include "fit/user_error.hpp"
 #include "reports/alternation.hpp"
 #include "reports/baseline.hpp"
+#include "reports/comparisons.hpp"
 #include "reports/fit_json.hpp"
 #include "reports/gnuplot.hpp"
 #include "reports/ledger_section.hpp"
 #include "reports/plots.hpp"
 #include "reports/proofs.hpp"
 #include "reports/report.hpp"
+#include "reports/sensitivities.hpp"
 #include "reports/tables.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
@@ -146,6 +148,11 @@ Outcome derived_command(const FittableFamily& family, const Published& published
         fmt::format("--certify does not apply: {0} is a mean or a limit of fits; see 'shadefit certify {0}'",
                     published.id));
   }
+  if (options.sensitivity) {
+    throw UserError(fmt::format(
+        "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
+        published.id));
+  }
   parse_surface(family, options);  // no such number is of a Fresnel form: refuses what would be ignored
   FitCache fits(family);
   const auto exponents = exponents_of(published);
@@ -193,18 +200,53 @@ std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, c
   return proofs;
 }
 
+/// How sensitive each fit is, where it is asked for; empty for one that did not converge.
+std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, const FitOptions& options,
+                                                         const Checkpoint& checkpoint) {
+  std::vector<std::optional<Sensitivity>> sensitivities;
+  for (const FitReport& report : refit.fits) {
+    if (!options.sensitivity) break;
+    checkpoint();
+    const bool is_answer = report.fit.status == Status::converged;
+    sensitivities.push_back(is_answer ? std::optional(sensitivity_of(report.fit, checkpoint)) : std::nullopt);
+  }
+  return sensitivities;
+}
+
+/// Constants that are rounded keep no constraint but given values.
+void require_free_rounding(const FitOptions& options) {
+  if (!options.sensitivity) return;
+  const auto refuse = [](const char* option, const std::string& value) {
+    throw UserError(
+        fmt::format("{} '{}' does not go with --sensitivity: constants that are rounded do not keep to it",
+                    option, value));
+  };
+  if (!options.exact_at.empty()) refuse("--exact-at", options.exact_at.front());
+  if (options.one_sided) refuse("--one-sided", *options.one_sided);
+  if (options.at_most) refuse("--at-most", *options.at_most);
+  if (options.at_least) refuse("--at-least", *options.at_least);
+}
+
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
-                      const std::vector<FitProof>& proofs) {
+                      const std::vector<FitProof>& proofs,
+                      const std::vector<std::optional<Sensitivity>>& sensitivities) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) {
-    const std::string text = console_text(refit, metric);
-    return options.certify ? text + "\n" + write_console(proofs_table(refit, proofs), Precision::full) : text;
+    std::string text = console_text(refit, metric);
+    if (options.certify) text += "\n" + write_console(proofs_table(refit, proofs), Precision::full);
+    for (std::size_t i = 0; i < sensitivities.size(); ++i) {
+      if (sensitivities[i]) text += sensitivity_text(refit.fits[i].fit, *sensitivities[i]);
+    }
+    return text;
   }
   auto array = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < refit.fits.size(); ++i) {
     array.push_back(write_fit_json(*refit.family, refit.fits[i]));
     if (options.certify) add_proof_json(array.back(), *refit.family, proofs[i]);
+    if (options.sensitivity)
+      array.back()["sensitivity"] = sensitivities[i] ? sensitivity_json(refit.fits[i].fit, *sensitivities[i])
+                                                     : nlohmann::ordered_json();
   }
   return json_text(array.size() == 1 ? array.front() : array);
 }
@@ -294,6 +336,11 @@ std::string failed_lines(const Results& results) {
     if (judged.finding.verdict) continue;
     err += fmt::format("shadefit: {} could not be judged: {}\n", judged.claim->id, judged.finding.evidence);
   }
+  for (const Comparison& comparison : results.comparisons) {
+    err += not_reached_lines(comparison);
+    for (const std::string& fit : comparison.left_out)
+      err += fmt::format("shadefit: {}: {}\n", target_of(comparison), fit);
+  }
   for (const auto& curve : results.reflectances) {
     for (const auto& point : curve.points) {
       if (point.estimated_error <= reflectance_tolerance) continue;
@@ -375,12 +422,14 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
 
   const auto settings = settings_for(family, published, options);
   const Metric metric = parse_metric(options, family, settings);
+  require_free_rounding(options);
   FitCache fits(family);
   const Refit refit{&family, {}, fit_and_assess(fits, settings, std::array{metric}, checkpoint), {}};
   require_feasible(refit);
   const auto proofs = proofs_of(refit, options, checkpoint);
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, proofs);
-  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, proofs), err};
+  const auto sensitivities = sensitivities_of(refit, options, checkpoint);
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, proofs, sensitivities), err};
 }
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint) {

@@ -41,7 +41,13 @@ struct FitOptions {
   bool json = false;
   bool csv = false;
   bool latex = false;
-  bool certify = false;  ///< with proofs
+  bool certify = false;      ///< with proofs
+  bool sensitivity = false;  ///< with what a change of each constant does
+};
+
+struct BetterOptions {
+  FitOptions fit;                     ///< which form, where; how it is printed
+  std::optional<std::string> target;  ///< empty: of a Fresnel form the usual three
 };
 
 struct CertifyOptions {
@@ -66,6 +72,7 @@ struct CheckOptions {
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
+Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint);
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint);
 Outcome verify_command(const VerifyOptions& options);
 Outcome explain_command(const ExplainOptions& options);
