@@ -11,10 +11,15 @@ namespace {
 
 using Kind = Contender::Kind;
 
-/// A form with constants, of the family and in the setting that the subject names.
+/// A form with constants, of the family and in the setting that the subject names; `alternation` is that of a
+/// minimax fit.
 Contender contender(Kind kind, const FittableFamily& family, const Subject& subject,
-                    const std::vector<double>& values, double width) {
+                    const std::vector<double>& values, double width,
+                    const std::vector<AlternationPoint>& alternation = {}) {
   const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
+  const Cosine<double> at = family.max_abs_error(subject.setting, subject.domain, values).at;
+  std::vector<Cosine<double>> peaks{at};
+  for (const AlternationPoint& point : alternation) peaks.push_back(point.at);
   return {.kind = kind,
           .family = family.info.id,
           .published = "",
@@ -23,8 +28,8 @@ Contender contender(Kind kind, const FittableFamily& family, const Subject& subj
           .parameters = subject.parameters,
           .values = values,
           .operations = count_operations(family.form()),
-          .max_abs_error = bound_error(subject, width),
-          .at = family.max_abs_error(subject.setting, subject.domain, values).at,
+          .max_abs_error = bound_error(subject, peaks, width),
+          .at = at,
           .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
           .rms_error = family.objective(subject.setting, {.domain = subject.domain}, values)};
 }
@@ -64,7 +69,7 @@ void append_fit(Comparison& comparison, const FittableFamily& family, Metric met
                                   std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
     return;
   }
-  Contender found = contender(Kind::fitted, family, subject_of(fit), fit.parameters, width);
+  Contender found = contender(Kind::fitted, family, subject_of(fit), fit.parameters, width, fit.alternation);
   found.origin = objective;
   comparison.contenders.push_back(std::move(found));
 }

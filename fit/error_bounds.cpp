@@ -1,18 +1,91 @@
 #include "fit/error_bounds.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "fit/certified_formula.hpp"
 #include "fit/enclosure.hpp"
 #include "fit/integrate.hpp"
+#include "fit/taylor.hpp"
 
 namespace shadefit {
 namespace {
 
-template <class Error>
-ErrorBounds bounds_of(const Error& error, const Domain& domain, const ExactPlace& hint, double width) {
-  const Enclosure found = enclose_largest(error, domain, {.width = width, .hint = hint});
+/// A box and the place that its series is about.
+struct CentredBox {
+  Box box;
+  double centre;
+};
+
+double middle(double lower, double upper) {
+  return lower + (upper - lower) / 2;
+}
+
+/// The domain as boxes with one of the places in each, or none.
+std::vector<CentredBox> boxes_around(std::span<const Cosine<double>> peaks, const Domain& domain) {
+  std::vector<CentredBox> boxes;
+  for (const Box& box : boxes_of(domain)) {
+    std::vector<double> inside;
+    for (const Cosine<double>& peak : peaks) {
+      const ExactPlace place = place_of(peak);
+      if (is_inside(place, {box})) inside.push_back(place.distance);
+    }
+    std::sort(inside.begin(), inside.end());
+    inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
+    if (inside.empty()) inside.push_back(middle(box.lower, box.upper));
+    double lower = box.lower;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      const double upper = i + 1 < inside.size() ? middle(inside[i], inside[i + 1]) : box.upper;
+      boxes.push_back({{box.side, lower, upper}, inside[i]});
+      lower = upper;
+    }
+  }
+  return boxes;
+}
+
+/// Shows that |error| is nowhere `width` above its largest value at the peaks: on each box by Taylor's series
+/// of second order about a place, whose remainder is enclosed. About a peak the first derivative is nothing
+/// and the second has the sign that takes |error| down, so that a peak takes a box or two where a bound by
+/// first derivatives takes dozens. Empty where boxes get too small or too many, as at a kink.
+template <class F>
+std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain,
+                                            std::span<const Cosine<double>> peaks, double width) {
+  std::vector<CentredBox> open = boxes_around(peaks, domain);
+  double lower = 0;
+  const auto raise = [&](const Interval& value) { lower = std::fmax(lower, smallest_magnitude_in(value)); };
+  for (const auto& [box, centre] : open) raise(error(cosine_at(box.side, Interval(centre))));
+  const auto is_below = [&](const Interval& value) {
+    return largest_magnitude_in(value) <= lower * (1 + width);
+  };
+  for (int boxes = 0; !open.empty(); ++boxes) {
+    const auto [box, centre] = open.back();
+    open.pop_back();
+    const Interval distance = span_of(box.lower, box.upper);
+    const auto on_box = error(cosine_at(box.side, Taylor<2>::variable(distance)));
+    if (is_below(on_box.value())) continue;
+    const auto at_centre = error(cosine_at(box.side, Taylor<1>::variable(Interval(centre))));
+    raise(at_centre.value());
+    const Interval step = distance - Interval(centre);
+    if (is_below(Interval(at_centre.value() + at_centre[1] * step + on_box[2] * power(step, 2)))) continue;
+    const double cut = middle(box.lower, box.upper);
+    if (boxes > most_boxes || !(box.lower < cut && cut < box.upper)) return std::nullopt;
+    for (const Box& half : {Box{box.side, box.lower, cut}, Box{box.side, cut, box.upper}}) {
+      const bool has_centre = half.lower <= centre && centre <= half.upper;
+      open.push_back({half, has_centre ? centre : middle(half.lower, half.upper)});
+    }
+  }
+  return ErrorBounds{lower, lower * (1 + width), true};
+}
+
+template <class F>
+ErrorBounds bounds_of(const F& error, const Domain& domain, std::span<const Cosine<double>> peaks,
+                      double width) {
+  // half, so that roundings of the bound itself stay within the width
+  if (const auto bounds = bounds_by_series(error, domain, peaks, width / 2)) return *bounds;
+  const Enclosure found = enclose_largest(error, domain, {.width = width, .hint = place_of(peaks.front())});
   return {found.lower, found.upper, found.is_reached};
 }
 
@@ -29,14 +102,9 @@ double integral(const F& f, const Domain& domain, const Surface& surface) {
 
 }  // namespace
 
-ErrorBounds bound_error(const Subject& subject, double width) {
-  const FittableFamily& family = *find_family(subject.family);
-  std::vector<double> parameters;
-  for (const auto& parameter : subject.parameters)
-    parameters.push_back(upper_end(enclosed_constant(parameter.second).value()));
-  const ExactPlace hint = place_of(family.max_abs_error(subject.setting, subject.domain, parameters).at);
+ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width) {
   return visit_formula(subject, [&](const auto& error, const auto&, const auto&) {
-    return bounds_of(error, subject.domain, hint, width);
+    return bounds_of(error, subject.domain, peaks, width);
   });
 }
 
@@ -55,7 +123,7 @@ SchlickError schlick_error(const Surface& surface, const Domain& domain, double 
                       .absolute = largest_magnitude(error, panels),
                       .relative = largest_magnitude(relative, panels),
                       .rms = std::sqrt(integral(squared, domain, surface) / (domain.upper - domain.lower))};
-  result.bounds = bounds_of(error, domain, place_of(result.absolute.at), width);
+  result.bounds = bounds_of(error, domain, std::array{result.absolute.at}, width);
   return result;
 }
 

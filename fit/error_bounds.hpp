@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "approx/cosine.hpp"
 #include "fit/certificate.hpp"
 #include "fit/extremum.hpp"
 #include "fit/metric.hpp"
@@ -14,9 +17,10 @@ struct ErrorBounds {
   bool is_reached = true;  ///< whether they are as near as was asked
 };
 
-/// Bounds of a subject's largest error, `width` apart relative to it: those of `certify`. The subject's
-/// family is known and its parameters are constants.
-ErrorBounds bound_error(const Subject& subject, double width);
+/// Bounds of a subject's largest error, `width` apart relative to it, or as near as they get. `peaks` are
+/// places where |error| may be largest, at least one: they make the proof short, and nothing else rests on
+/// them. The subject's family is known and its parameters are constants.
+ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width);
 
 /// Schlick's formula with the surface's f0 against the exact reflectance of the surface.
 struct SchlickError {
