@@ -157,6 +157,7 @@ Comparison compare_forms(const FittableFamily& family, const Setting& setting, c
     return is_first != is_other_first ? is_first : a.max_abs_error.upper < b.max_abs_error.upper;
   });
   for (Contender& contender : contenders) {
+    if (contender.kind == Kind::target) continue;
     for (const Contender& other : contenders) {
       if (other.kind == Kind::published && is_better(contender, other))
         contender.beats.push_back(other.published);

@@ -31,7 +31,8 @@ struct Contender {
   std::optional<Cosine<double>> at;     ///< a place where it is largest; sampled; empty of the target itself
   std::optional<double> max_rel_error;  ///< sampled, of what the family's `relative_to` says
   double rms_error;                     ///< uniform in the cosine
-  /// The published curves of the same target whose proven error is larger at no fewer instructions.
+  /// The published curves of the same target whose proven error is larger at no fewer instructions; of the
+  /// target itself, which is no approximation, empty.
   std::vector<std::string_view> beats = {};
 };
 

@@ -214,7 +214,7 @@ TEST(BadInput, Baselines) {
       {"check", "--baseline", file},
       "baseline '" + file +
           "' is not a directory: it must hold fits.csv, normalization.csv, reflectance.csv, fresnel.csv, "
-          "claims.csv");
+          "claims.csv, better.csv");
   const std::string empty = directory / "empty";
   std::filesystem::create_directories(empty);
   expect_refusal({"check", "--baseline", empty},

@@ -83,7 +83,7 @@ TEST(Better, CountsTheOperationsOfTheFormsAndOfTheTarget) {
   EXPECT_EQ(target.kind, Kind::target);
   EXPECT_EQ(to_text(target.operations), "ADD, 3 MUL") << "1 - c, two squarings, a product";
   EXPECT_EQ(target.max_abs_error.upper, 0);
-  EXPECT_TRUE(target.beats.empty()) << "it costs more than each";
+  EXPECT_TRUE(target.beats.empty()) << "it is no approximation";
 }
 
 // The same subjects through the search that writes certificates, which bounds by first derivatives.
