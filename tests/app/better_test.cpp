@@ -126,7 +126,7 @@ TEST(BetterSection, WhereAFamilyIsNamed) {
     EXPECT_EQ(has_section, !found.empty()) << id;
     return found;
   };
-  EXPECT_EQ(targets("fresnel-cubic"), (std::vector<std::string>{"(1 - c)^5", "exact dielectric n = 1.5"}));
+  EXPECT_EQ(targets("fresnel-one-term"), (std::vector<std::string>{"(1 - c)^5", "exact dielectric n = 1.5"}));
   EXPECT_EQ(targets("phong-blinn"), (std::vector<std::string>{"c^k"}));
   EXPECT_TRUE(targets("norm-lambert").empty());
   EXPECT_TRUE(targets("sg-offset-k5").empty());
@@ -146,7 +146,7 @@ TEST(SensitivityOption, Console) {
 TEST(SensitivityOption, Json) {
   const json fit = json_of({"fit", "fresnel-quadratic", "--norm", "minimax", "--sensitivity"});
   const json& sensitivity = fit["sensitivity"];
-  EXPECT_EQ(sensitivity["objective"], fit["level"]);
+  EXPECT_NEAR(sensitivity["objective"].get<double>() / fit["level"].get<double>(), 1, 1e-12);
   const double lower = sensitivity["parameters"]["a"]["profile_1_percent"][0],
                upper = sensitivity["parameters"]["a"]["profile_1_percent"][1], a = fit["parameters"]["a"];
   EXPECT_LT(lower, a);
