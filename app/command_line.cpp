@@ -66,6 +66,7 @@ struct Call {
   RunOptions run = {};
   bool no_plots = false;
   FitOptions fit = {};
+  BetterOptions better = {};
   CertifyOptions certify = {};
   VerifyOptions verify = {};
   ExplainOptions explain = {};
@@ -119,6 +120,17 @@ void add_objective(CLI::App& fit, FitOptions& options) {
       ->type_name("V");
 }
 
+/// A surface that a Fresnel form is held against.
+void add_surface(CLI::App& command, FitOptions& fit) {
+  command
+      .add_option(
+          "--ior", fit.ior,
+          "index of refraction of a surface, whose F the errors are then of; with exact by default 1.5")
+      ->type_name("N");
+  command.add_option("--extinction", fit.extinction, "extinction k of a conductor n + i k; default: 0")
+      ->type_name("K");
+}
+
 /// What `fit` and `certify` are both told: which form, and what it is fitted to.
 void add_fit_options(CLI::App& command, FitOptions& fit) {
   command.add_option("id", fit.id, "a family or a published constant, see 'shadefit list'")->required();
@@ -133,13 +145,7 @@ void add_fit_options(CLI::App& command, FitOptions& fit) {
                   "of a Fresnel family: schlick, or exact for the reflectance of a surface")
       ->capture_default_str()
       ->type_name("NAME");
-  command
-      .add_option(
-          "--ior", fit.ior,
-          "index of refraction of a surface, whose F the errors are then of; with exact by default 1.5")
-      ->type_name("N");
-  command.add_option("--extinction", fit.extinction, "extinction k of a conductor n + i k; default: 0")
-      ->type_name("K");
+  add_surface(command, fit);
   command
       .add_option("--error", fit.error,
                   "absolute, or relative to a lobe's target or to F = f0 + (1-f0) f of a Fresnel form")
@@ -148,17 +154,28 @@ void add_fit_options(CLI::App& command, FitOptions& fit) {
   command.add_option("--f0", fit.f0, "of a Fresnel form's relative error; default: 0.04")->type_name("F0");
 }
 
+/// The options that print tables for others than a terminal.
+struct TableFormats {
+  CLI::Option *csv, *latex;
+};
+
+TableFormats add_formats(CLI::App& command, FitOptions& options, const std::string& file) {
+  auto* json = command.add_flag("--json", options.json, "print JSON, every number to its last bit");
+  auto* csv =
+      command
+          .add_flag("--csv", options.csv, "print the columns of " + file + ", every number to its last bit")
+          ->excludes(json);
+  auto* latex = command.add_flag("--latex", options.latex, "print the table as a LaTeX tabular")
+                    ->excludes(json)
+                    ->excludes(csv);
+  return {csv, latex};
+}
+
 void add_fit(CLI::App& app, Call& call) {
   auto* fit = app.add_subcommand("fit", "one fit, or a sweep of exponents, printed");
   add_fit_options(*fit, call.fit);
   add_objective(*fit, call.fit);
-  auto* json = fit->add_flag("--json", call.fit.json, "print JSON, every number to its last bit");
-  auto* csv =
-      fit->add_flag("--csv", call.fit.csv, "print the columns of fits.csv, every number to its last bit")
-          ->excludes(json);
-  auto* latex = fit->add_flag("--latex", call.fit.latex, "print the table as a LaTeX tabular")
-                    ->excludes(json)
-                    ->excludes(csv);
+  const auto [csv, latex] = add_formats(*fit, call.fit, "fits.csv");
   fit->add_flag("--certify", call.fit.certify,
                 "prove bounds of the largest error, the stationary point and the curve")
       ->excludes(csv)
@@ -168,7 +185,33 @@ void add_fit(CLI::App& app, Call& call) {
       ->type_name("FORMAT")
       ->excludes(csv)
       ->excludes(latex);
+  fit->add_flag("--sensitivity", call.fit.sensitivity,
+                "how many digits of each constant matter, and the same fit under other measures and domains")
+      ->excludes(csv)
+      ->excludes(latex);
   fit->callback([&call] { call.outcome = fit_command(call.fit, call.checkpoint); });
+}
+
+void add_better(CLI::App& app, Call& call) {
+  auto* better = app.add_subcommand(
+      "better", "what is published for a target and what else there is, with proven errors and costs");
+  FitOptions& options = call.better.fit;
+  better->add_option("id", options.id, "a family or a published constant, see 'shadefit list'")->required();
+  better
+      ->add_option("--exponent", options.exponent,
+                   "K or A:B:STEP, by commas; default: the lowest and the highest exponent that the number "
+                   "was published for, of a family those of its usual range")
+      ->type_name("K");
+  better
+      ->add_option("--target", call.better.target,
+                   "of a Fresnel family: schlick, or exact for the reflectance of a surface; default: "
+                   "Schlick's weight, exact glass (1.5) and exact gold (0.43, 2.455) in turn")
+      ->type_name("NAME");
+  add_surface(*better, options);
+  better->add_option("--domain", options.domain, "A:B, the cosines that count; default: 0:1")
+      ->type_name("A:B");
+  add_formats(*better, options, "better.csv");
+  better->callback([&call] { call.outcome = better_command(call.better, call.checkpoint); });
 }
 
 void add_certify(CLI::App& app, Call& call) {
@@ -219,6 +262,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_list(app, call);
   add_run(app, call);
   add_fit(app, call);
+  add_better(app, call);
   add_certify(app, call);
   add_verify(app, call);
   add_explain(app, call);

@@ -15,6 +15,7 @@
 #include "fit/user_error.hpp"
 #include "reports/alternation.hpp"
 #include "reports/baseline.hpp"
+#include "reports/comparisons.hpp"
 #include "reports/fit_json.hpp"
 #include "reports/gnuplot.hpp"
 #include "reports/ledger_section.hpp"
@@ -22,6 +23,7 @@
 #include "reports/proofs.hpp"
 #include "reports/report.hpp"
 #include "reports/rounded.hpp"
+#include "reports/sensitivities.hpp"
 #include "reports/tables.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
@@ -151,6 +153,11 @@ Outcome derived_command(const FittableFamily& family, const Published& published
     throw UserError(fmt::format("--round '{}' does not apply: {} is a mean or a limit of fits",
                                 *options.round, published.id));
   }
+  if (options.sensitivity) {
+    throw UserError(fmt::format(
+        "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
+        published.id));
+  }
   parse_surface(family, options);  // no such number is of a Fresnel form: refuses what would be ignored
   FitCache fits(family);
   const auto exponents = exponents_of(published);
@@ -198,22 +205,64 @@ std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, c
   return proofs;
 }
 
+/// How sensitive each fit is, where it is asked for; empty for one that did not converge.
+std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, const FitOptions& options,
+                                                         const Checkpoint& checkpoint) {
+  std::vector<std::optional<Sensitivity>> sensitivities;
+  for (const FitReport& report : refit.fits) {
+    if (!options.sensitivity) break;
+    checkpoint();
+    const bool is_answer = report.fit.status == Status::converged;
+    sensitivities.push_back(is_answer ? std::optional(sensitivity_of(report.fit, checkpoint)) : std::nullopt);
+  }
+  return sensitivities;
+}
+
+/// Constants that are rounded keep no constraint but given values.
+void require_free_rounding(const FitOptions& options) {
+  if (!options.sensitivity) return;
+  const auto refuse = [](const char* option, const std::string& value) {
+    throw UserError(
+        fmt::format("{} '{}' does not go with --sensitivity: constants that are rounded do not keep to it",
+                    option, value));
+  };
+  if (!options.exact_at.empty()) refuse("--exact-at", options.exact_at.front());
+  if (options.one_sided) refuse("--one-sided", *options.one_sided);
+  if (options.at_most) refuse("--at-most", *options.at_most);
+  if (options.at_least) refuse("--at-least", *options.at_least);
+}
+
+/// What is told of each fit where it is asked for; else empty.
+struct FitExtras {
+  std::vector<FitProof> proofs;
+  std::vector<RoundedFit> rounded;
+  std::vector<std::optional<Sensitivity>> sensitivities;
+};
+
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
-                      const std::vector<FitProof>& proofs, const std::vector<RoundedFit>& rounded) {
+                      const FitExtras& extras) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) {
     std::string text = console_text(refit, metric);
-    if (options.certify) text += "\n" + write_console(proofs_table(refit, proofs), Precision::full);
+    if (options.certify) text += "\n" + write_console(proofs_table(refit, extras.proofs), Precision::full);
     if (options.round)
-      text += "\n" + write_console(rounded_table(refit, rounded), Precision::report) + rounded_text(rounded);
+      text += "\n" + write_console(rounded_table(refit, extras.rounded), Precision::report) +
+              rounded_text(extras.rounded);
+    for (std::size_t i = 0; i < extras.sensitivities.size(); ++i) {
+      if (extras.sensitivities[i]) text += sensitivity_text(refit.fits[i].fit, *extras.sensitivities[i]);
+    }
     return text;
   }
   auto array = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < refit.fits.size(); ++i) {
     array.push_back(write_fit_json(*refit.family, refit.fits[i]));
-    if (options.certify) add_proof_json(array.back(), *refit.family, proofs[i]);
-    if (options.round) add_rounded_json(array.back(), *refit.family, rounded[i]);
+    if (options.certify) add_proof_json(array.back(), *refit.family, extras.proofs[i]);
+    if (options.round) add_rounded_json(array.back(), *refit.family, extras.rounded[i]);
+    if (options.sensitivity)
+      array.back()["sensitivity"] = extras.sensitivities[i]
+                                        ? sensitivity_json(refit.fits[i].fit, *extras.sensitivities[i])
+                                        : nlohmann::ordered_json();
   }
   return json_text(array.size() == 1 ? array.front() : array);
 }
@@ -303,6 +352,11 @@ std::string failed_lines(const Results& results) {
     if (judged.finding.verdict) continue;
     err += fmt::format("shadefit: {} could not be judged: {}\n", judged.claim->id, judged.finding.evidence);
   }
+  for (const Comparison& comparison : results.comparisons) {
+    err += not_reached_lines(comparison);
+    for (const std::string& fit : comparison.left_out)
+      err += fmt::format("shadefit: {}: {}\n", target_of(comparison), fit);
+  }
   for (const auto& curve : results.reflectances) {
     for (const auto& point : curve.points) {
       if (point.estimated_error <= reflectance_tolerance) continue;
@@ -385,14 +439,16 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
   const auto settings = settings_for(family, published, options);
   const Metric metric = parse_metric(options, family, settings);
   const auto format = options.round ? std::optional(parse_number_format(*options.round)) : std::nullopt;
+  require_free_rounding(options);
   FitCache fits(family);
   const Refit refit{&family, {}, fit_and_assess(fits, settings, std::array{metric}, checkpoint), {}};
   require_feasible(refit);
-  const auto proofs = proofs_of(refit, options, checkpoint);
-  const auto rounded =
-      format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{};
-  const std::string err = not_converged_lines(refit) + not_reached_lines(refit, proofs);
-  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, proofs, rounded), err};
+  const FitExtras extras{
+      proofs_of(refit, options, checkpoint),
+      format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{},
+      sensitivities_of(refit, options, checkpoint)};
+  const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras), err};
 }
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint) {

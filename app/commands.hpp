@@ -43,6 +43,12 @@ struct FitOptions {
   bool latex = false;
   bool certify = false;              ///< with proofs
   std::optional<std::string> round;  ///< "half", "bfloat16", "float" or "decimal:N": with constants of it
+  bool sensitivity = false;          ///< with what a change of each constant does
+};
+
+struct BetterOptions {
+  FitOptions fit;                     ///< which form, where; how it is printed
+  std::optional<std::string> target;  ///< empty: of a Fresnel form the usual three
 };
 
 struct CertifyOptions {
@@ -67,6 +73,7 @@ struct CheckOptions {
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
+Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint);
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint);
 Outcome verify_command(const VerifyOptions& options);
 Outcome explain_command(const ExplainOptions& options);

@@ -1,74 +1,136 @@
 #include "fit/better.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
+#include "approx/fresnel.hpp"
 #include "fit/published_curve.hpp"
 #include "fit/symbolic.hpp"
 
 namespace shadefit {
 namespace {
 
-Contender contender(const FittableFamily& family, const Subject& subject, std::vector<double> values,
-                    double width) {
-  const Metric metric{.domain = subject.domain};
+using Kind = Contender::Kind;
+
+/// A form with constants, of the family and in the setting that the subject names; `alternation` is that of a
+/// minimax fit.
+Contender contender(Kind kind, const FittableFamily& family, const Subject& subject,
+                    const std::vector<double>& values, double width,
+                    const std::vector<AlternationPoint>& alternation = {}) {
   const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
-  const double rms = family.objective(subject.setting, metric, values);
-  return {.family = &family,
+  const Cosine<double> at = family.max_abs_error(subject.setting, subject.domain, values).at;
+  std::vector<Cosine<double>> peaks{at};
+  for (const AlternationPoint& point : alternation) peaks.push_back(point.at);
+  return {.kind = kind,
+          .family = family.info.id,
           .published = "",
+          .form = to_text(family.form()),
           .origin = "",
           .parameters = subject.parameters,
-          .values = std::move(values),
+          .values = values,
           .operations = count_operations(family.form()),
-          .rms_error = rms,
-          .max_rel_error = relative ? relative->magnitude : std::numeric_limits<double>::quiet_NaN(),
-          .max_abs_error = certify(subject, width)};
+          .max_abs_error = bound_error(subject, peaks, width),
+          .at = at,
+          .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
+          .rms_error = family.objective(subject.setting, {.domain = subject.domain}, values)};
 }
 
 /// The printed constants of a family, each set once.
-void append_published(std::vector<Contender>& contenders, const FittableFamily& family,
-                      const Setting& setting, double width) {
+void append_published(Comparison& comparison, const FittableFamily& family, const Contest& contest) {
+  auto& contenders = comparison.contenders;
   for (const Published* number : numbers_of(family.info)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
-    Subject subject{.family = std::string(family.info.id), .parameters = {}, .setting = setting};
+    Subject subject{.family = std::string(family.info.id),
+                    .parameters = {},
+                    .setting = comparison.setting,
+                    .domain = contest.domain};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
       subject.parameters.emplace_back(parameter, printed);
     const bool is_known = std::any_of(contenders.begin(), contenders.end(), [&](const Contender& other) {
-      return other.family == &family && other.parameters == subject.parameters;
+      return other.family == family.info.id && other.parameters == subject.parameters;
     });
     if (is_known) continue;
-    Contender found = contender(family, subject, published_parameters(family, *number), width);
+    Contender found =
+        contender(Kind::published, family, subject, published_parameters(family, *number), contest.width);
     found.published = number->id;
     found.origin = std::string(number->source.author) + " " + std::to_string(number->source.year);
     contenders.push_back(std::move(found));
   }
 }
 
-void append_fit(std::vector<Contender>& contenders, const FittableFamily& family, const Setting& setting,
-                const Metric& metric, std::string origin, double width) {
-  const Fit fit = family.fit(setting, metric);
-  if (fit.status != Status::converged) return;
-  Contender found = contender(family, subject_of(fit), fit.parameters, width);
-  found.origin = std::move(origin);
-  contenders.push_back(std::move(found));
+void append_fit(Comparison& comparison, const FittableFamily& family, Metric metric, double width) {
+  metric.domain = comparison.domain;
+  Metric everywhere = metric;
+  everywhere.domain = {};
+  const std::string objective =
+      (metric.norm == Norm::minimax ? "" : "least squares, ") + describe(everywhere);
+  const Fit fit = family.fit(comparison.setting, metric);
+  if (fit.status != Status::converged) {
+    comparison.left_out.push_back(to_text(family.form()) + " under " + objective + ": " +
+                                  std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
+    return;
+  }
+  Contender found = contender(Kind::fitted, family, subject_of(fit), fit.parameters, width, fit.alternation);
+  found.origin = objective;
+  comparison.contenders.push_back(std::move(found));
 }
 
-void append_fits(std::vector<Contender>& contenders, const FittableFamily& family, const Setting& setting,
-                 bool under_every_measure, double width) {
-  if (under_every_measure) {
-    for (const Measure measure : measures)
-      append_fit(contenders, family, setting, {.measure = measure},
-                 "least squares, " + std::string(name(measure)), width);
-  }
-  for (const Error error : {Error::absolute, Error::relative})
-    append_fit(contenders, family, setting, {.norm = Norm::minimax, .error = error},
-               "minimax, " + std::string(name(error)), width);
+void append_fits(Comparison& comparison, const FittableFamily& family, const Contest& contest) {
+  append_fit(comparison, family, {.norm = Norm::minimax}, contest.width);
+  if (contest.only_minimax) return;
+  append_fit(comparison, family, {.norm = Norm::minimax, .error = Error::relative}, contest.width);
+  if (family.info.id != comparison.family->info.id) return;
+  for (const Measure measure : measures) append_fit(comparison, family, {.measure = measure}, contest.width);
+}
+
+/// Schlick's formula where it is not the target.
+void append_schlick(Comparison& comparison, const Contest& contest) {
+  const SchlickError error = schlick_error(comparison.setting.surface, contest.domain, contest.width);
+  const Symbolic form = comparison.family->target();
+  comparison.contenders.push_back({.kind = Kind::published,
+                                   .family = "",
+                                   .published = "schlick",
+                                   .form = to_text(form),
+                                   .origin = "Schlick 1994",
+                                   .parameters = {},
+                                   .values = {},
+                                   .operations = count_operations(form),
+                                   .max_abs_error = error.bounds,
+                                   .at = error.absolute.at,
+                                   .max_rel_error = error.relative.magnitude,
+                                   .rms_error = error.rms});
+}
+
+/// The target as a formula that a shader could run; of an exact surface the reflectance F.
+Symbolic runnable_target(const FittableFamily& family, const Surface& surface) {
+  if (!surface.is_exact()) return family.target();
+  const Symbolic c = Symbolic::variable("c"), n = Symbolic::variable("n");
+  if (surface.extinction == 0) return dielectric_reflectance(c, n);
+  return conductor_reflectance(c, n, Symbolic::variable("k"));
+}
+
+void append_target(Comparison& comparison) {
+  const Surface& surface = comparison.setting.surface;
+  const std::string text = !surface.is_exact()       ? to_text(comparison.family->target())
+                           : surface.extinction == 0 ? "Fresnel's equations of a dielectric"
+                                                     : "Fresnel's equations of a conductor";
+  comparison.contenders.push_back(
+      {.kind = Kind::target,
+       .family = "",
+       .published = "",
+       .form = text,
+       .origin = "the target itself",
+       .parameters = {},
+       .values = {},
+       .operations = count_operations(runnable_target(*comparison.family, surface)),
+       .max_abs_error = {},
+       .at = std::nullopt,
+       .max_rel_error = 0,
+       .rms_error = 0});
 }
 
 /// Less error, proven, at no more instructions.
 bool is_better(const Contender& contender, const Contender& published) {
-  return contender.max_abs_error.certificate.upper < published.max_abs_error.certificate.lower &&
+  return contender.max_abs_error.upper < published.max_abs_error.lower &&
          contender.operations.total() <= published.operations.total();
 }
 
@@ -78,23 +140,27 @@ bool have_same_target(const FittableFamily& a, const FittableFamily& b) {
   return to_text(a.target()) == to_text(b.target());
 }
 
-Comparison compare_forms(const FittableFamily& family, const Setting& setting, double width,
+Comparison compare_forms(const FittableFamily& family, const Setting& setting, const Contest& contest,
                          const Checkpoint& checkpoint) {
-  Comparison comparison{setting, {}};
+  Comparison comparison{.family = &family, .setting = setting, .domain = contest.domain};
   auto& contenders = comparison.contenders;
+  if (family.is_fresnel() && setting.surface.is_exact()) append_schlick(comparison, contest);
+  append_target(comparison);
   for (const FittableFamily& other : fittable_families()) {
+    if (!have_same_target(family, other)) continue;
     checkpoint();
-    if (have_same_target(family, other)) append_published(contenders, other, setting, width);
+    append_published(comparison, other, contest);
+    append_fits(comparison, other, contest);
   }
-  const std::size_t published = contenders.size();
-  for (const FittableFamily& other : fittable_families()) {
-    checkpoint();
-    if (have_same_target(family, other))
-      append_fits(contenders, other, setting, other.info.id == family.info.id, width);
-  }
-  for (std::size_t i = published; i < contenders.size(); ++i) {
-    for (std::size_t j = 0; j < published; ++j) {
-      if (is_better(contenders[i], contenders[j])) contenders[i].beats.push_back(contenders[j].published);
+  std::stable_sort(contenders.begin(), contenders.end(), [](const Contender& a, const Contender& b) {
+    const bool is_first = a.kind == Kind::published, is_other_first = b.kind == Kind::published;
+    return is_first != is_other_first ? is_first : a.max_abs_error.upper < b.max_abs_error.upper;
+  });
+  for (Contender& contender : contenders) {
+    if (contender.kind == Kind::target) continue;
+    for (const Contender& other : contenders) {
+      if (other.kind == Kind::published && is_better(contender, other))
+        contender.beats.push_back(other.published);
     }
   }
   return comparison;

@@ -47,8 +47,9 @@ struct Sensitivity {
   std::vector<OtherContract> contracts = {};
 };
 
-/// Of a fit that converged. The contracts: the fit's own, then other measures where the norm has one, then
-/// domains that leave a tenth of the cosines out at one end or both.
+/// Of a fit that converged and that no constraints bind but given parameters: constants that are rounded meet
+/// no other. The contracts: the fit's own, then other measures where the norm has one, then domains that
+/// leave a tenth of the cosines out at one end or both.
 Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

@@ -11,6 +11,7 @@
 
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
+#include "reports/comparisons.hpp"
 #include "reports/csv.hpp"
 #include "reports/exact_fresnel_section.hpp"
 #include "reports/ledger_section.hpp"
@@ -21,14 +22,15 @@
 namespace shadefit {
 namespace {
 
+constexpr const char* better_file = "better.csv";
 constexpr const char* claims_file = "claims.csv";
 constexpr const char* fits_file = "fits.csv";
 constexpr const char* fresnel_file = "fresnel.csv";
 constexpr const char* normalisation_file = "normalization.csv";
 constexpr const char* reflectance_file = "reflectance.csv";
 
-constexpr std::array baseline_files{fits_file, normalisation_file, reflectance_file, fresnel_file,
-                                    claims_file};
+constexpr std::array baseline_files{fits_file,    normalisation_file, reflectance_file,
+                                    fresnel_file, claims_file,        better_file};
 
 constexpr std::array key_columns{"claim",      "constant", "parameter", "exponent",   "measure",
                                  "view_angle", "surface",  "ior",       "wavelength", "curve"};
@@ -124,7 +126,8 @@ std::vector<NamedTable> plain_tables(const Results& results) {
   return {{normalisation_file, normalisation_table(results.normalisations)},
           {reflectance_file, reflectance_table(results.reflectances)},
           {fresnel_file, fresnel_table(results.fresnel_chain)},
-          {claims_file, claims_table(results.claims)}};
+          {claims_file, claims_table(results.claims)},
+          {better_file, comparisons_table(results.comparisons, Precision::report)}};
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "reports/better_section.hpp"
+#include "reports/comparisons.hpp"
 #include "reports/exact_fresnel_section.hpp"
 #include "reports/family_section.hpp"
 #include "reports/ledger_section.hpp"
@@ -32,6 +34,7 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
   if (!summary.rows.empty()) out += markdown_block(summary);
   for (const Refit& refit : results.refits) out += family_section(refit, figures);
   if (!results.fresnel_chain.empty()) out += exact_fresnel_section(results.fresnel_chain);
+  if (!results.comparisons.empty()) out += better_section(results.comparisons);
   if (!results.normalisations.empty()) out += normalisation_section(results);
   if (!results.reflectances.empty()) out += reflectance_section(results.reflectances);
   if (!results.claims.empty()) out += ledger_section(results.claims, figures);
@@ -49,13 +52,15 @@ std::string write_latex_tables(const Results& results) {
 }
 
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {
-  return {{"report.md", write_report(results, figures)},
-          {"claims.csv", write_csv(claims_table(results.claims), Precision::report)},
-          {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
-          {"fresnel.csv", write_csv(fresnel_table(results.fresnel_chain), Precision::report)},
-          {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},
-          {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)},
-          {"tables.tex", write_latex_tables(results)}};
+  return {
+      {"report.md", write_report(results, figures)},
+      {"better.csv", write_csv(comparisons_table(results.comparisons, Precision::report), Precision::report)},
+      {"claims.csv", write_csv(claims_table(results.claims), Precision::report)},
+      {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},
+      {"fresnel.csv", write_csv(fresnel_table(results.fresnel_chain), Precision::report)},
+      {"normalization.csv", write_csv(normalisation_table(results.normalisations), Precision::report)},
+      {"reflectance.csv", write_csv(reflectance_table(results.reflectances), Precision::report)},
+      {"tables.tex", write_latex_tables(results)}};
 }
 
 }  // namespace shadefit

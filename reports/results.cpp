@@ -7,8 +7,10 @@
 
 #include "approx/catalogue.hpp"
 #include "approx/ledger.hpp"
+#include "approx/optical_constants.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
+#include "reports/better_section.hpp"
 
 namespace shadefit {
 namespace {
@@ -60,6 +62,28 @@ bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
   return is_wanted(ids, id) || std::any_of(ids.begin(), ids.end(), [&](const std::string& wanted) {
            return find_family(wanted) != nullptr && id.starts_with(wanted + "-");
          });
+}
+
+/// What the report compares: Schlick's weight, the exact reflectance of glass, and the lobe of exponent 5,
+/// the mirror image of Schlick's weight, for which an offset was published.
+std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
+  const OpticalConstants& glass = dielectrics[1];
+  const FittableFamily& fresnel = *find_family(fresnel_quadratic_family.id);
+  const FittableFamily& lobe = *find_family(sg_offset.id);
+  const auto is_compared = [&](const FittableFamily& family) {
+    return ids.empty() || std::any_of(ids.begin(), ids.end(), [&](const std::string& id) {
+             const FittableFamily* named = find_family(id);
+             return named != nullptr && have_same_target(*named, family);
+           });
+  };
+  std::vector<Comparison> found;
+  if (is_compared(fresnel)) {
+    found.push_back(compare_forms(fresnel, {}, report_contest, checkpoint));
+    const Setting on_glass(0, exact_surface(constant<double>(glass.ior)));
+    found.push_back(compare_forms(fresnel, on_glass, report_contest, checkpoint));
+  }
+  if (is_compared(lobe)) found.push_back(compare_forms(lobe, 5, report_contest, checkpoint));
+  return found;
 }
 
 }  // namespace
@@ -121,6 +145,7 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
   const auto wanted = [&](std::string_view id) { return is_wanted(ids, id); };
   results.reflectances = reflectance_curves(wanted);
   results.claims = judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, checkpoint);
+  results.comparisons = comparisons(ids, checkpoint);
   return results;
 }
 
@@ -140,7 +165,13 @@ bool all_checks_passed(const Results& results) {
                                   [](const FresnelLink& link) { return link.status == Status::converged; });
   const bool judged = std::all_of(results.claims.begin(), results.claims.end(),
                                   [](const JudgedClaim& claim) { return claim.finding.verdict.has_value(); });
-  return converged && linked && confirmed && exact && judged;
+  const bool proven =
+      std::all_of(results.comparisons.begin(), results.comparisons.end(), [](const Comparison& comparison) {
+        return comparison.left_out.empty() &&
+               std::all_of(comparison.contenders.begin(), comparison.contenders.end(),
+                           [](const Contender& contender) { return contender.max_abs_error.is_reached; });
+      });
+  return converged && linked && confirmed && exact && judged && proven;
 }
 
 }  // namespace shadefit

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/better.hpp"
 #include "fit/checkpoint.hpp"
 #include "fit/fresnel_chain.hpp"
 #include "fit/ledger.hpp"
@@ -19,6 +20,7 @@ struct Results {
   std::vector<NormalisationCheck> normalisations;
   std::vector<ReflectanceCurve> reflectances;
   std::vector<JudgedClaim> claims;
+  std::vector<Comparison> comparisons;  ///< what would be better, of the targets that are wanted
 };
 
 /// The ids that name something: families, published constants, normalisations, claims, in the order of the
@@ -34,7 +36,7 @@ std::vector<std::string> claim_ids();
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint = keep_going);
 
 /// Whether every fit converged, those against exact surfaces too, and every normalisation was confirmed, and
-/// every reflectance is as exact as promised, and every claim could be judged.
+/// every reflectance is as exact as promised, every claim could be judged and every comparison proven.
 bool all_checks_passed(const Results& results);
 
 /// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of

@@ -221,15 +221,18 @@ Table summary_table(const Results& results) {
   return table;
 }
 
-std::string target_of(const Fit& fit) {
-  const Surface& surface = fit.surface;
-  const std::string formula = to_text(find_family(fit.family->id)->target());
+std::string target_of(const FittableFamily& family, const Surface& surface) {
+  const std::string formula = to_text(family.target());
   if (!surface.is_named()) return formula;
   const std::string index = surface.extinction == 0
                                 ? fmt::format("n = {}", surface.ior)
                                 : fmt::format("n = {}, k = {}", surface.ior, surface.extinction);
   if (!surface.is_exact()) return fmt::format("{}, f0 of {}", formula, index);
   return fmt::format("exact {} {}", surface.extinction == 0 ? "dielectric" : "conductor", index);
+}
+
+std::string target_of(const Fit& fit) {
+  return target_of(*find_family(fit.family->id), fit.surface);
 }
 
 std::string citation(const Source& source) {

@@ -36,6 +36,7 @@ Table summary_table(const Results& results);
 
 /// What a fit approximates: the family's target, of which surface, or the exact reflectance of that.
 std::string target_of(const Fit& fit);
+std::string target_of(const FittableFamily& family, const Surface& surface);
 
 /// "author year, title, place"
 std::string citation(const Source& source);

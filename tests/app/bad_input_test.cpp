@@ -39,8 +39,8 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
   expect_refusal({"fit", "norm-phong"},
                  "'norm-phong' is integrated, not fitted: see 'shadefit run --only norm-phong'");
   expect_refusal({"plot"},
-                 "unknown command 'plot': it must be one of list, run, fit, certify, verify, explain, "
-                 "check");
+                 "unknown command 'plot': it must be one of list, run, fit, better, certify, verify, "
+                 "explain, check");
   expect_refusal({"fit", "sg\n-offset"},
                  "unknown constant to fit 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");
@@ -214,7 +214,7 @@ TEST(BadInput, Baselines) {
       {"check", "--baseline", file},
       "baseline '" + file +
           "' is not a directory: it must hold fits.csv, normalization.csv, reflectance.csv, fresnel.csv, "
-          "claims.csv");
+          "claims.csv, better.csv");
   const std::string empty = directory / "empty";
   std::filesystem::create_directories(empty);
   expect_refusal({"check", "--baseline", empty},

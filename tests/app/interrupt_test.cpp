@@ -87,10 +87,10 @@ TEST_F(Interrupt, ARunEndsAtAnyCheckpointWithNothingWritten) {
     EXPECT_EQ(run_command_line(run, [&] { ++calls; }).exit_code, 0);
     return calls;
   };
-  // Three measures of one family, the chain to exact Fresnel, one normalisation, three claims, each file and
-  // the renaming.
+  // Three measures of one family, the chain to exact Fresnel, one normalisation, three claims, two targets
+  // that seven forms meet, each file and the renaming.
   const int plain_calls = count(plain);
-  EXPECT_EQ(plain_calls, 3 + 1 + 1 + 3 + std::ssize(snapshot(directory / "out")) + 1);
+  EXPECT_EQ(plain_calls, 3 + 1 + 1 + 3 + 2 * 7 + std::ssize(snapshot(directory / "out")) + 1);
   std::filesystem::remove_all(directory / "out");
   directory.file("out/report.md", "an older report\n");
   const auto before = snapshot(directory.path());

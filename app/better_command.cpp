@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/commands.hpp"
+#include "app/fit_arguments.hpp"
+#include "app/metric_options.hpp"
+#include "approx/optical_constants.hpp"
+#include "fit/better.hpp"
+#include "fit/enclosure.hpp"
+#include "fit/user_error.hpp"
+#include "reports/comparisons.hpp"
+#include "reports/tables.hpp"
+#include "reports/writers.hpp"
+
+/// The subcommand `better`.
+namespace shadefit {
+namespace {
+
+Surface surface_of(const OpticalConstants& constants) {
+  return exact_surface(constant<double>(constants.ior), constant<double>(constants.extinction));
+}
+
+/// Schlick's weight, the truth on glass and on a metal.
+std::vector<Setting> usual_surfaces() {
+  constexpr const OpticalConstants &glass = dielectrics[1], &gold = metals[1];
+  static_assert(glass.ior == "1.5" && gold.material == "gold" && gold.wavelength == "548.6");
+  return {Setting{}, Setting{0, surface_of(glass)}, Setting{0, surface_of(gold)}};
+}
+
+/// What to compare at: what the options name, else the usual surfaces, or the ends of the exponents.
+std::vector<Setting> settings_to_compare(const NamedFit& named, const BetterOptions& options) {
+  const FittableFamily& family = *named.family;
+  if (options.target && !family.is_fresnel())
+    throw UserError(
+        fmt::format("--target '{}' does not apply: {} is no Fresnel form", *options.target, family.info.id));
+  FitOptions fit = options.fit;
+  if (options.target) fit.target = *options.target;
+  const std::vector<Setting> all = settings_for(family, named.published, fit);
+  if (family.is_fresnel() && !options.target && !fit.ior) return usual_surfaces();
+  if (!family.has_exponent() || fit.exponent) return all;
+  const auto [lowest, highest] = std::minmax_element(all.begin(), all.end());
+  return lowest == highest ? std::vector{*lowest} : std::vector{*lowest, *highest};
+}
+
+std::string console_text(const Comparison& comparison) {
+  return fmt::format("{}: max abs error proven to {:g}, its digits here to one unit of the last\n",
+                     target_of(comparison), usual_width) +
+         write_console(comparison_table(comparison), Precision::report) + left_out_lines(comparison);
+}
+
+std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options) {
+  if (options.csv) return write_csv(comparisons_table(comparisons, Precision::full), Precision::full);
+  if (options.json) {
+    auto array = nlohmann::ordered_json::array();
+    for (const Comparison& comparison : comparisons) array.push_back(write_comparison_json(comparison));
+    return (array.size() == 1 ? array.front() : array).dump(2) + "\n";
+  }
+  std::vector<std::string> parts;
+  for (const Comparison& comparison : comparisons) {
+    parts.push_back(options.latex ? write_latex(comparison_table(comparison), Precision::report)
+                                  : console_text(comparison));
+  }
+  return fmt::format("{}", fmt::join(parts, "\n"));
+}
+
+}  // namespace
+
+Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint) {
+  const NamedFit named = find_fit(options.fit.id);
+  const std::vector<Setting> settings = settings_to_compare(named, options);
+  const Metric metric = parse_metric(options.fit, *named.family, settings);
+  std::vector<Comparison> comparisons;
+  std::string err;
+  for (const Setting& setting : settings) {
+    comparisons.push_back(
+        compare_forms(*named.family, setting, {.domain = metric.domain, .width = usual_width}, checkpoint));
+    err += not_reached_lines(comparisons.back());
+  }
+  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options.fit), err};
+}
+
+}  // namespace shadefit

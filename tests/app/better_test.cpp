@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "reports/csv.hpp"
+#include "reports/files.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using nlohmann::json;
+using testing::TemporaryDirectory;
+
+void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << line;
+  EXPECT_EQ(outcome.out, "") << line;
+  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
+}
+
+json json_of(std::vector<std::string> arguments) {
+  arguments.push_back("--json");
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return json::parse(outcome.out);
+}
+
+TEST(BetterCommand, AFresnelFormMeetsItsThreeTargets) {
+  const json comparisons = json_of({"better", "fresnel-one-term"});
+  ASSERT_EQ(comparisons.size(), 3U);
+  EXPECT_EQ(comparisons[0]["target"], "(1 - c)^5");
+  EXPECT_EQ(comparisons[1]["target"], "exact dielectric n = 1.5");
+  EXPECT_EQ(comparisons[2]["target"], "exact conductor n = 0.43, k = 2.455");
+  EXPECT_TRUE(comparisons[0]["surface"].is_null());
+  EXPECT_EQ(comparisons[2]["surface"]["extinction"], 2.455);
+  for (const json& comparison : comparisons) {
+    EXPECT_TRUE(comparison["left_out"].empty());
+    for (const json& curve : comparison["curves"]) {
+      const double lower = curve["certified_max_abs_error"][0], upper = curve["certified_max_abs_error"][1];
+      EXPECT_LE(lower, upper);
+      EXPECT_LE(upper - lower, 1e-9 * lower);
+    }
+  }
+}
+
+TEST(BetterCommand, OneTargetWhereOneIsNamed) {
+  const json schlick = json_of({"better", "fresnel-quadratic", "--target", "schlick"});
+  EXPECT_EQ(schlick["target"], "(1 - c)^5");
+  const json first = schlick["curves"][0];
+  EXPECT_EQ(first["published"], "fresnel-quadratic-a");
+  EXPECT_EQ(first["printed"]["a"], "-5.55473");
+  EXPECT_EQ(first["instructions"], 3);
+  EXPECT_EQ(json_of({"better", "fresnel-quadratic", "--target", "exact", "--ior", "2"})["target"],
+            "exact dielectric n = 2");
+  EXPECT_EQ(json_of({"better", "fresnel-quadratic", "--ior", "1.5"})["target"], "(1 - c)^5, f0 of n = 1.5");
+  const json part = json_of({"better", "fresnel-quadratic", "--target", "schlick", "--domain", "0.25:1"});
+  EXPECT_EQ(part["domain"], (json{0.25, 1}));
+}
+
+TEST(BetterCommand, ALobeAtTheEndsOfItsExponents) {
+  const auto exponents = [](const std::vector<std::string>& arguments) {
+    const json found = json_of(arguments);
+    std::vector<double> all;
+    if (found.is_object()) return std::vector<double>{found["exponent"]};
+    for (const json& comparison : found) all.push_back(comparison["exponent"]);
+    return all;
+  };
+  EXPECT_EQ(exponents({"better", "sg-offset"}), (std::vector<double>{1, 1e6}));
+  EXPECT_EQ(exponents({"better", "sg-offset-mean"}), (std::vector<double>{3, 15}));
+  EXPECT_EQ(exponents({"better", "sg-offset-k5"}), (std::vector<double>{5}));
+  EXPECT_EQ(exponents({"better", "phong-blinn", "--exponent", "7.3,9"}), (std::vector<double>{7.3, 9}));
+}
+
+TEST(BetterCommand, Formats) {
+  const Outcome csv = run_command_line({"better", "fresnel-one-term", "--csv"});
+  ASSERT_EQ(csv.exit_code, 0) << csv.err;
+  const CsvTable table = parse_csv(csv.out, "better");
+  EXPECT_EQ(table.columns,
+            parse_csv(read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/better.csv"), "b").columns);
+  EXPECT_GT(table.rows.size(), 60U);
+  const Outcome latex = run_command_line({"better", "sg-offset-k5", "--latex"});
+  EXPECT_NE(latex.out.find("\\begin{tabular}"), std::string::npos);
+  const Outcome console = run_command_line({"better", "sg-offset-k5"});
+  EXPECT_TRUE(console.out.starts_with("c^k at k = 5: max abs error proven")) << console.out.substr(0, 100);
+  EXPECT_EQ(run_command_line({"better", "sg-offset", "--csv", "--json"}).exit_code, 2);
+}
+
+TEST(BetterCommand, BadInput) {
+  expect_refusal({"better", "fresnel-quadratc"},
+                 "unknown constant to fit 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
+  expect_refusal({"better", "half-banding"},
+                 "'half-banding' is a claim, not fitted: see 'shadefit explain half-banding'");
+  expect_refusal({"better", "sg-offset", "--target", "schlick"},
+                 "--target 'schlick' does not apply: sg-offset is no Fresnel form");
+  expect_refusal({"better", "sg-offset", "--ior", "1.5"},
+                 "--ior '1.5' does not apply: sg-offset is no Fresnel form");
+  expect_refusal({"better", "fresnel-quadratic", "--target", "truth"},
+                 "--target 'truth' is unknown: it must be one of schlick, exact");
+  expect_refusal({"better", "fresnel-quadratic", "--extinction", "2"},
+                 "--extinction '2' does not apply: it belongs to --ior");
+  expect_refusal({"better", "fresnel-quadratic", "--exponent", "5"},
+                 "--exponent '5' does not apply: fresnel-quadratic has no exponent");
+  expect_refusal({"better", "sg-offset", "--exponent", "0"},
+                 "--exponent '0' is not greater than 0: give K or A:B:STEP, by commas");
+  EXPECT_EQ(run_command_line({"better", "fresnel-quadratic", "--domain", "1:0"}).exit_code, 2);
+  EXPECT_EQ(run_command_line({"better"}).exit_code, 2);
+}
+
+// Only a run of a family, or of all, has the section.
+TEST(BetterSection, WhereAFamilyIsNamed) {
+  const TemporaryDirectory directory;
+  const auto targets = [&](const std::string& id) {
+    const Outcome outcome = run_command_line({"run", "--out", directory / "out", "--only", id, "--no-plots"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const bool has_section =
+        read_file(directory / "out/report.md").find("## Published against best") != std::string::npos;
+    std::vector<std::string> found;
+    for (const auto& row : parse_csv(read_file(directory / "out/better.csv"), "b").rows) {
+      if (std::find(found.begin(), found.end(), row[2]) == found.end()) found.push_back(row[2]);
+    }
+    EXPECT_EQ(has_section, !found.empty()) << id;
+    return found;
+  };
+  EXPECT_EQ(targets("fresnel-one-term"), (std::vector<std::string>{"(1 - c)^5", "exact dielectric n = 1.5"}));
+  EXPECT_EQ(targets("phong-blinn"), (std::vector<std::string>{"c^k"}));
+  EXPECT_TRUE(targets("norm-lambert").empty());
+  EXPECT_TRUE(targets("sg-offset-k5").empty());
+}
+
+TEST(SensitivityOption, Console) {
+  const Outcome outcome = run_command_line({"fit", "fresnel-quadratic", "--sensitivity"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* line :
+       {"\nHow far the constants may move until the rms error, 0.002238, is worse by 1 % or 0.1 %:\n",
+        "\nAll constants within 1 %: 3 digits, a = -5.55, b = -6.98: worse by 0.1 %\n",
+        "\ncosine on 0.1:0.9 "}) {
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line;
+  }
+}
+
+TEST(SensitivityOption, Json) {
+  const json fit = json_of({"fit", "fresnel-quadratic", "--norm", "minimax", "--sensitivity"});
+  const json& sensitivity = fit["sensitivity"];
+  EXPECT_NEAR(sensitivity["objective"].get<double>() / fit["level"].get<double>(), 1, 1e-12);
+  const double lower = sensitivity["parameters"]["a"]["profile_1_percent"][0],
+               upper = sensitivity["parameters"]["a"]["profile_1_percent"][1], a = fit["parameters"]["a"];
+  EXPECT_LT(lower, a);
+  EXPECT_GT(upper, a);
+  EXPECT_EQ(sensitivity["all_within_1_percent"]["parameters"].size(), 2U);
+  EXPECT_EQ(sensitivity["contracts"].size(), 4U);
+  const json sweep = json_of({"fit", "sg-offset", "--exponent", "5,7", "--sensitivity", "--certify"});
+  EXPECT_TRUE(sweep[1].contains("sensitivity") && sweep[1].contains("certified_max_abs_error"));
+  EXPECT_FALSE(json_of({"fit", "fresnel-quadratic"}).contains("sensitivity"));
+}
+
+TEST(SensitivityOption, BadInput) {
+  for (const char* format : {"--csv", "--latex"})
+    EXPECT_EQ(run_command_line({"fit", "fresnel-quadratic", "--sensitivity", format}).exit_code, 2) << format;
+  expect_refusal(
+      {"fit", "fresnel-quadratic", "--norm", "minimax", "--at-most", "1", "--sensitivity"},
+      "--at-most '1' does not go with --sensitivity: constants that are rounded do not keep to it");
+  expect_refusal(
+      {"fit", "fresnel-quadratic", "--norm", "minimax", "--exact-at", "0", "--sensitivity"},
+      "--exact-at '0' does not go with --sensitivity: constants that are rounded do not keep to it");
+  expect_refusal(
+      {"fit", "sg-offset-mean", "--sensitivity"},
+      "--sensitivity does not apply: sg-offset-mean is a mean or a limit of fits, which has no curve "
+      "of its own");
+}
+
+}  // namespace
+}  // namespace shadefit
