@@ -44,23 +44,32 @@ std::vector<Setting> settings_to_compare(const NamedFit& named, const BetterOpti
   return lowest == highest ? std::vector{*lowest} : std::vector{*lowest, *highest};
 }
 
-std::string console_text(const Comparison& comparison) {
-  return fmt::format("{}: max abs error proven to {:g}, its digits here to one unit of the last\n",
-                     target_of(comparison), usual_width) +
-         write_console(comparison_table(comparison), Precision::report) + left_out_lines(comparison);
+std::string console_text(const Comparison& comparison, const Checkpoint& checkpoint) {
+  const auto in_half = curves_in_half(comparison, checkpoint);
+  std::string text =
+      fmt::format("{}: max abs error proven to {:g}, its digits here to one unit of the last\n",
+                  target_of(comparison), usual_width) +
+      write_console(comparison_table(comparison), Precision::report) + left_out_lines(comparison);
+  if (in_half.empty()) return text;
+  return text + "In half, every operation rounded, the largest error over every input:\n" +
+         write_console(half_table(in_half), Precision::report);
 }
 
-std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options) {
+std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options,
+                             const Checkpoint& checkpoint) {
   if (options.csv) return write_csv(comparisons_table(comparisons, Precision::full), Precision::full);
   if (options.json) {
     auto array = nlohmann::ordered_json::array();
-    for (const Comparison& comparison : comparisons) array.push_back(write_comparison_json(comparison));
+    for (const Comparison& comparison : comparisons) {
+      array.push_back(write_comparison_json(comparison));
+      array.back()["in_half"] = write_half_json(curves_in_half(comparison, checkpoint));
+    }
     return (array.size() == 1 ? array.front() : array).dump(2) + "\n";
   }
   std::vector<std::string> parts;
   for (const Comparison& comparison : comparisons) {
     parts.push_back(options.latex ? write_latex(comparison_table(comparison), Precision::report)
-                                  : console_text(comparison));
+                                  : console_text(comparison, checkpoint));
   }
   return fmt::format("{}", fmt::join(parts, "\n"));
 }
@@ -78,7 +87,7 @@ Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoin
         compare_forms(*named.family, setting, {.domain = metric.domain, .width = usual_width}, checkpoint));
     err += not_reached_lines(comparisons.back());
   }
-  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options.fit), err};
+  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options.fit, checkpoint), err};
 }
 
 }  // namespace shadefit

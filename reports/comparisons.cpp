@@ -155,6 +155,60 @@ Json write_comparison_json(const Comparison& comparison) {
           {"left_out", comparison.left_out}};
 }
 
+namespace {
+
+/// "a = -5.492, b = -7.008".
+std::string rounded_text(const FittableFamily& family, const RoundedConstants& constants) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < constants.texts.size(); ++i)
+    parts.push_back(fmt::format("{} = {}", family.parameters[i], constants.texts[i]));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Json rounded_json(const FittableFamily& family, const RoundedConstants& constants) {
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < constants.parameters.size(); ++i)
+    parameters[std::string(family.parameters[i])] = constants.parameters[i];
+  return {{"parameters", parameters}, {"max_abs_error", constants.max_error}, {"at", constants.at}};
+}
+
+}  // namespace
+
+Table half_table(const std::vector<CurveInHalf>& curves) {
+  Table table{{"curve", "published, rounded", "max abs error", "best in half", "max abs error", "best of"},
+              {}};
+  for (const CurveInHalf& curve : curves) {
+    if (!curve.rounded || !curve.rounded->published) {
+      table.rows.push_back({std::string(curve.published), curve.reason, Cell(), Cell(), Cell(), Cell()});
+      continue;
+    }
+    const FittableFamily& family = *find_family(curve.family);
+    const Rounded& rounded = *curve.rounded;
+    table.rows.push_back({std::string(curve.published), rounded_text(family, *rounded.published),
+                          Number{rounded.published->max_error, 6}, rounded_text(family, rounded.best),
+                          Number{rounded.best.max_error, 6},
+                          (rounded.is_proven ? "" : "not proven: ") + rounded.searched});
+  }
+  return table;
+}
+
+Json write_half_json(const std::vector<CurveInHalf>& curves) {
+  Json list = Json::array();
+  for (const CurveInHalf& curve : curves) {
+    Json item{{"published", curve.published}};
+    if (curve.rounded && curve.rounded->published) {
+      const FittableFamily& family = *find_family(curve.family);
+      item["rounded"] = rounded_json(family, *curve.rounded->published);
+      item["best"] = rounded_json(family, curve.rounded->best);
+      item["proven"] = curve.rounded->is_proven;
+    } else {
+      item["reason"] = curve.reason;
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
 std::string not_reached_lines(const Comparison& comparison) {
   std::string lines;
   for (const Contender& contender : comparison.contenders) {

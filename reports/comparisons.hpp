@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/better.hpp"
+#include "fit/better_in_half.hpp"
 #include "reports/table.hpp"
 
 /// What is published and what else there is for a target, as rows and as JSON.
@@ -26,6 +27,12 @@ Table comparisons_table(const std::vector<Comparison>& comparisons, Precision pr
 
 /// One object a target, both bounds of each error.
 nlohmann::ordered_json write_comparison_json(const Comparison& comparison);
+
+/// One row a published curve: its constants rounded to half and the best of half, with their errors there.
+Table half_table(const std::vector<CurveInHalf>& curves);
+
+/// The same, one object a curve; `reason` where there is nothing to compare.
+nlohmann::ordered_json write_half_json(const std::vector<CurveInHalf>& curves);
 
 /// A line for each curve whose bounds are wider than they should be.
 std::string not_reached_lines(const Comparison& comparison);

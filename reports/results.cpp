@@ -133,7 +133,8 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
     if (!wanted) continue;
     results.refits.push_back(
         refit(family, wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
-    if (family.is_fresnel()) fresnel_families.push_back(&family);
+    // The chain is of what was published.
+    if (family.is_fresnel() && !family.info.is_comparison) fresnel_families.push_back(&family);
   }
   checkpoint();
   results.fresnel_chain = fresnel_chain(fresnel_families);

@@ -48,6 +48,28 @@ TEST(BetterCommand, AFresnelFormMeetsItsThreeTargets) {
   }
 }
 
+TEST(RunCommand, AFormOfComparisonAlone) {
+  const TemporaryDirectory directory;
+  const Outcome outcome =
+      run_command_line({"run", "--only", "fresnel-cubic", "--no-plots", "--out", directory / "out"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST(BetterCommand, HalfHoldsBetterConstantsThanThePublishedOnesRounded) {
+  const json comparison = json_of({"better", "fresnel-quadratic", "--target", "schlick"});
+  std::vector<std::string> seen;
+  for (const json& curve : comparison["in_half"]) {
+    seen.push_back(curve["published"]);
+    EXPECT_TRUE(curve["proven"]) << curve;
+    EXPECT_LT(curve["best"]["max_abs_error"], curve["rounded"]["max_abs_error"]) << curve;
+  }
+  std::sort(seen.begin(), seen.end());
+  EXPECT_EQ(seen,
+            (std::vector<std::string>{"fresnel-offset-one", "fresnel-one-term", "fresnel-quadratic-a"}));
+  for (const json& curve : json_of({"better", "sg-offset-limit"})["in_half"])
+    EXPECT_EQ(curve["reason"], "--exponent '1e+06' is no number of half: the largest is 65504");
+}
+
 TEST(BetterCommand, OneTargetWhereOneIsNamed) {
   const json schlick = json_of({"better", "fresnel-quadratic", "--target", "schlick"});
   EXPECT_EQ(schlick["target"], "(1 - c)^5");
