@@ -66,7 +66,8 @@ TEST(BetterCommand, HalfHoldsBetterConstantsThanThePublishedOnesRounded) {
   std::sort(seen.begin(), seen.end());
   EXPECT_EQ(seen,
             (std::vector<std::string>{"fresnel-offset-one", "fresnel-one-term", "fresnel-quadratic-a"}));
-  for (const json& curve : json_of({"better", "sg-offset-limit"})["in_half"])
+  const json steep = json_of({"better", "sg-offset-limit"});
+  for (const json& curve : steep["in_half"])
     EXPECT_EQ(curve["reason"], "--exponent '1e+06' is no number of half: the largest is 65504");
 }
 
