@@ -11,8 +11,8 @@
 #include "fit/effect.hpp"
 #include "fit/exact_fresnel.hpp"
 #include "fit/extremum.hpp"
-#include "fit/least_squares.hpp"
 #include "fit/metric.hpp"
+#include "fit/status.hpp"
 #include "fit/surface.hpp"
 #include "fit/symbolic.hpp"
 
