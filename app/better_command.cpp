@@ -11,6 +11,7 @@
 #include "fit/enclosure.hpp"
 #include "fit/user_error.hpp"
 #include "reports/comparisons.hpp"
+#include "reports/fit_json.hpp"
 #include "reports/tables.hpp"
 #include "reports/writers.hpp"
 
@@ -64,7 +65,7 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
       array.push_back(write_comparison_json(comparison));
       array.back()["in_half"] = write_half_json(curves_in_half(comparison, checkpoint));
     }
-    return (array.size() == 1 ? array.front() : array).dump(2) + "\n";
+    return json_text_of_each(array);
   }
   std::vector<std::string> parts;
   for (const Comparison& comparison : comparisons) {

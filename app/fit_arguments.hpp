@@ -19,6 +19,9 @@ struct NamedFit {
 /// The family of an id, its own or that of a published constant.
 NamedFit find_fit(const std::string& id);
 
+/// The surface that a Fresnel form is fitted to; refuses what would be ignored.
+Surface parse_surface(const FittableFamily& family, const FitOptions& options);
+
 /// The settings: one for each exponent, or one for the surface.
 std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,
                                   const FitOptions& options);

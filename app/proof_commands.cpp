@@ -14,6 +14,7 @@
 #include "fit/user_error.hpp"
 #include "reports/certificate_json.hpp"
 #include "reports/files.hpp"
+#include "reports/fit_json.hpp"
 #include "reports/proofs.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
@@ -147,7 +148,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   if (options.fit.json) {
     auto array = nlohmann::ordered_json::array();
     for (const CertifiedForm& form : forms) array.push_back(write_certified_json(form));
-    out = (array.size() == 1 ? array.front() : array).dump(2) + "\n";
+    out = json_text_of_each(array);
   } else {
     out = fmt::format("{}: {} ~ {}, {} error on {}, proven in {} bits\n", family.info.id, first.target,
                       first.form, name(error), to_text(first.subject.domain), first.precision) +

@@ -24,6 +24,9 @@ inline constexpr std::array dielectrics{
     OpticalConstants{"dielectric", "", "2.0", "0", sources::born_wolf_1999},
 };
 
+/// Glass, whose reflectance at normal incidence is `reference_f0` of approx/fresnel.hpp.
+inline constexpr const OpticalConstants& glass = dielectrics[1];
+
 /// Metals, at the tabulated wavelengths nearest to 650, 550 and 450 nm.
 inline constexpr std::array metals{
     OpticalConstants{"gold", "659.5", "0.14", "3.697", sources::johnson_christy_1972},

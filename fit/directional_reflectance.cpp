@@ -11,19 +11,17 @@
 namespace shadefit {
 namespace {
 
-constexpr double pi_ = std::numbers::pi;
-
 /// Lobes are cut where they have fallen to exp(-40) = 4e-18 of their peak. That is a smaller part of the peak
 /// than of the reflectance: the sharpest lobe at the flattest view sends up so little that the bound on what
 /// is left out is 4e-12 of it.
-constexpr double decay = 40;
+constexpr double lobe_decay = 40;
 
 using Part = double LobeIntegrand<double>::*;
 
 /// Where a lobe ends: y = 1 - cos(psi) up to `end`, psi the angle w of Phong and 2 w of Blinn-Phong.
 struct Extent {
   double end;
-  bool is_cut;  ///< it has fallen to exp(-decay) there; else the hemisphere (or the clamp) ends
+  bool is_cut;  ///< it has fallen to exp(-lobe_decay) there; else the hemisphere (or the clamp) ends
 };
 
 Extent extent_of(ReflectedLobe lobe, double alpha, const View& view) {
@@ -31,7 +29,7 @@ Extent extent_of(ReflectedLobe lobe, double alpha, const View& view) {
   const double sharpness = is_phong ? PhongLobe::sharpness : BlinnPhongLobe::sharpness;
   // r.l is clamped at psi = pi/2; half vectors reach psi = pi/2 + theta_v
   const double whole = is_phong ? 1 : 1 + view.direction.sine;
-  const double cut = decay / (sharpness * alpha);
+  const double cut = lobe_decay / (sharpness * alpha);
   return {std::min(whole, cut), cut < whole};
 }
 
@@ -70,7 +68,7 @@ Integral cut_circles(ReflectedLobe lobe, double alpha, const View& view, const E
     const Arc<double> arc{std::atan2(sine, cosine), sine, cosine};
     return circle(lobe, y, alpha, view, arc, part) * y * (2 - y) * half * std::sin(s);
   };
-  return gauss_kronrod(density, 0, pi_, tolerance, negligible);
+  return gauss_kronrod(density, 0, std::numbers::pi, tolerance, negligible);
 }
 
 /// The sum of two integrals, with their errors.
@@ -81,14 +79,15 @@ Integral sum(const Integral& a, const Integral& b) {
 }  // namespace
 
 View::View(double degrees)
-    : elevation((90 - degrees) / 180 * pi_), direction{std::sin(elevation), std::cos(elevation)} {}
+    : elevation((90 - degrees) / 180 * std::numbers::pi),
+      direction{std::sin(elevation), std::cos(elevation)} {}
 
 Integral reflect_by_circles(ReflectedLobe lobe, double alpha, const View& view, Part part, double tolerance) {
   const Extent extent = extent_of(lobe, alpha, view);
   const double half_sine = std::sin(view.elevation / 2);
   const double whole_circles = 2 * half_sine * half_sine;  // y at psi = e
   const double last_whole = std::min(extent.end, whole_circles);
-  const Arc<double> all{pi_, 0, -1};
+  const Arc<double> all{std::numbers::pi, 0, -1};
   const Integral inner = gauss_kronrod([&](double y) { return circle(lobe, y, alpha, view, all, part); }, 0,
                                        last_whole, tolerance);
   const bool is_horizon_met = extent.end > whole_circles;
@@ -96,7 +95,7 @@ Integral reflect_by_circles(ReflectedLobe lobe, double alpha, const View& view, 
       is_horizon_met ? cut_circles(lobe, alpha, view, extent, part, tolerance, tolerance * inner.value)
                      : Integral{};
   // what a cut leaves out is at most the lobe there over the whole hemisphere
-  const double tail = extent.is_cut ? 2 * pi_ * std::exp(-decay) : 0;
+  const double tail = extent.is_cut ? 2 * std::numbers::pi * std::exp(-lobe_decay) : 0;
   return sum(sum(inner, outer), {0, tail});
 }
 
@@ -108,17 +107,18 @@ LobeIntegrand<Integral> reflect_by_circles(ReflectedLobe lobe, double alpha, con
 
 namespace {
 
-/// Where (1-z^2)^(a/2), or the cosine of a longitude to the power a, has fallen to exp(-decay): both are at
-/// most exp(-a x^2 / 2).
+/// Where (1-z^2)^(a/2), or the cosine of a longitude to the power a, has fallen to exp(-lobe_decay): both are
+/// at most exp(-a x^2 / 2).
 double reach_of(double alpha) {
-  return std::sqrt(2 * decay / alpha);
+  return std::sqrt(2 * lobe_decay / alpha);
 }
 
 /// Phong is a product of two integrals.
 Integral phong_by_longitude(double alpha, const View& view, Part part, double tolerance) {
   const double reach = reach_of(alpha);
-  const auto longitude = tanh_sinh([&](double g) { return phong_longitude(g, alpha, view.elevation).*part; },
-                                   -std::min(view.elevation, reach), std::min(pi_ / 2, reach), tolerance);
+  const auto longitude =
+      tanh_sinh([&](double g) { return phong_longitude(g, alpha, view.elevation).*part; },
+                -std::min(view.elevation, reach), std::min(std::numbers::pi / 2, reach), tolerance);
   const auto latitude =
       tanh_sinh([&](double z) { return phong_latitude(z, alpha).*part; }, 0, std::min(1.0, reach), tolerance);
   return {2 * longitude.value * latitude.value,
@@ -146,7 +146,8 @@ LobeIntegrand<double> blinn_phong_plane(double alpha, const View& view,
                                         const std::vector<GaussNode<double>>& outer_nodes,
                                         const std::vector<GaussNode<double>>& inner_nodes) {
   const double e = view.elevation, reach = reach_of(alpha), peak = e / 2;
-  const double last = std::min(pi_ / 2, peak + reach), middle = std::min(pi_ / 4, last);
+  const double last = std::min(std::numbers::pi / 2, peak + reach),
+               middle = std::min(std::numbers::pi / 4, last);
   // a lobe that ends below the horizon has the same latitudes at every longitude
   const auto whole_latitudes = blinn_phong_latitudes(std::min(reach, 1.0), alpha, inner_nodes);
   LobeIntegrand<double> total{};
@@ -155,7 +156,7 @@ LobeIntegrand<double> blinn_phong_plane(double alpha, const View& view,
     for (const GaussNode<double>& node : outer_nodes) {
       const double t = t0 + (t1 - t0) * node.position;
       const double s = std::sinh(t);
-      const double g = is_from_the_end ? pi_ / 2 - e * s * s : e * s * s;
+      const double g = is_from_the_end ? std::numbers::pi / 2 - e * s * s : e * s * s;
       const double horizon = horizon_latitude(g, e);
       const auto latitudes =
           horizon < reach ? blinn_phong_latitudes(horizon, alpha, inner_nodes) : whole_latitudes;
@@ -167,7 +168,7 @@ LobeIntegrand<double> blinn_phong_plane(double alpha, const View& view,
   };
   add_panel(std::max(0.0, peak - reach), std::min(peak, middle), false);
   if (peak < middle) add_panel(peak, middle, false);
-  if (middle < last) add_panel(pi_ / 2 - last, pi_ / 2 - middle, true);
+  if (middle < last) add_panel(std::numbers::pi / 2 - last, std::numbers::pi / 2 - middle, true);
   return total;
 }
 

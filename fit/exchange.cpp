@@ -12,7 +12,7 @@ namespace {
 constexpr int most_exchanges = 60;
 /// A condition counts as violated from here on, against the largest bound of all: what the elimination
 /// leaves of an equality.
-constexpr double rounding = 1e-13;
+constexpr double violation_floor = 1e-13;
 
 double product(const Unknowns& a, const Unknowns& b, std::size_t size) {
   double sum = 0;
@@ -96,7 +96,7 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
     for (std::size_t i = 0; i < unknowns; ++i) result.multipliers[i] = -inverse[unknowns - 1][i];
 
     std::size_t entering = conditions.size();
-    double most = rounding * largest_bound;
+    double most = violation_floor * largest_bound;
     for (std::size_t j = 0; j < conditions.size(); ++j) {
       const auto end = result.reference.begin() + static_cast<std::ptrdiff_t>(unknowns);
       if (conditions[j].is_equation || std::find(result.reference.begin(), end, j) != end) continue;
@@ -121,7 +121,8 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
       largest_share = std::max(largest_share, std::abs(shares[i]));
     }
     for (std::size_t i = 0; i < unknowns; ++i) {
-      if (conditions[result.reference[i]].is_equation || !(shares[i] > rounding * largest_share)) continue;
+      if (conditions[result.reference[i]].is_equation || !(shares[i] > violation_floor * largest_share))
+        continue;
       const double ratio = std::max(0.0, result.multipliers[i]) / shares[i];
       if (ratio < smallest) {
         smallest = ratio;

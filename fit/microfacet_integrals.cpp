@@ -11,19 +11,18 @@
 namespace shadefit {
 namespace {
 
-constexpr double pi_ = std::numbers::pi;
+/// Distributions are cut where exp(-distribution_decay) = 1.4e-21 of their area is left.
+constexpr double distribution_decay = 48;
 
-/// Distributions are cut where exp(-decay) = 1.4e-21 of their area is left.
-constexpr double decay = 48;
-
-/// The square of the slope beyond which a distribution has about exp(-decay) of its area, the area itself and
-/// not the part of it that is seen along n: Blinn-Phong's is cos to the power s + 1, cos^2 to the power
-/// 1/alpha^2 - 1/2; Beckmann's is exp(-tan^2/alpha^2), and at most 1/cos = 7 times that for alpha <= 1. The
-/// others fall like powers, and have no such end.
+/// The square of the slope beyond which a distribution has about exp(-distribution_decay) of its area, the
+/// area itself and not the part of it that is seen along n: Blinn-Phong's is cos to the power s + 1, cos^2 to
+/// the power 1/alpha^2 - 1/2; Beckmann's is exp(-tan^2/alpha^2), and at most 1/cos = 7 times that for alpha
+/// <= 1. The others fall like powers, and have no such end.
 double reach(Distribution distribution, double alpha) {
   const double alpha2 = alpha * alpha;
-  if (distribution == Distribution::beckmann) return decay * alpha2;
-  if (distribution == Distribution::blinn_phong) return std::expm1(decay * alpha2 / (1 - alpha2 / 2));
+  if (distribution == Distribution::beckmann) return distribution_decay * alpha2;
+  if (distribution == Distribution::blinn_phong)
+    return std::expm1(distribution_decay * alpha2 / (1 - alpha2 / 2));
   return std::numeric_limits<double>::infinity();
 }
 
@@ -71,14 +70,14 @@ Integral over_cosine(Distribution distribution, double alpha, const Azimuth& azi
     const Direction<double> m{cosine, std::sqrt((1 - cosine) * (1 + cosine))};
     return density_at(distribution, m, alpha) * azimuth(m);
   };
-  const double end = std::min(std::atan(std::sqrt(reach(distribution, alpha))), pi_ / 2);
-  std::array places{0.0, std::min(bend, end), std::min(pi_ / 4, end), end};
+  const double end = std::min(std::atan(std::sqrt(reach(distribution, alpha))), std::numbers::pi / 2);
+  std::array places{0.0, std::min(bend, end), std::min(std::numbers::pi / 4, end), end};
   std::sort(places.begin(), places.end());
   Integral total;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const double from = places[i], to = places[i + 1];
     if (to - from < 1e-15) continue;
-    total = total + (to <= pi_ / 4
+    total = total + (to <= std::numbers::pi / 4
                          ? tanh_sinh(by_sine, std::sin(from), std::sin(to), tolerance)
                          : tanh_sinh(by_cosine, std::max(std::cos(to), 0x1p-60), std::cos(from), tolerance));
   }
@@ -90,14 +89,14 @@ Integral over_cosine(Distribution distribution, double alpha, const Azimuth& azi
 auto facing(const View& view) {
   return [view](const Direction<double>& m) {
     const double p = view.direction.cosine * m.cosine, q = view.direction.sine * m.sine;
-    if (p >= q) return facing_circle(view.direction, m, Arc<double>{pi_, 0, -1});
+    if (p >= q) return facing_circle(view.direction, m, Arc<double>{std::numbers::pi, 0, -1});
     const double sine = std::sqrt((q - p) * (q + p)) / q, cosine = -(p / q);
     return facing_circle(view.direction, m, Arc<double>{std::atan2(sine, cosine), sine, cosine});
   };
 }
 
 double circumference(const Direction<double>& m) {
-  return 2 * pi_ * m.cosine;
+  return 2 * std::numbers::pi * m.cosine;
 }
 
 }  // namespace
@@ -141,7 +140,7 @@ double TwoWays::error() const {
 
 TwoWays integrate_projected_area(Distribution distribution, double alpha, double tolerance) {
   return {over_slope(distribution, alpha, circumference, 0, tolerance),
-          over_cosine(distribution, alpha, circumference, pi_ / 4, tolerance)};
+          over_cosine(distribution, alpha, circumference, std::numbers::pi / 4, tolerance)};
 }
 
 Integral integrate_visible_area_by_slope(Distribution distribution, double alpha, const View& view,

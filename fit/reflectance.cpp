@@ -7,7 +7,7 @@ namespace shadefit {
 namespace {
 
 /// Two digits finer than what is promised: the estimates of the rules are cautious.
-constexpr double rule_tolerance = reflectance_tolerance / 100;
+constexpr double integral_tolerance = reflectance_tolerance / 100;
 
 /// A lobe at one exponent: what every constant of that lobe shares.
 struct LobeIntegrals {
@@ -24,7 +24,7 @@ double relative_error(const Integral& a, const Integral& b) {
 std::function<double(double)> over_view(ReflectedLobe lobe, double alpha,
                                         double LobeIntegrand<double>::*part) {
   return [=](double degrees) {
-    return reflect_by_circles(lobe, alpha, View(degrees), part, rule_tolerance).value;
+    return reflect_by_circles(lobe, alpha, View(degrees), part, integral_tolerance).value;
   };
 }
 
@@ -40,8 +40,8 @@ LobeIntegrals integrate_lobe(ReflectedLobe lobe, double alpha, std::span<const d
   LobeIntegrals result;
   for (const double degrees : angles) {
     const View view(degrees);
-    const auto circles = reflect_by_circles(lobe, alpha, view, rule_tolerance);
-    const auto longitude = reflect_by_longitude(lobe, alpha, view, rule_tolerance);
+    const auto circles = reflect_by_circles(lobe, alpha, view, integral_tolerance);
+    const auto longitude = reflect_by_longitude(lobe, alpha, view, integral_tolerance);
     result.values.push_back({circles.plain.value, circles.with_cosine.value});
     result.errors.push_back({relative_error(circles.plain, longitude.plain),
                              relative_error(circles.with_cosine, longitude.with_cosine)});

@@ -4,15 +4,14 @@
 
 #include <algorithm>
 
+#include "approx/optical_constants.hpp"
 #include "reports/writers.hpp"
 
 namespace shadefit {
 namespace {
 
-constexpr std::string_view glass = "1.5";
-
 bool is_glass(const FresnelLink& link) {
-  return link.surface->extinction == "0" && link.surface->ior == glass;
+  return link.surface->extinction == "0" && link.surface->ior == glass.ior;
 }
 
 std::string parameters_text(const FresnelLink& link) {
@@ -183,7 +182,7 @@ std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
              "Schlick's formula, which the Fresnel constants were fitted to, is itself off by up to {:.3g} in "
              "reflectance on glass (n = {}): {:.2g} times as far from the truth as {} is from it ({:.3g}). Of the "
              "published curves the nearest to the truth, in absolute reflectance, is {}, off by {:.3g}:\n\n",
-             off, glass, off / near, curve_text(*closest), near, curve_text(*truest),
+             off, glass.ior, off / near, curve_text(*closest), near, curve_text(*truest),
              truest->from_exact.absolute.magnitude) +
          write_markdown(glass_table(chain), Precision::report) +
          "\nThe largest errors over all angles, of the reflectance F with f0 = 0.04: absolute, in percent of F, and in "

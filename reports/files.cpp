@@ -67,11 +67,11 @@ struct NewFile {
 
 /// A place that gets a file, or loses it, in steps: the new file written beside it, the old one kept aside,
 /// put, finished. Unless it comes to the last step, everything is as it was before the first.
-class Change {
+class FileChange {
  public:
   /// Writes the new file beside the place, under a name of this process's own; without content the place is
   /// to be empty.
-  Change(const fs::path& place, const std::optional<std::string_view>& content) : place_(place) {
+  FileChange(const fs::path& place, const std::optional<std::string_view>& content) : place_(place) {
     if (!content) return;
     const NewFile file(place, "partial");
     const int error = errno;
@@ -86,13 +86,13 @@ class Change {
       fail(words);
     }
   }
-  ~Change() {
+  ~FileChange() {
     if (!is_finished_) undo();
     if (old_) remove_quietly(*old_);
     if (!is_put_ && partial_) remove_quietly(*partial_);
   }
-  Change(const Change&) = delete;
-  Change& operator=(const Change&) = delete;
+  FileChange(const FileChange&) = delete;
+  FileChange& operator=(const FileChange&) = delete;
 
   /// Gives the old file, where there is one, a second name; where the file system has none to give, its only
   /// one.
@@ -243,16 +243,16 @@ void write_files(const fs::path& named, const std::vector<File>& files, const Ch
   std::list<Directory> created;
   created.emplace_front(directory);
   for (const File& file : files) created.emplace_front((directory / file.name).parent_path());
-  std::list<Change> changes;
+  std::list<FileChange> changes;
   for (const File& file : files) {
     checkpoint();
     changes.emplace_back(directory / file.name, file.content);
   }
   for (const std::string& name : obsolete) changes.emplace_back(directory / name, std::nullopt);
-  for (Change& change : changes) change.keep_old();
+  for (FileChange& change : changes) change.keep_old();
   checkpoint();
-  for (Change& change : changes) change.put();
-  for (Change& change : changes) change.finish();
+  for (FileChange& change : changes) change.put();
+  for (FileChange& change : changes) change.finish();
   for (Directory& made : created) made.keep();
 }
 

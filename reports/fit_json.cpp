@@ -15,10 +15,6 @@ Json domain_json(const Domain& domain) {
   return {domain.lower, domain.upper};
 }
 
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json constraints_json(const Constraints& constraints) {
   Json fixed = Json::object();
   for (const Held& held : constraints.held) fixed[held.parameter] = held.value;

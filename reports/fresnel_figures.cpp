@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include "approx/fresnel.hpp"
+#include "approx/optical_constants.hpp"
 #include "fit/surface.hpp"
 #include "reports/plot_data.hpp"
 #include "reports/plot_script.hpp"
 
 namespace shadefit {
 namespace {
-
-/// Glass, whose reflectance at normal incidence is `reference_f0`.
-constexpr std::string_view glass = "1.5";
 
 /// A published curve of c: its column, its label, its look.
 struct Form {
@@ -39,7 +37,7 @@ double schlick(double c) {
 }
 
 double dielectric(double c) {
-  return target_weight(exact_surface(constant<double>(glass)), c);
+  return target_weight(exact_surface(constant<double>(glass.ior)), c);
 }
 
 Form schlick_form(Look look) {
@@ -89,7 +87,8 @@ Table weight_table(const std::vector<Form>& forms) {
 Figure weights(std::string_view family) {
   std::vector<Form> forms{schlick_form(Look::target)};
   for (const Form& form : exp2_forms()) forms.push_back(form);
-  forms.push_back({"dielectric", fmt::format("exact dielectric, n = {}", glass), Look::fourth, &dielectric});
+  forms.push_back(
+      {"dielectric", fmt::format("exact dielectric, n = {}", glass.ior), Look::fourth, &dielectric});
   std::vector<Curve> curves;
   for (const Form& form : forms) curves.push_back({form.column, form.label, form.look});
   Panel linear = panel_over_cosine(curves, "set yrange [0:1]\n");
@@ -107,19 +106,19 @@ Figure weights(std::string_view family) {
           fmt::format("Schlick's weight, its approximations by one exp2, and the weight that the exact "
                       "dielectric of index {} has in its place; on the logarithmic scale it shows what each "
                       "leaves at normal incidence, where the weight is 0.",
-                      glass),
+                      glass.ior),
           weight_table(forms), write_script(plot)};
 }
 
 /// Against one reference: absolute error of F and its error relative to the reference's F, by column.
-struct Comparison {
+struct ErrorsAgainst {
   std::string reference;
   std::string title;
   std::vector<Form> forms;
   double (*weight)(double cos_theta);
 };
 
-std::vector<Curve> error_curves(const Comparison& comparison, const std::string& kind) {
+std::vector<Curve> error_curves(const ErrorsAgainst& comparison, const std::string& kind) {
   std::vector<Curve> curves;
   for (const Form& form : comparison.forms) {
     curves.push_back({fmt::format("{}_{}_to_{}", kind, form.column, comparison.reference), form.label,
@@ -128,10 +127,10 @@ std::vector<Curve> error_curves(const Comparison& comparison, const std::string&
   return curves;
 }
 
-Table error_table(const std::vector<Comparison>& comparisons) {
+Table error_table(const std::vector<ErrorsAgainst>& comparisons) {
   const double f0 = constant<double>(reference_f0);
   Table table{{"cosine"}, {}};
-  for (const Comparison& comparison : comparisons) {
+  for (const ErrorsAgainst& comparison : comparisons) {
     for (const char* kind : {"abs", "rel"}) {
       for (const Curve& curve : error_curves(comparison, kind)) table.columns.push_back(curve.column);
     }
@@ -139,7 +138,7 @@ Table error_table(const std::vector<Comparison>& comparisons) {
   for (int i = 0; i <= plot_steps; ++i) {
     const double c = static_cast<double>(i) / plot_steps;
     std::vector<Cell> row{plotted(c)};
-    for (const Comparison& comparison : comparisons) {
+    for (const ErrorsAgainst& comparison : comparisons) {
       const double reference = comparison.weight(c);
       std::vector<double> errors;
       for (const Form& form : comparison.forms) errors.push_back((1 - f0) * (form.weight(c) - reference));
@@ -154,19 +153,20 @@ Table error_table(const std::vector<Comparison>& comparisons) {
 Figure errors(std::string_view family) {
   std::vector<Form> with_schlick{schlick_form(Look::thin_target)};
   for (const Form& form : exp2_forms()) with_schlick.push_back(form);
-  const std::vector<Comparison> comparisons{
+  const std::vector<ErrorsAgainst> comparisons{
       {"schlick", fmt::format("against Schlick, F0 = {}", reference_f0), exp2_forms(), &schlick},
-      {"dielectric", fmt::format("against the exact dielectric, n = {}", glass), with_schlick, &dielectric}};
+      {"dielectric", fmt::format("against the exact dielectric, n = {}", glass.ior), with_schlick,
+       &dielectric}};
   const Table data = error_table(comparisons);
   std::vector<Panel> panels;
   for (const char* kind : {"abs", "rel"}) {
     const bool is_absolute = std::string_view(kind) == "abs";
     std::vector<Curve> all;
-    for (const Comparison& comparison : comparisons) {
+    for (const ErrorsAgainst& comparison : comparisons) {
       const auto curves = error_curves(comparison, kind);
       all.insert(all.end(), curves.begin(), curves.end());
     }
-    for (const Comparison& comparison : comparisons) {
+    for (const ErrorsAgainst& comparison : comparisons) {
       const bool is_first = &comparison == &comparisons.front();
       Panel& panel = panels.emplace_back(
           panel_over_cosine(error_curves(comparison, kind), "set yrange " + range_around(data, all) + "\n"));
@@ -192,7 +192,7 @@ Figure errors(std::string_view family) {
                   "left "
                   "against Schlick's formula, which they approximate, on the right against the "
                   "exact dielectric, which Schlick's formula itself misses.",
-                  reference_f0, glass),
+                  reference_f0, glass.ior),
       data, write_script(plot)};
 }
 

@@ -12,10 +12,6 @@
 namespace shadefit {
 namespace {
 
-Cell word(std::string_view s) {
-  return std::string(s);
-}
-
 std::string quantities_text(const Quantities& quantities) {
   std::vector<std::string> words;
   for (const Quantity& quantity : quantities) {

@@ -10,8 +10,8 @@ namespace shadefit {
 namespace {
 
 /// Pixels: what GitHub shows of a README, and room for tics, labels, titles and rows of the legend.
-constexpr int width = 900;
-constexpr int left = 80, right = 22, top = 18, below = 70;
+constexpr int picture_width = 900;
+constexpr int left = 80, right_edge = 22, top = 18, below = 70;
 constexpr int title_height = 22, top_tics_height = 20, legend_height = 22;
 constexpr int between_columns = 76, between_rows = 50;
 
@@ -43,7 +43,7 @@ std::vector<Curve> legend_of(const Plot& plot) {
 int rows_of_legend(const std::vector<Curve>& legend) {
   std::size_t longest = 0;
   for (const Curve& curve : legend) longest = std::max(longest, curve.label.size());
-  const auto in_a_row = static_cast<std::size_t>(width / (7.5 * static_cast<double>(longest) + 60));
+  const auto in_a_row = static_cast<std::size_t>(picture_width / (7.5 * static_cast<double>(longest) + 60));
   return static_cast<int>((legend.size() + in_a_row - 1) / std::max<std::size_t>(in_a_row, 1));
 }
 
@@ -69,7 +69,7 @@ Layout layout_of(const Plot& plot) {
 
 std::string prelude(const Plot& plot) {
   const Layout layout = layout_of(plot);
-  const auto across = [](int pixels) { return static_cast<double>(pixels) / width; };
+  const auto across = [](int pixels) { return static_cast<double>(pixels) / picture_width; };
   const auto up = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
   return fmt::format(
              "# {0}\n# Draws {1}.svg from {1}.csv: change what you like, then run 'gnuplot {1}.gnuplot' here.\n"
@@ -80,14 +80,14 @@ std::string prelude(const Plot& plot) {
              "set datafile separator comma\n"
              "set datafile columnheaders\n"
              "set minussign\n",
-             plot.about, plot.name, width, layout.height) +
+             plot.about, plot.name, picture_width, layout.height) +
          std::string(styles) +
          fmt::format(
              "set border lc rgb '#404040'\n"
              "set key off\n"
              "set multiplot layout {},{} margins screen {:.5f},{:.5f},{:.5f},{:.5f} spacing screen "
              "{:.5f},{:.5f}\n",
-             layout.rows, plot.columns, across(left), 1 - across(right), up(layout.under),
+             layout.rows, plot.columns, across(left), 1 - across(right_edge), up(layout.under),
              1 - up(layout.above), across(between_columns), up(between_rows));
 }
 

@@ -67,7 +67,6 @@ bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
 /// What the report compares: Schlick's weight, the exact reflectance of glass, and the lobe of exponent 5,
 /// the mirror image of Schlick's weight, for which an offset was published.
 std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
-  const OpticalConstants& glass = dielectrics[1];
   const FittableFamily& fresnel = *find_family(fresnel_quadratic_family.id);
   const FittableFamily& lobe = *find_family(sg_offset.id);
   const auto is_compared = [&](const FittableFamily& family) {
@@ -173,6 +172,20 @@ bool all_checks_passed(const Results& results) {
                            [](const Contender& contender) { return contender.max_abs_error.is_reached; });
       });
   return converged && linked && confirmed && exact && judged && proven;
+}
+
+std::string which_fit(const Fit& fit) {
+  return std::string(fit.family->id) + (fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "");
+}
+
+std::string not_converged_lines(const Refit& refit) {
+  std::string lines;
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::converged) continue;
+    lines += fmt::format("shadefit: {} did not converge: {}{}\n", which_fit(report.fit),
+                         name(report.fit.status), report.fit.why.empty() ? "" : ": " + report.fit.why);
+  }
+  return lines;
 }
 
 }  // namespace shadefit

@@ -39,6 +39,12 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
 /// every reflectance is as exact as promised, every claim could be judged and every comparison proven.
 bool all_checks_passed(const Results& results);
 
+/// "sg-offset at exponent 5".
+std::string which_fit(const Fit& fit);
+
+/// One line for each fit that did not converge, with the reason.
+std::string not_converged_lines(const Refit& refit);
+
 /// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of
 /// `known`. `what` says what it should name.
 void require_known(const std::string& id, const std::vector<std::string>& known, const std::string& what);

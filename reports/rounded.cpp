@@ -10,6 +10,7 @@
 #include "fit/hex_float.hpp"
 #include "fit/rounded_interval.hpp"
 #include "fit/user_error.hpp"
+#include "reports/fit_json.hpp"
 
 namespace shadefit {
 namespace {
@@ -26,10 +27,6 @@ std::vector<double> published_values(const FitReport& report) {
     values.push_back(constant<double>(found->published->printed));
   }
   return values;
-}
-
-Json optional_json(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
 }
 
 Json constants_json(const FittableFamily& family, const RoundedConstants& constants, Error error) {

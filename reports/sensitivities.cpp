@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int place_digits = 6;  ///< of an interval's end, which is found to nine
+constexpr int end_digits = 6;  ///< of an interval's end, which is found to nine
 
 std::string objective_name(const Metric& metric) {
   const std::string error = metric.error == Error::relative ? "relative error" : "error";
@@ -18,17 +18,17 @@ std::string objective_name(const Metric& metric) {
          (metric.weight.empty() ? "" : " times the weight");
 }
 
-std::string percent(double part) {
+std::string in_percent(double part) {
   return fmt::format("{:g} %", 100 * part);
 }
 
 Cell end(const std::optional<double>& value) {
-  return value ? Cell(Number{*value, place_digits}) : Cell();
+  return value ? Cell(Number{*value, end_digits}) : Cell();
 }
 
 Table digits_table(const Sensitivity& sensitivity) {
-  Table table{{"constant", "optimum", "within " + percent(noticeable), "within " + percent(slight),
-               percent(noticeable) + " from", "to"},
+  Table table{{"constant", "optimum", "within " + in_percent(noticeable), "within " + in_percent(slight),
+               in_percent(noticeable) + " from", "to"},
               {}};
   for (const ParameterSensitivity& p : sensitivity.parameters) {
     table.rows.push_back({std::string(p.parameter), converged(p.value), p.noticeable_digits, p.slight_digits,
@@ -47,8 +47,8 @@ std::string named(const Fit& fit, const std::vector<std::string>& values) {
 
 std::string common_text(const Fit& fit, const std::optional<CommonDigits>& common, double part,
                         double objective) {
-  if (!common) return fmt::format("All constants within {}: no digits of a double do.\n", percent(part));
-  return fmt::format("All constants within {}: {} digit{}, {}: worse by {:.2g} %\n", percent(part),
+  if (!common) return fmt::format("All constants within {}: no digits of a double do.\n", in_percent(part));
+  return fmt::format("All constants within {}: {} digit{}, {}: worse by {:.2g} %\n", in_percent(part),
                      common->digits, common->digits == 1 ? "" : "s", named(fit, common->parameters),
                      100 * (common->objective / objective - 1));
 }
@@ -104,8 +104,8 @@ Json contract_json(const OtherContract& contract) {
 std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity) {
   const std::string exponent = fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "";
   return fmt::format("\nHow far the constants may move until the {}, {:.4g}, is worse by {} or {}{}:\n",
-                     objective_name(fit.metric), sensitivity.objective, percent(noticeable), percent(slight),
-                     exponent) +
+                     objective_name(fit.metric), sensitivity.objective, in_percent(noticeable),
+                     in_percent(slight), exponent) +
          write_console(digits_table(sensitivity), Precision::report) +
          common_text(fit, sensitivity.noticeable_digits, noticeable, sensitivity.objective) +
          common_text(fit, sensitivity.slight_digits, slight, sensitivity.objective) + "\n" +

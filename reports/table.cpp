@@ -29,6 +29,10 @@ std::string text(const Cell& cell, Precision precision) {
   return "";
 }
 
+Cell word(std::string_view text) {
+  return std::string(text);
+}
+
 Cell converged(double value) {
   return Number{value, parameter_digits};
 }

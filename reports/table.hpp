@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -34,6 +35,8 @@ enum class Precision {
 
 /// The text of a cell; free of the locale. Negative zero prints as 0.
 std::string text(const Cell& cell, Precision precision);
+
+Cell word(std::string_view text);
 
 /// 10 digits: a converged parameter, or an error that was computed without cancellation.
 Cell converged(double value);

@@ -10,10 +10,6 @@
 namespace shadefit {
 namespace {
 
-Cell word(std::string_view s) {
-  return std::string(s);
-}
-
 /// The published number, what the fit gives, their difference and the verdict; empty where nothing was
 /// published.
 struct PublishedCells {

@@ -59,7 +59,7 @@ double last_visible_power() {
 }
 
 Finding gaussian_at_zero(const Claim& claim) {
-  const double power = number_of(claim.inputs.at("power"));
+  const double power = given(claim, "power");
   const auto formats = words_of(claim.inputs.at("formats"));
   std::vector<std::string> zero, nonzero, last, last_normal;
   bool power_is_zero = true;
@@ -166,7 +166,7 @@ Overflow overflow_in(std::string_view format) {
 Finding nan_at_zero(const Claim& claim) {
   const auto formats = words_of(claim.inputs.at("formats"));
   const auto exponents = words_of(claim.inputs.at("exponents"));
-  const double largest = number_of(claim.inputs.at("powers up to"));
+  const double largest = given(claim, "powers up to");
   std::size_t nan = 0, zero = 0;
   const std::string of_nan = exponents_that(
       exponents, formats, [](double y) { return std::isnan(y); }, nan);

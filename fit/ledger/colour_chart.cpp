@@ -97,8 +97,7 @@ std::string conventions_that_give_all(const std::vector<TransferFunction>& conve
 
 Finding chart_range(const Claim& claim) {
   const auto conventions = conventions_of(claim);
-  const std::vector<double> codes{number_of(claim.inputs.at("from code")),
-                                  number_of(claim.inputs.at("to code"))};
+  const std::vector<double> codes{given(claim, "from code"), given(claim, "to code")};
   // Both numbers under one convention: the first that gives all digits, else the first of all.
   const auto gives_all = [&](const TransferFunction& convention) {
     bool all = true;
@@ -132,7 +131,7 @@ Finding chart_range_given_twice(const Claim& claim) {
   const auto conventions = conventions_of(claim);
   const std::string_view printed_first = claim.printed[0].value, printed_second = claim.printed[1].value;
   const double first = number_of(printed_first), second = number_of(printed_second);
-  const double code = number_of(claim.inputs.at("code"));
+  const double code = given(claim, "code");
   const auto closer_to_first =
       std::count_if(conventions.begin(), conventions.end(), [&](const TransferFunction& t) {
         return std::abs(t.linear(code) - first) < std::abs(t.linear(code) - second);
@@ -206,9 +205,9 @@ Finding chart_holds_common_materials(const Claim& claim) {
 
 Finding middle_grey(const Claim& claim) {
   const auto conventions = conventions_of(claim);
-  const double linear = number_of(claim.inputs.at("linear"));
-  const double naive = number_of(claim.inputs.at("not"));
-  const double photographic = number_of(claim.inputs.at("photographic grey"));
+  const double linear = given(claim, "linear");
+  const double naive = given(claim, "not");
+  const double photographic = given(claim, "photographic grey");
   const std::string_view printed = claim.printed[0].value;
   const TransferFunction& stored = conventions.front();
   const auto judged =

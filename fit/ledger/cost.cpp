@@ -155,9 +155,9 @@ std::string conventions_text(std::span<const Convention> conventions) {
 }
 
 Finding mip_level_cost(const Claim& claim) {
-  const std::string_view form = claim.inputs.at("level"), given = claim.inputs.at("level, s + 1 given");
+  const std::string_view form = claim.inputs.at("level"), with_sum = claim.inputs.at("level, s + 1 given");
   const Operations count = count_form(form);
-  const std::array conventions{Convention{"with s + 1 given", count_form(given)}};
+  const std::array conventions{Convention{"with s + 1 given", count_form(with_sum)}};
   const PrintedCount printed = PrintedCount::of(claim, 0);
   const Verdict verdict = judge_count(printed, count, conventions);
   Parts parts;
@@ -195,7 +195,7 @@ Finding power_four_cost(const Claim& claim) {
 }
 
 Finding light_cost(const Claim& claim) {
-  const int lights = static_cast<int>(number_of(claim.inputs.at("lights")));
+  const int lights = static_cast<int>(given(claim, "lights"));
   const auto per_light = [&](std::string_view form, const InstructionSet& instructions) {
     return count_operations(shader_form(form, lights), instructions) -
            count_operations(shader_form(form, lights - 1), instructions);

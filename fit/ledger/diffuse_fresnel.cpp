@@ -15,16 +15,16 @@ namespace shadefit {
 namespace {
 
 /// Quadrature is asked for this, relative; sums of a few parts of size 1 are then good to 1e-12.
-constexpr double tolerance = 1e-14;
-constexpr double rounding = 1e-12;
+constexpr double mean_tolerance = 1e-14;
+constexpr double mean_rounding = 1e-12;
 
 /// The mean over the hemisphere of f(F), F Schlick's at each direction, weighted by the cosine: the integral
 /// of f 2c dc by Gauss-Kronrod, the difference to tanh-sinh as its error.
 template <class F>
 Integral hemisphere_mean(const F& f, double f0) {
   const auto integrand = [&](double c) { return f(schlick_reflectance(f0, schlick_weight(c))) * 2 * c; };
-  const Integral first = gauss_kronrod(integrand, 0, 1, tolerance);
-  const Integral second = tanh_sinh(integrand, 0, 1, tolerance);
+  const Integral first = gauss_kronrod(integrand, 0, 1, mean_tolerance);
+  const Integral second = tanh_sinh(integrand, 0, 1, mean_tolerance);
   return {first.value, std::abs(first.value - second.value)};
 }
 
@@ -50,10 +50,10 @@ Sum sum_of(const Factor& factor_of, double albedo, double f0) {
 /// The smallest cosine from which on up to 1 the sum is at most 1; above 1: none. Linear in F, it is 1 at one
 /// weight w of Schlick's between normal (w = 0) and grazing (w = 1), and c = 1 - w^(1/5).
 double from_cosine(const Sum& sum) {
-  if (sum.at_normal > 1 + rounding) return 2;
-  if (sum.at_grazing <= 1 + rounding) return 0;
+  if (sum.at_normal > 1 + mean_rounding) return 2;
+  if (sum.at_grazing <= 1 + mean_rounding) return 0;
   const double weight = (1 - sum.at_normal) / (sum.at_grazing - sum.at_normal);
-  return 1 - (weight < rounding ? 0 : std::pow(weight, 0.2));
+  return 1 - (weight < mean_rounding ? 0 : std::pow(weight, 0.2));
 }
 
 template <class Factor>
@@ -107,13 +107,13 @@ DiffuseUnderFresnel diffuse_under_fresnel(std::string_view factor, double albedo
 }
 
 Finding diffuse_fresnel(const Claim& claim) {
-  const double albedo = number_of(claim.inputs.at("albedo")), f0 = number_of(claim.inputs.at("f0"));
+  const double albedo = given(claim, "albedo"), f0 = given(claim, "f0");
   const auto under = [&](std::string_view name) {
     return diffuse_under_fresnel(claim.inputs.at(name), albedo, f0);
   };
   const auto factor = under("factor"), stand_in = under("stand-in"), beside = under("beside");
   const std::array verdicts{verdict_on(factor), verdict_on(stand_in)};
-  const bool is_known = std::max({factor.error, stand_in.error, beside.error}) <= rounding;
+  const bool is_known = std::max({factor.error, stand_in.error, beside.error}) <= mean_rounding;
   const auto share = [](const DiffuseUnderFresnel& found) {
     return decimal(std::max(found.at_normal, found.at_grazing), 6);
   };
@@ -124,7 +124,7 @@ Finding diffuse_fresnel(const Claim& claim) {
               part_sentence(claim.inputs.at("stand-in"), stand_in) + "; beside them, " +
               part_sentence(claim.inputs.at("beside"), beside) +
               " (the larger of both, light and view exchanged; two quadrature rules agree to " +
-              decimal(rounding, 1) + ")",
+              decimal(mean_rounding, 1) + ")",
           effect_under_sky(claim, factor.under_sky, stand_in.under_sky)};
 }
 

@@ -183,10 +183,10 @@ std::string effect_on_white(double weight, double epsilon, const std::string& le
 
 Finding bilateral_epsilon(const Claim& claim) {
   const std::string_view printed = claim.printed[0].value;
-  const double epsilon = number_of(printed), taps = number_of(claim.inputs.at("taps"));
-  const double falloff = number_of(claim.inputs.at("falloff"));
-  const double visible_codes = number_of(claim.inputs.at("visible codes"));
-  const double second_codes = number_of(claim.inputs.at("second reading"));
+  const double epsilon = number_of(printed), taps = given(claim, "taps");
+  const double falloff = given(claim, "falloff");
+  const double visible_codes = given(claim, "visible codes");
+  const double second_codes = given(claim, "second reading");
   const double limit = weight_that_loses(visible_codes, epsilon);
   const auto gap_of = [&](double weight) { return (1 - weight / taps) / falloff; };
   const double flat = guarded_mean(taps, taps, epsilon);

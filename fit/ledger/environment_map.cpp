@@ -17,7 +17,7 @@ namespace {
 
 Finding evaluate_lambert(const Claim& claim) {
   const std::vector<double> widths = parse_sweep(claim.inputs.at("widths"));
-  const double tolerance = number_of(claim.inputs.at("tolerance"));
+  const double tolerance = given(claim, "tolerance");
   const double printed = number_of(claim.printed[0].value);
   double found = 0, gap = 0, apart = 0;
   for (const double width : widths) {
@@ -47,7 +47,7 @@ Finding evaluate_lambert(const Claim& claim) {
 
 /// A way to read "unblurred", and the power from which on it holds.
 std::vector<Alternative> readings_of_unblurred(const Claim& claim) {
-  const double width = number_of(claim.inputs.at("width")), size = 2 / width;
+  const double width = given(claim, "width"), size = 2 / width;
   const auto power_that_covers = [](double solid_angle) { return power_of_solid_angle(solid_angle); };
   std::vector<Alternative> readings{
       {"a lobe that covers a mean texel", power_that_covers(mean_texel_solid_angle(width, 0.0))},
@@ -61,9 +61,9 @@ std::vector<Alternative> readings_of_unblurred(const Claim& claim) {
 }
 
 Finding evaluate_mean_power(const Claim& claim) {
-  const double width = number_of(claim.inputs.at("width"));
+  const double width = given(claim, "width");
   const std::string_view printed = claim.printed[0].value;
-  const auto digits = static_cast<std::size_t>(number_of(claim.inputs.at("significant digits")));
+  const auto digits = static_cast<std::size_t>(given(claim, "significant digits"));
   const std::string_view leading = printed.substr(0, digits);
   const double unit = power(10.0, static_cast<int>(printed.size() - leading.size()));
   std::vector<Alternative> readings = readings_of_unblurred(claim);
@@ -91,7 +91,7 @@ Finding evaluate_mean_power(const Claim& claim) {
 }
 
 Finding evaluate_power_range(const Claim& claim) {
-  const auto input = [&](std::string_view name) { return number_of(claim.inputs.at(name)); };
+  const auto input = [&](std::string_view name) { return given(claim, name); };
   const auto steps = [](double bits) { return std::exp2(bits) - 1; };
   const double step = relative_gloss_step(input("octaves"), steps(input("bits")));
   const double range = std::log2(input("most") / input("least"));

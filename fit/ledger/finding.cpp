@@ -47,6 +47,10 @@ double number_of(std::string_view text) {
   return constant<double>(text);
 }
 
+double given(const Claim& claim, std::string_view name) {
+  return number_of(claim.inputs.at(name));
+}
+
 double codes_of_factor(double ratio) {
   return effect_on_greys(ratio).srgb_codes;
 }

@@ -56,6 +56,9 @@ std::optional<Verdict> judge_known_to(std::string_view printed, double value, do
 /// A quantity of the record as a number. Throws std::invalid_argument where it is none.
 double number_of(std::string_view text);
 
+/// What the record gives the computation under that name, as a number.
+double given(const Claim& claim, std::string_view name);
+
 /// The largest shift in 8-bit sRGB codes when every colour in [0, 1] is multiplied by that ratio; sampled at
 /// the 255 linear greys.
 double codes_of_factor(double ratio);

@@ -20,7 +20,7 @@ namespace shadefit {
 namespace {
 
 double input(const Claim& claim, std::string_view name) {
-  return number_of(claim.inputs.at(name));
+  return given(claim, name);
 }
 
 /// The unrounded optimum of a Fresnel family under the cosine measure.

@@ -27,10 +27,6 @@ double rounded(const Decimal50& x) {
   return x.convert_to<double>();
 }
 
-double given(const Claim& claim, std::string_view name) {
-  return number_of(claim.inputs.at(name));
-}
-
 /// The numbers from `from` to `to` in `steps` equal steps that a claim is given.
 template <class T>
 std::vector<T> places(const Claim& claim) {

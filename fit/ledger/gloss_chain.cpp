@@ -92,11 +92,11 @@ bool has_more_than_the_ends(const std::vector<int>& codes, int last_code) {
 
 /// `count`: what the shader multiplies 1 - g by.
 Selection select_levels(const Claim& claim, double count) {
-  const double levels = number_of(claim.inputs.at("levels"));
-  const double octaves = number_of(claim.inputs.at("octaves"));
-  const double first_octave = number_of(claim.inputs.at("first octave"));
-  const int last_code = (1 << static_cast<int>(number_of(claim.inputs.at("gloss bits")))) - 1;
-  const double steps = number_of(claim.inputs.at("gloss steps that count as found"));
+  const double levels = given(claim, "levels");
+  const double octaves = given(claim, "octaves");
+  const double first_octave = given(claim, "first octave");
+  const int last_code = (1 << static_cast<int>(given(claim, "gloss bits"))) - 1;
+  const double steps = given(claim, "gloss steps that count as found");
   Selection result;
   for (int code = 0; code <= last_code; ++code) {
     const double gloss = static_cast<double>(code) / last_code;
@@ -129,10 +129,10 @@ std::string runs_of(const std::vector<int>& codes) {
 }  // namespace
 
 Finding evaluate_gloss_chain(const Claim& claim) {
-  const double ratio = number_of(claim.inputs.at("width")) / number_of(claim.inputs.at("last width"));
+  const double ratio = given(claim, "width") / given(claim, "last width");
   const int levels = static_cast<int>(std::lround(std::log2(ratio))) + 1;
-  const double octaves = number_of(claim.inputs.at("octaves"));
-  const double first_octave = number_of(claim.inputs.at("first octave"));
+  const double octaves = given(claim, "octaves");
+  const double first_octave = given(claim, "first octave");
   const auto by_formula = gloss_chain(levels, octaves, first_octave, false);
   const auto by_loop = gloss_chain(levels, octaves, first_octave, true);
   const Places formula = compare_with_printed(claim.printed, by_formula);
@@ -150,9 +150,8 @@ Finding evaluate_gloss_chain(const Claim& claim) {
 }
 
 Finding evaluate_sphere_powers(const Claim& claim) {
-  const int spheres = static_cast<int>(number_of(claim.inputs.at("spheres")));
-  const auto powers = gloss_chain(spheres, number_of(claim.inputs.at("octaves")),
-                                  number_of(claim.inputs.at("first octave")), false);
+  const int spheres = static_cast<int>(given(claim, "spheres"));
+  const auto powers = gloss_chain(spheres, given(claim, "octaves"), given(claim, "first octave"), false);
   const Places places = compare_with_printed(claim.printed, powers);
   return {verdict_of(places.wrong == 0), series(powers),
           counted(spheres, "sphere") + " with glosses from 1 to 0 in steps of " +
@@ -162,15 +161,14 @@ Finding evaluate_sphere_powers(const Claim& claim) {
 }
 
 Finding evaluate_power_drop(const Claim& claim) {
-  const double first = number_of(claim.inputs.at("first power"));
-  const double drop = number_of(claim.inputs.at("drop"));
+  const double first = given(claim, "first power");
+  const double drop = given(claim, "drop");
   const int levels = static_cast<int>(claim.printed.size());
   std::vector<double> powers;
   for (int level = 0; level < levels; ++level) powers.push_back(power_after_drops(first, drop, level));
   const Places places = compare_with_printed(claim.printed, powers);
   const auto drop_of_gloss = [&](int count) {
-    return decimal(
-        decode_gloss(gloss_of_level<double>(1, count) - 1, number_of(claim.inputs.at("octaves")), 0.0), 4);
+    return decimal(decode_gloss(gloss_of_level<double>(1, count) - 1, given(claim, "octaves"), 0.0), 4);
   };
   return {verdict_of(places.wrong == 0), series(powers),
           "the series is " + series(powers) + " and goes on with " +
@@ -182,8 +180,8 @@ Finding evaluate_power_drop(const Claim& claim) {
 }
 
 Finding evaluate_mip_select(const Claim& claim) {
-  const double levels = number_of(claim.inputs.at("levels"));
-  const long codes = 1L << static_cast<int>(number_of(claim.inputs.at("gloss bits")));
+  const double levels = given(claim, "levels");
+  const long codes = 1L << static_cast<int>(given(claim, "gloss bits"));
   const Selection printed = select_levels(claim, levels), inverse = select_levels(claim, levels - 1);
   const auto all = [&](const Selection& s) { return static_cast<long>(s.found.size()) == codes; };
   const Verdict verdict = all(printed) ? Verdict::confirmed

@@ -125,10 +125,10 @@ struct BandingCase {
 };
 
 BandingCase banding_case(const Claim& claim, bool half_cosine) {
-  const double power = number_of(claim.printed[0].value), low = number_of(claim.inputs.at("low power"));
-  const double visible = number_of(claim.inputs.at("visible step in 8-bit sRGB codes"));
-  const double last = number_of(claim.inputs.at("powers up to"));
-  const int samples = static_cast<int>(number_of(claim.inputs.at("samples of a float cosine")));
+  const double power = number_of(claim.printed[0].value), low = given(claim, "low power");
+  const double visible = given(claim, "visible step in 8-bit sRGB codes");
+  const double last = given(claim, "powers up to");
+  const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
   BandingCase found;
   std::vector<std::string> steps, codes, low_steps, first;
   for (const RoundedForm& form : rounded_forms) {
@@ -182,7 +182,7 @@ Finding evaluate_half_banding(const Claim& claim) {
   const std::string exponent(claim.printed[0].value);
   std::vector<std::string> names;
   for (const RoundedForm& form : rounded_forms) names.emplace_back(form.name);
-  const int samples = static_cast<int>(number_of(claim.inputs.at("samples of a float cosine")));
+  const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
   return {
       worst(parts), half.computed + " codes with a half cosine, " + wide.computed + " with a float one",
       "largest steps of " + enumerated(names) + " at power " + exponent + ": with the cosine in half " +

@@ -18,7 +18,7 @@
 namespace shadefit {
 namespace {
 
-constexpr double rule_tolerance = 1e-14;
+constexpr double harmonic_tolerance = 1e-14;
 
 /// The basis without its factors: 1, -y, z, -x at the cosine z and the azimuth phi.
 double without_factor(int i, double z, double phi) {
@@ -34,11 +34,11 @@ Integral product_by_gauss_kronrod(int i, int j) {
   double inner_error = 0;
   const auto ring = [&](double z) {
     const auto product = [&](double phi) { return without_factor(i, z, phi) * without_factor(j, z, phi); };
-    const Integral part = gauss_kronrod(product, 0, turn, rule_tolerance, rule_tolerance);
+    const Integral part = gauss_kronrod(product, 0, turn, harmonic_tolerance, harmonic_tolerance);
     inner_error = std::max(inner_error, part.error);
     return part.value;
   };
-  const Integral whole = gauss_kronrod(ring, -1, 1, rule_tolerance, rule_tolerance);
+  const Integral whole = gauss_kronrod(ring, -1, 1, harmonic_tolerance, harmonic_tolerance);
   return {whole.value, whole.error + 2 * inner_error};
 }
 
@@ -54,7 +54,7 @@ Integral product_by_steps(int i, int j) {
     }
     return sum * turn / steps + 1;
   };
-  const Integral shifted = tanh_sinh(ring, -1, 1, rule_tolerance);
+  const Integral shifted = tanh_sinh(ring, -1, 1, harmonic_tolerance);
   return {shifted.value - 2, shifted.error};
 }
 
@@ -113,7 +113,7 @@ Finding evaluate_basis(const Claim& claim) {
 }
 
 Finding evaluate_memory(const Claim& claim) {
-  const auto input = [&](std::string_view name) { return std::lround(number_of(claim.inputs.at(name))); };
+  const auto input = [&](std::string_view name) { return std::lround(given(claim, name)); };
   const long bits = input("channels") * input("coefficients") * input("bits");
   const long bytes = bits * input("width") * input("height") / 8;
   const std::string_view printed = claim.printed[0].value;
@@ -166,8 +166,9 @@ Kept keep_bands(int bands, Agreement& agreement) {
     const auto integrand = [band](double c) { return c * legendre_polynomial(band, c); };
     // An odd moment beyond the first is 0: compared are moments shifted by 1.
     const auto shifted = [](Integral integral) { return Integral{integral.value + 1, integral.error}; };
-    agreement.compare(moment + 1, shifted(gauss_kronrod(integrand, 0, 1, rule_tolerance, rule_tolerance)),
-                      tanh_sinh([&](double c) { return integrand(c) + 1; }, 0, 1, rule_tolerance));
+    agreement.compare(moment + 1,
+                      shifted(gauss_kronrod(integrand, 0, 1, harmonic_tolerance, harmonic_tolerance)),
+                      tanh_sinh([&](double c) { return integrand(c) + 1; }, 0, 1, harmonic_tolerance));
     kept.energy += energy_of_band(band, moment);
     kept.peaks.push_back(peak_of_band(band, moment));
     kept.peak += kept.peaks.back();
@@ -202,13 +203,13 @@ int bands_within_a_code(int most) {
 
 Finding evaluate_loss(const Claim& claim) {
   const auto bands_of = [&](std::string_view name) {
-    return static_cast<int>(std::lround(std::sqrt(number_of(claim.inputs.at(name)))));
+    return static_cast<int>(std::lround(std::sqrt(given(claim, name))));
   };
   const std::string_view tolerance = claim.inputs.at("tolerance");
   Agreement agreement;
   const Kept few = keep_bands(bands_of("coefficients"), agreement);
   const Kept more = keep_bands(bands_of("more coefficients"), agreement);
-  const double little = number_of(claim.inputs.at("a little"));
+  const double little = given(claim, "a little");
   const bool is_little = few.energy < 1 && 1 - few.energy <= little;
   const bool is_closer = more.energy > few.energy && std::abs(more.peak - 1) < std::abs(few.peak - 1);
   const std::optional<Verdict> parts[] = {agreement.verdict(number_of(tolerance)), verdict_of(is_little),

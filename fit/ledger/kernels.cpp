@@ -27,7 +27,7 @@ namespace {
 using Place = LobeRule::Place;
 using Kernel = std::function<double(const Place& place, double sharpness)>;
 
-struct Candidate {
+struct LobeCandidate {
   std::string_view name;
   double rms;
   double parameter;  ///< the fitted sharpness
@@ -107,7 +107,7 @@ Kernel heat_kernel(double exponent, double sharpness) {
 /// Fits sharpnesses between these, in units of the exponent: the best of all kernels lie well inside.
 constexpr double least_sharpness = 0.25, largest_sharpness = 8;
 
-Candidate fit_candidate(const LobeRule& rule, std::string_view name, const Kernel& kernel) {
+LobeCandidate fit_candidate(const LobeRule& rule, std::string_view name, const Kernel& kernel) {
   const auto fit = fit_kernel(
       rule,
       [&](double sharpness) {
@@ -144,7 +144,7 @@ Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
   throw std::invalid_argument("no kernel is called " + std::string(name));
 }
 
-Candidate candidate(const LobeRule& rule, std::string_view name, std::string_view reading) {
+LobeCandidate candidate(const LobeRule& rule, std::string_view name, std::string_view reading) {
   if (name != heat) return fit_candidate(rule, name, kernel_of(name, rule.exponent(), reading));
   // Beyond twice the lobe's own sharpness there would be more terms than any fit needs.
   constexpr double sharpest = 2;
@@ -153,8 +153,9 @@ Candidate candidate(const LobeRule& rule, std::string_view name, std::string_vie
 }
 
 /// Each at its best; the spherical Gaussian first.
-std::vector<Candidate> candidates(const LobeRule& rule, std::string_view names, std::string_view reading) {
-  std::vector<Candidate> all{candidate(rule, spherical_gaussian, reading)};
+std::vector<LobeCandidate> candidates(const LobeRule& rule, std::string_view names,
+                                      std::string_view reading) {
+  std::vector<LobeCandidate> all{candidate(rule, spherical_gaussian, reading)};
   for (std::size_t at = 0; at < names.size();) {
     const std::size_t comma = std::min(names.find(',', at), names.size());
     all.push_back(candidate(rule, names.substr(at, comma - at), reading));
@@ -164,37 +165,37 @@ std::vector<Candidate> candidates(const LobeRule& rule, std::string_view names, 
 }
 
 /// Both rules have to give the integral of every squared error to this, relative.
-constexpr double rule_tolerance = 1e-6;
+constexpr double agreement_of_rules = 1e-6;
 
-bool rules_agree(const LobeRule& rule, const std::vector<Candidate>& all) {
-  return std::all_of(all.begin(), all.end(), [&](const Candidate& c) {
+bool rules_agree(const LobeRule& rule, const std::vector<LobeCandidate>& all) {
+  return std::all_of(all.begin(), all.end(), [&](const LobeCandidate& c) {
     const double other =
         rule.square_by_other_rule([&](const Place& place) { return c.kernel(place, c.parameter); });
-    return std::abs(other - c.square()) <= rule_tolerance * other;
+    return std::abs(other - c.square()) <= agreement_of_rules * other;
   });
 }
 
 /// What each exponent has: its candidates, and who is best.
 struct Contest {
   double exponent;
-  std::vector<Candidate> candidates;
+  std::vector<LobeCandidate> candidates;
   /// Of those that take part the one with the least squared error; of equal ones, to the tolerance of the
   /// rules, the first.
   template <class TakesPart>
-  const Candidate& winner_among(const TakesPart& takes_part) const {
+  const LobeCandidate& winner_among(const TakesPart& takes_part) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Candidate& c : candidates) least = takes_part(c) ? std::min(least, c.square()) : least;
-    return *std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-      return takes_part(c) && c.square() <= least * (1 + rule_tolerance);
+    for (const LobeCandidate& c : candidates) least = takes_part(c) ? std::min(least, c.square()) : least;
+    return *std::find_if(candidates.begin(), candidates.end(), [&](const LobeCandidate& c) {
+      return takes_part(c) && c.square() <= least * (1 + agreement_of_rules);
     });
   }
-  const Candidate& winner() const {
-    return winner_among([](const Candidate&) { return true; });
+  const LobeCandidate& winner() const {
+    return winner_among([](const LobeCandidate&) { return true; });
   }
   /// That kernel at its best, or null where it does not take part.
-  const Candidate* find(std::string_view name) const {
+  const LobeCandidate* find(std::string_view name) const {
     const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                    [&](const Candidate& c) { return c.name == name; });
+                                    [&](const LobeCandidate& c) { return c.name == name; });
     return found == candidates.end() ? nullptr : &*found;
   }
 };
@@ -204,9 +205,9 @@ struct Contest {
 bool is_sure(const LobeRule& rule, const Contest& contest) {
   const double least = contest.winner().square();
   return rules_agree(rule, contest.candidates) &&
-         std::all_of(contest.candidates.begin(), contest.candidates.end(), [&](const Candidate& c) {
+         std::all_of(contest.candidates.begin(), contest.candidates.end(), [&](const LobeCandidate& c) {
            const double more = c.square() / least - 1;
-           return more > 2 * rule_tolerance || std::abs(more) < 1e-3 * rule_tolerance;
+           return more > 2 * agreement_of_rules || std::abs(more) < 1e-3 * agreement_of_rules;
          });
 }
 
@@ -239,7 +240,7 @@ std::string costs() {
 
 /// Terms of the heat kernel's series that leave at most one part in 255 of its peak.
 std::string terms_to_see(const Contest& contest) {
-  const Candidate* candidate = contest.find(heat);
+  const LobeCandidate* candidate = contest.find(heat);
   if (candidate == nullptr) return "none asked";
   const int last = last_term(time_of(candidate->parameter, contest.exponent), std::log(255.0));
   return std::to_string(last + 1) + " at k = " + decimal(contest.exponent, 6);
@@ -262,7 +263,7 @@ std::string errors_in_words(const std::vector<Contest>& contests, const std::vec
 }
 
 /// What a candidate in the place of the lobe does, looked for at a thousand angles and both ends.
-Effect effect_of(const Candidate& candidate, double exponent) {
+Effect effect_of(const LobeCandidate& candidate, double exponent) {
   constexpr int steps = 1000;
   Effect effect;
   for (int i = 0; i <= steps; ++i) {
@@ -277,7 +278,7 @@ Effect effect_of(const Candidate& candidate, double exponent) {
 /// "the printed Gauss-Weierstrass at all of them", one part for each winner.
 std::string winners_in_words(const std::vector<Contest>& contests) {
   std::vector<std::string> words;
-  for (const Candidate& candidate : contests.front().candidates) {
+  for (const LobeCandidate& candidate : contests.front().candidates) {
     const std::string at = exponents_won(contests, candidate.name);
     if (!at.empty()) words.push_back("that of " + std::string(candidate.name) + " at " + at);
   }
@@ -291,7 +292,9 @@ bool needs_more_than_the_cosine(std::string_view name, std::string_view reading)
 
 /// At how many exponents the spherical Gaussian has the smallest error of those that need the cosine alone.
 long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view reading) {
-  const auto takes_part = [&](const Candidate& c) { return !needs_more_than_the_cosine(c.name, reading); };
+  const auto takes_part = [&](const LobeCandidate& c) {
+    return !needs_more_than_the_cosine(c.name, reading);
+  };
   return std::count_if(contests.begin(), contests.end(), [&](const Contest& contest) {
     return contest.winner_among(takes_part).name == spherical_gaussian;
   });
@@ -299,7 +302,7 @@ long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view r
 
 /// What its first rival has of the spherical Gaussian's error at the last exponent.
 std::string ratio_in_words(const Contest& last, std::string_view reading) {
-  const Candidate& rival = last.candidates.at(1);
+  const LobeCandidate& rival = last.candidates.at(1);
   std::string text = std::string(rival.name) + " has " + decimal(rival.rms / last.candidates[0].rms, 4) +
                      " of the error of the spherical Gaussian at k = " + decimal(last.exponent, 6);
   if (rival.name == printed_gauss && reading == "angle")
@@ -320,24 +323,24 @@ Finding other_kernels(const Claim& claim) {
                                  [](const Contest& c) { return c.winner().name == spherical_gaussian; });
   const auto of = static_cast<long>(contests.size());
   const Contest &first = contests.front(), &last = contests.back();
-  return {is_known ? std::optional(verdict_of_part(won, of)) : std::nullopt,
-          "smallest at " + std::to_string(won) + " of " + counted(of, "exponent"),
-          "of " + counted(of, "exponent") + " from " + decimal(first.exponent, 6) + " to " +
-              decimal(last.exponent, 6) + " the smallest rms error (x read as the " + std::string(reading) +
-              ") is " + winners_in_words(contests) +
-              ", and of those that need neither the angle nor a series that of " +
-              std::string(spherical_gaussian) + " at " +
-              std::to_string(wins_of_the_cosine(contests, reading)) +
-              " of them; at k = " + std::string(claim.inputs.at("shown")) +
-              " the errors are: " + errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))) + "; " +
-              ratio_in_words(last, reading) + "; what a shader executes: " + costs() +
-              " (to be within 1/255: " + terms_to_see(first) + ", " + terms_to_see(last) +
-              "); the squared errors by two rules agree to " + decimal(rule_tolerance, 1) + " of themselves",
-          sentences({sentence(effect_of(first.candidates[0], first.exponent), "the lobe",
-                              "at k = " + decimal(first.exponent, 6) + " " + std::string(spherical_gaussian)),
-                     first.winner().name == spherical_gaussian
-                         ? "none"
-                         : sentence(effect_of(first.winner(), first.exponent), "it", first.winner().name)})};
+  return {
+      is_known ? std::optional(verdict_of_part(won, of)) : std::nullopt,
+      "smallest at " + std::to_string(won) + " of " + counted(of, "exponent"),
+      "of " + counted(of, "exponent") + " from " + decimal(first.exponent, 6) + " to " +
+          decimal(last.exponent, 6) + " the smallest rms error (x read as the " + std::string(reading) +
+          ") is " + winners_in_words(contests) +
+          ", and of those that need neither the angle nor a series that of " +
+          std::string(spherical_gaussian) + " at " + std::to_string(wins_of_the_cosine(contests, reading)) +
+          " of them; at k = " + std::string(claim.inputs.at("shown")) +
+          " the errors are: " + errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))) + "; " +
+          ratio_in_words(last, reading) + "; what a shader executes: " + costs() +
+          " (to be within 1/255: " + terms_to_see(first) + ", " + terms_to_see(last) +
+          "); the squared errors by two rules agree to " + decimal(agreement_of_rules, 1) + " of themselves",
+      sentences({sentence(effect_of(first.candidates[0], first.exponent), "the lobe",
+                          "at k = " + decimal(first.exponent, 6) + " " + std::string(spherical_gaussian)),
+                 first.winner().name == spherical_gaussian
+                     ? "none"
+                     : sentence(effect_of(first.winner(), first.exponent), "it", first.winner().name)})};
 }
 
 }  // namespace

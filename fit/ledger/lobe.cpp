@@ -16,10 +16,6 @@
 namespace shadefit {
 namespace {
 
-double given(const Claim& claim, std::string_view name) {
-  return number_of(claim.inputs.at(name));
-}
-
 /// The exponents of a claim that is given their first and last.
 std::vector<double> exponents_of(const Claim& claim) {
   return doubling_exponents(given(claim, "from"), given(claim, "to"));

@@ -57,7 +57,7 @@ std::string effect_of_clamp(double dielectric_f0, int codes) {
 
 Finding metallic_workflow(const Claim& claim) {
   const double f0 = number_of(claim.printed[0].value);
-  const int codes = static_cast<int>(number_of(claim.inputs.at("codes")));
+  const int codes = static_cast<int>(given(claim, "codes"));
   const Census census = census_of(f0, codes);
   const double brightest = brightest_base_colour(f0, 0.0), most = 1 + f0;
   const std::string text(claim.printed[0].value);

@@ -22,7 +22,7 @@ namespace {
 
 /// What the integrals are asked for, and what is promised of them: two digits of room, as the estimates of
 /// the rules are cautious. Searches, whose places are printed to four digits, ask for less.
-constexpr double rule_tolerance = 1e-13;
+constexpr double microfacet_tolerance = 1e-13;
 constexpr double promised = 1e-11;
 constexpr double search_tolerance = 1e-9;
 
@@ -48,7 +48,7 @@ struct Widths {
 };
 
 /// A number that the integrals should give, and how far from it the worst of them is.
-struct Distance {
+struct Furthest {
   double relative = 0;  ///< the largest |integral / expected - 1|
   double integral = 0;  ///< there
   double roughness = 0;
@@ -56,14 +56,14 @@ struct Distance {
   double error = 0;       ///< of any of them, relative: both rules' estimates and their difference
 };
 
-void consider(Distance& worst, const Distance& one) {
+void consider(Furthest& worst, const Furthest& one) {
   const double error = std::max(worst.error, one.error);
   if (one.relative >= worst.relative) worst = one;
   worst.error = error;
 }
 
 /// `confirmed` where all integrals agree to what is promised, empty where they are not known that well.
-std::optional<Verdict> judged(const Distance& distance) {
+std::optional<Verdict> judged(const Furthest& distance) {
   if (!(distance.error <= promised)) return std::nullopt;
   return verdict_of(distance.relative <= promised);
 }
@@ -72,16 +72,16 @@ double value_of(std::string_view formula) {
   return evaluate<double>(parse_formula(formula, {}), [](const std::string&) { return 0.0; });
 }
 
-Distance area_distance(Distribution distribution, const Widths& widths, double printed) {
-  Distance worst;
+Furthest area_distance(Distribution distribution, const Widths& widths, double printed) {
+  Furthest worst;
   for (const double r : widths.roughness) {
-    const TwoWays area = integrate_projected_area(distribution, widths.alpha(r), rule_tolerance);
+    const TwoWays area = integrate_projected_area(distribution, widths.alpha(r), microfacet_tolerance);
     consider(worst, {std::abs(area.value() / printed - 1), area.value(), r, 0, area.error() / area.value()});
   }
   return worst;
 }
 
-std::string area_evidence(const Distance& worst, const Widths& widths, std::string_view printed) {
+std::string area_evidence(const Furthest& worst, const Widths& widths, std::string_view printed) {
   const std::string result = worst.relative <= promised
                                  ? "is " + std::string(printed) + " to better than " + decimal(promised, 1)
                                  : "is " + decimal(worst.integral, 10) + " at roughness " +
@@ -95,7 +95,7 @@ Finding normalised(const Claim& claim) {
   const Widths widths(claim);
   const std::string_view printed = claim.printed[0].value;
   const double expected = value_of(printed);
-  const Distance worst = area_distance(distribution, widths, expected);
+  const Furthest worst = area_distance(distribution, widths, expected);
   return {judged(worst), decimal(worst.integral, 10), area_evidence(worst, widths, printed),
           judged(worst) == Verdict::confirmed
               ? "none"
@@ -158,7 +158,7 @@ std::vector<double> views_of(const Claim& claim) {
 /// G1 times the visible area over v.n at every roughness and view.
 struct MaskingTable {
   std::vector<std::vector<double>> ratios;  ///< by roughness, then by view
-  Distance worst;                           ///< from 1
+  Furthest worst;                           ///< from 1
 };
 
 MaskingTable masking_table(const Pair& pair, const Widths& widths, const std::vector<double>& angles) {
@@ -168,7 +168,7 @@ MaskingTable masking_table(const Pair& pair, const Widths& widths, const std::ve
     table.ratios.emplace_back();
     for (const double degrees : angles) {
       const View view(degrees);
-      const TwoWays area = integrate_visible_area(pair.distribution, alpha, view, rule_tolerance);
+      const TwoWays area = integrate_visible_area(pair.distribution, alpha, view, microfacet_tolerance);
       const double ratio = masking(pair.masking, view, alpha) * area.value() / view.direction.cosine;
       table.ratios.back().push_back(ratio);
       consider(table.worst, {std::abs(ratio - 1), ratio, r, degrees, area.error() / area.value()});
@@ -183,7 +183,7 @@ std::string views_in_words(const std::vector<double>& angles) {
 }
 
 /// What a masking does to a surface with F = 1 that should reflect all of the light.
-std::string effect_of_masking(const Distance& worst, std::string_view distribution) {
+std::string effect_of_masking(const Furthest& worst, std::string_view distribution) {
   return effect_of_factor(worst.integral, 1,
                           std::string(distribution) + " with F = 1 and masking alone, at roughness " +
                               decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
@@ -194,7 +194,7 @@ Finding masked_by_its_own(const Claim& claim) {
   const Widths widths(claim);
   const auto angles = views_of(claim);
   const Pair pair{distribution_of(claim.inputs.at("distribution")), masking_of(claim.inputs.at("masking"))};
-  const Distance worst = masking_table(pair, widths, angles).worst;
+  const Furthest worst = masking_table(pair, widths, angles).worst;
   const bool holds = worst.relative <= promised;
   const std::string most = holds ? "less than " + decimal(promised, 1)
                                  : "up to " + decimal(worst.relative, 4) + " (at roughness " +
@@ -279,8 +279,8 @@ Finding loan(std::string_view distribution, const Claim& claim) {
   const std::string lender(claim.inputs.at(distribution));
   const Pair pair{distribution_of(distribution), masking_of(lender)};
   const MaskingTable table = masking_table(pair, widths, angles);
-  const Distance& worst = table.worst;
-  const double accurate = number_of(claim.inputs.at("accurate")), code = change_of_one_code();
+  const Furthest& worst = table.worst;
+  const double accurate = given(claim, "accurate"), code = change_of_one_code();
   const LoanRange range = range_of(pair, widths, angles, table, accurate);
   Finding finding;
   if (worst.error <= promised) {

@@ -299,7 +299,7 @@ std::string closest_in_words(const CheapRatio& ratio, double furthest, double lo
 
 Finding cheap_constant(const Claim& claim) {
   const PrintedConstant printed(claim.printed[0].value);
-  const double close = number_of(claim.inputs.at("close")), low = number_of(claim.inputs.at("low power"));
+  const double close = given(claim, "close"), low = given(claim, "low power");
   const auto exponents = exponents_of(claim);
   double error = 0;
   for (const auto& check : check_normalisation(BlinnPhongBrdfLobe::record, exponents))

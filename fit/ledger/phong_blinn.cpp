@@ -174,8 +174,8 @@ std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& view
 }
 
 Finding angle(const Claim& claim) {
-  const double printed = number_of(claim.printed[0].value), exponent = number_of(claim.inputs.at("exponent"));
-  const Range in_plane = factor_in_plane(number_of(claim.inputs.at("step")));
+  const double printed = number_of(claim.printed[0].value), exponent = given(claim, "exponent");
+  const Range in_plane = factor_in_plane(given(claim, "step"));
   const bool holds_in_plane = std::max(in_plane.high - printed, printed - in_plane.low) <= angle_tolerance;
   std::vector<AtView> views;
   for (const double view : parse_sweep(claim.inputs.at("views"))) views.push_back(look_from(view, exponent));

@@ -97,7 +97,7 @@ Finding evaluate_part(FitCache& fits, const Published& published, const Domain& 
 
 Finding evaluate_published(const Claim& claim, std::initializer_list<std::string_view> published_ids) {
   if (claim.printed.size() != published_ids.size()) throw std::logic_error("a number without its record");
-  const Domain domain{number_of(claim.inputs.at("from")), number_of(claim.inputs.at("to"))};
+  const Domain domain{given(claim, "from"), given(claim, "to")};
   std::vector<std::optional<Verdict>> found;
   std::vector<std::string> computed, evidence, effects;
   std::size_t i = 0;

@@ -146,10 +146,10 @@ Finding evaluate_lobe(const Claim& claim) {
 
 Finding evaluate_texel(const Claim& claim) {
   const std::string_view tolerance = claim.inputs.at("tolerance");
-  const double width = number_of(claim.inputs.at("width"));
-  const double edge = texels_along_edge(width, number_of(claim.inputs.at("level")));
+  const double width = given(claim, "width");
+  const double edge = texels_along_edge(width, given(claim, "level"));
   const double size = 2 / edge;
-  const double mean = mean_texel_solid_angle(width, number_of(claim.inputs.at("level")));
+  const double mean = mean_texel_solid_angle(width, given(claim, "level"));
   Agreement agreement, of_face;
   const double corner = compare_texel(1 - size, 1 - size, size, agreement) / mean;
   // One that touches the centre; of a face that is one texel, that texel.

@@ -91,7 +91,7 @@ double share_of_one_code() {
 }
 
 Finding sharp_density(const Claim& claim) {
-  const double k = number_of(claim.printed[0].value), about = number_of(claim.inputs.at("about"));
+  const double k = number_of(claim.printed[0].value), about = given(claim, "about");
   const double law = von_mises_fisher_sharp_error(k);
   double apart = 0;  // of the two densities' ratio from the law
   for (const double y : parse_sweep(claim.inputs.at("y"))) {
@@ -102,7 +102,7 @@ Finding sharp_density(const Claim& claim) {
   constexpr double rounding = 1e-14;
   const double from = concentration_of_error(about), from_code = concentration_of_error(share_of_one_code());
   // At the printed k the error is largest of all k that the claim speaks of.
-  const double least = concentration_of_error(number_of(claim.inputs.at("no longer about")));
+  const double least = concentration_of_error(given(claim, "no longer about"));
   const Verdict verdict = k >= from    ? Verdict::confirmed
                           : k >= least ? Verdict::conditional
                                        : Verdict::refuted;

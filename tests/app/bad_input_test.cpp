@@ -9,20 +9,14 @@
 #include "app/command_line.hpp"
 #include "reports/baseline.hpp"
 #include "reports/files.hpp"
+#include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::expect_refusal;
 using testing::TemporaryDirectory;
-
-/// Bad usage and bad input: exit 2, nothing on standard output, exactly this line on standard error.
-void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 2) << line;
-  EXPECT_EQ(outcome.out, "") << line;
-  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
-}
 
 TEST(BadInput, UnknownIdsSuggestTheNearest) {
   expect_refusal({"fit", "fresnel-quadratc"},

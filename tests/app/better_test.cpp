@@ -8,20 +8,15 @@
 #include "app/command_line.hpp"
 #include "reports/csv.hpp"
 #include "reports/files.hpp"
+#include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
 using nlohmann::json;
+using testing::expect_refusal;
 using testing::TemporaryDirectory;
-
-void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 2) << line;
-  EXPECT_EQ(outcome.out, "") << line;
-  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
-}
 
 json json_of(std::vector<std::string> arguments) {
   arguments.push_back("--json");

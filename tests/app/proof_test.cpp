@@ -9,20 +9,15 @@
 #include "fit/certificate.hpp"
 #include "reports/certificate_json.hpp"
 #include "reports/files.hpp"
+#include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
 using nlohmann::json;
+using testing::expect_refusal;
 using testing::TemporaryDirectory;
-
-void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 2) << line;
-  EXPECT_EQ(outcome.out, "") << line;
-  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
-}
 
 TEST(Certify, ThePublishedValuesWhereThereAreAny) {
   const Outcome outcome = run_command_line({"certify", "fresnel-quadratic", "--json"});

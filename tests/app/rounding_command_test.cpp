@@ -7,9 +7,12 @@
 
 #include "app/command_line.hpp"
 #include "fit/hex_float.hpp"
+#include "tests/app/refusal.hpp"
 
 namespace shadefit {
 namespace {
+
+using testing::expect_refusal;
 
 using nlohmann::json;
 
@@ -66,13 +69,6 @@ TEST(FitRound, OfARecordsSweepLeavesOutWhatDoesNotFit) {
   EXPECT_FALSE(sweep.front()["rounded"].is_null());
   EXPECT_TRUE(sweep.back()["rounded"].is_null());
   EXPECT_EQ(sweep.back()["rounded_reason"], "--exponent '1e+06' is no number of half: the largest is 65504");
-}
-
-void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 2) << line;
-  EXPECT_EQ(outcome.out, "") << line;
-  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
 }
 
 TEST(FitRound, BadInput) {

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "app/commands.hpp"
+#include "app/fit_arguments.hpp"
+#include "app/metric_options.hpp"
+#include "fit/user_error.hpp"
+#include "reports/alternation.hpp"
+#include "reports/fit_json.hpp"
+#include "reports/proofs.hpp"
+#include "reports/results.hpp"
+#include "reports/rounded.hpp"
+#include "reports/sensitivities.hpp"
+#include "reports/tables.hpp"
+#include "reports/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A mean or a limit of fits, asked for by its own id.
+Outcome derived_command(const FittableFamily& family, const Published& published, const FitOptions& options) {
+  if (options.exponent) {
+    throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
+                                *options.exponent, published.id));
+  }
+  if (options.certify) {
+    throw UserError(
+        fmt::format("--certify does not apply: {0} is a mean or a limit of fits; see 'shadefit certify {0}'",
+                    published.id));
+  }
+  if (options.round) {
+    throw UserError(fmt::format("--round '{}' does not apply: {} is a mean or a limit of fits",
+                                *options.round, published.id));
+  }
+  if (options.sensitivity) {
+    throw UserError(fmt::format(
+        "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
+        published.id));
+  }
+  parse_surface(family, options);  // no such number is of a Fresnel form
+  FitCache fits(family);
+  const auto exponents = exponents_of(published);
+  const std::vector<Setting> settings(exponents.begin(), exponents.end());
+  const auto assessment = assess(fits, published, parse_metric(options, family, settings));
+  if (!assessment)
+    return {1, "",
+            fmt::format("shadefit: {} rests on fits that did not converge, or has no limit on this domain\n",
+                        published.id)};
+  const Refit refit{&family, {&published}, {}, {*assessment}};
+  if (options.json) return {0, json_text(write_derived_json(*assessment)), ""};
+  const Table table = fits_table({refit}).table;
+  const auto write = options.csv ? write_csv : options.latex ? write_latex : write_console;
+  return {0, write(table, Precision::full), ""};
+}
+
+/// "cosine measure, least squares", or what else the metric says.
+std::string headline(const Metric& metric) {
+  if (metric.norm == Norm::minimax)
+    return describe(metric) +
+           fmt::format("; the {} measure counts for the rms error alone", name(metric.measure));
+  const bool is_plain =
+      metric.error == Error::absolute && metric.weight.empty() && metric.constraints == Constraints{};
+  return is_plain ? describe(metric) + " measure, least squares"
+                  : "least squares, measure: " + describe(metric);
+}
+
+std::string console_text(const Refit& refit, const Metric& metric) {
+  const Family& info = refit.family->info;
+  std::string text = fmt::format("{}: {} ~ {}, {}\n", info.id, target_of(refit.fits.front().fit),
+                                 to_text(refit.family->form()), headline(metric)) +
+                     write_console(fits_overview(refit), Precision::report);
+  for (const FitReport& report : refit.fits) text += alternation_text(report.fit);
+  return text;
+}
+
+/// The proofs of each fit, where they are asked for.
+std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint) {
+  std::vector<FitProof> proofs;
+  for (const FitReport& report : refit.fits) {
+    if (!options.certify) break;
+    checkpoint();
+    proofs.push_back(prove_fit(report.fit));
+  }
+  return proofs;
+}
+
+/// How sensitive each fit is, where it is asked for; empty for one that did not converge.
+std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, const FitOptions& options,
+                                                         const Checkpoint& checkpoint) {
+  std::vector<std::optional<Sensitivity>> sensitivities;
+  for (const FitReport& report : refit.fits) {
+    if (!options.sensitivity) break;
+    checkpoint();
+    const bool is_answer = report.fit.status == Status::converged;
+    sensitivities.push_back(is_answer ? std::optional(sensitivity_of(report.fit, checkpoint)) : std::nullopt);
+  }
+  return sensitivities;
+}
+
+/// Constants that are rounded keep no constraint but given values.
+void require_free_rounding(const FitOptions& options) {
+  if (!options.sensitivity) return;
+  const auto refuse = [](const char* option, const std::string& value) {
+    throw UserError(
+        fmt::format("{} '{}' does not go with --sensitivity: constants that are rounded do not keep to it",
+                    option, value));
+  };
+  if (!options.exact_at.empty()) refuse("--exact-at", options.exact_at.front());
+  if (options.one_sided) refuse("--one-sided", *options.one_sided);
+  if (options.at_most) refuse("--at-most", *options.at_most);
+  if (options.at_least) refuse("--at-least", *options.at_least);
+}
+
+/// What is told of each fit where it is asked for; else empty.
+struct FitExtras {
+  std::vector<FitProof> proofs;
+  std::vector<RoundedFit> rounded;
+  std::vector<std::optional<Sensitivity>> sensitivities;
+};
+
+std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
+                      const FitExtras& extras) {
+  if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
+  if (options.latex) return write_latex(fits_overview(refit), Precision::report);
+  if (!options.json) {
+    std::string text = console_text(refit, metric);
+    if (options.certify) text += "\n" + write_console(proofs_table(refit, extras.proofs), Precision::full);
+    if (options.round)
+      text += "\n" + write_console(rounded_table(refit, extras.rounded), Precision::report) +
+              rounded_text(extras.rounded);
+    for (std::size_t i = 0; i < extras.sensitivities.size(); ++i) {
+      if (extras.sensitivities[i]) text += sensitivity_text(refit.fits[i].fit, *extras.sensitivities[i]);
+    }
+    return text;
+  }
+  auto array = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < refit.fits.size(); ++i) {
+    array.push_back(write_fit_json(*refit.family, refit.fits[i]));
+    if (options.certify) add_proof_json(array.back(), *refit.family, extras.proofs[i]);
+    if (options.round) add_rounded_json(array.back(), *refit.family, extras.rounded[i]);
+    if (options.sensitivity)
+      array.back()["sensitivity"] = extras.sensitivities[i]
+                                        ? sensitivity_json(refit.fits[i].fit, *extras.sensitivities[i])
+                                        : nlohmann::ordered_json();
+  }
+  return json_text_of_each(array);
+}
+
+/// Constraints that a form cannot satisfy are the user's to mend.
+void require_feasible(const Refit& refit) {
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::infeasible)
+      throw UserError(fmt::format("{} cannot satisfy the constraints{}: {}", which_fit(report.fit),
+                                  describe(report.fit.metric.constraints), report.fit.why));
+  }
+}
+
+}  // namespace
+
+Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
+  const auto [family_found, published] = find_fit(options.id);
+  const FittableFamily& family = *family_found;
+  if (published != nullptr && published->statement != Statement::best_fit)
+    return derived_command(family, *published, options);
+
+  const auto settings = settings_for(family, published, options);
+  const Metric metric = parse_metric(options, family, settings);
+  const auto format = options.round ? std::optional(parse_number_format(*options.round)) : std::nullopt;
+  require_free_rounding(options);
+  FitCache fits(family);
+  const Refit refit{&family, {}, fit_and_assess(fits, settings, std::array{metric}, checkpoint), {}};
+  require_feasible(refit);
+  const FitExtras extras{
+      proofs_of(refit, options, checkpoint),
+      format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{},
+      sensitivities_of(refit, options, checkpoint)};
+  const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras), err};
+}
+
+}  // namespace shadefit
