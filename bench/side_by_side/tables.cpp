@@ -61,7 +61,8 @@ std::string verdict_table(const std::vector<Task>& tasks, const std::vector<Row>
     const Row* ours = verdict.ours;
     text += "| " + task.id + " | " +
             (ours == nullptr ? std::string() : time(ours->seconds) + " (" + digits(ours->digits) + ")") +
-            " " + beside(verdict.as_exact, ours) + beside(verdict.any, ours) + "| " + verdict.text + " |\n";
+            " " + beside(verdict.as_exact, ours) + beside(verdict.any, ours) + "| " + verdict.text +
+            (verdict.is_slow && !task.why.empty() ? ": " + task.why : "") + " |\n";
   }
   return text;
 }

@@ -18,8 +18,9 @@ std::string answer_name(const std::string& parameter, const std::string& exponen
 /// What a task is.
 struct Task {
   std::string id, title;
-  bool is_fit;        ///< ours has to be ten times as fast there
-  std::string start;  ///< where a fit begins
+  bool is_fit = false;     ///< ours has to be ten times as fast there
+  std::string start = {};  ///< where the others' fits begin
+  std::string why = {};    ///< where an exact peer is not ten times slower: the reason
   Truth truth;
 };
 

@@ -41,6 +41,7 @@ Verdict judge(const std::vector<Row>& rows, const std::string& task) {
   } else {
     const double ratio = *verdict.as_exact->seconds / *verdict.ours->seconds;
     verdict.holds = ratio >= wanted_ratio;
+    verdict.is_slow = !verdict.holds;
     verdict.text = (verdict.holds ? "" : "ONLY ") + times(ratio) + " x";
   }
   return verdict;

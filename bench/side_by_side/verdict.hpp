@@ -11,9 +11,9 @@ struct Row {
   std::string task, tool, variant;
   bool is_ours = false;
   bool is_judged = true;
-  std::optional<double> seconds;          ///< in the process, the least; empty where it failed
-  std::optional<double> process_seconds;  ///< of the whole process, the least
-  std::optional<double> digits;           ///< of the worst number; empty where none was asked for
+  std::optional<double> seconds = {};          ///< in the process, the least; empty where it failed
+  std::optional<double> process_seconds = {};  ///< of the whole process, the least
+  std::optional<double> digits = {};           ///< of the worst number; empty where none was asked for
   std::vector<std::string> notes = {};
 };
 
@@ -28,7 +28,8 @@ struct Verdict {
   const Row* as_exact = nullptr;  ///< the fastest judged peer with as many digits; null where there is none
   const Row* any = nullptr;       ///< the fastest judged peer of all
   bool holds = false;
-  std::string text;  ///< in words
+  bool is_slow = false;  ///< `as_exact` takes less than `wanted_ratio` times as long
+  std::string text;      ///< in words
 };
 
 /// The verdict on one task. Ours has to have kept its digits and to be `wanted_ratio` times as fast as
