@@ -97,7 +97,10 @@ void measure(benchmark::State& state) {
 
 void register_scaling() {
   auto* scaling = benchmark::RegisterBenchmark("scaling/sg-offset", measure);
-  scaling->ArgNames({"fits", "threads"})->Unit(benchmark::kMillisecond)->UseRealTime();
+  scaling->ArgNames({"fits", "threads"})
+      ->Unit(benchmark::kMillisecond)
+      ->MeasureProcessCPUTime()
+      ->UseRealTime();
   for (long fits = 1; fits <= 100'000; fits *= 10) {
     for (const long threads : {1, 2}) scaling->Args({fits, threads});
   }

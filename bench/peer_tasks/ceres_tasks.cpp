@@ -201,7 +201,7 @@ Answer gaussians(Solver solver, const std::vector<double>& exponents) {
   Answer answer;
   for (const double k : exponents) {
     const auto in_c = [k](double c) { return std::pow(c, k); };
-    const auto in_t = [k](double t) { return std::pow(1 - t / k, k); };
+    const auto in_t = [k](double t) { return std::exp(k * std::log1p(-t / k)); };
     const auto p = is_tutorial(solver)
                        ? tutorial<GaussianInC>({0.5}, k, 1, false, in_c, tolerance_of(solver), answer)
                        : on_nodes<GaussianInT>({0.5}, k, std::min(k, 24.0), false, in_t, solver, answer);

@@ -47,7 +47,7 @@ lobe_optimize <- function(k)
 lobe_uniroot <- function(k) {
   gradient <- function(x) integrate(function(t) {
     form <- exp(-(k + x) * t / k)
-    (form - (1 - t / k)^k) * form * t
+    (form - exp(k * log1p(-t / k))) * form * t
   }, 0, min(k, 24), rel.tol = 1e-13, abs.tol = 1e-17, stop.on.error = FALSE)$value
   uniroot(gradient, c(0, 2), tol = 4e-16)$root
 }
@@ -61,10 +61,10 @@ blinn_optimize <- function(rho)
            c(3, 6))$minimum
 blinn_uniroot <- function(rho) {
   gradient <- function(x) integrate(function(t) {
-    half <- cos(t / 2)
-    form <- half^(x * rho)
-    (form - cos(t)^rho) * form * log(half) * sin(t)
-  }, 0, min(pi / 2, 9 / sqrt(rho)), rel.tol = 1e-13, abs.tol = 1e-17, stop.on.error = FALSE)$value
+    half <- log1p(-t / (2 * rho))
+    form <- exp(x * rho / 2 * half)
+    (form - exp(rho * log1p(-t / rho))) * form * half
+  }, 0, min(rho, 24), rel.tol = 1e-13, abs.tol = 1e-17, stop.on.error = FALSE)$value
   uniroot(gradient, c(3, 6), tol = 4e-16)$root
 }
 
@@ -112,7 +112,7 @@ variants <- list(
   list("T2-large", "uniroot of the integrated gradient in t (expert)", function() sweep("T2-large", lobe_uniroot)),
   list("T3", "nls, 1001 samples", function() sweep("T3", blinn_nls)),
   list("T3", "optimize(integrate)", function() sweep("T3", blinn_optimize)),
-  list("T3", "uniroot of the integrated gradient (expert)", function() sweep("T3", blinn_uniroot)),
+  list("T3", "uniroot of the integrated gradient in t (expert)", function() sweep("T3", blinn_uniroot)),
   list("T4-absolute", "optim, Nelder-Mead on the largest of 1001 samples", function() minimax(FALSE)),
   list("T4-relative", "optim, Nelder-Mead on the largest of 1001 samples", function() minimax(TRUE)),
   list("T5", "grid of 1001, optimize", largest_refined),

@@ -132,7 +132,7 @@ def lobe_root(k):
     def gradient(x):
         def slope(t):
             form = np.exp(-(k + x) * t / k)
-            return (form - (1 - t / k) ** k) * form * t
+            return (form - np.exp(k * np.log1p(-t / k))) * form * t
 
         return integrate.quad(slope, 0, min(k, 24), epsabs=1e-17, epsrel=1e-13)[0]
 
@@ -141,7 +141,7 @@ def lobe_root(k):
 
 def lobe_on_nodes(k):
     t, w = nodes(min(k, 24))
-    target, root = (1 - t / k) ** k, np.sqrt(w)
+    target, root = np.exp(k * np.log1p(-t / k)), np.sqrt(w)
     fit = optimize.least_squares(
         lambda x: root * (np.exp(-(k + x[0]) * t / k) - target), 0.5, method="lm", xtol=1e-15, ftol=1e-15, gtol=1e-15
     )
@@ -174,11 +174,11 @@ def blinn_bfgs(rho):
 def blinn_root(rho):
     def gradient(x):
         def slope(t):
-            half = np.cos(t / 2)
-            form = half ** (x * rho)
-            return (form - np.cos(t) ** rho) * form * np.log(half) * np.sin(t)
+            half = np.log1p(-t / (2 * rho))
+            form = np.exp(x * rho / 2 * half)
+            return (form - np.exp(rho * np.log1p(-t / rho))) * form * half
 
-        return integrate.quad(slope, 0, min(np.pi / 2, 9 / np.sqrt(rho)), epsabs=1e-17, epsrel=1e-13)[0]
+        return integrate.quad(slope, 0, min(rho, 24), epsabs=1e-17, epsrel=1e-13)[0]
 
     return optimize.brentq(gradient, 3, 6, xtol=4e-16, rtol=4 * np.finfo(float).eps), ""
 
@@ -293,7 +293,7 @@ for name, fit in (
     ("curve_fit, 1001 samples", blinn_curve_fit),
     ("minimize_scalar(quad)", blinn_minimize_scalar),
     ("minimize(quad), BFGS", blinn_bfgs),
-    ("brentq on the quad gradient (expert)", blinn_root),
+    ("brentq on the quad gradient in t (expert)", blinn_root),
 ):
     VARIANTS.append(("T3", name, lambda f=fit: sweep(POWERS, f, 3)))
 for task, relative in (("T4-absolute", False), ("T4-relative", True)):

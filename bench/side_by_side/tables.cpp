@@ -55,16 +55,18 @@ std::string verdict_table(const std::vector<Task>& tasks, const std::vector<Row>
       "| task | ours, from nothing (digits) | the fastest judged peer with as many digits | its time (digits) | times "
       "ours | the fastest judged peer of all | its time (digits) | times ours | verdict |\n"
       "|---|---|---|---|---|---|---|---|---|\n";
+  std::string why;
   for (const Task& task : tasks) {
     if (!task.is_fit) continue;
     const Verdict verdict = judge(rows, task.id);
     const Row* ours = verdict.ours;
     text += "| " + task.id + " | " +
             (ours == nullptr ? std::string() : time(ours->seconds) + " (" + digits(ours->digits) + ")") +
-            " " + beside(verdict.as_exact, ours) + beside(verdict.any, ours) + "| " + verdict.text +
-            (verdict.is_slow && !task.why.empty() ? ": " + task.why : "") + " |\n";
+            " " + beside(verdict.as_exact, ours) + beside(verdict.any, ours) + "| " + verdict.text + " |\n";
+    if (verdict.is_slow && !task.why.empty())
+      why += "- " + task.id + ", " + verdict.as_exact->tool + ": " + task.why + ".\n";
   }
-  return text;
+  return text + (why.empty() ? "" : "\nWhy not ten times:\n\n" + why);
 }
 
 std::string task_tables(const std::vector<Task>& tasks, const std::vector<Row>& rows) {
