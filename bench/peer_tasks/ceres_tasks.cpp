@@ -19,6 +19,7 @@
 namespace {
 
 using peer_tasks::Answer;
+using peer_tasks::Standing;
 using peer_tasks::Variant;
 
 constexpr int samples = 1001;
@@ -242,11 +243,11 @@ int main(int argc, char** argv) {
   std::vector<Variant> variants;
   for (const auto& [solver, name] : ways) {
     const Solver way = solver;
-    const bool judged = is_tutorial(way);
-    variants.push_back({"T1", name, judged, [way] { return pair(way); }});
-    variants.push_back({"T2", name, judged, [way, sweep] { return gaussians(way, sweep); }});
-    variants.push_back({"T2-large", name, judged, [way, large] { return gaussians(way, large); }});
-    variants.push_back({"T3", name, judged, [way] { return blinns(way); }});
+    const Standing standing = is_tutorial(way) ? Standing::judged : Standing::listed;
+    variants.push_back({"T1", name, standing, [way] { return pair(way); }});
+    variants.push_back({"T2", name, standing, [way, sweep] { return gaussians(way, sweep); }});
+    variants.push_back({"T2-large", name, standing, [way, large] { return gaussians(way, large); }});
+    variants.push_back({"T3", name, standing, [way] { return blinns(way); }});
   }
   return peer_tasks::run_program(argc, argv, std::string("Ceres ") + CERES_VERSION_STRING, variants);
 }

@@ -22,6 +22,7 @@
 namespace {
 
 using peer_tasks::Answer;
+using peer_tasks::Standing;
 using peer_tasks::Variant;
 
 constexpr std::size_t samples = 1001;
@@ -398,29 +399,34 @@ Answer by_qag61(bool in_angle) {
 int main(int argc, char** argv) {
   gsl_set_error_handler_off();
   const std::vector<Variant> variants{
-      {"T1", "multifit, 1001 samples, finite differences", true,
+      {"T1", "multifit, 1001 samples, finite differences", Standing::judged,
        [] { return pair(even(0, 1), Derivatives::differences, usual); }},
-      {"T1", "multifit, 1001 samples, own derivatives", true,
+      {"T1", "multifit, 1001 samples, own derivatives", Standing::judged,
        [] { return pair(even(0, 1), Derivatives::exact, usual); }},
-      {"T1", "multifit, 64 Gauss-Legendre nodes, tight", true,
+      {"T1", "multifit, 64 Gauss-Legendre nodes, tight", Standing::expert,
        [] { return pair(nodes(0, 1), Derivatives::exact, tight); }},
-      {"T1", "multiroot hybrids on the qag gradient (expert)", true, pair_by_root},
-      {"T2", "multifit, 1001 samples, own derivatives", true, [] { return gaussians_in_c(sweep); }},
-      {"T2", "multifit, 64 nodes in t, tight", true, [] { return gaussians_in_t(sweep); }},
-      {"T2", "Brent root of the qag gradient in t (expert)", true, [] { return gaussians_by_root(sweep); }},
-      {"T2-large", "multifit, 1001 samples, own derivatives", true, [] { return gaussians_in_c(large); }},
-      {"T2-large", "multifit, 64 nodes in t, tight", true, [] { return gaussians_in_t(large); }},
-      {"T2-large", "Brent root of the qag gradient in t (expert)", true,
+      {"T1", "multiroot hybrids on the qag gradient (expert)", Standing::expert, pair_by_root},
+      {"T2", "multifit, 1001 samples, own derivatives", Standing::judged,
+       [] { return gaussians_in_c(sweep); }},
+      {"T2", "multifit, 64 nodes in t, tight", Standing::expert, [] { return gaussians_in_t(sweep); }},
+      {"T2", "Brent root of the qag gradient in t (expert)", Standing::expert,
+       [] { return gaussians_by_root(sweep); }},
+      {"T2-large", "multifit, 1001 samples, own derivatives", Standing::judged,
+       [] { return gaussians_in_c(large); }},
+      {"T2-large", "multifit, 64 nodes in t, tight", Standing::expert, [] { return gaussians_in_t(large); }},
+      {"T2-large", "Brent root of the qag gradient in t (expert)", Standing::expert,
        [] { return gaussians_by_root(large); }},
-      {"T3", "multifit, 1001 samples, own derivatives", true, [] { return blinns(false); }},
-      {"T3", "multifit, 64 nodes in the angle, tight", true, [] { return blinns(true); }},
-      {"T3", "Brent root of the qag gradient in t (expert)", true, blinns_by_root},
-      {"T4-absolute", "nmsimplex2 on the largest of 1001 samples", true, [] { return minimax(false); }},
-      {"T4-relative", "nmsimplex2 on the largest of 1001 samples", true, [] { return minimax(true); }},
-      {"T5", "grid of 1001, min_fminimizer_brent", true, largest_error},
-      {"T6", "qags in the angle", true, [] { return by_qags(true); }},
-      {"T6", "qags in the cosine", true, [] { return by_qags(false); }},
-      {"T6", "qag61 in the angle", true, [] { return by_qag61(true); }},
-      {"T6", "qag61 in the cosine", true, [] { return by_qag61(false); }}};
+      {"T3", "multifit, 1001 samples, own derivatives", Standing::judged, [] { return blinns(false); }},
+      {"T3", "multifit, 64 nodes in the angle, tight", Standing::expert, [] { return blinns(true); }},
+      {"T3", "Brent root of the qag gradient in t (expert)", Standing::expert, blinns_by_root},
+      {"T4-absolute", "nmsimplex2 on the largest of 1001 samples", Standing::judged,
+       [] { return minimax(false); }},
+      {"T4-relative", "nmsimplex2 on the largest of 1001 samples", Standing::judged,
+       [] { return minimax(true); }},
+      {"T5", "grid of 1001, min_fminimizer_brent", Standing::judged, largest_error},
+      {"T6", "qags in the angle", Standing::judged, [] { return by_qags(true); }},
+      {"T6", "qags in the cosine", Standing::judged, [] { return by_qags(false); }},
+      {"T6", "qag61 in the angle", Standing::judged, [] { return by_qag61(true); }},
+      {"T6", "qag61 in the cosine", Standing::judged, [] { return by_qag61(false); }}};
   return peer_tasks::run_program(argc, argv, std::string("GSL ") + gsl_version, variants);
 }

@@ -122,7 +122,7 @@ variants <- list(
 arguments <- commandArgs(trailingOnly = TRUE)
 if (identical(arguments, "--list")) {
   cat(sprintf("version R %s.%s\n", R.version$major, R.version$minor))
-  for (v in variants) cat(sprintf("%s\t%s\tjudged\n", v[[1]], v[[2]]))
+  for (v in variants) cat(sprintf("%s\t%s\t%s\n", v[[1]], v[[2]], if (grepl("expert", v[[2]])) "expert" else "judged"))
 } else {
   chosen <- Filter(function(v) identical(c(v[[1]], v[[2]]), arguments[1:2]), variants)
   if (length(arguments) != 3 || length(chosen) != 1) {

@@ -63,13 +63,13 @@ Answer constants() {
 std::vector<Variant> other_tasks() {
   const std::string pair = "fit fresnel-quadratic --norm minimax --json",
                     published = "certify fresnel-quadratic --json --width ";
-  return {{"T4-absolute", "from nothing", true, [] { return minimax(Error::absolute); }, pair},
-          {"T4-relative", "from nothing", true, [] { return minimax(Error::relative); },
+  return {{"T4-absolute", "from nothing", Standing::judged, [] { return minimax(Error::absolute); }, pair},
+          {"T4-relative", "from nothing", Standing::judged, [] { return minimax(Error::relative); },
            pair + " --error relative"},
-          {"T5", "search, sampled", true, search},
-          {"T5", "certified to 1e-9", true, [] { return prove(1e-9); }, published + "1e-9"},
-          {"T5", "certified to 1e-12", true, [] { return prove(1e-12); }, published + "1e-12"},
-          {"T6", "two rules in two variables, each constant", true, constants}};
+          {"T5", "search, sampled", Standing::judged, search},
+          {"T5", "certified to 1e-9", Standing::judged, [] { return prove(1e-9); }, published + "1e-9"},
+          {"T5", "certified to 1e-12", Standing::judged, [] { return prove(1e-12); }, published + "1e-12"},
+          {"T6", "two rules in two variables, each constant", Standing::judged, constants}};
 }
 
 }  // namespace peer_tasks

@@ -14,6 +14,7 @@
 namespace {
 
 using peer_tasks::Answer;
+using peer_tasks::Standing;
 using peer_tasks::Variant;
 
 template <class F, class Optimum>
@@ -28,7 +29,7 @@ void add(Answer& answer, const Optimum& optimum, double exponent) {
 template <class F>
 void append(std::vector<Variant>& variants, const std::string& task, const std::vector<F>& families,
             const std::vector<double>& exponents, const std::string& command) {
-  variants.push_back({task, "from nothing", true,
+  variants.push_back({task, "from nothing", Standing::judged,
                       [families, exponents] {
                         Answer answer;
                         for (std::size_t i = 0; i < families.size(); ++i)
@@ -38,7 +39,7 @@ void append(std::vector<Variant>& variants, const std::string& task, const std::
                       command});
   std::vector<shadefit::LeastSquares<F>> ready;
   for (const F& family : families) ready.push_back({family, {}});
-  variants.push_back({task, "nodes and samples ready", false,
+  variants.push_back({task, "nodes and samples ready", Standing::listed,
                       [ready, exponents] {
                         Answer answer;
                         for (std::size_t i = 0; i < ready.size(); ++i)

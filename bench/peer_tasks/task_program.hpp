@@ -18,6 +18,7 @@
 ///   PROGRAM TASK VARIANT SECONDS    does the task once and prints `value NAME EXPONENT NUMBER` (`-` for no
 ///                                   exponent) and `note TEXT`; with SECONDS > 0 repeats it for so long,
 ///                                   three times at least, and prints `seconds` of the quickest
+/// `expert` is judged as well: a way that wants a derivation by hand or nodes of one's own.
 namespace peer_tasks {
 
 struct Answer {
@@ -38,9 +39,11 @@ struct Answer {
   }
 };
 
+enum class Standing { judged, expert, listed };
+
 struct Variant {
   std::string task, name;
-  bool is_judged;
+  Standing standing;
   std::function<Answer()> run;
   std::string command = {};  ///< empty where the program itself is the process
 };
@@ -66,9 +69,10 @@ inline void print(const Answer& answer) {
 inline int run_program(int argc, char** argv, const std::string& version,
                        const std::vector<Variant>& variants) {
   if (argc == 2 && argv[1] == std::string("--list")) {
+    constexpr const char* names[] = {"judged", "expert", "listed"};
     std::printf("version %s\n", version.c_str());
     for (const Variant& v : variants) {
-      std::printf("%s\t%s\t%s%s%s\n", v.task.c_str(), v.name.c_str(), v.is_judged ? "judged" : "listed",
+      std::printf("%s\t%s\t%s%s%s\n", v.task.c_str(), v.name.c_str(), names[static_cast<int>(v.standing)],
                   v.command.empty() ? "" : "\t", v.command.c_str());
     }
     return 0;

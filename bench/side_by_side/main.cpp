@@ -68,7 +68,8 @@ std::vector<Contender> contenders(Tool& tool) {
     const std::string task = cells.at(0), variant = cells.at(1);
     Contender contender{{.task = task, .tool = tool.name, .variant = variant}, tool.program, {}};
     contender.row.is_ours = !tool.command.empty();
-    contender.row.is_judged = cells.at(2) == "judged";
+    contender.row.is_judged = cells.at(2) != "listed";
+    contender.row.is_expert = cells.at(2) == "expert";
     contender.task_program.insert(contender.task_program.end(), {task, variant});
     if (cells.size() > 3) {
       contender.process = split(cells[3], ' ');

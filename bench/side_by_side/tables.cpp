@@ -43,7 +43,7 @@ std::string beside(const Row* peer, const Row* ours) {
   if (peer == nullptr) return "|||";
   const double ratio = ours == nullptr ? 0 : *peer->seconds / *ours->seconds;
   char times[32];
-  std::snprintf(times, sizeof times, "%.3g", ratio);
+  std::snprintf(times, sizeof times, ratio < 100 ? "%.1f" : "%.0f", ratio);
   return "| " + peer->tool + " " + peer->variant + " | " + time(peer->seconds) + " (" + digits(peer->digits) +
          ") | " + times + " ";
 }
@@ -52,8 +52,8 @@ std::string beside(const Row* peer, const Row* ours) {
 
 std::string verdict_table(const std::vector<Task>& tasks, const std::vector<Row>& rows) {
   std::string text =
-      "| task | ours, from nothing (digits) | the fastest judged peer with as many digits | its time (digits) | times "
-      "ours | the fastest judged peer of all | its time (digits) | times ours | verdict |\n"
+      "| task | ours, from nothing (digits) | the fastest peer with as many digits | its time (digits) | times "
+      "ours | the fastest as its manual has it, at any digits | its time (digits) | times ours | verdict |\n"
       "|---|---|---|---|---|---|---|---|---|\n";
   std::string why;
   for (const Task& task : tasks) {
@@ -62,7 +62,7 @@ std::string verdict_table(const std::vector<Task>& tasks, const std::vector<Row>
     const Row* ours = verdict.ours;
     text += "| " + task.id + " | " +
             (ours == nullptr ? std::string() : time(ours->seconds) + " (" + digits(ours->digits) + ")") +
-            " " + beside(verdict.as_exact, ours) + beside(verdict.any, ours) + "| " + verdict.text + " |\n";
+            " " + beside(verdict.as_exact, ours) + beside(verdict.usual, ours) + "| " + verdict.text + " |\n";
     if (verdict.is_slow && !task.why.empty())
       why += "- " + task.id + ", " + verdict.as_exact->tool + ": " + task.why + ".\n";
   }

@@ -19,12 +19,14 @@ std::string times(double ratio) {
 
 Verdict judge(const std::vector<Row>& rows, const std::string& task) {
   Verdict verdict;
+  bool has_peer = false;
   for (const Row& row : rows) {
     if (row.task != task || !row.is_judged || !row.seconds || !row.digits) continue;
     if (row.is_ours) {
       verdict.ours = quicker(verdict.ours, row);
     } else {
-      verdict.any = quicker(verdict.any, row);
+      has_peer = true;
+      if (!row.is_expert) verdict.usual = quicker(verdict.usual, row);
       if (*row.digits >= promised_digits) verdict.as_exact = quicker(verdict.as_exact, row);
     }
   }
@@ -32,7 +34,7 @@ Verdict judge(const std::vector<Row>& rows, const std::string& task) {
     verdict.text = "OURS FAILED";
   } else if (*verdict.ours->digits < promised_digits) {
     verdict.text = "OURS LOST DIGITS";
-  } else if (verdict.any == nullptr) {
+  } else if (!has_peer) {
     verdict.holds = true;
     verdict.text = "no peer ran";
   } else if (verdict.as_exact == nullptr) {

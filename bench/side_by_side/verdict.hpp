@@ -11,6 +11,7 @@ struct Row {
   std::string task, tool, variant;
   bool is_ours = false;
   bool is_judged = true;
+  bool is_expert = false;  ///< a way that wants a derivation by hand or nodes of one's own; judged as well
   std::optional<double> seconds = {};          ///< in the process, the least; empty where it failed
   std::optional<double> process_seconds = {};  ///< of the whole process, the least
   std::optional<double> digits = {};           ///< of the worst number; empty where none was asked for
@@ -26,7 +27,7 @@ inline constexpr double promised_digits = 14;
 struct Verdict {
   const Row* ours = nullptr;
   const Row* as_exact = nullptr;  ///< the fastest judged peer with as many digits; null where there is none
-  const Row* any = nullptr;       ///< the fastest judged peer of all
+  const Row* usual = nullptr;     ///< the fastest judged peer of any digits, experts' ways apart
   bool holds = false;
   bool is_slow = false;  ///< `as_exact` takes less than `wanted_ratio` times as long
   std::string text;      ///< in words

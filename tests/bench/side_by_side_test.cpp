@@ -65,12 +65,21 @@ TEST(SideBySide, OnlyAPeerWithAsManyDigitsCounts) {
   const Verdict verdict = judge(rows, "T1");
   EXPECT_TRUE(verdict.holds);
   EXPECT_EQ(verdict.as_exact, &rows[3]);
-  EXPECT_EQ(verdict.any, &rows[1]);
+  EXPECT_EQ(verdict.usual, &rows[1]);
   EXPECT_EQ(verdict.text, "30.0 x");
   const Verdict alone = judge({ours(1e-6, 15), peer(2e-6, 13.9)}, "T1");
   EXPECT_TRUE(alone.holds);
   EXPECT_EQ(alone.as_exact, nullptr);
   EXPECT_EQ(alone.text, "no peer reaches our digits");
+}
+
+TEST(SideBySide, AnExpertsWayIsJudgedButNotUsual) {
+  std::vector rows{ours(1e-6, 15), peer(2e-6, 15), peer(1.2e-4, 5)};
+  rows[1].is_expert = true;
+  const Verdict verdict = judge(rows, "T1");
+  EXPECT_FALSE(verdict.holds);
+  EXPECT_EQ(verdict.as_exact, &rows[1]);
+  EXPECT_EQ(verdict.usual, &rows[2]);
 }
 
 TEST(SideBySide, WhatIsListedFailedOrElsewhereDoesNotCount) {
