@@ -374,6 +374,7 @@ Answer constants(bool in_angle, const Rule& rule) {
     const double integral =
         in_angle ? rule(over_angle, 0, M_PI_2, 0, 1e-12, workspace) : rule(lobe, 0, 1, 0, 1e-12, workspace);
     answer.add(name, 1 / (2 * M_PI * integral), n);
+    if (integral == 0) answer.remark("integral 0");
   };
   for (const double n : {0.1, 1.0, 2.0, 8.0, 64.0, 2048.0, 1e5, 1e6}) {
     integrate("norm-phong", n, [n](double c) { return std::pow(c, n); });

@@ -260,13 +260,13 @@ def constants(in_angle):
     answer = Answer()
     for n in (0.1, 1.0, 2.0, 8.0, 64.0, 2048.0, 1e5, 1e6):
         for name, lobe in lobes.items():
+            integrand, end = lobe, 1
             if in_angle:
-                value = integrate.quad(lambda t: lobe(np.cos(t), n) * np.sin(t), 0, np.pi / 2, epsabs=0, epsrel=1e-12)[0]
-            else:
-                value = integrate.quad(lobe, 0, 1, args=(n,), epsabs=0, epsrel=1e-12)[0]
+                integrand, end = lambda t, n: lobe(np.cos(t), n) * np.sin(t), np.pi / 2
+            value, _, _, *warning = integrate.quad(integrand, 0, end, args=(n,), epsabs=0, epsrel=1e-12, full_output=1)
             answer.add(name, 1 / (2 * np.pi * value) if value else np.inf, n)
             if value == 0:
-                answer.remark("integral 0 without a warning")
+                answer.remark("integral 0 %s a warning" % ("with" if warning else "without"))
     return answer
 
 
