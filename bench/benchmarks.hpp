@@ -18,6 +18,9 @@ void register_claims();
 /// Proofs: certificates, their check, stationary points.
 void register_proofs();
 
+/// From one fit to 100 000, on one and two threads: time and memory.
+void register_scaling();
+
 /// The command as a process: its time and its memory.
 void register_process();
 

@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   shadefit::bench::register_parts();
   shadefit::bench::register_claims();
   shadefit::bench::register_proofs();
+  shadefit::bench::register_scaling();
   shadefit::bench::register_process();
   RememberingReporter reporter;
   const bool has_run = benchmark::RunSpecifiedBenchmarks(&reporter) > 0;

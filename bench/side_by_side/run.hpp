@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace shadefit::side_by_side {
+
+/// A process that has come to its end.
+struct Finished {
+  bool is_well = false;  ///< exit code 0
+  double seconds = 0;    ///< from its start to its end, by the clock
+  std::string output;    ///< its standard output; its standard error is thrown away
+};
+
+/// Runs a program, found by PATH, to its end.
+Finished run(const std::vector<std::string>& arguments);
+
+}  // namespace shadefit::side_by_side
