@@ -70,4 +70,32 @@ struct ExponentBits<xsimd::batch<R, A>> {
   }
 };
 
+#ifdef __AVX512DQ__
+
+/// AVX-512 rounds to a whole number and multiplies by a power of two in one instruction each, and these need
+/// no bounds: beyond its exponents the format's own infinity, subnormals and zero come out. The rest of an
+/// infinite x, infinity - infinity, is not a number, but times 2 to an infinite power even that is infinity
+/// or 0: so VSCALEFPS has it. (Source: Intel 64 and IA-32 Architectures Software Developer's Manual, volume
+/// 2, "VSCALEFPS", special cases.) What is not a number stays so.
+template <>
+struct ExponentBits<xsimd::batch<float, xsimd::avx512bw>> {
+  using T = xsimd::batch<float, xsimd::avx512bw>;
+  static SplitExponent<T> split(const T& x) {
+    const __m512 whole = _mm512_roundscale_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+    return {T(_mm512_sub_ps(x, whole)), T(whole)};
+  }
+  static T times_exp2(const T& p, const T& whole) { return T(_mm512_scalef_ps(p, whole)); }
+};
+template <>
+struct ExponentBits<xsimd::batch<double, xsimd::avx512bw>> {
+  using T = xsimd::batch<double, xsimd::avx512bw>;
+  static SplitExponent<T> split(const T& x) {
+    const __m512d whole = _mm512_roundscale_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+    return {T(_mm512_sub_pd(x, whole)), T(whole)};
+  }
+  static T times_exp2(const T& p, const T& whole) { return T(_mm512_scalef_pd(p, whole)); }
+};
+
+#endif
+
 }  // namespace shadefit
