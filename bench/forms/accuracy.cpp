@@ -134,17 +134,15 @@ class Places {
 
 struct Format {
   std::string_view name;
-  int digits;        ///< of the significand, in bits
-  int min_exponent;  ///< of the least normal number
+  int digits;  ///< of the significand, in bits
 };
-constexpr Format half_format{"half", 11, -14};
-constexpr Format float_format{"float", 24, -126};
-constexpr Format double_format{"double", 53, -1022};
+constexpr Format half_format{"half", 11};
+constexpr Format float_format{"float", 24};
+constexpr Format double_format{"double", 53};
 
-/// The distance between the numbers of a format around x.
+/// The distance between the numbers of a format around a normal x.
 long double ulp_of(long double x, const Format& format) {
-  const int exponent = x == 0 ? format.min_exponent : std::max(std::ilogb(x), format.min_exponent);
-  return std::ldexp(1.0L, exponent - format.digits + 1);
+  return std::ldexp(1.0L, std::ilogb(x) - format.digits + 1);
 }
 
 struct Errors {
@@ -163,7 +161,10 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results, co
     off[i] = static_cast<double>(std::fabs(difference));
     square += difference * difference;
     errors.absolute = std::max(errors.absolute, off[i]);
-    errors.ulps = std::max(errors.ulps, static_cast<double>(std::fabs(difference) / ulp_of(truth, format)));
+    if (std::fabs(truth) >= static_cast<long double>(visible)) {
+      const long double ulps = std::fabs(difference) / ulp_of(truth, format);
+      errors.ulps = std::max(errors.ulps, static_cast<double>(ulps));
+    }
     effect.show(static_cast<double>(truth), results[i], {{"c = ", places.cosine(i)}});
   }
   errors.relative = effect.relative.magnitude;
@@ -204,6 +205,7 @@ class Accuracy {
     for (const FormEntry* form : forms) {
       for (const Constants& constants : form->constants) {
         const Row row{*form, constants, pair_exp2(form->id, constants)};
+        first_row_ = table_.rows.size();
         const LibraryForm& library = library_form(form->id);
         const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic,
                              const Format& format, int degree) {
@@ -225,6 +227,7 @@ class Accuracy {
             add(doubles, compiled.in_double, "double", double_format, compiled.exp2_degree);
           add(floats, compiled.in_float, "float", float_format, compiled.exp2_degree);
         }
+        if (form->function == Function::exp2 && !row.pairing) pair_by_samples();
       }
     }
   }
@@ -246,6 +249,8 @@ class Accuracy {
     std::string exp2;
     if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
     const bool is_paired = row.pairing && row.pairing->degree == degree;
+    const bool is_float = arithmetic == float_format.name;
+    if (is_float) sampled_[static_cast<std::size_t>(degree)] = errors.absolute;
     table_.rows.push_back({std::string(row.form.target), std::string(row.form.id), row.constants.id,
                            values_of(row.constants), exp2, std::string(arithmetic),
                            number(errors.absolute, digits), is_of_lights ? Cell() : number(errors.at, digits),
@@ -253,10 +258,26 @@ class Accuracy {
                            number(errors.ulps, few), number(errors.codes, few),
                            row.pairing ? number(row.pairing->own_upper, few) : Cell(),
                            is_paired ? number(row.pairing->total, few) : Cell(),
-                           is_paired ? number(row.pairing->rounding, few) : Cell(),
+                           is_paired && is_float ? number(row.pairing->rounding, few) : Cell(),
                            row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
   }
 
+  /// The pairing of a form without a proof: by the sampled errors of its rows in float.
+  void pair_by_samples() {
+    int paired = 0;
+    for (int degree = largest_exp2_degree; degree >= least_exp2_degree; --degree) {
+      if (sampled_[static_cast<std::size_t>(degree)] <= (1 + allowed_addition) * sampled_[0]) paired = degree;
+    }
+    const std::string text = paired == 0 ? "library" : std::to_string(paired);
+    for (std::size_t i = first_row_; i < table_.rows.size(); ++i) {
+      const bool is_paired = std::get<std::string>(table_.rows[i][exp2_column]) == text;
+      table_.rows[i].back() = std::string(is_paired ? "sampled" : "no");
+    }
+  }
+
+  static constexpr std::size_t exp2_column = 4;
+  std::size_t first_row_ = 0;                                 ///< of the form's constants
+  std::array<double, largest_exp2_degree + 1> sampled_ = {};  ///< largest errors in float, by degree
   Table table_{.columns = {"target", "form", "constants", "values", "exp2", "arithmetic", "max_abs_error",
                            "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes",
                            "own_error", "total_error", "rounding_error", "paired"},

@@ -12,15 +12,19 @@ namespace shadefit::forms {
 /// scalar
 ///   ones, which is in the library's functions alone;
 /// - `max_abs_error` and `max_abs_error_at` (the smallest c of those equal within 1e-6; empty for lights),
-/// `max_rel_error`
-///   (where the target is at least 1/255), `rms_error` (uniform in the cosine), `max_ulps` (of the
-///   arithmetic) and `srgb_codes`: over a dense grid and the edges, against the target in long double;
-/// - `own_error`: the proven bound of the form's error with an exact exp2; `total_error`: with the polynomial
-/// of
-///   this row (exact arithmetic); `rounding_error`: what float adds at most; of the paired row alone;
-/// - `paired`: `yes` where the exp2 is the cheapest that keeps the total within 1 % of the form's own error.
+///   `max_rel_error` and `max_ulps`, of the arithmetic (both where the target is at least 1/255), `rms_error`
+///   (uniform in the cosine) and `srgb_codes`: over a dense grid and the edges, against the target in long
+///   double;
+/// - `own_error`: the proven bound of the form's error with an exact exp2, in exact arithmetic;
+/// `total_error`: the
+///   same with the polynomial of this row; `rounding_error`: what float adds at most, proven; both of the
+///   paired exp2 alone;
+/// - `paired`: `yes` where the exp2 is the cheapest that keeps the total within 1 % of the form's own error,
+/// proven;
+///   `sampled` where that was looked up in the rows of float, for lights and the gloss; else `no`.
 ///
-/// An error below what rounding of the arithmetic makes, some ulps, is printed as that bound: see `noise`.
+/// Functions are those of `Library` and of xsimd, all the rest are basic operations: the same bytes
+/// everywhere.
 Table accuracy_table();
 
 }  // namespace shadefit::forms

@@ -78,6 +78,16 @@ void append_conventions(std::vector<Constants>& all) {
   all.push_back({"one", "the concentration of a von Mises-Fisher density", {printed_number("x", "1")}});
 }
 
+/// Those of a form's constants that tell what it can do, for another form of the same curve.
+std::vector<Constants> telling(const std::vector<Constants>& all) {
+  std::vector<Constants> some;
+  for (const Constants& constants : all) {
+    if (constants.id == "published-sg-offset-mean" || constants.id == "minimax-absolute")
+      some.push_back(constants);
+  }
+  return some;
+}
+
 std::vector<Constants> nothing() {
   return {{"none", "", {}}};
 }
@@ -95,7 +105,8 @@ void append_lobe(Catalogue& all, const std::vector<Constants>& offsets) {
   all.forms.push_back(entry<LobeExp2Log2>(id, "exp2(k log2(c))", nothing()));
   all.forms.push_back(entry<LobeSquarings>(id, "four squarings of c", nothing()));
   all.forms.push_back(entry<LobeGaussian>(id, "exp2(A c - A), A = (k + x)/ln 2", offsets));
-  all.forms.push_back(entry<LobeGaussianOfDifference>(id, "exp2(A (c - 1)), A = (k + x)/ln 2", offsets));
+  all.forms.push_back(
+      entry<LobeGaussianOfDifference>(id, "exp2(A (c - 1)), A = (k + x)/ln 2", telling(offsets)));
   all.forms.push_back(
       entry<LobeScaledGaussian>(id, "s exp2(A c - A), A = (k + x)/ln 2", constants_of("sg-scaled")));
   all.forms.push_back(entry<LobeBlinn>(id, "((1 + c)/2)^(x k/2)", constants_of("phong-blinn")));
@@ -171,7 +182,7 @@ void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
   all.targets.push_back(std::move(target));
   all.forms.push_back(entry<PhongPower>(id, "pow(max(n.l, 0), k)", nothing()));
   all.forms.push_back(entry<PhongSquarings>(id, "four squarings of max(n.l, 0)", nothing()));
-  all.forms.push_back(entry<PhongGaussian>(id, "exp2((A l, -A).(n, 1)), A = (k + x)/ln 2", offsets));
+  all.forms.push_back(entry<PhongGaussian>(id, "exp2((A l, -A).(n, 1)), A = (k + x)/ln 2", telling(offsets)));
 }
 
 }  // namespace
