@@ -1,0 +1,30 @@
+#pragma once
+
+#include "reports/table.hpp"
+
+/// How wrong every form is: what `accuracy.csv` holds.
+namespace shadefit::forms {
+
+/// A row for each form with each set of its constants, each exp2 and each arithmetic:
+/// - `target`, `form`, `constants`: ids of the catalogue; `values`: the constants;
+/// - `exp2`: the degree of the polynomial, `library`, or empty where the form has none;
+/// - `arithmetic`: `double`, `float`, `half`, and `double SSE2`, `float SSE2` where these differ from the
+/// scalar
+///   ones, which is in the library's functions alone;
+/// - `max_abs_error` and `max_abs_error_at` (the smallest c of those equal within 1e-6; empty for lights),
+///   `max_rel_error` and `max_ulps`, of the arithmetic (both where the target is at least 1/255), `rms_error`
+///   (uniform in the cosine) and `srgb_codes`: over a dense grid and the edges, against the target in long
+///   double;
+/// - `own_error`: the proven bound of the form's error with an exact exp2, in exact arithmetic;
+/// `total_error`: the
+///   same with the polynomial of this row; `rounding_error`: what float adds at most, proven; both of the
+///   paired exp2 alone;
+/// - `paired`: `yes` where the exp2 is the cheapest that keeps the total within 1 % of the form's own error,
+/// proven;
+///   `sampled` where that was looked up in the rows of float, for lights and the gloss; else `no`.
+///
+/// Functions are those of `Library` and of xsimd, all the rest are basic operations: the same bytes
+/// everywhere.
+Table accuracy_table();
+
+}  // namespace shadefit::forms

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+/// What is timed: a form over an array, compiled for one width of the machine's registers.
+namespace shadefit::forms {
+
+/// How many numbers an operation takes, and the instructions for it.
+enum class Width { scalar, sse2, avx2, avx512 };
+
+/// The arrays of a kernel. What a target does not have is null.
+template <class Real>
+struct Arrays {
+  std::array<const Real*, 3> in{};      ///< the cosines; of a target with lights the normal's x, y and z
+  const std::uint8_t* codes = nullptr;  ///< the 8-bit gloss of each element
+  Real* out = nullptr;
+  std::size_t size = 0;  ///< a multiple of 64, so that no width leaves a rest
+};
+
+/// A form over arrays. `parameters` are its constants in the order of its formula, those of the target (the
+/// exponent, the lights) before those of the form.
+template <class Real>
+using Kernel = void (*)(const Arrays<Real>&, std::span<const Real> parameters);
+
+/// A form, its exp2, and where the machine has to have what for it.
+struct CompiledForm {
+  std::string_view form;  ///< the id of a form of the catalogue (bench/forms/catalogue.hpp), or "copy"
+  int exp2_degree = 0;    ///< of the polynomial in its exp2; 0: the library's, or none
+  Kernel<float> in_float = nullptr;
+  Kernel<double> in_double = nullptr;
+};
+
+/// Every form compiled for a width. Never to be called where `widths_here` does not have that width: each is
+/// a unit of its own, compiled with its instructions.
+std::vector<CompiledForm> scalar_forms();
+std::vector<CompiledForm> sse2_forms();
+std::vector<CompiledForm> avx2_forms();
+std::vector<CompiledForm> avx512_forms();
+
+/// The widths that this machine has, narrowest first.
+std::vector<Width> widths_here();
+
+std::string_view name(Width width);
+
+}  // namespace shadefit::forms

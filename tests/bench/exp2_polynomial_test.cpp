@@ -1,0 +1,313 @@
+#include "approx/exp2_polynomial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "approx/fresnel.hpp"
+#include "approx/gloss.hpp"
+#include "approx/lobe.hpp"
+#include "fit/binary_logarithm.hpp"
+#include "fit/exp2_fit.hpp"
+#include "fit/exp2_proof.hpp"
+#include "fit/exponent_bits.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+/// Calls visitor with each Exp2Choice of a format.
+template <class Format, class Visitor>
+void for_each_degree(const Visitor& visitor) {
+  visitor(Exp2Choice<2, Format>());
+  visitor(Exp2Choice<3, Format>());
+  visitor(Exp2Choice<4, Format>());
+  visitor(Exp2Choice<5, Format>());
+  visitor(Exp2Choice<6, Format>());
+}
+
+const std::vector<Exp2Bounds>& bounds() {
+  static const std::vector<Exp2Bounds> all = exp2_bounds();
+  return all;
+}
+
+/// What is proven of the polynomial and of its evaluation, relative.
+double proven(const Exp2Coefficients& polynomial) {
+  for (const Exp2Bounds& bound : bounds()) {
+    // an error of what is off by an error: the product is next to nothing
+    if (bound.polynomial == &polynomial) return bound.upper + bound.rounding * (1 + bound.upper);
+  }
+  return 0;
+}
+
+// The printed digits are those of the fit made again: of floats all that tell them apart, of doubles fifteen.
+TEST(Exp2Fit, IsWhatIsPrinted) {
+  for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree) {
+    const Exp2Fit fit = fit_exp2(degree);
+    ASSERT_EQ(fit.status, Status::converged) << degree << ": " << fit.why;
+    EXPECT_EQ(fit.contacts, degree + 1) << degree;
+    const auto record = static_cast<std::size_t>(degree - least_exp2_degree);
+    EXPECT_EQ(exp2_for_float[record].degree, degree);
+    EXPECT_EQ(exp2_for_double[record].degree, degree);
+    for (std::size_t i = 0; i < fit.coefficients.size(); ++i) {
+      const long double found = fit.coefficients[i];
+      EXPECT_EQ(constant<float>(exp2_for_float[record].printed[i]), static_cast<float>(found))
+          << "degree " << degree << ", c" << i + 1;
+      const auto printed = constant<long double>(exp2_for_double[record].printed[i]);
+      // half a unit of the fifteenth digit, and what a long double of these is off
+      const long double unit = std::pow(10.0L, std::floor(std::log10(found)) - 14);
+      EXPECT_LE(std::fabs(printed - found), 0.501L * unit) << "degree " << degree << ", c" << i + 1;
+    }
+  }
+}
+
+TEST(Exp2Fit, RefusesOtherDegrees) {
+  EXPECT_THROW(fit_exp2(1), std::logic_error);
+  EXPECT_THROW(fit_exp2(7), std::logic_error);
+}
+
+// The stated bounds are proven, and say no more than they have to: they are the proven ones, rounded up.
+TEST(Exp2Proof, StatesItsBounds) {
+  ASSERT_EQ(bounds().size(), 10U);
+  for (const Exp2Bounds& bound : bounds()) {
+    const auto stated = constant<double>(bound.polynomial->bound);
+    EXPECT_LE(bound.upper, stated) << bound.format << " " << bound.polynomial->degree;
+    EXPECT_GE(bound.lower * 1.0002, stated) << bound.format << " " << bound.polynomial->degree;
+    // three half ulps hold what Horner's rule rounds: forms are paired with that
+    const double half_ulp = bound.format == "float" ? 0x1p-24 : 0x1p-53;
+    EXPECT_LE(bound.rounding, 3 * half_ulp);
+    EXPECT_GE(bound.rounding, half_ulp);
+  }
+}
+
+// Doubles: no coefficient of the fit can be moved by a thousandth of the error's share and keep the bound.
+TEST(Exp2Fit, IsTheBest) {
+  const Exp2Fit fit = fit_exp2(4);
+  for (std::size_t moved = 0; moved < fit.coefficients.size(); ++moved) {
+    for (const double direction : {-1.0, 1.0}) {
+      auto c = std::array<long double, 4>{fit.coefficients[0], fit.coefficients[1], fit.coefficients[2],
+                                          fit.coefficients[3]};
+      c[moved] += static_cast<long double>(direction * fit.level);
+      long double largest = 0;
+      for (int i = 0; i <= 2000; ++i) {
+        const long double r = i / 2000.0L - 0.5L;
+        largest = std::max(largest, std::fabs(exp2_near_zero(r, c) / std::exp2(r) - 1));
+      }
+      EXPECT_GT(static_cast<double>(largest), 1.001 * fit.level) << "c" << moved + 1;
+    }
+  }
+}
+
+// The compiler's reading of a coefficient is the library's.
+TEST(Exp2Polynomial, HasItsPrintedCoefficients) {
+  for_each_degree<float>([]<class P>(P) {
+    const auto here = exp2_coefficients<P, float>();
+    for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(here[i], constant<float>(P::record.printed[i]));
+  });
+  for_each_degree<double>([]<class P>(P) {
+    const auto here = exp2_coefficients<P, double>();
+    for (std::size_t i = 0; i < here.size(); ++i) EXPECT_EQ(here[i], constant<double>(P::record.printed[i]));
+  });
+}
+
+template <class Format>
+void expect_exact_at_whole_numbers() {
+  using Limits = std::numeric_limits<Format>;
+  for_each_degree<Format>([]<class P>(P) {
+    for (int n = Limits::min_exponent - 1; n < Limits::max_exponent; ++n)
+      ASSERT_EQ(exp2_polynomial<P>(static_cast<Format>(n)), std::ldexp(Format(1), n)) << n;
+  });
+}
+
+TEST(Exp2Polynomial, IsExactAtWholeNumbers) {
+  expect_exact_at_whole_numbers<float>();
+  expect_exact_at_whole_numbers<double>();
+}
+
+template <class Format>
+void expect_ends() {
+  using Limits = std::numeric_limits<Format>;
+  for_each_degree<Format>([]<class P>(P) {
+    const auto largest = static_cast<Format>(Limits::max_exponent);
+    EXPECT_EQ(exp2_polynomial<P>(Limits::infinity()), Limits::infinity());
+    EXPECT_EQ(exp2_polynomial<P>(Limits::max()), Limits::infinity());
+    EXPECT_EQ(exp2_polynomial<P>(largest), Limits::infinity());
+    EXPECT_TRUE(std::isfinite(exp2_polynomial<P>(std::nextafter(largest, Format(0)))));
+    EXPECT_EQ(exp2_polynomial<P>(-Limits::infinity()), Format(0));
+    EXPECT_EQ(exp2_polynomial<P>(Limits::lowest()), Format(0));
+    EXPECT_FALSE(std::signbit(exp2_polynomial<P>(Limits::lowest())));
+    EXPECT_TRUE(std::isnan(exp2_polynomial<P>(Limits::quiet_NaN())));
+    EXPECT_TRUE(std::isnan(exp2_polynomial<P>(-Limits::quiet_NaN())));
+    EXPECT_EQ(exp2_polynomial<P>(Format(-0.0)), Format(1));
+    EXPECT_EQ(exp2_polynomial<P>(Limits::denorm_min()), Format(1));
+  });
+}
+
+TEST(Exp2Polynomial, EndsAtZeroAndInfinity) {
+  expect_ends<float>();
+  expect_ends<double>();
+}
+
+// From the least normal number 2^m at x = m down to 0 at x = m - 1: never rising, never off by more than
+// 2^(m-1).
+TEST(Exp2Polynomial, FallsToZeroBelowTheLeastNormalNumber) {
+  constexpr float least_normal = std::numeric_limits<float>::min();
+  for_each_degree<float>([]<class P>(P) {
+    float before = least_normal;
+    for (float x = -126; x >= -127; x = std::nextafter(x, -infinity)) {
+      const float result = exp2_polynomial<P>(x);
+      // at the half-way place the polynomial of odd degree jumps by its error
+      ASSERT_LE(result, before * (1 + 4 * constant<float>(P::record.bound))) << x;
+      ASSERT_LE(std::abs(static_cast<double>(result) - std::exp2(static_cast<double>(x))), least_normal / 2)
+          << x;
+      before = result;
+    }
+    EXPECT_EQ(before, 0.0F);
+  });
+}
+
+/// The largest |result/2^x - 1| over floats of one sign whose bits lie in [from, to), by steps. Truth is the
+/// double function, good to 1e-16, which `TruthIsTrue` holds against 50 digits.
+template <class P>
+double worst(std::uint32_t from, std::uint32_t to, std::uint32_t step) {
+  double worst = 0;
+  for (std::uint32_t bits = from; bits < to; bits += step) {
+    const auto x = std::bit_cast<float>(bits);
+    const double result = exp2_polynomial<P>(x);
+    worst = std::max(worst, std::abs(result / std::exp2(static_cast<double>(x)) - 1));
+  }
+  return worst;
+}
+
+TEST(Exp2Polynomial, TruthIsTrue) {
+  const RootsOfTwo<Decimal50> roots;
+  for (const float x : {-126.0F, -99.75F, -3.1F, -0.5F, -1e-7F, 0.3F, 1.5F, 77.7F, 127.9F}) {
+    const Decimal50 truth = roots.exp2(Decimal50(x));
+    EXPECT_LT(abs(Decimal50(std::exp2(static_cast<double>(x))) / truth - 1), Decimal50(0x1p-52)) << x;
+  }
+}
+
+/// The sanitizers take twenty times as long.
+#ifdef SHADEFIT_SANITIZE
+constexpr std::uint32_t every = 61;
+#else
+constexpr std::uint32_t every = 1;
+#endif
+
+// Every float in [-2, -1), which has both halves of the polynomial and a half-way place.
+TEST(Exp2Polynomial, KeepsItsBoundAtEveryFloatOfABinade) {
+  for_each_degree<float>([]<class P>(P) {
+    const auto from = std::bit_cast<std::uint32_t>(-1.0F), to = std::bit_cast<std::uint32_t>(-2.0F);
+    const double found = worst<P>(from, to, every);
+    EXPECT_LE(found, proven(P::record)) << "degree " << P::record.degree;
+    // and comes near it: the bound is not one of something else
+    EXPECT_GE(found, 0.5 * constant<double>(P::record.bound));
+  });
+}
+
+// All binades, both signs, several thousand floats in each.
+TEST(Exp2Polynomial, KeepsItsBoundInAllBinades) {
+  for_each_degree<float>([]<class P>(P) {
+    constexpr std::uint32_t sign = 0x80000000U, step = 4099;  // a prime: all low bits occur
+    EXPECT_LE(worst<P>(0, std::bit_cast<std::uint32_t>(128.0F), step), proven(P::record));
+    EXPECT_LE(worst<P>(sign, std::bit_cast<std::uint32_t>(-126.0F), step), proven(P::record));
+  });
+}
+
+TEST(Exp2Polynomial, KeepsItsBoundInDoubles) {
+  const RootsOfTwo<Decimal50> roots;
+  for_each_degree<double>([&]<class P>(P) {
+    for (double x = -1022; x < 1024; x += 13.0390625) {  // all kinds of fractions
+      const Decimal50 ratio = Decimal50(exp2_polynomial<P>(x)) / roots.exp2(Decimal50(x));
+      ASSERT_LE(static_cast<double>(abs(ratio - 1)), proven(P::record)) << x;
+    }
+  });
+}
+
+/// The largest relative fall from a float to the next above, around the half-way places and between.
+template <class P>
+double largest_fall() {
+  double largest = 0;
+  for (const float start : {-1.75F, -1.5001F, -1.25F, -0.5001F, -0.01F, 0.4999F}) {
+    float x = start, before = exp2_polynomial<P>(x);
+    for (int i = 0; i < 20000; ++i) {
+      x = std::nextafter(x, infinity);
+      const float next = exp2_polynomial<P>(x);
+      largest = std::max(largest, static_cast<double>(before - next) / static_cast<double>(before));
+      before = next;
+    }
+  }
+  return largest;
+}
+
+// The polynomials rise, and where one ends and the next begins those of even degree jump upwards, by twice
+// their error, while those of odd degree meet: what falls is rounding, an ulp or two.
+TEST(Exp2Polynomial, RisesButForRounding) {
+  for_each_degree<float>(
+      []<class P>(P) { EXPECT_LE(largest_fall<P>(), 2 * 0x1p-23) << "degree " << P::record.degree; });
+}
+
+// One formula, every arithmetic.
+TEST(Exp2Polynomial, IsTheSameInEveryArithmetic) {
+  using P = Exp2Choice<4, double>;
+  for (const double x : {-20.3125, -3.5, -0.75, -0.25, 0.0, 0.4375, 2.5625}) {
+    const Decimal50 truth = exp2_polynomial<P>(Decimal50(x));
+    const auto off = [&](const Decimal50& result) { return static_cast<double>(abs(result / truth - 1)); };
+    EXPECT_LE(off(exp2_polynomial<P>(x)), 4 * 0x1p-53);
+    EXPECT_LE(off(Decimal50(exp2_polynomial<P>(static_cast<long double>(x)))), 1e-15) << "15 digits";
+    EXPECT_LE(off(exp2_polynomial<P>(static_cast<float>(x))), 4 * 0x1p-24);
+    if (x >= -14) {
+      const Eigen::half half = exp2_polynomial<P>(Eigen::half(static_cast<float>(x)));
+      EXPECT_LE(off(static_cast<float>(half)), 4 * 0x1p-11) << x;
+    }
+    const Interval enclosure = exp2_polynomial<P>(Interval(x));
+    EXPECT_LE(lower_end(enclosure), static_cast<double>(truth));
+    EXPECT_GE(upper_end(enclosure), static_cast<double>(truth));
+    EXPECT_LE(width_of(enclosure), 1e-15 * upper_end(enclosure));
+    using Jet = ceres::Jet<double, 1>;
+    const Jet slope = exp2_polynomial<P>(Jet(x, 0));
+    EXPECT_DOUBLE_EQ(slope.a, exp2_polynomial<P>(x));
+    // by Markov's inequality the slope of an error of degree n + 1 is at most 2 (n+1)^2 times it on an
+    // interval of length 1
+    const double slope_error = 2 * 25 * constant<double>(P::record.bound);
+    EXPECT_NEAR(slope.v[0], std::exp2(x) * std::log(2.0), slope_error * std::exp2(x)) << x;
+  }
+}
+
+TEST(Exp2Polynomial, EnclosesWhatARoundingCuts) {
+  using P = Exp2Choice<3, double>;
+  const Interval cut = exp2_polynomial<P>(span_of(-1.75, 0.625));
+  for (const double x : {-1.75, -1.5, -1.25, -0.5, 0.0, 0.5, 0.625}) {
+    EXPECT_LE(lower_end(cut), exp2_polynomial<P>(x)) << x;
+    EXPECT_GE(upper_end(cut), exp2_polynomial<P>(x)) << x;
+  }
+  EXPECT_LT(upper_end(cut), 4);
+}
+
+// A scalar of its own: the formulas as they stand.
+TEST(WithExp2, RunsAnyFormula) {
+  using P = Exp2Choice<5, float>;
+  using W = WithExp2<float, P>;
+  for (const float c : {0.0F, 0.125F, 0.4F, 0.77F, 1.0F}) {
+    const W pair = fresnel_quadratic(W{c}, constant<W>("-5.55473"), constant<W>("-6.98316"));
+    const float exponent =
+        fresnel_quadratic_exponent(c, constant<float>("-5.55473"), constant<float>("-6.98316"));
+    EXPECT_EQ(pair.value, exp2_polynomial<P>(exponent));
+    EXPECT_NEAR(pair.value, fresnel_quadratic(c, -5.55473F, -6.98316F), 4e-7F);
+    EXPECT_EQ(schlick_weight(W{c}).value, schlick_weight(c));
+    EXPECT_NEAR(gaussian_lobe(W{c}, integer<W>(5), constant<W>("0.788")).value,
+                gaussian_lobe(c, 5.0F, 0.788F), 1e-6F);
+    EXPECT_EQ(positive_part(W{-c}).value, 0.0F);
+    EXPECT_EQ(select(less(W{c}, W{0.5F}), W{1}, W{2}).value, c < 0.5F ? 1.0F : 2.0F);
+    EXPECT_EQ(sqrt(W{c}).value, std::sqrt(c));
+    EXPECT_EQ(min(W{c}, W{0.5F}).value, std::min(c, 0.5F));
+    EXPECT_EQ((W{c} / W{3} - -W{c}).value, c / 3 - -c);
+  }
+  EXPECT_EQ(pi<W>().value, std::numbers::pi_v<float>);
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,23 @@
+# No function of the units with wide instructions may be one that the linker could keep for another unit: a weak symbol without
+# the architecture in its name is one that a machine without these instructions might be given.
+#   cmake -DNM=.. -DOBJECTS=a.o;b.o -P symbols_test.cmake
+foreach(object IN LISTS OBJECTS)
+  string(REGEX MATCH "avx512|avx2" tag "${object}")
+  if(NOT tag)
+    message(FATAL_ERROR "${object}: not a unit of wide instructions")
+  endif()
+  execute_process(COMMAND ${NM} ${object} OUTPUT_VARIABLE symbols RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "${NM} cannot read ${object}")
+  endif()
+  string(REGEX MATCHALL "[^\n]* W [^\n]*" weak "${symbols}")
+  list(LENGTH weak count)
+  if(count EQUAL 0)
+    message(FATAL_ERROR "${object}: no weak symbol at all, which the kernels are: is this test still looking at them?")
+  endif()
+  list(FILTER weak EXCLUDE REGEX "${tag}")
+  if(weak)
+    list(JOIN weak "\n" lines)
+    message(FATAL_ERROR "${object}: compiled for ${tag} and to be shared with other units:\n${lines}")
+  endif()
+endforeach()
