@@ -29,6 +29,31 @@ T henyey_greenstein_near_peak(const T& one_minus_cos, const T& g) {
   return rest * (one + g) / (integer<T>(4) * pi<T>() * (base * sqrt(base)));
 }
 
+/// The same from c with the power 3/2 as a product, d^3 with d = sqrt(1 + g^2 - 2 g c): no logarithm.
+template <class T>
+T henyey_greenstein_by_sqrt(const T& cos_theta, const T& g) {
+  const T one = integer<T>(1), two = integer<T>(2);
+  const T base = one + g * g - two * g * cos_theta;
+  return (one - g * g) / (integer<T>(4) * pi<T>() * (base * sqrt(base)));
+}
+
+/// The k with which `schlick_phase` stands for Henyey-Greenstein's g: a g - b g^3, printed 1.55 and 0.55.
+/// Source: Pharr, Humphreys 2010, "Physically Based Rendering", 2nd edition, section 11.2.
+template <class T>
+T schlick_phase_parameter(const T& g, const T& a, const T& b) {
+  return a * g - b * (g * g * g);
+}
+
+/// Schlick's phase function (1 - k^2)/(4 pi (1 - k c)^2), c signed as in `henyey_greenstein`: k > 0 scatters
+/// forward. It integrates to 1 for every |k| < 1.
+/// Source: Blasi, Le Saec, Schlick 1993, "A Rendering Algorithm for Discrete Volume Density Objects".
+template <class T>
+T schlick_phase(const T& cos_theta, const T& k) {
+  const T one = integer<T>(1);
+  const T base = one - k * cos_theta;
+  return (one - k * k) / (integer<T>(4) * pi<T>() * (base * base));
+}
+
 /// The share of the light that is scattered into the cone from c = 1 to c = 1 - y, y in [0, 2]:
 ///   2 pi times the integral of the function = (1 - g^2)/(2g) (1/(1-g) - 1/d), d^2 = (1-g)^2 + 2 g y,
 ///   = (1 + g) y/(d (d + 1 - g)), since d^2 - (1-g)^2 = 2 g y.

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+
+#include "approx/scalar.hpp"
+
+/// The powers of two that a number is made of: what exp2 by a polynomial needs of its scalar beside the
+/// vocabulary.
+namespace shadefit {
+
+/// The customisation point: what a scalar must offer beside `Scalar`.
+/// - `split(x)`: x within the exponents of the format, as a whole number and the rest beside it, |rest| <=
+/// 1/2;
+/// - `times_exp2(p, whole)`: p 2^whole, where `whole` is that of `split`, in the form in which it is at hand.
+template <class T>
+struct ExponentBits;
+
+/// x = whole + rest.
+template <class T, class Whole = T>
+struct SplitExponent {
+  T rest;
+  Whole whole;
+};
+
+namespace vocabulary {
+
+struct Split {
+  template <class T>
+  auto operator()(const T& x) const {
+    return ExponentBits<T>::split(x);
+  }
+};
+
+struct TimesExp2 {
+  template <class T, class Whole>
+  T operator()(const T& p, const Whole& whole) const {
+    return ExponentBits<T>::times_exp2(p, whole);
+  }
+};
+
+}  // namespace vocabulary
+
+/// x as the nearest whole number (ties to even) and the rest.
+inline constexpr vocabulary::Split split_exponent{};
+/// p 2^whole for a p in [1/2, 2).
+inline constexpr vocabulary::TimesExp2 times_exp2{};
+
+/// How a binary format of 32 or 64 bits is laid out.
+template <std::floating_point T>
+struct BinaryLayout;
+template <>
+struct BinaryLayout<float> {
+  using Bits = std::uint32_t;
+};
+template <>
+struct BinaryLayout<double> {
+  using Bits = std::uint64_t;
+};
+
+/// What is made of the layout: for scalars and for batches of them alike.
+template <std::floating_point T>
+struct ExponentRange {
+  /// The bits below the exponent.
+  static constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
+  /// 2^least is the power below the least normal one: its exponent bits are zero.
+  static constexpr T least = std::numeric_limits<T>::min_exponent - 2;
+  /// 2^largest is infinity: its exponent bits are all ones.
+  static constexpr T largest = std::numeric_limits<T>::max_exponent;
+  /// 3/2 2^mantissa_bits: the numbers around it are whole, so that adding it rounds to a whole number, which
+  /// then stands in the lowest bits; below 3/2 as above it, for either sign.
+  static constexpr T rounder = T(3) * static_cast<T>(std::uint64_t{1} << (mantissa_bits - 1));
+};
+
+/// float and double: rounding by an addition, the power of two by adding to the bits of the exponent.
+///
+/// Below the least normal number 2^m the bits run on: from 2^m at x = m the result falls in straight lines to
+/// 0 at x = m - 1 and stays 0; it is never off by more than 2^(m-1), and no subnormal is multiplied on the
+/// way. From `largest` on it is infinity. What is not a number stays so (one whose lowest bits carry a
+/// message may not: the machine makes none of these).
+template <std::floating_point T>
+requires requires {
+  typename BinaryLayout<T>::Bits;
+}
+struct ExponentBits<T> {
+  using Range = ExponentRange<T>;
+  using Bits = typename BinaryLayout<T>::Bits;
+
+  static SplitExponent<T> split(T x) {
+    const T within = Scalar<T>::min(Scalar<T>::max(x, Range::least), Range::largest);
+    const T shifted = within + Range::rounder;
+    return {within - (shifted - Range::rounder), shifted};
+  }
+  static T times_exp2(T p, T shifted) {
+    return std::bit_cast<T>(
+        static_cast<Bits>(std::bit_cast<Bits>(p) + (std::bit_cast<Bits>(shifted) << Range::mantissa_bits)));
+  }
+};
+
+/// long double has its exponent elsewhere; here the library knows it.
+template <>
+struct ExponentBits<long double> {
+  static SplitExponent<long double, int> split(long double x) {
+    using Range = ExponentRange<double>;
+    // beyond every exponent of the format, and a whole number that an int holds
+    constexpr auto beyond = static_cast<long double>(32 * Range::largest);
+    const long double within = Scalar<long double>::min(Scalar<long double>::max(x, -beyond), beyond);
+    const long double whole = std::nearbyint(within);
+    return {within - whole, std::isnan(whole) ? 0 : static_cast<int>(whole)};
+  }
+  static long double times_exp2(long double p, int whole) { return std::ldexp(p, whole); }
+};
+
+}  // namespace shadefit

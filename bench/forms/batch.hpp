@@ -1,0 +1,101 @@
+#pragma once
+
+#include <xsimd/xsimd.hpp>
+
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+#include "approx/exponent_bits.hpp"
+#include "approx/scalar.hpp"
+
+/// The adapter of xsimd's batches: a register of numbers, on which a formula runs as on one.
+///
+/// Everything here carries the architecture in its type. A function that does not, compiled in a unit with
+/// wider instructions, might be the copy that the linker keeps for all.
+namespace shadefit {
+
+/// min and max have the arguments of xsimd's exchanged: where one is not a number, or both are zeros, the
+/// instruction returns its second, and `Scalar<float>` the first of its own.
+template <class R, class A>
+struct Scalar<xsimd::batch<R, A>> {
+  using Real = R;
+  using T = xsimd::batch<R, A>;
+  using Condition = xsimd::batch_bool<R, A>;
+
+  static T exp(const T& x) { return xsimd::exp(x); }
+  static T exp2(const T& x) { return xsimd::exp2(x); }
+  static T log(const T& x) { return xsimd::log(x); }
+  static T log2(const T& x) { return xsimd::log2(x); }
+  static T expm1(const T& x) { return xsimd::expm1(x); }
+  static T log1p(const T& x) { return xsimd::log1p(x); }
+  static T erfc(const T& x) { return xsimd::erfc(x); }
+  static T sqrt(const T& x) { return xsimd::sqrt(x); }
+  static T sin(const T& x) { return xsimd::sin(x); }
+  static T cos(const T& x) { return xsimd::cos(x); }
+  static T atan(const T& x) { return xsimd::atan(x); }
+  static T power(const T& x, const T& p) { return xsimd::pow(x, p); }
+  static Condition less(const T& a, const T& b) { return a < b; }
+  static T select(const Condition& condition, const T& a, const T& b) {
+    return xsimd::select(condition, a, b);
+  }
+  static T min(const T& a, const T& b) { return xsimd::min(b, a); }
+  static T max(const T& a, const T& b) { return xsimd::max(b, a); }
+  static T integer(int n) { return of(static_cast<R>(n)); }
+  static T from_decimal(std::string_view decimal) { return of(constant<R>(decimal)); }
+  static T pi() { return of(std::numbers::pi_v<R>); }
+  static T ln2() { return of(std::numbers::ln2_v<R>); }
+
+  /// The number in every place.
+  static T of(R value) { return T::broadcast(value); }
+};
+
+/// As of one float or double: see there.
+template <class R, class A>
+struct ExponentBits<xsimd::batch<R, A>> {
+  using Range = ExponentRange<R>;
+  using T = xsimd::batch<R, A>;
+  using Bits = xsimd::batch<typename BinaryLayout<R>::Bits, A>;
+
+  static SplitExponent<T> split(const T& x) {
+    const T least = T::broadcast(Range::least), largest = T::broadcast(Range::largest);
+    const T rounder = T::broadcast(Range::rounder);
+    const T within = Scalar<T>::min(Scalar<T>::max(x, least), largest);
+    const T shifted = within + rounder;
+    return {within - (shifted - rounder), shifted};
+  }
+  static T times_exp2(const T& p, const T& shifted) {
+    const Bits exponent = xsimd::bitwise_cast<Bits>(shifted) << Range::mantissa_bits;
+    return xsimd::bitwise_cast<T>(xsimd::bitwise_cast<Bits>(p) + exponent);
+  }
+};
+
+#ifdef __AVX512DQ__
+
+/// AVX-512 rounds to a whole number and multiplies by a power of two in one instruction each, and these need
+/// no bounds: beyond its exponents the format's own infinity, subnormals and zero come out. The rest of an
+/// infinite x, infinity - infinity, is not a number, but times 2 to an infinite power even that is infinity
+/// or 0: so VSCALEFPS has it. (Source: Intel 64 and IA-32 Architectures Software Developer's Manual, volume
+/// 2, "VSCALEFPS", special cases.) What is not a number stays so.
+template <>
+struct ExponentBits<xsimd::batch<float, xsimd::avx512bw>> {
+  using T = xsimd::batch<float, xsimd::avx512bw>;
+  static SplitExponent<T> split(const T& x) {
+    const __m512 whole = _mm512_roundscale_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+    return {T(_mm512_sub_ps(x, whole)), T(whole)};
+  }
+  static T times_exp2(const T& p, const T& whole) { return T(_mm512_scalef_ps(p, whole)); }
+};
+template <>
+struct ExponentBits<xsimd::batch<double, xsimd::avx512bw>> {
+  using T = xsimd::batch<double, xsimd::avx512bw>;
+  static SplitExponent<T> split(const T& x) {
+    const __m512d whole = _mm512_roundscale_pd(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+    return {T(_mm512_sub_pd(x, whole)), T(whole)};
+  }
+  static T times_exp2(const T& p, const T& whole) { return T(_mm512_scalef_pd(p, whole)); }
+};
+
+#endif
+
+}  // namespace shadefit

@@ -1,0 +1,215 @@
+#include "bench/forms/catalogue.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "fit/fit.hpp"
+#include "fit/published_curve.hpp"
+
+namespace shadefit::forms {
+namespace {
+
+NamedNumber printed_number(std::string_view name, std::string_view decimal) {
+  return {std::string(name), std::string(decimal), constant<double>(decimal)};
+}
+
+NamedNumber computed_number(std::string_view name, double value) {
+  return {std::string(name), to_text(value), value};
+}
+
+const FittableFamily& family_of(std::string_view id) {
+  const FittableFamily* family = find_family(id);
+  if (family == nullptr) throw std::logic_error("no family " + std::string(id));
+  return *family;
+}
+
+/// What was printed for a family, each set of numbers once.
+std::vector<Constants> published_of(const FittableFamily& family) {
+  std::vector<Constants> all;
+  for (const Published* number : numbers_of(family.info)) {
+    if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
+    Constants found{.id = "published-" + std::string(number->id),
+                    .origin = std::string(number->source.author) + " " + std::to_string(number->source.year),
+                    .numbers = {}};
+    for (const auto& [parameter, printed] : printed_parameters(family, *number))
+      found.numbers.push_back(printed_number(parameter, printed));
+    all.push_back(std::move(found));
+  }
+  return all;
+}
+
+/// The metrics of "best", as ids.
+std::vector<std::pair<std::string, Metric>> objectives() {
+  std::vector<std::pair<std::string, Metric>> all;
+  for (const Measure measure : measures)
+    all.emplace_back("least-squares-" + std::string(name(measure)), Metric{.measure = measure});
+  for (const Error error : {Error::absolute, Error::relative})
+    all.emplace_back("minimax-" + std::string(name(error)), Metric{.norm = Norm::minimax, .error = error});
+  return all;
+}
+
+/// The published constants of a family and the best ones. A fit that does not exist is left out: the least
+/// largest relative error of a lobe's form, say, where it is not attained.
+std::vector<Constants> constants_of(std::string_view id) {
+  const FittableFamily& family = family_of(id);
+  std::vector<Constants> all = published_of(family);
+  for (const auto& [objective, metric] : objectives()) {
+    const Fit fit = family.fit(Setting(fixed_exponent), metric);
+    if (fit.status != Status::converged) continue;
+    Constants found{.id = objective, .origin = describe(metric), .numbers = {}};
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i)
+      found.numbers.push_back(computed_number(family.parameters[i], fit.parameters[i]));
+    all.push_back(std::move(found));
+  }
+  return all;
+}
+
+/// The offsets of a lobe that are conventions and not fits.
+void append_conventions(std::vector<Constants>& all) {
+  all.push_back({"plain", "the plain form", {printed_number("x", "0")}});
+  all.push_back({"one", "the concentration of a von Mises-Fisher density", {printed_number("x", "1")}});
+}
+
+std::vector<Constants> nothing() {
+  return {{"none", "", {}}};
+}
+
+template <class Form>
+FormEntry entry(std::string_view target, std::string_view text, std::vector<Constants> constants) {
+  return {Form::id, target, std::string(text), Form::arguments, Form::function, std::move(constants)};
+}
+
+void append_lobe(Catalogue& all, const std::vector<Constants>& offsets) {
+  const std::string_view id = "lobe";
+  all.targets.push_back(
+      {id, "c^k", Arguments::cosine, 0, 1, {printed_number("k", std::to_string(fixed_exponent))}});
+  all.forms.push_back(entry<LobePower>(id, "pow(c, k)", nothing()));
+  all.forms.push_back(entry<LobeExp2Log2>(id, "exp2(k log2(c))", nothing()));
+  all.forms.push_back(entry<LobeSquarings>(id, "four squarings of c", nothing()));
+  all.forms.push_back(entry<LobeGaussian>(id, "exp2(A c - A), A = (k + x)/ln 2", offsets));
+  all.forms.push_back(entry<LobeGaussianOfDifference>(id, "exp2(A (c - 1)), A = (k + x)/ln 2", offsets));
+  all.forms.push_back(
+      entry<LobeScaledGaussian>(id, "s exp2(A c - A), A = (k + x)/ln 2", constants_of("sg-scaled")));
+  all.forms.push_back(entry<LobeBlinn>(id, "((1 + c)/2)^(x k/2)", constants_of("phong-blinn")));
+}
+
+void append_gloss(Catalogue& all) {
+  const std::string_view id = "lobe-gloss";
+  all.targets.push_back({id,
+                         "c^(2^(d g + f)), g an 8-bit code/255",
+                         Arguments::cosine_and_code,
+                         0,
+                         1,
+                         {printed_number("d", "10"), printed_number("f", "1")}});
+  all.forms.push_back(entry<GlossPower>(id, "pow(c, exp2(d g + f))", nothing()));
+  std::vector<Constants> constants;
+  for (const auto& [name, origin, offset] :
+       {std::array<std::string_view, 3>{"plain", "Lagarde 2012", "0"},
+        std::array<std::string_view, 3>{"published-sg-offset-mean", "Lagarde 2012", "0.775"},
+        std::array<std::string_view, 3>{"published-sg-offset-limit", "Lagarde 2012", "0.75"}}) {
+    constants.push_back({std::string(name),
+                         std::string(origin),
+                         {printed_number("m", "1.528766"), printed_number("x", offset)}});
+  }
+  all.forms.push_back(
+      entry<GlossGaussian>(id, "exp2(A c - A), A = exp2(d g + m) + x/ln 2", std::move(constants)));
+}
+
+void append_schlick(Catalogue& all) {
+  const std::string_view id = "schlick";
+  all.targets.push_back({id, "(1 - c)^5", Arguments::cosine, 0, 1, {}});
+  all.forms.push_back(entry<SchlickPower>(id, "pow(1 - c, 5)", nothing()));
+  all.forms.push_back(entry<SchlickMultiplied>(id, "(1 - c)^5 by multiplications", nothing()));
+  const auto append = [&]<class Form>(Form) {
+    all.forms.push_back(entry<Form>(id, to_text(family_of(Form::id).form()), constants_of(Form::id)));
+  };
+  append(FresnelOneTermForm());
+  append(FresnelQuadraticForm());
+  append(FresnelCubicForm());
+  append(FresnelQuarticForm());
+  append(FresnelFourthForm());
+  append(FresnelSquareForm());
+  append(FresnelRationalForm());
+}
+
+void append_phases(Catalogue& all) {
+  const std::string_view id = "henyey-greenstein";
+  all.targets.push_back({id,
+                         "(1 - g^2)/(4 pi (1 + g^2 - 2 g c)^1.5)",
+                         Arguments::cosine,
+                         -1,
+                         1,
+                         {printed_number("g", "0.76")}});
+  all.forms.push_back(entry<HenyeyGreensteinPower>(id, "the power 1.5 by pow", nothing()));
+  all.forms.push_back(entry<HenyeyGreensteinRoot>(id, "the power 1.5 by a square root", nothing()));
+  all.forms.push_back(entry<SchlickPhase>(
+      id, "(1 - k^2)/(4 pi (1 - k c)^2), k = a g - b g^3",
+      {{"published", "Pharr, Humphreys 2010", {printed_number("a", "1.55"), printed_number("b", "0.55")}}}));
+}
+
+void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
+                   const std::vector<Constants>& offsets) {
+  Target target{id,
+                "sum of max(n.l, 0)^k over the lights",
+                Arguments::normal_to_lights,
+                0,
+                1,
+                {printed_number("k", std::to_string(fixed_exponent))}};
+  for (std::size_t i = 0; i < lights; ++i) {
+    const std::array<double, 3> direction = spread_direction(i);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      target.parameters.push_back(computed_number(std::array{"x", "y", "z"}[axis], direction[axis]));
+  }
+  all.targets.push_back(std::move(target));
+  all.forms.push_back(entry<PhongPower>(id, "pow(max(n.l, 0), k)", nothing()));
+  all.forms.push_back(entry<PhongSquarings>(id, "four squarings of max(n.l, 0)", nothing()));
+  all.forms.push_back(entry<PhongGaussian>(id, "exp2((A l, -A).(n, 1)), A = (k + x)/ln 2", offsets));
+}
+
+}  // namespace
+
+std::array<double, 3> spread_direction(std::size_t i) {
+  // The first two coordinates of the sequence with the plastic number, whose cube is itself and 1: an even
+  // spread of points of a square.
+  constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
+  const auto fraction = [](double x) { return x - static_cast<double>(static_cast<long>(x)); };
+  const auto n = static_cast<double>(i + 1);
+  const double u = 2 * fraction(n * first) - 1, v = 2 * fraction(n * second) - 1;
+  // The square of (u, v), drawn in so that it lies within the unit disc, projected on to the hemisphere.
+  constexpr double within = 0.7;
+  const double p = within * u, q = within * v, square = p * p + q * q;
+  return {2 * p / (1 + square), 2 * q / (1 + square), (1 - square) / (1 + square)};
+}
+
+Catalogue catalogue() {
+  Catalogue all;
+  std::vector<Constants> offsets = constants_of("sg-offset");
+  append_conventions(offsets);
+  append_lobe(all, offsets);
+  append_gloss(all);
+  append_schlick(all);
+  append_phases(all);
+  append_lights(all, "phong-1", 1, offsets);
+  append_lights(all, "phong-4", 4, offsets);
+  append_lights(all, "phong-16", 16, offsets);
+  append_lights(all, "phong-64", 64, offsets);
+  return all;
+}
+
+std::vector<double> parameters_of(const Target& target, const Constants& constants) {
+  std::vector<double> all;
+  for (const NamedNumber& number : target.parameters) all.push_back(number.value);
+  for (const NamedNumber& number : constants.numbers) all.push_back(number.value);
+  return all;
+}
+
+const Target& target_of(const Catalogue& catalogue, std::string_view id) {
+  for (const Target& target : catalogue.targets) {
+    if (target.id == id) return target;
+  }
+  throw std::logic_error("no target " + std::string(id));
+}
+
+}  // namespace shadefit::forms

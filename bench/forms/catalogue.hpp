@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/forms/forms.hpp"
+
+/// The targets that are timed, and every form that stands for them, with all the constants there are: as
+/// published, and best under each objective, fitted here.
+namespace shadefit::forms {
+
+/// A number with its name and as it is printed: of a fit, its shortest round trip.
+struct NamedNumber {
+  std::string name;
+  std::string printed;
+  double value = 0;
+};
+
+/// What is approximated. Its parameters come first among those of every kernel of it.
+struct Target {
+  std::string_view id;      ///< "lobe", "lobe-gloss", "schlick", "phong-1" .. "phong-64", "henyey-greenstein"
+  std::string_view text;    ///< "c^k"
+  Arguments arguments;      ///< what it reads of each element
+  double from = 0, to = 1;  ///< the cosines it is asked for
+  std::vector<NamedNumber> parameters;
+};
+
+/// A form's own constants, which follow the target's parameters.
+struct Constants {
+  std::string id;      ///< "published-sg-offset-mean", "minimax-absolute", "least-squares-cosine", "none" ..
+  std::string origin;  ///< "Lagarde 2012", "minimax absolute error"; empty where there are none
+  std::vector<NamedNumber> numbers;
+};
+
+struct FormEntry {
+  std::string_view id;      ///< that of the kernels (`CompiledForm::form`)
+  std::string_view target;  ///< the id of its target
+  std::string text;         ///< the formula
+  Arguments arguments;
+  Function function;
+  std::vector<Constants> constants;  ///< at least one set, which may be empty of numbers
+};
+
+struct Catalogue {
+  std::vector<Target> targets;
+  std::vector<FormEntry> forms;  ///< target by target; the first of each is the target itself
+};
+
+/// The power of the fixed lobe and of the highlights: one that four squarings serve.
+inline constexpr int fixed_exponent = LobeSquarings::exponent;
+
+/// The catalogue, its fits made now: a fraction of a second.
+Catalogue catalogue();
+
+/// The parameters of a kernel: the target's, then the form's.
+std::vector<double> parameters_of(const Target& target, const Constants& constants);
+
+/// The target of that id. Throws std::logic_error where there is none.
+const Target& target_of(const Catalogue& catalogue, std::string_view id);
+
+/// Of N directions in the hemisphere around z, the i-th: spread evenly and made by additions, products and
+/// quotients alone, so that it is the same everywhere.
+std::array<double, 3> spread_direction(std::size_t i);
+
+}  // namespace shadefit::forms

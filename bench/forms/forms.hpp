@@ -1,0 +1,378 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "approx/arithmetic.hpp"
+#include "approx/exp2_polynomial.hpp"
+#include "approx/fresnel.hpp"
+#include "approx/gloss.hpp"
+#include "approx/light_sum.hpp"
+#include "approx/lobe.hpp"
+#include "approx/phase.hpp"
+#include "approx/phong_blinn.hpp"
+
+/// The forms that are timed: each joins a formula of approx/ with what of it is done once for a whole array.
+///
+/// A form brings
+/// - `id`; `arguments`: what it reads of each element; `exp2`: whether an exp2 is all that is transcendental
+/// in it;
+/// - `parameters`: how many numbers it is given, those of its target before its own;
+/// - `prepared`: those from which an element is computed, of the parameters, once;
+/// - a call operator, the formula, over any scalar.
+namespace shadefit::forms {
+
+/// What a form reads of each element.
+enum class Arguments {
+  cosine,            ///< c
+  cosine_and_code,   ///< c and an 8-bit gloss
+  normal_to_lights,  ///< a normal, for each of the lights that are among the parameters
+};
+
+/// How a form gets by without the library's functions.
+enum class Function {
+  none,  ///< it has none: additions, multiplications, divisions, roots
+  exp2,  ///< exp2 alone: a polynomial serves
+  pow,   ///< a logarithm too
+};
+
+/// The constants as they are given.
+template <std::size_t N>
+struct AsGiven {
+  static constexpr std::size_t parameters = N;
+  template <class T>
+  static std::array<T, N> prepared(const std::array<T, N>& p) {
+    return p;
+  }
+};
+
+// The lobe c^k: k, then the form's.
+
+struct LobePower : AsGiven<1> {
+  static constexpr const char* id = "lobe-pow";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::pow;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return power_lobe(c, p[0]);
+  }
+};
+
+/// c^k as a GPU has it.
+struct LobeExp2Log2 : AsGiven<1> {
+  static constexpr const char* id = "lobe-exp2-log2";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::pow;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return power_by_exp2(c, p[0]);
+  }
+};
+
+/// c^16 by four squarings; k has to be 16.
+struct LobeSquarings : AsGiven<1> {
+  static constexpr const char* id = "lobe-squarings";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  static constexpr int exponent = 16;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>&) const {
+    return power(c, exponent);
+  }
+};
+
+/// exp2(A c - A), A = (k + x)/ln 2.
+struct LobeGaussian {
+  static constexpr const char* id = "sg";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::exp2;
+  static constexpr std::size_t parameters = 2;  // k, x
+  template <class T>
+  static std::array<T, 1> prepared(const std::array<T, 2>& p) {
+    return {base_two_power(T(p[0] + p[1]))};
+  }
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return gaussian_lobe_base_two(c, p[0]);
+  }
+};
+
+/// exp2(A (c - 1)): the same, robust near the peak.
+struct LobeGaussianOfDifference : LobeGaussian {
+  static constexpr const char* id = "sg-difference";
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return gaussian_lobe_base_two_of_difference(c, p[0]);
+  }
+};
+
+/// s exp2(A c - A).
+struct LobeScaledGaussian {
+  static constexpr const char* id = "sg-scaled";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::exp2;
+  static constexpr std::size_t parameters = 3;  // k, s, x
+  template <class T>
+  static std::array<T, 2> prepared(const std::array<T, 3>& p) {
+    return {p[1], base_two_power(T(p[0] + p[2]))};
+  }
+  template <class T>
+  T operator()(const T& c, const std::array<T, 2>& p) const {
+    return p[0] * gaussian_lobe_base_two(c, p[1]);
+  }
+};
+
+/// The Phong lobe by Blinn's, ((1 + c)/2)^(x k/2).
+struct LobeBlinn : AsGiven<2> {  // k, x
+  static constexpr const char* id = "phong-blinn";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::pow;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 2>& p) const {
+    return blinn_lobe_of_cosine(c, p[0], p[1]);
+  }
+};
+
+// The lobe with k = 2^(d g + f), g = code/255: d, f, then the form's.
+
+/// 255, the largest code.
+template <class T>
+T largest_code() {
+  return integer<T>(255);
+}
+
+struct GlossPower {
+  static constexpr const char* id = "gloss-pow";
+  static constexpr Arguments arguments = Arguments::cosine_and_code;
+  static constexpr Function function = Function::pow;
+  static constexpr std::size_t parameters = 2;
+  /// The doublings of one code.
+  template <class T>
+  static std::array<T, 2> prepared(const std::array<T, 2>& p) {
+    return {p[0] / largest_code<T>(), p[1]};
+  }
+  template <class T>
+  T operator()(const T& c, const T& code, const std::array<T, 2>& p) const {
+    return power_lobe(c, decode_gloss(code, p[0], p[1]));
+  }
+};
+
+/// exp2(A c - A), A = 2^(d g + m) + x/ln 2; m, the `base_two_first` of f, is a constant of the form.
+struct GlossGaussian {
+  static constexpr const char* id = "gloss-sg";
+  static constexpr Arguments arguments = Arguments::cosine_and_code;
+  static constexpr Function function = Function::exp2;
+  static constexpr std::size_t parameters = 4;  // d, f, m, x
+  template <class T>
+  static std::array<T, 3> prepared(const std::array<T, 4>& p) {
+    return {p[0] / largest_code<T>(), p[2], base_two_power(p[3])};
+  }
+  template <class T>
+  T operator()(const T& c, const T& code, const std::array<T, 3>& p) const {
+    const T base_two = decode_gloss(code, p[0], p[1]) + p[2];
+    return gaussian_lobe_base_two(c, base_two);
+  }
+};
+
+// Schlick's weight (1-c)^5.
+
+struct SchlickPower : AsGiven<0> {
+  static constexpr const char* id = "schlick-pow";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::pow;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 0>&) const {
+    return power(T(integer<T>(1) - c), integer<T>(5));
+  }
+};
+
+/// By three multiplications.
+struct SchlickMultiplied : AsGiven<0> {
+  static constexpr const char* id = "schlick";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 0>&) const {
+    return schlick_weight(c);
+  }
+};
+
+struct FresnelOneTermForm : AsGiven<1> {
+  static constexpr const char* id = "fresnel-one-term";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::exp2;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return fresnel_one_term(c, p[0]);
+  }
+};
+
+struct FresnelQuadraticForm : AsGiven<2> {
+  static constexpr const char* id = "fresnel-quadratic";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::exp2;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 2>& p) const {
+    return fresnel_quadratic(c, p[0], p[1]);
+  }
+};
+
+struct FresnelCubicForm : AsGiven<3> {
+  static constexpr const char* id = "fresnel-cubic";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::exp2;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 3>& p) const {
+    return fresnel_cubic(c, p[0], p[1], p[2]);
+  }
+};
+
+struct FresnelQuarticForm : AsGiven<4> {
+  static constexpr const char* id = "fresnel-quartic";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::exp2;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 4>& p) const {
+    return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
+  }
+};
+
+struct FresnelFourthForm : AsGiven<1> {
+  static constexpr const char* id = "fresnel-fourth";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return fresnel_fourth(c, p[0]);
+  }
+};
+
+struct FresnelSquareForm : AsGiven<2> {
+  static constexpr const char* id = "fresnel-square";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 2>& p) const {
+    return fresnel_square(c, p[0], p[1]);
+  }
+};
+
+struct FresnelRationalForm : AsGiven<1> {
+  static constexpr const char* id = "fresnel-rational";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return fresnel_rational(c, p[0]);
+  }
+};
+
+// Phase functions: g, then the form's.
+
+struct HenyeyGreensteinPower : AsGiven<1> {
+  static constexpr const char* id = "hg-pow";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::pow;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return henyey_greenstein(c, p[0]);
+  }
+};
+
+struct HenyeyGreensteinRoot : AsGiven<1> {
+  static constexpr const char* id = "hg-sqrt";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return henyey_greenstein_by_sqrt(c, p[0]);
+  }
+};
+
+struct SchlickPhase {
+  static constexpr const char* id = "schlick-phase";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  static constexpr std::size_t parameters = 3;  // g, a, b
+  template <class T>
+  static std::array<T, 1> prepared(const std::array<T, 3>& p) {
+    return {schlick_phase_parameter(p[0], p[1], p[2])};
+  }
+  template <class T>
+  T operator()(const T& c, const std::array<T, 1>& p) const {
+    return schlick_phase(c, p[0]);
+  }
+};
+
+// The sum of the highlights of lights: k, x, y and z of each light, then the form's. `prepared` and the
+// formula are of one light: k, x, y, z, then the form's.
+
+struct PhongPower {
+  static constexpr const char* id = "phong-pow";
+  static constexpr Arguments arguments = Arguments::normal_to_lights;
+  static constexpr Function function = Function::pow;
+  static constexpr std::size_t parameters = 4;
+  template <class T>
+  static std::array<T, 4> prepared(const std::array<T, 4>& p) {
+    return {p[1], p[2], p[3], p[0]};
+  }
+  template <class T>
+  T operator()(const std::array<T, 3>& normal, const std::array<T, 4>& p) const {
+    return power_lobe(lit_cosine(normal, {p[0], p[1], p[2]}), p[3]);
+  }
+};
+
+/// n.l^16 by four squarings; k has to be 16.
+struct PhongSquarings {
+  static constexpr const char* id = "phong-squarings";
+  static constexpr Arguments arguments = Arguments::normal_to_lights;
+  static constexpr Function function = Function::none;
+  static constexpr std::size_t parameters = 4;
+  template <class T>
+  static std::array<T, 4> prepared(const std::array<T, 4>& p) {
+    return {p[1], p[2], p[3], p[0]};
+  }
+  template <class T>
+  T operator()(const std::array<T, 3>& normal, const std::array<T, 4>& p) const {
+    return power(lit_cosine(normal, {p[0], p[1], p[2]}), LobeSquarings::exponent);
+  }
+};
+
+struct PhongGaussian {
+  static constexpr const char* id = "phong-sg";
+  static constexpr Arguments arguments = Arguments::normal_to_lights;
+  static constexpr Function function = Function::exp2;
+  static constexpr std::size_t parameters = 5;  // and x
+  template <class T>
+  static std::array<T, 4> prepared(const std::array<T, 5>& p) {
+    return scaled_light({p[1], p[2], p[3]}, base_two_power(T(p[0] + p[4])));
+  }
+  template <class T>
+  T operator()(const std::array<T, 3>& normal, const std::array<T, 4>& p) const {
+    return highlight_by_exp2(normal, p);
+  }
+};
+
+/// What every time is held against: the array, copied.
+struct Copy : AsGiven<0> {
+  static constexpr const char* id = "copy";
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = Function::none;
+  template <class T>
+  T operator()(const T& c, const std::array<T, 0>&) const {
+    return c;
+  }
+};
+
+template <class... Forms>
+struct FormList {};
+
+/// All of them, target by target.
+using AllForms =
+    FormList<Copy, LobePower, LobeExp2Log2, LobeSquarings, LobeGaussian, LobeGaussianOfDifference,
+             LobeScaledGaussian, LobeBlinn, GlossPower, GlossGaussian, SchlickPower, SchlickMultiplied,
+             FresnelOneTermForm, FresnelQuadraticForm, FresnelCubicForm, FresnelQuarticForm,
+             FresnelFourthForm, FresnelSquareForm, FresnelRationalForm, HenyeyGreensteinPower,
+             HenyeyGreensteinRoot, SchlickPhase, PhongPower, PhongSquarings, PhongGaussian>;
+
+}  // namespace shadefit::forms
