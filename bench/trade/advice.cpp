@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace shadefit::bench {
 namespace {
 
@@ -45,14 +43,10 @@ std::string bound_of(const Trade& trade, const TimedForm& timed) {
   std::string text = *timed.copies <= as_fast_as_a_copy
                          ? fmt::format("bound by loads and stores ({} a copy)", times(*timed.copies))
                          : fmt::format("bound by its arithmetic ({} a copy)", times(*timed.copies));
-  for (const TimedForm& far : trade.forms) {
-    const bool is_same = far.target == timed.target && far.form == timed.form && far.place == Place::memory &&
-                         far.exp2_degree == timed.exp2_degree && far.width == timed.width &&
-                         far.is_double == timed.is_double;
-    if (!is_same || !far.copies) continue;
-    text += *far.copies <= as_fast_as_a_copy ? ", in memory by the memory"
-                                             : fmt::format(", in memory {} a copy", times(*far.copies));
-  }
+  const TimedForm* far = in_memory(trade, timed);
+  if (far == nullptr || !far->copies) return text;
+  text += *far->copies <= as_fast_as_a_copy ? ", in memory by the memory"
+                                            : fmt::format(", in memory {} a copy", times(*far->copies));
   return text;
 }
 

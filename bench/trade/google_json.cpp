@@ -101,7 +101,13 @@ std::string google_json(const Trade& trade, const Occasion& occasion) {
   Json rows = Json::array();
   std::size_t family = 0;
   for (const TimedForm& floor : trade.copies) add_rows(rows, floor, family++);
-  for (const TimedForm& timed : trade.forms) add_rows(rows, timed, family++);
+  const TimedForm* last = nullptr;
+  for (const TimedForm& timed : trade.forms) {
+    // Rows of other constants have the same times.
+    const bool is_new = last == nullptr || !is_same_kernel(*last, timed) || last->place != timed.place;
+    if (is_new) add_rows(rows, timed, family++);
+    last = &timed;
+  }
   Json caches = Json::array();
   if (trade.machine.last_cache > 0) {
     caches.push_back(

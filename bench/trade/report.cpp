@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "bench/trade/advice.hpp"
 #include "bench/trade/pareto_figure.hpp"
 #include "bench/trade/tables.hpp"
@@ -64,22 +62,9 @@ std::vector<Figure> bench_figures(const Trade& trade) {
   return figures;
 }
 
-std::vector<File> bench_files(const Trade& trade, const Table& accuracy, const std::vector<Figure>& figures) {
+std::vector<File> bench_files(const Trade& trade, const std::vector<Figure>& figures) {
   return {{"bench.md", bench_report(trade, figures)},
-          {"bench.csv", write_csv(bench_table(trade), Precision::report)},
-          {"accuracy.csv", write_csv(accuracy, Precision::report)}};
-}
-
-std::vector<std::string> missing_pictures(const std::vector<TimedTarget>& all_targets,
-                                          const std::vector<File>& written) {
-  std::vector<std::string> missing;
-  for (const TimedTarget& target : all_targets) {
-    const std::string name = "plots/pareto-" + target.id + ".svg";
-    const bool is_there =
-        std::any_of(written.begin(), written.end(), [&](const File& file) { return file.name == name; });
-    if (!is_there) missing.push_back(name);
-  }
-  return missing;
+          {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
 }
 
 }  // namespace shadefit::bench

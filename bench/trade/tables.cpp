@@ -19,6 +19,7 @@ Cell error_cell(const std::optional<double>& error) {
 std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
   return {timed.target,
           timed.form,
+          timed.constants,
           static_cast<long>(timed.exp2_degree),
           std::string(timed.is_double ? "double" : "float"),
           std::string(forms::name(timed.width)),
@@ -32,21 +33,11 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
           machine.compiler};
 }
 
-/// The same way with its data in memory, or null.
-const TimedForm* in_memory(const Trade& trade, const TimedForm& timed) {
-  for (const TimedForm& other : trade.forms) {
-    if (other.target == timed.target && other.form == timed.form && other.exp2_degree == timed.exp2_degree &&
-        other.width == timed.width && other.is_double == timed.is_double && other.place == Place::memory)
-      return &other;
-  }
-  return nullptr;
-}
-
 }  // namespace
 
 Table bench_table(const Trade& trade) {
-  Table table{{"target", "form", "exp2_degree", "precision", "width", "place", "ns_per_element", "spread",
-               "copies", "times_faster_than_pow", "max_abs_error", "cpu", "compiler"},
+  Table table{{"target", "form", "constants", "exp2_degree", "precision", "width", "place", "ns_per_element",
+               "spread", "copies", "times_faster_than_pow", "max_abs_error", "cpu", "compiler"},
               {}};
   for (const TimedForm& floor : trade.copies) table.rows.push_back(bench_row(floor, trade.machine));
   for (const TimedForm& timed : trade.forms) table.rows.push_back(bench_row(timed, trade.machine));

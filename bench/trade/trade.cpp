@@ -28,9 +28,19 @@ const TimedForm* first_where(const std::vector<TimedForm>& rows, const Condition
 
 }  // namespace
 
-bool is_same_way(const TimedForm& a, const TimedForm& b) {
+bool is_same_kernel(const TimedForm& a, const TimedForm& b) {
   return a.target == b.target && a.form == b.form && a.exp2_degree == b.exp2_degree && a.width == b.width &&
-         are_alike(a, b);
+         a.is_double == b.is_double;
+}
+
+bool is_same_way(const TimedForm& a, const TimedForm& b) {
+  return is_same_kernel(a, b) && a.constants == b.constants && a.place == b.place;
+}
+
+const TimedForm* in_memory(const Trade& trade, const TimedForm& timed) {
+  return first_where(trade.forms, [&](const TimedForm& other) {
+    return is_same_kernel(other, timed) && other.constants == timed.constants && other.place == Place::memory;
+  });
 }
 
 void relate(Trade& trade) {
@@ -47,21 +57,13 @@ void relate(Trade& trade) {
   }
 }
 
-const TimedForm* find_timed(const std::vector<TimedForm>& rows, const std::string& form, int exp2_degree,
-                            forms::Width width, bool is_double, Place place) {
-  return first_where(rows, [&](const TimedForm& row) {
-    return row.form == form && row.exp2_degree == exp2_degree && row.width == width &&
-           row.is_double == is_double && row.place == place;
-  });
-}
-
 std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target) {
   std::vector<TimedForm> fastest;
   for (const TimedForm& timed : trade.forms) {
     if (timed.target != target || timed.place != Place::first_cache || !timed.max_abs_error) continue;
     const auto same = std::find_if(fastest.begin(), fastest.end(), [&](const TimedForm& known) {
-      return known.form == timed.form && known.exp2_degree == timed.exp2_degree &&
-             known.is_double == timed.is_double;
+      return known.form == timed.form && known.constants == timed.constants &&
+             known.exp2_degree == timed.exp2_degree && known.is_double == timed.is_double;
     });
     if (same == fastest.end()) {
       fastest.push_back(timed);

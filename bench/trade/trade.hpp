@@ -24,6 +24,7 @@ std::string name(Place place);
 struct TimedForm {
   std::string target;         ///< its id
   std::string form;           ///< its id
+  std::string constants;      ///< the id of its set of constants, on which times do not depend
   std::string label;          ///< a few words for pictures and sentences
   int exp2_degree = 0;        ///< of the polynomial in its exp2; 0: the library's, or none
   bool is_reference = false;  ///< the target's own formula by the library's pow, exp2, sqrt ..
@@ -66,18 +67,20 @@ struct Trade {
 /// The form with its exp2, as one name: "sg-game", "sg-game/exp2-3".
 std::string full_id(const TimedForm& timed);
 
-/// Whether two rows are of one form at one width, precision and place.
+/// Whether two rows are of one compiled form in one precision, wherever its data are.
+bool is_same_kernel(const TimedForm& a, const TimedForm& b);
+
+/// Whether they are of one set of constants, besides, and one place of their data.
 bool is_same_way(const TimedForm& a, const TimedForm& b);
+
+/// The same way with its data in memory, or null.
+const TimedForm* in_memory(const Trade& trade, const TimedForm& timed);
 
 /// Of the times of a form, its `copies` and its `pows`, from the rest of them.
 void relate(Trade& trade);
 
-/// The row of a form at one width, precision and place, or null.
-const TimedForm* find_timed(const std::vector<TimedForm>& rows, const std::string& form, int exp2_degree,
-                            forms::Width width, bool is_double, Place place);
-
-/// Of each form, precision and degree of a target with its data in the first cache that has an error: its
-/// fastest width.
+/// Of each form, set of constants, degree and precision of a target that has an error, its data in the first
+/// cache: the fastest width.
 std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target);
 
 /// Those of them that no other beats in time or error, the fastest first.

@@ -57,7 +57,7 @@ TEST(GoogleJson, AggregatesAreOfTheRounds) {
   trade.forms[0].cpu = {1, 1, 1};
   const Json json = Json::parse(google_json(trade, {}));
   const Json& rows = json.at("benchmarks");
-  EXPECT_EQ(rows.at(0).at("name"), "lobe/form/exp2-3/float/avx2/L1");
+  EXPECT_EQ(rows.at(0).at("name"), "lobe/form/exp2-3/float/AVX2/L1");
   EXPECT_EQ(rows.at(0).at("iterations"), 1000);
   EXPECT_EQ(rows.at(2).at("real_time"), 6);
   EXPECT_EQ(rows.at(2).at("repetition_index"), 2);
