@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 
 #include "approx/exponent_bits.hpp"
 #include "approx/scalar.hpp"
@@ -27,26 +28,26 @@ inline constexpr int least_exp2_degree = 2, largest_exp2_degree = 6;
 
 /// For float: the optimum rounded to floats, which nine digits tell apart.
 inline constexpr std::array exp2_for_float{
-    Exp2Coefficients{.degree = 2, .printed = {"0.702941775", "0.239864022"}, .bound = "0.001964"},
+    Exp2Coefficients{.degree = 2, .printed = {"0.702941775", "0.239864022"}, .bound = "0.0019635"},
     Exp2Coefficients{
         .degree = 3, .printed = {"0.693282902", "0.242210954", "0.0550089329"}, .bound = "0.0001013"},
     Exp2Coefficients{.degree = 4,
                      .printed = {"0.693124175", "0.240240991", "0.0559064262", "0.00958285294"},
-                     .bound = "2.835e-6"},
+                     .bound = "2.8343e-6"},
     Exp2Coefficients{
         .degree = 5,
         .printed = {"0.693147004", "0.240222424", "0.0555073358", "0.00967151299", "0.00132647273"},
-        .bound = "1.09e-7"},
+        .bound = "1.0872e-7"},
     Exp2Coefficients{.degree = 6,
                      .printed = {"0.693147182", "0.240226477", "0.0555033237", "0.00961843692",
                                  "0.00133988739", "0.000153533620"},
-                     .bound = "1.65e-8"},
+                     .bound = "1.6109e-8"},
 };
 
 /// For double: the optimum to fifteen digits.
 inline constexpr std::array exp2_for_double{
     Exp2Coefficients{
-        .degree = 2, .printed = {"0.702941793978386", "0.239864028980511"}, .bound = "0.0019634"},
+        .degree = 2, .printed = {"0.702941793978386", "0.239864028980511"}, .bound = "0.0019635"},
     Exp2Coefficients{.degree = 3,
                      .printed = {"0.693282927096198", "0.242210959272712", "0.0550089311303350"},
                      .bound = "0.00010129"},
@@ -90,29 +91,35 @@ consteval T machine_number(std::string_view decimal) {
   return static_cast<T>(digits / scale);
 }
 
-/// c_i of a polynomial in the scalar T; one that computes in machine numbers (`Scalar<T>::Real`) has it from
-/// the compiler.
+/// One of the printed coefficients in the scalar T, of which one that computes in machine numbers
+/// (`Scalar<T>::Real`) has it from the compiler.
 template <class P, std::size_t I, class T>
 T exp2_coefficient() {
+  constexpr std::string_view printed = P::record.printed[I];
   if constexpr (std::same_as<T, float> || std::same_as<T, double>) {
-    return machine_number<T>(P::record.printed[I - 1]);
+    return machine_number<T>(printed);
   } else if constexpr (requires { typename Scalar<T>::Real; }) {
-    return Scalar<T>::of(machine_number<typename Scalar<T>::Real>(P::record.printed[I - 1]));
+    return Scalar<T>::of(machine_number<typename Scalar<T>::Real>(printed));
   } else {
-    return constant<T>(P::record.printed[I - 1]);
+    return constant<T>(printed);
   }
 }
 
-/// p(r) by Horner's rule from the I-th coefficient on: |r| <= 1/2.
-template <class P, std::size_t I = 0, class T>
-T exp2_near_zero(const T& r) {
-  if constexpr (I == static_cast<std::size_t>(P::record.degree)) {
-    return exp2_coefficient<P, I, T>();
-  } else if constexpr (I == 0) {
-    return exp2_near_zero<P, 1>(r) * r + integer<T>(1);
-  } else {
-    return exp2_near_zero<P, I + 1>(r) * r + exp2_coefficient<P, I, T>();
+/// c1 .. cn in the scalar T.
+template <class P, class T>
+auto exp2_coefficients() {
+  return []<std::size_t... I>(std::index_sequence<I...>) {
+    return std::array<T, sizeof...(I)>{exp2_coefficient<P, I, T>()...};
   }
+  (std::make_index_sequence<static_cast<std::size_t>(P::record.degree)>());
+}
+
+/// p(r) = 1 + c1 r + .. + cn r^n by Horner's rule; |r| <= 1/2.
+template <class T, std::size_t N>
+T exp2_near_zero(const T& r, const std::array<T, N>& c) {
+  T sum = c[N - 1];
+  for (std::size_t i = N - 1; i > 0; --i) sum = sum * r + c[i - 1];
+  return sum * r + integer<T>(1);
 }
 
 /// 2^x, off by no more than `P::record.bound` of it and what rounding adds, where it is neither below the
@@ -120,7 +127,7 @@ T exp2_near_zero(const T& r) {
 template <class P, class T>
 T exp2_polynomial(const T& x) {
   const auto parts = split_exponent(x);
-  return times_exp2(exp2_near_zero<P>(parts.rest), parts.whole);
+  return times_exp2(exp2_near_zero(parts.rest, exp2_coefficients<P, T>()), parts.whole);
 }
 
 /// A scalar that is another one but for its exp2 and exp: these are by a polynomial. Any formula runs on it.

@@ -8,13 +8,13 @@
 /// parameters, solved by exchanging one condition of a reference at a time.
 namespace shadefit {
 
-/// The most parameters a form with a minimax fit may have.
-inline constexpr std::size_t most_parameters = 4;
+/// The most parameters a form with a minimax fit may have: exp2 by a polynomial of degree 6 has as many.
+inline constexpr std::size_t most_parameters = 6;
 inline constexpr std::size_t most_unknowns = most_parameters + 1;
 
 using Unknowns = std::array<double, most_unknowns>;
 
-/// A square matrix of at most five rows; what lies beyond its size is not looked at.
+/// A square matrix of at most seven rows; what lies beyond its size is not looked at.
 using SmallMatrix = std::array<Unknowns, most_unknowns>;
 
 /// The inverse of the leading `size` rows and columns by elimination with full pivoting. False where a pivot

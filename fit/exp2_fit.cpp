@@ -1,0 +1,117 @@
+#include "fit/exp2_fit.hpp"
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "approx/exp2_polynomial.hpp"
+#include "fit/exp2_error.hpp"
+#include "fit/jet.hpp"
+#include "fit/minimax.hpp"
+#include "fit/minimax_problem.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The error at r in [-1/2, 1/2]; P is T or has derivatives by the parameters, which are the deviations from
+/// Taylor's coefficients.
+template <class P, class T, std::size_t N>
+P relative_error(const T& r, int degree, const std::array<P, N>& d) {
+  const T tail = exp2_tail(r, degree, integer<T>(1));
+  return exp2_relative_error(lift<P>(r), degree, d, lift<P>(tail), lift<P>(exp2(T(-r))));
+}
+
+/// A place of the search as r.
+template <class T>
+T rest_at(const T& s) {
+  return s - integer<T>(1) / integer<T>(2);
+}
+
+template <class T, class Values>
+std::array<T, most_parameters> all_as(const Values& values) {
+  std::array<T, most_parameters> d;
+  for (std::size_t i = 0; i < most_parameters; ++i) d[i] = lift<T>(values[i]);
+  return d;
+}
+
+MinimaxCurve error_curve(int degree, const std::vector<SearchPlace>& places) {
+  return {.everywhere =
+              [degree, &places](const MinimaxParameters& d, std::span<double> values) {
+                for (std::size_t i = 0; i < places.size(); ++i)
+                  values[i] = relative_error(rest_at(places[i].s), degree, d);
+              },
+          .along =
+              [degree](const SearchPlace& place, const MinimaxParameters& d) {
+                using First = ceres::Jet<double, 1>;
+                using Second = ceres::Jet<First, 1>;
+                Second s(First(place.s, 0));
+                s.v[0] = First(1.0);
+                const Second value = relative_error(rest_at(s), degree, all_as<Second>(d));
+                return Along{value.a.a, value.a.v[0], value.v[0].v[0]};
+              },
+          .across =
+              [degree](const SearchPlace& place, const MinimaxParameters& d, Unknowns& gradient) {
+                using Jet = ceres::Jet<double, static_cast<int>(most_parameters)>;
+                std::array<Jet, most_parameters> q;
+                for (std::size_t i = 0; i < most_parameters; ++i) q[i] = Jet(d[i], static_cast<int>(i));
+                const Jet value = relative_error(rest_at(place.s), degree, q);
+                for (std::size_t i = 0; i < most_parameters; ++i) gradient[i] = value.v[static_cast<int>(i)];
+                return value.a;
+              },
+          .wide =
+              [degree](const SearchPlace& place, const WideParameters& d) {
+                return relative_error(rest_at(static_cast<long double>(place.s)), degree, d);
+              },
+          // of constraints alone
+          .slope_across = nullptr,
+          .wide_slope = nullptr};
+}
+
+/// Least squares at the places, where the problem is linear: near enough for the exchange.
+MinimaxParameters start(int degree, const std::vector<SearchPlace>& places) {
+  const auto rows = static_cast<Eigen::Index>(places.size());
+  Eigen::MatrixXd powers(rows, degree);
+  Eigen::VectorXd tails(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double r = rest_at(places[static_cast<std::size_t>(i)].s), scale = exp2(-r);
+    double term = scale;
+    for (int j = 0; j < degree; ++j) powers(i, j) = term *= r;
+    tails[i] = scale * exp2_tail(r, degree, 1.0);
+  }
+  const Eigen::VectorXd d = powers.colPivHouseholderQr().solve(tails);
+  MinimaxParameters found{};
+  for (int j = 0; j < degree; ++j) found[static_cast<std::size_t>(j)] = d[j];
+  return found;
+}
+
+}  // namespace
+
+Exp2Fit fit_exp2(int degree) {
+  if (degree < least_exp2_degree || degree > largest_exp2_degree)
+    throw std::logic_error("no exp2 of degree " + std::to_string(degree));
+  std::vector<SearchPlace> places;
+  for (const double s : chebyshev_places()) places.push_back({0, s});
+  MinimaxProblem problem{.size = static_cast<std::size_t>(degree),
+                         .places = places,
+                         .cosine_at =
+                             [](const SearchPlace& at) {
+                               return Cosine<double>{at.s, 1 - at.s};
+                             },
+                         .error = error_curve(degree, places),
+                         .form = error_curve(degree, places)};
+  const MinimaxOptimum optimum = solve_minimax(problem, start(degree, places));
+  Exp2Fit fit{.degree = degree,
+              .coefficients = {},
+              .level = optimum.level,
+              .contacts = static_cast<int>(optimum.alternation.size()),
+              .status = optimum.status,
+              .why = optimum.why};
+  for (int i = 1; i <= degree; ++i) {
+    const auto deviation = static_cast<long double>(optimum.parameters[static_cast<std::size_t>(i) - 1]);
+    fit.coefficients.push_back(exp2_taylor_coefficient<long double>(i) + deviation);
+  }
+  return fit;
+}
+
+}  // namespace shadefit
