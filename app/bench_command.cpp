@@ -5,13 +5,13 @@
 
 #include "app/bench_options.hpp"
 #include "app/draw_figures.hpp"
+#include "bench/forms/accuracy.hpp"
 #include "bench/trade/google_json.hpp"
-#include "bench/trade/grid_errors.hpp"
 #include "bench/trade/measure.hpp"
 #include "bench/trade/report.hpp"
 #include "bench/trade/tables.hpp"
 #include "fit/user_error.hpp"
-#include "reports/results.hpp"
+#include "reports/known.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
 
@@ -89,10 +89,13 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
   const auto widths = widths_of(options);
   const forms::Catalogue catalogue = forms::catalogue();
   require_targets(catalogue, options.only);
-  const auto errors = bench::grid_errors(catalogue, options.only, checkpoint);
+  checkpoint();
+  progress("errors of every form ..");
+  const Table accuracy = forms::accuracy_table();
+  checkpoint();
   const double start = bench::now().real;
   const bench::Trade trade =
-      bench::measure(catalogue, errors,
+      bench::measure(catalogue, bench::form_errors(accuracy),
                      {.targets = options.only,
                       .widths = widths,
                       .plan = options.quick ? bench::quick_plan : bench::full_plan},
@@ -102,7 +105,7 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
                      });
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
   auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
-  const auto report = bench::bench_files(trade, figures);
+  const auto report = bench::bench_files(trade, accuracy, figures);
   files.insert(files.end(), report.begin(), report.end());
   write_files(options.out, files, checkpoint, missing);
   const std::string err = widths_line(options) + news.err;

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "app/command_line.hpp"
-#include "bench/forms/catalogue.hpp"
+#include "app/progress.hpp"
+#include "bench/forms/kernel.hpp"
 
 namespace CLI {
 class App;

@@ -9,13 +9,14 @@
 #include "app/bench_options.hpp"
 #include "app/interrupt.hpp"
 #include "bench/exhaustive/state_file.hpp"
+#include "bench/forms/catalogue.hpp"
 #include "bench/trade/machine.hpp"
 #include "bench/trade/measure.hpp"
 #include "bench/trade/timing.hpp"
 #include "fit/hex_float.hpp"
 #include "fit/user_error.hpp"
 #include "reports/files.hpp"
-#include "reports/results.hpp"
+#include "reports/known.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
 
@@ -71,7 +72,7 @@ const forms::Constants& find_constants(const forms::FormEntry& form, const std::
                               fmt::join(known, ", ")));
 }
 
-Chosen choose(const forms::Catalogue& catalogue, const BenchOptions& options) {
+Chosen chosen_by(const forms::Catalogue& catalogue, const BenchOptions& options) {
   const forms::FormEntry& form = find_form(catalogue, *options.exhaustive);
   return {&form, &forms::target_of(catalogue, form.target), &find_constants(form, options.constants),
           options.exp2_degree.value_or(0), parse_width(options.width.value_or("sse2"))};
@@ -238,7 +239,7 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
   const bench::Shard shard = options.shard ? bench::parse_shard(*options.shard) : bench::Shard{};
   if (!options.state) require_directory(options.out);
   const forms::Catalogue catalogue = forms::catalogue();
-  const Chosen chosen = choose(catalogue, options);
+  const Chosen chosen = chosen_by(catalogue, options);
   const bench::FloatSubject subject = subject_of(catalogue, chosen);
   const bench::SweepIdentity identity = identity_of(chosen, options, version);
   const fs::path path = state_path(options, chosen, shard);

@@ -13,7 +13,7 @@ Progress terminal_progress(int descriptor) {
   if (::isatty(descriptor) == 0) return unwatched;
   using Clock = std::chrono::steady_clock;
   // Ten lines a second are as many as anybody reads.
-  constexpr std::chrono::milliseconds shortest{100};
+  static constexpr std::chrono::milliseconds shortest{100};
   return [descriptor, last = Clock::time_point(), is_shown = false](const std::string& line) mutable {
     const auto now = Clock::now();
     const bool is_due = line.empty() ? is_shown : now - last >= shortest;

@@ -136,8 +136,8 @@ std::string legend_text(const Plot& plot) {
   const auto legend = legend_of(plot);
   std::vector<std::string> lines{"2 notitle"};
   for (const Curve& curve : legend) {
-    lines.push_back(fmt::format("keyentry with {} ls {} title '{}'",
-                                curve.has_points ? "linespoints" : "lines", static_cast<int>(curve.look),
+    lines.push_back(fmt::format("keyentry with {} ls {} title '{}'", style_of(curve),
+                                static_cast<int>(curve.look),
                                 curve.label));
   }
   return fmt::format(

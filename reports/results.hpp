@@ -10,6 +10,7 @@
 #include "fit/normalisation_check.hpp"
 #include "fit/refit.hpp"
 #include "fit/reflectance.hpp"
+#include "reports/known.hpp"
 
 /// Everything that a run computes, before it becomes rows.
 namespace shadefit {
@@ -38,9 +39,5 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
 /// Whether every fit converged, those against exact surfaces too, and every normalisation was confirmed, and
 /// every reflectance is as exact as promised, every claim could be judged and every comparison proven.
 bool all_checks_passed(const Results& results);
-
-/// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of
-/// `known`. `what` says what it should name.
-void require_known(const std::string& id, const std::vector<std::string>& known, const std::string& what);
 
 }  // namespace shadefit

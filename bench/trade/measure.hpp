@@ -7,6 +7,7 @@
 #include "bench/forms/catalogue.hpp"
 #include "bench/trade/timing.hpp"
 #include "bench/trade/trade.hpp"
+#include "reports/table.hpp"
 
 /// From the catalogue of forms to times.
 namespace shadefit::bench {
@@ -18,6 +19,10 @@ struct FormError {
   bool is_double = false;
   double max_abs_error = 0;
 };
+
+/// The errors in float and in double that the table of accuracies has: those of SSE2 where they differ from the
+/// scalar ones.
+std::vector<FormError> form_errors(const Table& accuracy);
 
 struct Wanted {
   std::vector<std::string> targets;  ///< ids; empty: all

@@ -163,7 +163,7 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
           {.column = "float", .label = "other forms, float", .look = Look::second, .is_joined = false},
           {.column = "double", .label = "other forms, double", .look = Look::third, .is_joined = false},
           {.column = "reference",
-           .label = "the library's functions",
+           .label = "by the library",
            .look = Look::fourth,
            .is_joined = false}}};
   // A legend names what there is.

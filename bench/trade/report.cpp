@@ -62,9 +62,10 @@ std::vector<Figure> bench_figures(const Trade& trade) {
   return figures;
 }
 
-std::vector<File> bench_files(const Trade& trade, const std::vector<Figure>& figures) {
+std::vector<File> bench_files(const Trade& trade, const Table& accuracy, const std::vector<Figure>& figures) {
   return {{"bench.md", bench_report(trade, figures)},
-          {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
+          {"bench.csv", write_csv(bench_table(trade), Precision::report)},
+          {"accuracy.csv", write_csv(accuracy, Precision::report)}};
 }
 
 }  // namespace shadefit::bench

@@ -16,7 +16,7 @@ std::string bench_report(const Trade& trade, const std::vector<Figure>& figures)
 /// The figures of all targets that have one.
 std::vector<Figure> bench_figures(const Trade& trade);
 
-/// bench.md and bench.csv.
-std::vector<File> bench_files(const Trade& trade, const std::vector<Figure>& figures);
+/// bench.md, bench.csv, accuracy.csv.
+std::vector<File> bench_files(const Trade& trade, const Table& accuracy, const std::vector<Figure>& figures);
 
 }  // namespace shadefit::bench

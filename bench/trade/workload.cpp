@@ -1,12 +1,16 @@
 #include "bench/trade/workload.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
+#include <new>
 
 namespace shadefit::bench {
 namespace {
 
-constexpr std::size_t line = 64, page = 4096;
+constexpr std::size_t line = 64, page = 4096, large_page = 2 * 1024 * 1024;
 
 /// Inputs and outputs that a target has of each element.
 std::size_t arrays_of(forms::Arguments arguments) {
@@ -25,11 +29,20 @@ std::size_t first_cache_elements(forms::Arguments arguments, std::size_t bytes_o
 }
 
 template <class Real>
-Array<Real>::Array(std::size_t size, std::size_t offset)
-    : bytes_(size * sizeof(Real) + 2 * page), size_(size) {
-  const auto begin = reinterpret_cast<std::uintptr_t>(bytes_.data());
-  const std::uintptr_t first = (begin + page - 1) / page * page + offset % page / line * line;
-  data_ = reinterpret_cast<Real*>(bytes_.data() + (first - begin));
+void Array<Real>::Free::operator()(void* memory) const {
+  std::free(memory);
+}
+
+template <class Real>
+Array<Real>::Array(std::size_t size, std::size_t offset) : size_(size) {
+  // Long arrays lie in large pages where the system has some: a walk through its tables is not what is timed,
+  // and small ones take seconds to make.
+  const std::size_t needed = size * sizeof(Real) + page, unit = needed >= large_page ? large_page : page;
+  const std::size_t bytes = (needed + unit - 1) / unit * unit;
+  memory_.reset(std::aligned_alloc(unit, bytes));
+  if (memory_ == nullptr) throw std::bad_alloc();
+  if (unit == large_page) ::madvise(memory_.get(), bytes, MADV_HUGEPAGE);  // it is but advice
+  data_ = reinterpret_cast<Real*>(static_cast<unsigned char*>(memory_.get()) + offset % page / line * line);
 }
 
 template <class Real>

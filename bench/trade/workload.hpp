@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "bench/forms/catalogue.hpp"
@@ -25,7 +26,7 @@ std::size_t memory_bytes(std::size_t last_cache);
 /// The elements of a target's arrays that fit into the first cache together, a multiple of 64.
 std::size_t first_cache_elements(forms::Arguments arguments, std::size_t bytes_of_number);
 
-/// Memory that begins at a line of the cache, `offset` bytes after a page: arrays that are read and written
+/// Memory, not yet written, that begins at a line of the cache, `offset` bytes after a page: arrays that are read and written
 /// together should not begin at equal places of their pages, where loads wait for stores.
 template <class Real>
 class Array {
@@ -36,7 +37,10 @@ class Array {
   std::size_t size() const { return size_; }
 
  private:
-  std::vector<unsigned char> bytes_;
+  struct Free {
+    void operator()(void* memory) const;
+  };
+  std::unique_ptr<void, Free> memory_;
   Real* data_;
   std::size_t size_;
 };
