@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -15,8 +17,12 @@ NamedNumber printed_number(std::string_view name, std::string_view decimal) {
   return {std::string(name), std::string(decimal), constant<double>(decimal)};
 }
 
+/// A fitted number to the ten digits that are the same on every machine: what is computed from it is so too.
 NamedNumber computed_number(std::string_view name, double value) {
-  return {std::string(name), to_text(value), value};
+  char digits[32];
+  const char* end =
+      std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::general, 10).ptr;
+  return printed_number(name, {digits, static_cast<std::size_t>(end - digits)});
 }
 
 const FittableFamily& family_of(std::string_view id) {

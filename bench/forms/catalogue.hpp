@@ -10,7 +10,8 @@
 /// published, and best under each objective, fitted here.
 namespace shadefit::forms {
 
-/// A number with its name and as it is printed: of a fit, its shortest round trip.
+/// A number with its name and as it is printed: of a fit, ten digits, which all machines agree on; the value
+/// is theirs.
 struct NamedNumber {
   std::string name;
   std::string printed;

@@ -101,7 +101,7 @@ void over_lights(const Arrays<typename Lanes<S>::Real>& arrays,
     for (std::size_t u = 0; u < L::unrolled; ++u) {
       const std::size_t at = i + u * L::size;
       normals[u] = {L::load(x + at), L::load(y + at), L::load(z + at)};
-      sums[u] = L::of(0);
+      sums[u] = L::of(Real(0));
     }
     for (std::size_t light = 0; light < count; ++light) {
       const auto constants = lights[light];

@@ -1,0 +1,281 @@
+#include "bench/forms/accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/forms/catalogue.hpp"
+#include "bench/forms/compiled.hpp"
+#include "bench/forms/library_kernels.hpp"
+#include "bench/forms/pairing.hpp"
+#include "fit/effect.hpp"
+#include "fit/half.hpp"
+
+namespace shadefit::forms {
+namespace {
+
+/// A multiple of what any kernel does at once.
+constexpr std::size_t block = 64;
+
+/// What forms are asked for.
+struct Grid {
+  std::array<std::vector<double>, 3> in;  ///< cosines, or normals
+  std::vector<std::uint8_t> codes;
+  bool is_of_lights = false;
+
+  std::size_t size() const { return in[0].size(); }
+  void add(double x, double y = 0, double z = 0, std::uint8_t code = 0) {
+    in[0].push_back(x);
+    in[1].push_back(y);
+    in[2].push_back(z);
+    codes.push_back(code);
+  }
+  /// To whole blocks, with the last place again.
+  void fill() {
+    while (size() % block != 0) add(in[0].back(), in[1].back(), in[2].back(), codes.back());
+  }
+};
+
+/// 4097 cosines, which a float holds, and what lies next to the ends.
+Grid grid_of(const Target& target) {
+  Grid grid;
+  if (target.arguments == Arguments::normal_to_lights) {
+    constexpr std::size_t normals = 1024;
+    // beyond the lights' own directions
+    constexpr std::size_t first = most_lights;
+    for (std::size_t i = 0; i < normals; ++i) {
+      const auto n = spread_direction(first + i);
+      grid.add(n[0], n[1], n[2]);
+    }
+    grid.is_of_lights = true;
+  } else if (target.arguments == Arguments::cosine_and_code) {
+    constexpr int steps = 256, codes = 256;
+    for (int i = 0; i <= steps; ++i) {
+      for (int code = 0; code < codes; code += 5)
+        grid.add(static_cast<double>(i) / steps, 0, 0, static_cast<std::uint8_t>(code));
+    }
+  } else {
+    constexpr int steps = 4096;
+    for (int i = 0; i <= steps; ++i)
+      grid.add(target.from + (target.to - target.from) * static_cast<double>(i) / steps);
+    for (const double near : {0x1p-11, 0x1p-24}) {
+      grid.add(target.from + near);
+      grid.add(target.to - near);
+    }
+  }
+  grid.fill();
+  return grid;
+}
+
+template <class R>
+R rounded(double x) {
+  if constexpr (std::is_same_v<R, Eigen::half>) {
+    return round_to_half(x);
+  } else {
+    return static_cast<R>(x);
+  }
+}
+
+template <class R>
+double widened(R x) {
+  return static_cast<double>(x);
+}
+double widened(Eigen::half x) {
+  return static_cast<double>(static_cast<float>(x));
+}
+
+/// The places in an arithmetic, the target there and what a form makes of them.
+template <class R>
+class Places {
+ public:
+  Places(const Grid& grid, const Target& target, Kernel<long double> exact) : grid_(grid) {
+    std::array<std::vector<long double>, 3> wide;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (const double x : grid.in[axis]) {
+        in_[axis].push_back(rounded<R>(x));
+        wide[axis].push_back(static_cast<long double>(widened(in_[axis].back())));
+      }
+    }
+    std::vector<long double> parameters;
+    for (const double p : parameters_of(target, {})) parameters.push_back(static_cast<long double>(p));
+    truth_.resize(grid.size());
+    exact({{wide[0].data(), wide[1].data(), wide[2].data()}, grid.codes.data(), truth_.data(), grid.size()},
+          parameters);
+    target_ = parameters_of(target, {});
+  }
+
+  /// The form's results there.
+  std::vector<double> results(Kernel<R> kernel, const Constants& constants) const {
+    std::vector<R> parameters, out(grid_.size());
+    for (const double p : target_) parameters.push_back(rounded<R>(p));
+    for (const NamedNumber& number : constants.numbers) parameters.push_back(rounded<R>(number.value));
+    kernel({{in_[0].data(), in_[1].data(), in_[2].data()}, grid_.codes.data(), out.data(), grid_.size()},
+           parameters);
+    std::vector<double> results;
+    for (const R x : out) results.push_back(widened(x));
+    return results;
+  }
+
+  double cosine(std::size_t i) const { return widened(in_[0][i]); }
+  long double truth(std::size_t i) const { return truth_[i]; }
+  std::size_t size() const { return grid_.size(); }
+  bool is_of_lights() const { return grid_.is_of_lights; }
+
+ private:
+  const Grid& grid_;
+  std::array<std::vector<R>, 3> in_;
+  std::vector<long double> truth_;
+  std::vector<double> target_;
+};
+
+struct Format {
+  std::string_view name;
+  int digits;        ///< of the significand, in bits
+  int min_exponent;  ///< of the least normal number
+};
+constexpr Format half_format{"half", 11, -14};
+constexpr Format float_format{"float", 24, -126};
+constexpr Format double_format{"double", 53, -1022};
+
+/// The distance between the numbers of a format around x.
+long double ulp_of(long double x, const Format& format) {
+  const int exponent = x == 0 ? format.min_exponent : std::max(std::ilogb(x), format.min_exponent);
+  return std::ldexp(1.0L, exponent - format.digits + 1);
+}
+
+struct Errors {
+  double absolute = 0, relative = 0, rms = 0, ulps = 0, codes = 0;
+  double at = 0;
+};
+
+template <class R>
+Errors errors_of(const Places<R>& places, const std::vector<double>& results, const Format& format) {
+  Errors errors;
+  Effect effect;
+  long double square = 0;
+  std::vector<double> off(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const long double truth = places.truth(i), difference = static_cast<long double>(results[i]) - truth;
+    off[i] = static_cast<double>(std::fabs(difference));
+    square += difference * difference;
+    errors.absolute = std::max(errors.absolute, off[i]);
+    errors.ulps = std::max(errors.ulps, static_cast<double>(std::fabs(difference) / ulp_of(truth, format)));
+    effect.show(static_cast<double>(truth), results[i], {{"c = ", places.cosine(i)}});
+  }
+  errors.relative = effect.relative.magnitude;
+  errors.codes = effect.srgb_codes;
+  errors.rms = static_cast<double>(std::sqrt(square / static_cast<long double>(places.size())));
+  constexpr double equal = 1e-6;
+  errors.at = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (off[i] >= (1 - equal) * errors.absolute) errors.at = std::min(errors.at, places.cosine(i));
+  }
+  return errors;
+}
+
+/// The first cells of a row, and what is proven.
+struct Row {
+  const FormEntry& form;
+  const Constants& constants;
+  std::optional<Pairing> pairing;
+};
+
+std::string values_of(const Constants& constants) {
+  std::string text;
+  for (const NamedNumber& number : constants.numbers)
+    text += (text.empty() ? "" : ", ") + number.name + " = " + number.printed;
+  return text;
+}
+
+class Accuracy {
+ public:
+  Table table() && { return std::move(table_); }
+
+  void append(const Target& target, const FormEntry& first, const std::vector<const FormEntry*>& forms) {
+    const Grid grid = grid_of(target);
+    const Kernel<long double> exact = library_form(first.id).in_long_double;
+    const Places<Eigen::half> halves(grid, target, exact);
+    const Places<float> floats(grid, target, exact);
+    const Places<double> doubles(grid, target, exact);
+    for (const FormEntry* form : forms) {
+      for (const Constants& constants : form->constants) {
+        const Row row{*form, constants, pair_exp2(form->id, constants)};
+        const LibraryForm& library = library_form(form->id);
+        const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic,
+                             const Format& format, int degree) {
+          append_row(row, arithmetic, degree, errors_of(places, places.results(kernel, constants), format),
+                     places.is_of_lights());
+        };
+        add(doubles, library.in_double, "double", double_format, 0);
+        add(floats, library.in_float, "float", float_format, 0);
+        add(halves, library.in_half, "half", half_format, 0);
+        for (const CompiledForm& compiled : Tables::sse2) {
+          if (compiled.form != form->id || compiled.exp2_degree != 0 || form->function == Function::none)
+            continue;
+          add(doubles, compiled.in_double, "double SSE2", double_format, 0);
+          add(floats, compiled.in_float, "float SSE2", float_format, 0);
+        }
+        for (const CompiledForm& compiled : Tables::scalar) {
+          if (compiled.form != form->id || compiled.exp2_degree == 0) continue;
+          if (compiled.in_double != nullptr)
+            add(doubles, compiled.in_double, "double", double_format, compiled.exp2_degree);
+          add(floats, compiled.in_float, "float", float_format, compiled.exp2_degree);
+        }
+      }
+    }
+  }
+
+ private:
+  static const LibraryForm& library_form(std::string_view id) {
+    for (const LibraryForm& form : library_forms()) {
+      if (form.form == id) return form;
+    }
+    throw std::logic_error("no form " + std::string(id));
+  }
+
+  void append_row(const Row& row, std::string_view arithmetic, int degree, const Errors& errors,
+                  bool is_of_lights) {
+    // A sampled error of computed values is the same everywhere to any digit; these say what one wants to
+    // know.
+    constexpr int digits = 6, few = 3;
+    const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
+    std::string exp2;
+    if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
+    const bool is_paired = row.pairing && row.pairing->degree == degree;
+    table_.rows.push_back({std::string(row.form.target), std::string(row.form.id), row.constants.id,
+                           values_of(row.constants), exp2, std::string(arithmetic),
+                           number(errors.absolute, digits), is_of_lights ? Cell() : number(errors.at, digits),
+                           number(errors.relative, digits), number(errors.rms, digits),
+                           number(errors.ulps, few), number(errors.codes, few),
+                           row.pairing ? number(row.pairing->own_upper, few) : Cell(),
+                           is_paired ? number(row.pairing->total, few) : Cell(),
+                           is_paired ? number(row.pairing->rounding, few) : Cell(),
+                           row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
+  }
+
+  Table table_{.columns = {"target", "form", "constants", "values", "exp2", "arithmetic", "max_abs_error",
+                           "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes",
+                           "own_error", "total_error", "rounding_error", "paired"},
+               .rows = {}};
+};
+
+}  // namespace
+
+Table accuracy_table() {
+  const Catalogue all = catalogue();
+  Accuracy accuracy;
+  for (const Target& target : all.targets) {
+    std::vector<const FormEntry*> forms;
+    for (const FormEntry& form : all.forms) {
+      if (form.target == target.id) forms.push_back(&form);
+    }
+    accuracy.append(target, *forms.front(), forms);
+  }
+  return std::move(accuracy).table();
+}
+
+}  // namespace shadefit::forms

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "reports/table.hpp"
+
+/// How wrong every form is: what `accuracy.csv` holds.
+namespace shadefit::forms {
+
+/// A row for each form with each set of its constants, each exp2 and each arithmetic:
+/// - `target`, `form`, `constants`: ids of the catalogue; `values`: the constants;
+/// - `exp2`: the degree of the polynomial, `library`, or empty where the form has none;
+/// - `arithmetic`: `double`, `float`, `half`, and `double SSE2`, `float SSE2` where these differ from the
+/// scalar
+///   ones, which is in the library's functions alone;
+/// - `max_abs_error` and `max_abs_error_at` (the smallest c of those equal within 1e-6; empty for lights),
+/// `max_rel_error`
+///   (where the target is at least 1/255), `rms_error` (uniform in the cosine), `max_ulps` (of the
+///   arithmetic) and `srgb_codes`: over a dense grid and the edges, against the target in long double;
+/// - `own_error`: the proven bound of the form's error with an exact exp2; `total_error`: with the polynomial
+/// of
+///   this row (exact arithmetic); `rounding_error`: what float adds at most; of the paired row alone;
+/// - `paired`: `yes` where the exp2 is the cheapest that keeps the total within 1 % of the form's own error.
+///
+/// An error below what rounding of the arithmetic makes, some ulps, is printed as that bound: see `noise`.
+Table accuracy_table();
+
+}  // namespace shadefit::forms

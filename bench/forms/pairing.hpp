@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "bench/forms/catalogue.hpp"
+
+/// The cheapest exp2 that a form has use for.
+namespace shadefit::forms {
+
+/// How much of a form's own error its exp2 may add.
+inline constexpr double allowed_addition = 0.01;
+
+/// A form with one set of constants, and the polynomial that serves it. All errors are the largest |form -
+/// target| over c in [0, 1].
+struct Pairing {
+  double own_lower = 0, own_upper = 0;  ///< with an exact exp2: proven bounds
+  int degree = 0;                       ///< of the cheapest polynomial that serves; 0: none does
+  /// With that polynomial for float in place of the exp2, in exact arithmetic: proven not to be exceeded.
+  /// Every result is off by no more than the polynomial's bound, relative, so it is the largest |error| +
+  /// bound |form|.
+  double total = 0;
+  /// What rounding adds at most where all is computed in float, the polynomial too: proven.
+  double rounding = 0;
+};
+
+/// The pairing of an exp2 form of the lobe or of Schlick's weight; empty of all other forms. The forms of
+/// lights are the lobe's for each light; that of a gloss per element is sampled where its accuracy is tabled,
+/// not proven.
+std::optional<Pairing> pair_exp2(std::string_view form, const Constants& constants);
+
+}  // namespace shadefit::forms
