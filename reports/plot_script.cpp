@@ -137,8 +137,7 @@ std::string legend_text(const Plot& plot) {
   std::vector<std::string> lines{"2 notitle"};
   for (const Curve& curve : legend) {
     lines.push_back(fmt::format("keyentry with {} ls {} title '{}'", style_of(curve),
-                                static_cast<int>(curve.look),
-                                curve.label));
+                                static_cast<int>(curve.look), curve.label));
   }
   return fmt::format(
       "\nunset arrow; unset label; unset logscale; unset x2tics; unset xtics; unset ytics; unset border\n"

@@ -34,8 +34,9 @@ std::vector<FormError> form_errors(const Table& accuracy) {
     const auto* number = std::get_if<Number>(&row.at(error));
     const std::string in = word(arithmetic);
     if (number == nullptr || !(in.starts_with("float") || in.starts_with("double"))) continue;
-    FormError found{word(target),           word(form),   word(constants),
-                    degree_of(word(exp2)), in.starts_with("double"), number->value};
+    FormError found{
+        word(target), word(form), word(constants), degree_of(word(exp2)), in.starts_with("double"),
+        number->value};
     (in.ends_with(" SSE2") ? wide : scalar).push_back(std::move(found));
   }
   // The first of two is the one that is found.

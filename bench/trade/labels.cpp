@@ -37,7 +37,7 @@ double outside(const Box& box, const Pixel& size) {
 /// Where a text may stand around its point: the sides first, then circles farther and farther off.
 std::vector<Label> candidates(const Pixel& point, double width) {
   std::vector<Label> places;
-  for (const double distance : {9.0, 24.0, 42.0, 62.0, 84.0, 108.0}) {
+  for (const double distance : {9.0, 24.0, 42.0, 62.0, 84.0, 108.0, 134.0, 162.0, 192.0, 224.0}) {
     constexpr int directions = 16;
     for (int i = 0; i < directions; ++i) {
       // To the right, then in turn to both sides of that: 0, 1, -1, 2, -2 ..

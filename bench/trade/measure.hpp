@@ -20,8 +20,8 @@ struct FormError {
   double max_abs_error = 0;
 };
 
-/// The errors in float and in double that the table of accuracies has: those of SSE2 where they differ from the
-/// scalar ones.
+/// The errors in float and in double that the table of accuracies has: those of SSE2 where they differ from
+/// the scalar ones.
 std::vector<FormError> form_errors(const Table& accuracy);
 
 struct Wanted {

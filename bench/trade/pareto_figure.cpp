@@ -91,46 +91,81 @@ Table data_of(const Drawn& drawn) {
   return table;
 }
 
-/// What a point is called; a reference off the front by its width too, as there are several.
+/// What a point is called; off the front a reference by its width too, as there are several.
 std::string point_name(const TimedForm& timed, bool is_on_front) {
-  std::string text = timed.label;
-  if (timed.is_double) text += ", double";
-  if (!is_on_front) text += fmt::format(" ({})", forms::name(timed.width));
-  return text;
+  if (is_on_front) return timed.label + (timed.is_double ? ", double" : "");
+  return timed.is_reference ? fmt::format("{} ({})", timed.form, forms::name(timed.width)) : full_id(timed);
 }
 
-/// gnuplot's commands for the names: texts at places of the data, and lines to those that stand off.
+/// Of the points off the front those that are named, in grey: the library's functions, and of each form in
+/// float the fastest whose error is within a hundredth of the form's least.
+std::vector<TimedForm> named_off_front(const Drawn& drawn) {
+  constexpr double hundredth = 1.01;
+  std::vector<TimedForm> named;
+  for (const TimedForm& timed : drawn.others) {
+    if (timed.is_double) continue;
+    bool is_best = true;
+    const auto compare = [&](const TimedForm& other, bool is_on_front) {
+      if (other.form != timed.form || other.is_double || timed.is_reference) return;
+      const bool is_as_exact = *other.max_abs_error <= hundredth * *timed.max_abs_error;
+      const bool is_more_exact = hundredth * *other.max_abs_error < *timed.max_abs_error;
+      // Of equal times the one of less error, and of equal ones the first.
+      const bool is_faster =
+          other.ns.median < timed.ns.median ||
+          (other.ns.median == timed.ns.median && *other.max_abs_error < *timed.max_abs_error);
+      if (is_on_front || is_more_exact || (is_as_exact && is_faster)) is_best = false;
+    };
+    for (const TimedForm& other : drawn.front) compare(other, true);
+    for (const TimedForm& other : drawn.others) compare(other, false);
+    if (is_best && !has(named, timed)) named.push_back(timed);
+  }
+  return named;
+}
+
+/// Points in a row along the line that joins others, for names to keep off.
+void add_line(std::vector<Pixel>& points, const Pixel& from, const Pixel& to) {
+  constexpr double step = 8;
+  const int steps = static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / step);
+  for (int i = 1; i < steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    points.push_back({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+  }
+}
+
+/// gnuplot's commands for a name: the text, and a line to its point where it stands off.
+std::string label_command(const Label& label, const std::string& name, const Pixel& point, bool is_on_front) {
+  const Pixel& at = label.middle_left;
+  std::string commands =
+      fmt::format("set label '{}' at graph {:.5f}, graph {:.5f} left noenhanced textcolor '{}' front\n", name,
+                  at.x / area.x, 1 - at.y / area.y, is_on_front ? "#101010" : "#707070");
+  if (!label.has_leader) return commands;
+  const double end = std::clamp(point.x, at.x, at.x + letter_width * static_cast<double>(name.size()));
+  const double edge = at.y + (point.y > at.y ? line_height / 2 : -line_height / 2);
+  return commands + fmt::format(
+                        "set arrow from graph {:.5f}, graph {:.5f} to graph {:.5f}, graph {:.5f} nohead "
+                        "lc rgb '#B0B0B0' lw 0.8 back\n",
+                        end / area.x, 1 - edge / area.y, point.x / area.x, 1 - point.y / area.y);
+}
+
 std::string label_commands(const Drawn& drawn, const Axis& time, const Axis& error) {
+  const auto pixel = [&](const TimedForm& timed) {
+    return Pixel{area.x * time.share(timed.ns.median), area.y * (1 - error.share(*timed.max_abs_error))};
+  };
   std::vector<TimedForm> named = drawn.front;
-  for (const TimedForm& timed : drawn.others) {
-    if (timed.is_reference && !timed.is_double) named.push_back(timed);
-  }
-  std::vector<TimedForm> rows = named;
-  for (const TimedForm& timed : drawn.others) {
-    if (!timed.is_reference || timed.is_double) rows.push_back(timed);
-  }
+  for (const TimedForm& timed : named_off_front(drawn)) named.push_back(timed);
   std::vector<Pixel> points;
-  for (const TimedForm& timed : rows)
-    points.push_back(
-        {area.x * time.share(timed.ns.median), area.y * (1 - error.share(*timed.max_abs_error))});
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < named.size(); ++i)
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    points.push_back(pixel(named[i]));
     names.push_back(point_name(named[i], i < drawn.front.size()));
+  }
+  for (const TimedForm& timed : drawn.others) points.push_back(pixel(timed));
+  for (std::size_t i = 1; i < drawn.front.size(); ++i)
+    add_line(points, pixel(drawn.front[i - 1]), pixel(drawn.front[i]));
   const auto labels = place_labels(points, names, area);
   std::string commands;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const Pixel& at = labels[i].middle_left;
-    const double width = letter_width * static_cast<double>(names[i].size());
-    commands += fmt::format(
-        "set label '{}' at graph {:.5f}, graph {:.5f} left noenhanced textcolor '{}' front\n", names[i],
-        at.x / area.x, 1 - at.y / area.y, i < drawn.front.size() ? "#101010" : "#707070");
-    if (!labels[i].has_leader) continue;
-    const double near = std::clamp(points[i].x, at.x, at.x + width);
-    commands += fmt::format(
-        "set arrow from graph {:.5f}, graph {:.5f} to graph {:.5f}, graph {:.5f} nohead lc rgb '#B0B0B0' lw 0.8 back\n",
-        near / area.x, 1 - (at.y + (points[i].y > at.y ? line_height / 2 : -line_height / 2)) / area.y,
-        points[i].x / area.x, 1 - points[i].y / area.y);
-  }
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    commands += label_command(labels[i], names[i], points[i], i < drawn.front.size());
   return commands;
 }
 
@@ -159,13 +194,10 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
                   label_commands(drawn, time, error),
       .abscissa = "ns",
       .curves = {
-          {.column = "front", .label = "the front", .look = Look::first, .has_points = true},
-          {.column = "float", .label = "other forms, float", .look = Look::second, .is_joined = false},
-          {.column = "double", .label = "other forms, double", .look = Look::third, .is_joined = false},
-          {.column = "reference",
-           .label = "by the library",
-           .look = Look::fourth,
-           .is_joined = false}}};
+          {.column = "front", .label = "front", .look = Look::first, .has_points = true},
+          {.column = "float", .label = "others, float", .look = Look::second, .is_joined = false},
+          {.column = "double", .label = "others, double", .look = Look::third, .is_joined = false},
+          {.column = "reference", .label = "by the library", .look = Look::fourth, .is_joined = false}}};
   // A legend names what there is.
   const Table data = data_of(drawn);
   std::erase_if(panel.curves, [&](const Curve& curve) {

@@ -26,8 +26,8 @@ std::size_t memory_bytes(std::size_t last_cache);
 /// The elements of a target's arrays that fit into the first cache together, a multiple of 64.
 std::size_t first_cache_elements(forms::Arguments arguments, std::size_t bytes_of_number);
 
-/// Memory, not yet written, that begins at a line of the cache, `offset` bytes after a page: arrays that are read and written
-/// together should not begin at equal places of their pages, where loads wait for stores.
+/// Memory, not yet written, that begins at a line of the cache, `offset` bytes after a page: arrays that are
+/// read and written together should not begin at equal places of their pages, where loads wait for stores.
 template <class Real>
 class Array {
  public:
