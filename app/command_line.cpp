@@ -9,6 +9,7 @@
 #include <iterator>
 #include <sstream>
 
+#include "app/bench_options.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "fit/user_error.hpp"
@@ -27,9 +28,10 @@ void require_values(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
-    constexpr std::array take_text{"--out",    "--baseline", "--measure",   "--target",
-                                   "--only",   "--verdict",  "--norm",      "--error",
-                                   "--weight", "--fix",      "--one-sided", "--round"};
+    constexpr std::array take_text{"--out",       "--baseline", "--measure", "--target",     "--only",
+                                   "--verdict",   "--norm",     "--error",   "--weight",     "--fix",
+                                   "--one-sided", "--round",    "--width",   "--exhaustive", "--constants",
+                                   "--shard",     "--state",    "--merge",   "--range"};
     const bool takes_text = std::find(take_text.begin(), take_text.end(), option) != take_text.end();
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
@@ -62,6 +64,7 @@ void require_known_command(const CLI::App& app, const std::vector<std::string>& 
 /// What the arguments set, and what came of it.
 struct Call {
   const Checkpoint& checkpoint;
+  const Progress& progress;
   ListOptions list = {};
   RunOptions run = {};
   bool no_plots = false;
@@ -71,6 +74,7 @@ struct Call {
   VerifyOptions verify = {};
   ExplainOptions explain = {};
   CheckOptions check = {};
+  BenchOptions bench = {};
   bool all = false;
   Outcome outcome = {};
 };
@@ -253,12 +257,19 @@ void add_check(CLI::App& app, Call& call) {
   check->callback([&call] { call.outcome = check_command(call.check, call.checkpoint); });
 }
 
-Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint) {
+void add_bench(CLI::App& app, Call& call) {
+  add_bench_options(app, call.bench)->callback([&call] {
+    call.outcome = bench_command(call.bench, SHADEFIT_VERSION, call.checkpoint, call.progress);
+  });
+}
+
+Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                      const Progress& progress) {
   CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
                "shadefit"};
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION);
   app.require_subcommand(1);
-  Call call{.checkpoint = checkpoint};
+  Call call{.checkpoint = checkpoint, .progress = progress};
   add_list(app, call);
   add_run(app, call);
   add_fit(app, call);
@@ -267,6 +278,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_verify(app, call);
   add_explain(app, call);
   add_check(app, call);
+  add_bench(app, call);
 
   try {
     require_known_command(app, arguments);
@@ -289,9 +301,10 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
 
 }  // namespace
 
-Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint) {
+Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                         const Progress& progress) {
   try {
-    return parse_and_run(arguments, checkpoint);
+    return parse_and_run(arguments, checkpoint, progress);
   } catch (const UserError& error) {
     return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
   } catch (const Interrupted& interrupted) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/progress.hpp"
 #include "fit/checkpoint.hpp"
 
 /// The command `shadefit`: arguments in, texts and exit code out.
@@ -17,8 +18,9 @@ struct Outcome {
 
 /// Runs the command; `arguments` without the program's name. Reads and writes files as the subcommand says,
 /// never a standard stream. Does not throw. `checkpoint` is called between the steps of long work and may end
-/// it by throwing Interrupted (app/interrupt.hpp): nothing is written then.
-Outcome run_command_line(const std::vector<std::string>& arguments,
-                         const Checkpoint& checkpoint = keep_going);
+/// it by throwing Interrupted (app/interrupt.hpp): nothing is written then, but by commands that keep a state
+/// to go on from and say so. `progress` is shown how far that work is.
+Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint = keep_going,
+                         const Progress& progress = unwatched);
 
 }  // namespace shadefit

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
+#include "app/draw_figures.hpp"
 #include "approx/ledger.hpp"
 #include "fit/ledger.hpp"
 #include "fit/user_error.hpp"
 #include "reports/baseline.hpp"
 #include "reports/comparisons.hpp"
 #include "reports/fit_json.hpp"
-#include "reports/gnuplot.hpp"
 #include "reports/ledger_section.hpp"
 #include "reports/plots.hpp"
 #include "reports/report.hpp"
@@ -21,39 +21,11 @@
 namespace shadefit {
 namespace {
 
-/// What a run says of its plots, on standard output and standard error.
-struct PlotsNews {
-  std::string out, err;
-};
-
 /// Draws the pictures that can be drawn, then writes everything at once: the report shows the figures that
 /// there is a picture of.
 PlotsNews write_results(const RunOptions& options, const Results& results, const Checkpoint& checkpoint) {
   auto figures = options.plots ? make_figures(results) : std::vector<Figure>{};
-  auto files = plot_files(figures);
-  const std::size_t all = figures.size();
-  const auto directory = printable((without_detours(options.out) / "plots").string());
-  // Of the pictures that this run does not draw, none of an older run may stand beside the new data.
-  std::vector<std::string> missing;
-  for (const Figure& figure : figures) missing.push_back("plots/" + figure.name + ".svg");
-  PlotsNews news;
-  if (const auto gnuplot = all > 0 ? find_gnuplot() : std::nullopt) {
-    std::vector<std::string> names;
-    for (const Figure& figure : figures) names.push_back(figure.name);
-    const Pictures pictures = draw_pictures(*gnuplot, files, names, checkpoint);
-    files.insert(files.end(), pictures.files.begin(), pictures.files.end());
-    for (const File& drawn : pictures.files) std::erase(missing, drawn.name);
-    for (const FailedPlot& failed : pictures.failed) {
-      news.err +=
-          fmt::format("shadefit: plot {} was not drawn: {}\n", failed.name, one_line(failed.complaint));
-      std::erase_if(figures, [&](const Figure& figure) { return figure.name == failed.name; });
-    }
-    news.out = fmt::format("\nPlots: {} of {} drawn in {}\n", figures.size(), all, directory);
-  } else if (all > 0) {
-    figures.clear();
-    news.out =
-        fmt::format("\nPlots skipped: gnuplot was not found; their data and scripts are in {}\n", directory);
-  }
+  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
   write_files(options.out, files, checkpoint, missing);

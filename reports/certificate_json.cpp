@@ -1,14 +1,13 @@
 #include "reports/certificate_json.hpp"
 
-#include <boost/crc.hpp>
 #include <cstdint>
-#include <cstdio>
 #include <functional>
 #include <optional>
 #include <utility>
 
 #include "fit/hex_float.hpp"
 #include "fit/user_error.hpp"
+#include "reports/digest.hpp"
 
 namespace shadefit {
 namespace {
@@ -16,21 +15,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kind_of_file = "shadefit certificate";
-constexpr const char* digest_field = "digest";
 
 std::string_view name(Origin side) {
   return side == Origin::peak ? "1 - c" : "c";
-}
-
-/// CRC-32, as in zip and PNG, of the fields but the digest.
-std::string digest_of(Json json) {
-  json.erase(digest_field);
-  const std::string bytes = json.dump();
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  std::array<char, 9> text{};
-  std::snprintf(text.data(), text.size(), "%08x", static_cast<unsigned>(crc.checksum()));
-  return text.data();
 }
 
 Json hex_list(const std::vector<double>& values) {

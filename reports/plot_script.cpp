@@ -91,12 +91,18 @@ std::string prelude(const Plot& plot) {
              1 - up(layout.above), across(between_columns), up(between_rows));
 }
 
+/// gnuplot's name for how a curve is drawn.
+const char* style_of(const Curve& curve) {
+  if (!curve.is_joined) return "points";
+  return curve.has_points ? "linespoints" : "lines";
+}
+
 std::string plotted(const Plot& plot, const Panel& panel, const Curve& curve) {
   const std::string x = panel.where.empty()
                             ? fmt::format("(column('{}'))", panel.abscissa)
                             : fmt::format("({} ? column('{}') : NaN)", panel.where, panel.abscissa);
   return fmt::format("'{}.csv' using {}:({}column('{}')) with {} ls {} notitle", plot.name, x,
-                     curve.in_percent ? "100*" : "", curve.column, curve.has_points ? "linespoints" : "lines",
+                     curve.in_percent ? "100*" : "", curve.column, style_of(curve),
                      static_cast<int>(curve.look));
 }
 
@@ -130,9 +136,8 @@ std::string legend_text(const Plot& plot) {
   const auto legend = legend_of(plot);
   std::vector<std::string> lines{"2 notitle"};
   for (const Curve& curve : legend) {
-    lines.push_back(fmt::format("keyentry with {} ls {} title '{}'",
-                                curve.has_points ? "linespoints" : "lines", static_cast<int>(curve.look),
-                                curve.label));
+    lines.push_back(fmt::format("keyentry with {} ls {} title '{}'", style_of(curve),
+                                static_cast<int>(curve.look), curve.label));
   }
   return fmt::format(
       "\nunset arrow; unset label; unset logscale; unset x2tics; unset xtics; unset ytics; unset border\n"

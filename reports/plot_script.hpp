@@ -27,6 +27,7 @@ struct Curve {
   Look look;
   bool in_percent = false;
   bool has_points = false;  ///< marks the rows: for curves that are known at few places
+  bool is_joined = true;    ///< by a line; else it is points alone
 };
 
 /// A horizontal line that the curves are to be compared with, labelled at its right end.

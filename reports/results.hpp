@@ -10,6 +10,7 @@
 #include "fit/normalisation_check.hpp"
 #include "fit/refit.hpp"
 #include "fit/reflectance.hpp"
+#include "reports/known.hpp"
 
 /// Everything that a run computes, before it becomes rows.
 namespace shadefit {
@@ -44,9 +45,5 @@ std::string which_fit(const Fit& fit);
 
 /// One line for each fit that did not converge, with the reason.
 std::string not_converged_lines(const Refit& refit);
-
-/// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of
-/// `known`. `what` says what it should name.
-void require_known(const std::string& id, const std::vector<std::string>& known, const std::string& what);
 
 }  // namespace shadefit

@@ -1,0 +1,101 @@
+#include "bench/exhaustive/float_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+#include <numeric>
+#include <vector>
+
+namespace shadefit::bench {
+
+std::uint64_t FloatErrors::count() const {
+  return std::accumulate(ulps.begin(), ulps.end(), nans);
+}
+
+namespace {
+
+/// A maximum with the smallest place of it.
+template <class T>
+void keep_larger(T& most, std::uint32_t& at, T value, std::uint32_t value_at) {
+  if (value > most || (value == most && value_at < at)) {
+    most = value;
+    at = value_at;
+  }
+}
+
+}  // namespace
+
+void include(FloatErrors& into, const FloatErrors& more) {
+  keep_larger(into.max_abs_error, into.max_abs_error_at, more.max_abs_error, more.max_abs_error_at);
+  keep_larger(into.max_ulps, into.max_ulps_at, more.max_ulps, more.max_ulps_at);
+  for (std::size_t i = 0; i < into.ulps.size(); ++i) into.ulps[i] += more.ulps[i];
+  into.nans += more.nans;
+  into.above_one += more.above_one;
+  into.below_zero += more.below_zero;
+}
+
+namespace {
+
+/// So many floats at a time that they, their values and the truth stay in the first cache.
+constexpr std::size_t block = 1024;
+
+struct Block {
+  alignas(64) std::array<float, block> in;
+  alignas(64) std::array<float, block> out;
+  alignas(64) std::array<double, block> truth;
+};
+
+void look_at(const Block& floats, std::size_t count, std::uint32_t first, FloatErrors& found) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float value = floats.out[i];
+    const auto at = first + static_cast<std::uint32_t>(i);
+    if (std::isnan(value)) {
+      ++found.nans;
+      continue;
+    }
+    found.above_one += value > 1 ? 1 : 0;
+    found.below_zero += value < 0 ? 1 : 0;
+    const auto error = static_cast<float>(std::abs(static_cast<double>(value) - floats.truth[i]));
+    const std::uint32_t steps = float_steps(value, static_cast<float>(floats.truth[i]));
+    ++found.ulps[static_cast<std::size_t>(std::bit_width(steps))];
+    keep_larger(found.max_abs_error, found.max_abs_error_at, error, at);
+    keep_larger(found.max_ulps, found.max_ulps_at, steps, at);
+  }
+}
+
+}  // namespace
+
+FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch) {
+  Block floats;
+  FloatErrors found;
+  std::uint64_t left = stretch.size();
+  for (std::uint32_t first = stretch.from; left > 0; first += block) {
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(block, left));
+    // The last block is filled up with its last float: kernels have no rest.
+    for (std::size_t i = 0; i < block; ++i)
+      floats.in[i] = std::bit_cast<float>(first + static_cast<std::uint32_t>(std::min(i, count - 1)));
+    subject.form(floats.in.data(), floats.out.data(), block);
+    subject.truth(floats.in.data(), floats.truth.data(), block);
+    look_at(floats, count, first, found);
+    left -= count;
+  }
+  return found;
+}
+
+FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch, unsigned threads) {
+  const std::uint64_t parts = std::max(threads, 1U);
+  const auto end_of = [&](std::uint64_t part) {
+    return stretch.from + static_cast<std::uint32_t>(stretch.size() * part / parts);
+  };
+  std::vector<std::future<FloatErrors>> others;
+  for (std::uint64_t part = 1; part < parts; ++part) {
+    others.push_back(std::async(std::launch::async, [&subject, from = end_of(part), to = end_of(part + 1)] {
+      return errors_on(subject, Stretch{from, to});
+    }));
+  }
+  FloatErrors found = errors_on(subject, Stretch{stretch.from, end_of(1)});
+  for (auto& other : others) include(found, other.get());
+  return found;
+}
+
+}  // namespace shadefit::bench

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "bench/exhaustive/sweep.hpp"
+
+/// Sweeps as files: a shard's result, a state to go on from, and the result of the whole are one kind of
+/// file, so that the whole is the same bytes whether it came in one go or not.
+///
+/// Constants and errors are hexadecimal texts, nothing is rounded; floats are named by their bit patterns.
+/// `digest` is that of certificates.
+namespace shadefit::bench {
+
+/// The version of the file; it rises when a field changes its meaning.
+inline constexpr int sweep_schema = 1;
+
+/// The text of a file.
+std::string state_text(const Sweep& sweep);
+
+/// Reads one back; `name` is for messages. Throws UserError, a line, for a text that ends early, is no JSON,
+/// no such state, of another version, lacks a field, or has another digest than its fields.
+Sweep parse_state(const std::string& text, const std::string& name);
+
+/// Puts a state into its place as `write_files` does: an error leaves the old one as it was.
+void keep_state(const std::filesystem::path& path, const Sweep& sweep);
+
+/// Reads a file. Throws UserError as `parse_state` and `read_file` do.
+NamedSweep read_state(const std::filesystem::path& path);
+
+}  // namespace shadefit::bench

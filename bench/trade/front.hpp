@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+/// Which of many ways are worth a thought: those that no other beats.
+namespace shadefit::bench {
+
+/// What a way costs and how wrong it is; less of either is better.
+struct Offer {
+  double time;
+  double error;
+};
+
+/// The offers that no other one beats in one of the two without being worse in the other, as places in the
+/// list, the fastest and so the least exact first. Of equal offers the first. NaN is on no front.
+inline std::vector<std::size_t> front_of(const std::vector<Offer>& offers) {
+  std::vector<std::size_t> order(offers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) {
+    return !(offers[i].time == offers[i].time && offers[i].error == offers[i].error);
+  });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return offers[i].time != offers[j].time ? offers[i].time < offers[j].time
+                                            : offers[i].error < offers[j].error;
+  });
+  std::vector<std::size_t> front;
+  for (const std::size_t i : order) {
+    if (front.empty() || offers[i].error < offers[front.back()].error) front.push_back(i);
+  }
+  return front;
+}
+
+}  // namespace shadefit::bench

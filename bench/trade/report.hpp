@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/trade/trade.hpp"
+#include "reports/figure.hpp"
+#include "reports/files.hpp"
+
+/// A bench as files.
+namespace shadefit::bench {
+
+/// bench.md: what to use when, the fronts as tables and pictures, the goals, and how it was measured.
+std::string bench_report(const Trade& trade, const std::vector<Figure>& figures);
+
+/// The figures of all targets that have one.
+std::vector<Figure> bench_figures(const Trade& trade);
+
+/// bench.md, bench.csv, accuracy.csv.
+std::vector<File> bench_files(const Trade& trade, const Table& accuracy, const std::vector<Figure>& figures);
+
+}  // namespace shadefit::bench

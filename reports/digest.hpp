@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace shadefit {
+
+/// The field that holds the digest of the others.
+inline constexpr const char* digest_field = "digest";
+
+/// CRC-32, as in zip and PNG, of a file's fields but the digest, compact and in their order, in hexadecimal.
+/// It is for accidents: a changed digit, a lost line.
+std::string digest_of(nlohmann::ordered_json json);
+
+}  // namespace shadefit

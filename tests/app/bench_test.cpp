@@ -1,0 +1,241 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/bench_options.hpp"
+#include "app/command_line.hpp"
+#include "app/interrupt.hpp"
+#include "reports/csv.hpp"
+#include "reports/files.hpp"
+#include "tests/process.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::run_process;
+using testing::snapshot;
+using testing::TemporaryDirectory;
+
+/// A sweep of so few floats that it takes no time: 3000 around 1/2.
+constexpr const char* few = "0x3efff000:0x3f000000";
+
+Outcome bench(std::vector<std::string> arguments, const Checkpoint& checkpoint = keep_going) {
+  arguments.insert(arguments.begin(), "bench");
+  return run_command_line(arguments, checkpoint);
+}
+
+std::string refusal(const std::vector<std::string>& arguments) {
+  const Outcome outcome = bench(arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out.substr(0, 200);
+  EXPECT_EQ(outcome.out, "");
+  return outcome.err;
+}
+
+// One width of one target: what the whole is made of, in a second.
+TEST(BenchCommand, WritesTimesReportAndPictureData) {
+  const TemporaryDirectory directory;
+  const std::string out = directory / "out";
+  const Outcome outcome =
+      bench({"--quick", "--no-plots", "--only", "schlick", "--width", "sse2", "--out", out, "--json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_GT(json.at("benchmarks").size(), 100U);
+  const auto files = snapshot(out);
+  EXPECT_TRUE(files.contains("bench.md"));
+  ASSERT_TRUE(files.contains("bench.csv"));
+  EXPECT_FALSE(files.contains("plots"));
+  const CsvTable csv = parse_csv(files.at("bench.csv"), "bench.csv");
+  std::set<std::string> targets, widths, places;
+  for (const auto& row : csv.rows) {
+    targets.insert(row[0]);
+    widths.insert(row[5]);
+    places.insert(row[6]);
+    EXPECT_GT(std::stod(row[7]), 0) << "a time of " << row[1];
+    if (row[1] != "copy") {
+      EXPECT_NE(row[9], "") << "copies of " << row[1];
+      EXPECT_NE(row[10], "") << "pow of " << row[1];
+      EXPECT_NE(row[11], "") << "error of " << row[1];
+    }
+  }
+  EXPECT_EQ(targets, (std::set<std::string>{"", "schlick"}));
+  EXPECT_EQ(widths, (std::set<std::string>{"scalar", "SSE2"}));
+  EXPECT_EQ(places, (std::set<std::string>{"L1", "memory"}));
+}
+
+TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(refusal({"--only", "schlik"}), "shadefit: unknown target 'schlik': did you mean 'schlick'?\n");
+  EXPECT_EQ(refusal({"--width", "neon"}),
+            "shadefit: --width 'neon' is unknown: it must be one of scalar, sse2, avx2, avx512\n");
+  EXPECT_EQ(refusal({"--shard", "1/2"}), "shadefit: --shard does not apply: it belongs to --exhaustive\n");
+  EXPECT_EQ(refusal({"--out", "--json"}),
+            "shadefit: --out '--json' looks like an option: name a value (a path may begin with './')\n");
+  const auto here = forms::widths_here();
+  if (here.back() != forms::Width::avx512) {
+    EXPECT_EQ(refusal({"--width", "avx512"}),
+              "shadefit: --width 'avx512' is not of this machine: its widest registers are " +
+                  std::string(forms::name(here.back())) + "\n");
+  }
+}
+
+TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
+  const TemporaryDirectory directory;
+  const auto refused = [&](std::vector<std::string> arguments) {
+    for (const char* more : {"--out", ""}) arguments.push_back(*more != '\0' ? more : directory / "out");
+    return refusal(arguments);
+  };
+  EXPECT_EQ(refused({"--exhaustive", "schlik"}),
+            "shadefit: unknown form of one cosine 'schlik': did you mean 'schlick'?\n");
+  EXPECT_EQ(
+      refused({"--exhaustive", "phong-sg"}),
+      "shadefit: --exhaustive 'phong-sg' is no form of one cosine: it reads a normal of each element\n");
+  EXPECT_EQ(
+      refused({"--exhaustive", "gloss-sg"}),
+      "shadefit: --exhaustive 'gloss-sg' is no form of one cosine: it reads a gloss too of each element\n");
+  EXPECT_EQ(refused({"--exhaustive", "fresnel-fourth", "--constants", "mine"}).substr(0, 63),
+            "shadefit: --constants 'mine' is no set of fresnel-fourth: it mu");
+  EXPECT_EQ(refused({"--exhaustive", "schlick", "--exp2-degree", "3"}),
+            "shadefit: --exp2-degree 3 is none of schlick: it must be one of 0\n");
+  EXPECT_EQ(refused({"--exhaustive", "schlick", "--quick"}),
+            "shadefit: --quick does not apply: --exhaustive times nothing\n");
+  for (const char* shard : {"3/2", "0/4", "a/b"}) {
+    EXPECT_EQ(refused({"--exhaustive", "schlick", "--shard", shard}),
+              "shadefit: --shard '" + std::string(shard) +
+                  "' is no part of a whole: it must be i/n with 1 <= i <= n\n");
+  }
+  for (const char* range : {"1:1", "0:0x3f800002", "a:b", "5", "2:1"}) {
+    EXPECT_EQ(refused({"--exhaustive", "schlick", "--range", range}),
+              "shadefit: --range '" + std::string(range) +
+                  "' is no range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001\n");
+  }
+  EXPECT_TRUE(snapshot(directory.path()).empty()) << "nothing was written";
+}
+
+TEST(ExhaustiveCommand, ShardsMergeToTheBytesOfTheWhole) {
+  const TemporaryDirectory directory;
+  const auto run = [&](const std::string& state, std::vector<std::string> more) {
+    for (const char* argument : {"--exhaustive", "sg", "--exp2-degree", "3", "--range", few, "--state"})
+      more.emplace_back(argument);
+    more.push_back(directory / state);
+    return bench(more);
+  };
+  ASSERT_EQ(run("whole", {}).exit_code, 0);
+  for (const char* shard : {"1/3", "2/3", "3/3"})
+    ASSERT_EQ(run(std::string("shard") + shard[0], {"--shard", shard}).exit_code, 0);
+  const Outcome merged =
+      run("merged", {"--merge", directory / "shard2", directory / "shard1", directory / "shard3"});
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(read_file(directory / "merged"), read_file(directory / "whole"));
+  EXPECT_EQ(merged.out.substr(0, 60), run("whole", {}).out.substr(0, 60)) << "asked again, it is there";
+
+  // What is missing, doubled or foreign is refused, and nothing is written.
+  const auto before = snapshot(directory.path());
+  EXPECT_EQ(run("new", {"--merge", directory / "shard1", directory / "shard3"}).err,
+            "shadefit: --merge: shard 2/3 is missing\n");
+  EXPECT_EQ(run("new", {"--merge", directory / "shard1", directory / "shard1"}).exit_code, 2);
+  const Outcome foreign = bench({"--exhaustive", "schlick", "--range", few, "--state", directory / "whole"});
+  EXPECT_EQ(foreign.exit_code, 2);
+  EXPECT_EQ(foreign.err, "shadefit: state file '" + (directory / "whole") +
+                             "' is of another form: sg, not schlick; name another by --state\n");
+  EXPECT_EQ(run("shard1", {}).exit_code, 2) << "a shard is not the whole";
+  EXPECT_EQ(snapshot(directory.path()), before);
+}
+
+TEST(ExhaustiveCommand, AStateThatWasChangedOrCutOffIsRefusedAndLeftAlone) {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> command{"--exhaustive", "schlick",          "--range", few,
+                                         "--state",      directory / "state"};
+  ASSERT_EQ(bench(command).exit_code, 0);
+  const std::string whole = read_file(directory / "state");
+  std::string changed = whole;
+  changed.replace(changed.find("\"nans\": 0"), 9, "\"nans\": 1");
+  for (const std::string& bad :
+       {whole.substr(0, whole.size() / 2), changed, std::string(), std::string("{}")}) {
+    directory.file("state", bad);
+    const Outcome outcome = bench(command);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(outcome.err.starts_with("shadefit: state file '" + (directory / "state") + "' "))
+        << outcome.err;
+    EXPECT_EQ(read_file(directory / "state"), bad);
+  }
+}
+
+TEST(ExhaustiveCommand, InterruptedItLeavesAStateThatTheSameCommandGoesOnFrom) {
+  const TemporaryDirectory directory;
+  // Several batches of floats, on which a form of multiplications takes a moment.
+  const std::vector<std::string> command{"--exhaustive", "schlick", "--range", "0x3c000000:0x3e000000",
+                                         "--state"};
+  const auto with_state = [&](const std::string& state) {
+    auto arguments = command;
+    arguments.push_back(directory / state);
+    return arguments;
+  };
+  ASSERT_EQ(bench(with_state("whole")).exit_code, 0);
+  int calls = 0;
+  const Outcome stopped = bench(with_state("resumed"), [&] {
+    if (++calls == 4) throw Interrupted{SIGINT};
+  });
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_TRUE(stopped.err.starts_with("shadefit: interrupted at ")) << stopped.err;
+  EXPECT_TRUE(stopped.err.ends_with(" %: the same command goes on from '" + (directory / "resumed") + "'\n"))
+      << stopped.err;
+  EXPECT_NE(read_file(directory / "resumed"), read_file(directory / "whole"));
+  EXPECT_EQ(bench(with_state("resumed")).exit_code, 0);
+  EXPECT_EQ(read_file(directory / "resumed"), read_file(directory / "whole"));
+}
+
+TEST(ExhaustiveCommand, ASignalEndsTheProcessWithAState) {
+  const TemporaryDirectory directory;
+  auto finished = run_process({"bench", "--exhaustive", "schlick", "--state", directory / "state"},
+                              [] { testing::leave_pending(SIGTERM, SIG_DFL); });
+  EXPECT_EQ(finished.exit_code, 143);
+  EXPECT_EQ(finished.out, "");
+  EXPECT_EQ(finished.err, "shadefit: interrupted at 0.0 %: the same command goes on from '" +
+                              (directory / "state") + "'\n");
+  EXPECT_TRUE(std::filesystem::exists(directory / "state"));
+  finished = run_process({"bench", "--quick", "--out", directory / "out"},
+                         [] { testing::leave_pending(SIGINT, SIG_DFL); });
+  EXPECT_EQ(finished.exit_code, 130);
+  EXPECT_EQ(finished.err, "shadefit: interrupted, nothing was written\n");
+  EXPECT_FALSE(std::filesystem::exists(directory / "out"));
+}
+
+TEST(ExhaustiveCommand, AFullDiskLeavesTheOldState) {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> whole{"bench",   "--exhaustive", "schlick", "--range",          few,
+                                       "--shard", "1/2",          "--state", directory / "state"};
+  const auto refused = run_process(whole, [] { testing::limit_file_size(100); });
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_EQ(refused.err, "shadefit: cannot write '" + (directory / "state") + "': File too large\n");
+  EXPECT_TRUE(snapshot(directory.path()).empty());
+  // One that was begun stays where it was.
+  run_process(whole, [] { testing::leave_pending(SIGINT, SIG_DFL); });
+  const auto before = snapshot(directory.path());
+  ASSERT_EQ(before.size(), 1U);
+  EXPECT_EQ(run_process(whole, [] { testing::limit_file_size(100); }).exit_code, 2);
+  EXPECT_EQ(snapshot(directory.path()), before);
+}
+
+TEST(Progress, ALineHasABarAPercentageAndWhatIsLeft) {
+  EXPECT_EQ(progress_line("bench", 0, 0), "bench [..............................] 0 %");
+  EXPECT_EQ(progress_line("bench", 0.5, 7), "bench [###############...............] 50 %, 7 s left");
+  EXPECT_EQ(progress_line("bench", 1, 7), "bench [##############################] 100 %, 0 s left");
+  EXPECT_EQ(progress_line("bench", 0.999, 1).substr(38), " 99 %, 1 s left") << "100 % is the whole";
+}
+
+TEST(Progress, IsSilentWhereThereIsNoTerminal) {
+  std::array<int, 2> pipe{};
+  ASSERT_EQ(::pipe(pipe.data()), 0);
+  const Progress progress = terminal_progress(pipe[1]);
+  progress("something");
+  progress("");
+  ::close(pipe[1]);
+  EXPECT_EQ(testing::read_all(pipe[0]), "");
+}
+
+}  // namespace
+}  // namespace shadefit

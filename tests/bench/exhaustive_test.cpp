@@ -1,0 +1,316 @@
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "bench/exhaustive/float_errors.hpp"
+#include "bench/exhaustive/state_file.hpp"
+#include "bench/exhaustive/sweep.hpp"
+#include "fit/user_error.hpp"
+#include "reports/digest.hpp"
+#include "reports/files.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit::bench {
+namespace {
+
+using shadefit::testing::TemporaryDirectory;
+
+std::string refusal(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::uint32_t bits(float x) {
+  return std::bit_cast<std::uint32_t>(x);
+}
+
+TEST(FloatSteps, CountsFloatsBetweenKnownPairs) {
+  const float tiny = std::numeric_limits<float>::denorm_min();
+  EXPECT_EQ(float_steps(1, 1), 0U);
+  EXPECT_EQ(float_steps(1, std::nextafter(1.0F, 2.0F)), 1U);
+  EXPECT_EQ(float_steps(std::nextafter(1.0F, 0.0F), std::nextafter(1.0F, 2.0F)), 2U)
+      << "across a power of two";
+  EXPECT_EQ(float_steps(0.0F, -0.0F), 0U);
+  EXPECT_EQ(float_steps(tiny, -tiny), 2U) << "across zero";
+  EXPECT_EQ(float_steps(0, tiny), 1U);
+  EXPECT_EQ(
+      float_steps(std::numeric_limits<float>::min(), std::nextafter(std::numeric_limits<float>::min(), 0.0F)),
+      1U)
+      << "the largest subnormal is beside the least normal";
+  EXPECT_EQ(float_steps(1, 2), 1U << 23);
+  EXPECT_EQ(float_steps(0, 1), 0x3f800000U);
+  EXPECT_EQ(float_steps(-1, 1), 2 * 0x3f800000U);
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(float_steps(-infinity, infinity), 2 * 0x7f800000U);
+}
+
+TEST(Exhaustive, TheWholeHasEveryFloatOfTheUnitInterval) {
+  EXPECT_EQ(unit_floats.size(), 1'065'353'217U);
+}
+
+/// (1-c)^5 in float by multiplications, with a few inputs that go wrong.
+FloatSubject schlick_with_faults() {
+  return {[](const float* in, float* out, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) {
+              const float y = 1 - in[i], y2 = y * y;
+              out[i] = y2 * y2 * y;
+              if (bits(in[i]) % 1000 == 7) out[i] = std::numeric_limits<float>::quiet_NaN();
+              if (bits(in[i]) % 1000 == 8) out[i] = 1.5F;
+              if (bits(in[i]) % 1000 == 9) out[i] = -out[i];
+            }
+          },
+          [](const float* in, double* out, std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) out[i] = std::pow(1 - static_cast<double>(in[i]), 5);
+          }};
+}
+
+/// The same by one float after the other, as it would be written first.
+FloatErrors by_hand(const FloatSubject& subject, const Stretch& stretch) {
+  FloatErrors found;
+  double largest = -1;
+  std::int64_t most = -1;
+  for (std::uint32_t at = stretch.from; at < stretch.to; ++at) {
+    std::array<float, 64> in{}, out{};
+    std::array<double, 64> truth{};
+    in.fill(std::bit_cast<float>(at));
+    subject.form(in.data(), out.data(), in.size());
+    subject.truth(in.data(), truth.data(), in.size());
+    if (std::isnan(out[0])) {
+      ++found.nans;
+      continue;
+    }
+    if (out[0] > 1) ++found.above_one;
+    if (out[0] < 0) ++found.below_zero;
+    const double error = static_cast<float>(std::abs(out[0] - truth[0]));
+    if (error > largest) {
+      largest = error;
+      found.max_abs_error = static_cast<float>(error);
+      found.max_abs_error_at = at;
+    }
+    // Steps as they are counted with fingers: by nextafter, where they are few.
+    const float wanted = static_cast<float>(truth[0]);
+    std::int64_t steps = 0;
+    for (float x = out[0]; x != wanted && steps < 1000; ++steps) x = std::nextafter(x, wanted);
+    if (steps >= 1000) steps = float_steps(out[0], wanted);
+    if (steps > most) {
+      most = steps;
+      found.max_ulps = static_cast<std::uint32_t>(steps);
+      found.max_ulps_at = at;
+    }
+    std::size_t bin = 0;
+    while (steps >> bin != 0) ++bin;
+    ++found.ulps.at(bin);
+  }
+  return found;
+}
+
+TEST(Exhaustive, FindsWhatALoopByHandFinds) {
+  const FloatSubject subject = schlick_with_faults();
+  // Before and after a block's end, one float alone, none, the end of the whole.
+  for (const Stretch& stretch : {Stretch{bits(0.5F) - 1500, bits(0.5F) + 1700},
+                                 {bits(0.25F), bits(0.25F) + 1},
+                                 {bits(0.25F), bits(0.25F)},
+                                 {bits(0.25F), bits(0.25F) + 1024},
+                                 {unit_floats.to - 3000, unit_floats.to},
+                                 {0, 2100}}) {
+    const FloatErrors wanted = by_hand(subject, stretch), found = errors_on(subject, stretch);
+    EXPECT_EQ(found, wanted) << stretch.from;
+    EXPECT_EQ(found.count(), stretch.size());
+    for (const unsigned threads : {1U, 2U, 3U, 7U}) EXPECT_EQ(errors_on(subject, stretch, threads), wanted);
+  }
+}
+
+TEST(Exhaustive, OfEqualMaximaTheSmallestInputIsKeptWhateverTheOrder) {
+  FloatErrors low, high, both;
+  low.max_ulps = high.max_ulps = 3;
+  low.max_ulps_at = 10;
+  high.max_ulps_at = 20;
+  include(both, high);
+  include(both, low);
+  EXPECT_EQ(both.max_ulps_at, 10U);
+  include(both, FloatErrors{});
+  EXPECT_EQ(both.max_ulps_at, 10U);
+}
+
+TEST(Exhaustive, WhatAThreadThrowsIsThrown) {
+  FloatSubject subject = schlick_with_faults();
+  subject.truth = [](const float* in, double*, std::size_t) {
+    if (bits(in[0]) > 5000) throw std::runtime_error("no truth");
+  };
+  EXPECT_THROW(errors_on(subject, Stretch{0, 10000}, 2), std::runtime_error);
+}
+
+TEST(Shard, IsAPartOfAWhole) {
+  EXPECT_EQ(parse_shard("2/4"), (Shard{2, 4}));
+  EXPECT_TRUE(parse_shard("1/1").is_whole());
+  for (const char* text : {"3/2", "0/4", "a/b", "", "/", "1/", "/4", "1/4/2", "-1/4", "1/0", "1 /4", "1/4 ",
+                           "+1/4", "1/99999999999"}) {
+    EXPECT_EQ(refusal([&] { parse_shard(text); }),
+              "--shard '" + std::string(text) + "' is no part of a whole: it must be i/n with 1 <= i <= n");
+  }
+}
+
+TEST(Shard, ShardsAreTheWholeEachFloatOnce) {
+  for (const Stretch& whole : {unit_floats, Stretch{5, 12}, Stretch{5, 5}}) {
+    for (const unsigned of : {1U, 2U, 3U, 7U, 64U}) {
+      std::uint32_t next = whole.from;
+      for (unsigned index = 1; index <= of; ++index) {
+        const Stretch part = stretch_of({index, of}, whole);
+        EXPECT_EQ(part.from, next);
+        EXPECT_LE(part.size(), whole.size() / of + 1);
+        next = part.to;
+      }
+      EXPECT_EQ(next, whole.to);
+    }
+  }
+}
+
+SweepIdentity identity() {
+  return {"0.1.0", "schlick", 3, {0.775F, -5.5F}, "sse2", {bits(0.5F), bits(0.5F) + 10'000}};
+}
+
+Sweep done(const Shard& shard = {}, const SweepIdentity& of = identity()) {
+  Sweep sweep = begin_sweep(of, shard);
+  go_on(sweep, schlick_with_faults(), 1, [] {});
+  return sweep;
+}
+
+TEST(Sweep, IsTheSameInOneGoInShardsAndResumed) {
+  const std::string whole = state_text(done());
+  for (const unsigned of : {1U, 2U, 5U}) {
+    std::vector<NamedSweep> shards;
+    // In any order.
+    for (unsigned index = of; index >= 1; --index) shards.push_back({"file", done({index, of})});
+    EXPECT_EQ(state_text(merge(identity(), shards)), whole) << of;
+  }
+  Sweep sweep = begin_sweep(identity(), {});
+  int stops = 0;
+  while (!sweep.is_done()) {
+    try {
+      go_on(
+          sweep, schlick_with_faults(), 2, [] { throw 7; }, 1000);
+    } catch (int) {
+      ++stops;
+    }
+    // As it comes back from a file.
+    sweep = parse_state(state_text(sweep), "file");
+  }
+  EXPECT_EQ(stops, 5);
+  EXPECT_EQ(state_text(sweep), whole);
+}
+
+TEST(Sweep, MergingRefusesWhatIsMissingDoubledForeignOrUnfinished) {
+  const NamedSweep first{"one", done({1, 3})}, second{"two", done({2, 3})}, third{"three", done({3, 3})};
+  const auto refused = [&](const std::vector<NamedSweep>& shards) {
+    return refusal([&] { merge(identity(), shards); });
+  };
+  EXPECT_EQ(refused({first, second, third}), "");
+  EXPECT_EQ(refused({}), "--merge has no files: name the state files of all shards");
+  EXPECT_EQ(refused({first, third}), "--merge: shard 2/3 is missing");
+  EXPECT_EQ(refused({first, second}), "--merge: shard 3/3 is missing");
+  EXPECT_EQ(refused({first, second, {"again", first.sweep}, third}),
+            "state file 'again' is shard 1/3, which 'one' is already");
+  EXPECT_EQ(refused({first, {"half", done({2, 2})}}),
+            "state file 'half' is shard 2/2, 'one' one of 3: all must be of one whole");
+  EXPECT_EQ(refused({first, second, {"begun", begin_sweep(identity(), {3, 3})}}),
+            "state file 'begun', shard 3/3, is not finished: its own command goes on with it");
+}
+
+TEST(Sweep, WhatIsOfAnotherFormOrVersionIsNamed) {
+  const auto refused = [&](const std::function<void(SweepIdentity&)>& change) {
+    SweepIdentity other = identity();
+    change(other);
+    return refusal([&] { require_identity({"file", begin_sweep(other, {})}, identity()); });
+  };
+  EXPECT_EQ(refused([](SweepIdentity&) {}), "");
+  const auto line = [](const std::string& rule) {
+    return "state file 'file' is of another " + rule + "; name another by --state";
+  };
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.version = "0.2.0"; }), line("version: 0.2.0, not 0.1.0"));
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.form = "sg"; }), line("form: sg, not schlick"));
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.exp2_degree = 4; }), line("degree of exp2: 4, not 3"));
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.constants[1] = 1; }),
+            line("set of constants: (0x1.8ccccdp-1, 0x1p+0), not (0x1.8ccccdp-1, -0x1.6p+2)"));
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.width = "avx2"; }), line("width: avx2, not sse2"));
+  EXPECT_EQ(refused([](SweepIdentity& i) {
+              i.whole = {0, 16};
+            }),
+            line("range: 0x00000000:0x00000010, not 0x3f000000:0x3f002710"));
+}
+
+TEST(StateFile, ReadsBackWhatItWrote) {
+  const Sweep sweep = done({2, 3}), begun = begin_sweep(identity(), {});
+  for (const Sweep& s : {sweep, begun}) {
+    const Sweep read = parse_state(state_text(s), "file");
+    EXPECT_EQ(read.identity, s.identity);
+    EXPECT_EQ(read.shard, s.shard);
+    EXPECT_EQ(read.next, s.next);
+    EXPECT_EQ(read.found, s.found);
+  }
+}
+
+TEST(StateFile, EveryByteThatIsChangedOrCutOffIsSeen) {
+  const std::string text = state_text(done());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    EXPECT_TRUE(refusal([&] { parse_state(text.substr(0, i), "f"); }).starts_with("state file 'f' ") ||
+                i + 1 == text.size())
+        << "cut at " << i;
+    if (std::isspace(static_cast<unsigned char>(text[i]))) continue;
+    std::string changed = text;
+    changed[i] = changed[i] == '1' ? '2' : '1';
+    EXPECT_TRUE(refusal([&] { parse_state(changed, "f"); }).starts_with("state file 'f' "))
+        << "changed at " << i;
+  }
+}
+
+TEST(StateFile, RefusalsNameWhatIsWrong) {
+  const std::string text = state_text(done());
+  const auto refused = [](const std::string& content) { return refusal([&] { parse_state(content, "f"); }); };
+  EXPECT_EQ(refused(""), "state file 'f' ends early: it is no whole JSON");
+  EXPECT_EQ(refused(text.substr(0, 300)), "state file 'f' ends early: it is no whole JSON");
+  EXPECT_EQ(refused("hello"), "state file 'f' is no JSON");
+  EXPECT_EQ(refused("[1]"), "state file 'f' is none: its field 'file' does not say 'shadefit exhaustive'");
+  // Somebody who makes the digest anew meets the rules of the fields.
+  const auto changed = [&](const char* key, const nlohmann::ordered_json& value) {
+    auto json = nlohmann::ordered_json::parse(text);
+    json[key] = value;
+    json[digest_field] = digest_of(json);
+    return refused(json.dump());
+  };
+  EXPECT_EQ(changed("schema", 2), "state file 'f' is of schema 2: this shadefit reads schema 1");
+  EXPECT_EQ(changed("nans", 11),
+            "state file 'f' has a field 'ulps' that has not as many counts as floats are done");
+  EXPECT_EQ(changed("shard", {4, 3}), "state file 'f' has a field 'shard' that is no part of a whole");
+  EXPECT_EQ(changed("shard", {2, 3}), "state file 'f' has a field 'done' that is not of its shard");
+  EXPECT_EQ(changed("ulps", {1}), "state file 'f' has a field 'ulps' that has another number of bins");
+  EXPECT_EQ(changed("constants", {"1"}),
+            "state file 'f' has a field 'constants' that is no hexadecimal float");
+  EXPECT_EQ(changed("whole", {"0x10", "0x20"}),
+            "state file 'f' has a field 'whole' that is no bit pattern of a float");
+  EXPECT_EQ(changed("version", nullptr), "state file 'f' has a field 'version' that is no text");
+  auto json = nlohmann::ordered_json::parse(text);
+  json["nans"] = 11;
+  EXPECT_TRUE(refused(json.dump()).starts_with("state file 'f' was changed: its digest is "));
+}
+
+TEST(StateFile, StaysAsItWasWhereANewOneCannotBeWritten) {
+  const TemporaryDirectory directory;
+  const std::string path = directory / "state.json";
+  keep_state(path, done({1, 2}));
+  EXPECT_EQ(read_state(path).sweep.shard, (Shard{1, 2}));
+  keep_state(path, done({2, 2}));
+  EXPECT_EQ(read_state(path).sweep.shard, (Shard{2, 2}));
+  EXPECT_THROW(keep_state(path + "/below", done()), UserError);
+  EXPECT_EQ(read_state(path).sweep.shard, (Shard{2, 2}));
+  EXPECT_THROW(read_state(directory / "none"), UserError);
+}
+
+}  // namespace
+}  // namespace shadefit::bench
