@@ -60,13 +60,13 @@ const Published* published_for(const FittableFamily& family, std::string_view pa
 }
 
 /// Whose values a subject has.
-struct Chosen {
+struct ChosenSubject {
   Subject subject;
   std::string_view from;
 };
 
-Chosen chosen_constants(const CertifyOptions& options, const NamedFit& named, const Setting& setting,
-                        const Metric& metric, Error error) {
+ChosenSubject chosen_constants(const CertifyOptions& options, const NamedFit& named, const Setting& setting,
+                               const Metric& metric, Error error) {
   const FittableFamily& family = *named.family;
   Subject subject{std::string(family.info.id), {}, setting, error, metric.domain};
   if (options.parameters) {
@@ -88,7 +88,7 @@ Chosen chosen_constants(const CertifyOptions& options, const NamedFit& named, co
 }
 
 /// A relative width that bounds can have.
-double parse_width(const std::string& text) {
+double parse_relative_width(const std::string& text) {
   const auto width = parse_number(text);
   if (!width) throw UserError(fmt::format("--width '{}' is not a finite number", text));
   if (!(*width > 0 && *width < 1))
@@ -124,7 +124,7 @@ std::string not_reached(const Certificate& certificate, double width) {
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint) {
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
-  const double width = parse_width(options.width);
+  const double width = parse_relative_width(options.width);
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   const Metric metric = parse_metric(options.fit, family, settings);
   const Error error = metric.error;
@@ -137,7 +137,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   std::string err;
   for (const Setting& setting : settings) {
     checkpoint();
-    const Chosen chosen = chosen_constants(options, named, setting, metric, error);
+    const ChosenSubject chosen = chosen_constants(options, named, setting, metric, error);
     forms.push_back({certify(chosen.subject, width), chosen.from});
     if (!forms.back().certified.is_reached) err += not_reached(forms.back().certified.certificate, width);
   }

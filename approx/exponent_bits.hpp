@@ -63,7 +63,7 @@ struct BinaryLayout<double> {
 
 /// What is made of the layout: for scalars and for batches of them alike.
 template <std::floating_point T>
-struct ExponentRange {
+struct ExponentLimits {
   /// The bits below the exponent.
   static constexpr int mantissa_bits = std::numeric_limits<T>::digits - 1;
   /// 2^least is the power below the least normal one: its exponent bits are zero.
@@ -86,7 +86,7 @@ requires requires {
   typename BinaryLayout<T>::Bits;
 }
 struct ExponentBits<T> {
-  using Range = ExponentRange<T>;
+  using Range = ExponentLimits<T>;
   using Bits = typename BinaryLayout<T>::Bits;
 
   static SplitExponent<T> split(T x) {
@@ -104,7 +104,7 @@ struct ExponentBits<T> {
 template <>
 struct ExponentBits<long double> {
   static SplitExponent<long double, int> split(long double x) {
-    using Range = ExponentRange<double>;
+    using Range = ExponentLimits<double>;
     // beyond every exponent of the format, and a whole number that an int holds
     constexpr auto beyond = static_cast<long double>(32 * Range::largest);
     const long double within = Scalar<long double>::min(Scalar<long double>::max(x, -beyond), beyond);

@@ -53,7 +53,7 @@ struct Scalar<xsimd::batch<R, A>> {
 /// As of one float or double: see there.
 template <class R, class A>
 struct ExponentBits<xsimd::batch<R, A>> {
-  using Range = ExponentRange<R>;
+  using Range = ExponentLimits<R>;
   using T = xsimd::batch<R, A>;
   using Bits = xsimd::batch<typename BinaryLayout<R>::Bits, A>;
 
