@@ -206,7 +206,7 @@ TEST(Kernels, OfEveryWidthKeepWhatIsProven) {
         const auto out = data.run(compiled.in_float, parameters_of(target, form.constants.front()));
         for (std::size_t i = 0; i < size; ++i) {
           const auto error = static_cast<double>(std::fabs(static_cast<long double>(out[i]) - truth[i]));
-          ASSERT_LE(error, pairing->total + pairing->rounding) << name(width) << " " << form.id;
+          ASSERT_LE(error, pairing->total() + pairing->rounding) << name(width) << " " << form.id;
         }
       }
     }
