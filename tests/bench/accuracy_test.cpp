@@ -70,7 +70,8 @@ TEST(Accuracy, KeepsWhatIsProven) {
     const double total = number(row, "total_error"), rounding = number(row, "rounding_error");
     const std::string which = word(row, "form") + " " + word(row, "constants") + " " + word(row, "exp2");
     EXPECT_LE(number(row, "max_abs_error"), total + rounding) << which;
-    // at the place where |error| + bound |form| is largest the polynomial need not be at its worst, but near it is
+    // at the place where |error| + bound |form| is largest the polynomial need not be at its worst, but near
+    // it is
     EXPECT_GE(number(row, "max_abs_error"), 0.6 * total - rounding) << which;
     EXPECT_LE(rounding, 2e-5) << which;
     if (word(row, "paired") != "yes") continue;
