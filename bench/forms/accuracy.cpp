@@ -251,15 +251,15 @@ class Accuracy {
     const bool is_paired = row.pairing && row.pairing->degree == degree;
     const bool is_float = arithmetic == float_format.name;
     if (is_float) sampled_[static_cast<std::size_t>(degree)] = errors.absolute;
-    table_.rows.push_back({std::string(row.form.target), std::string(row.form.id), row.constants.id,
-                           values_of(row.constants), exp2, std::string(arithmetic),
-                           number(errors.absolute, digits), is_of_lights ? Cell() : number(errors.at, digits),
-                           number(errors.relative, digits), number(errors.rms, digits),
-                           number(errors.ulps, few), number(errors.codes, few),
-                           row.pairing ? number(row.pairing->own_upper, few) : Cell(),
-                           is_paired ? number(row.pairing->total, few) : Cell(),
-                           is_paired && is_float ? number(row.pairing->rounding, few) : Cell(),
-                           row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
+    table_.rows.push_back(
+        {std::string(row.form.target), std::string(row.form.id), row.constants.id, values_of(row.constants),
+         exp2, std::string(arithmetic), number(errors.absolute, digits),
+         is_of_lights ? Cell() : number(errors.at, digits), number(errors.relative, digits),
+         number(errors.rms, digits), number(errors.ulps, few), number(errors.codes, few),
+         row.pairing ? number(row.pairing->own_upper, few) : Cell(),
+         row.pairing ? number(row.pairing->totals[static_cast<std::size_t>(degree)], few) : Cell(),
+         row.pairing && is_float ? number(row.pairing->rounding, few) : Cell(),
+         row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
   }
 
   /// The pairing of a form without a proof: by the sampled errors of its rows in float.

@@ -17,8 +17,7 @@ namespace shadefit::forms {
 ///   double;
 /// - `own_error`: the proven bound of the form's error with an exact exp2, in exact arithmetic;
 /// `total_error`: the
-///   same with the polynomial of this row; `rounding_error`: what float adds at most, proven; both of the
-///   paired exp2 alone;
+///   same with the polynomial of this row; `rounding_error`: what float adds at most, proven;
 /// - `paired`: `yes` where the exp2 is the cheapest that keeps the total within 1 % of the form's own error,
 /// proven;
 ///   `sampled` where that was looked up in the rows of float, for lights and the gloss; else `no`.

@@ -16,8 +16,8 @@
 namespace shadefit::forms {
 namespace {
 
-/// Relative to the error: a hundredth of what decides.
-constexpr double width = allowed_addition / 100;
+/// Relative to the error: a tenth of what decides.
+constexpr double width = allowed_addition / 10;
 /// k and x, their sum, ln 2 and the quotient: what of a constant may be rounded before it is used.
 constexpr double roundings_of_constants = 5;
 
@@ -37,32 +37,39 @@ class Errors {
   Errors(const Family& family, const Constants& constants)
       : family_(family), constants_(enclosed<N>(constants)) {
     own_ = largest(0);
+    largest_form_ = largest(1, 0).upper;
   }
 
   const Enclosure& own() const { return own_; }
 
-  /// max (|error| + relative |form|): of the sum and of the difference, the larger. The form is positive.
+  /// max (|error| + relative |form|), from above. Where the second is next to nothing, by the largest of
+  /// each; else of the sum and of the difference, the larger. The form is positive.
   double upper_with(double relative) const {
+    constexpr double upwards = 1 + 0x1p-50;  // more than what the two operations round
+    const double apart = (own_.upper + relative * largest_form_) * upwards;
+    if (apart <= (1 + width) * own_.upper) return apart;
     return std::max(largest(relative).upper, largest(-relative).upper);
   }
 
  private:
-  Enclosure largest(double relative) const {
-    const Interval factor(relative);
+  /// max |errors * error + relative * form|
+  Enclosure largest(double relative, double errors = 1) const {
+    const Interval factor(relative), of_error(errors);
     const auto sum = [&]<class T>(const Cosine<T>& c) {
       std::array<T, N> p;
       for (std::size_t i = 0; i < N; ++i) p[i] = lift<T>(constants_[i]);
       const auto sample = family_.sample(c);
-      return T(family_.error(sample, p) + lift<T>(factor) * family_.form(sample, p));
+      return T(lift<T>(of_error) * family_.error(sample, p) + lift<T>(factor) * family_.form(sample, p));
     };
     EnclosureOptions options{.width = width};
-    if (relative != 0) options.hint = own_.attained;
+    if (relative != 0 && errors != 0) options.hint = own_.attained;
     return enclose_largest(sum, Domain{}, options);
   }
 
   Family family_;
   std::array<Interval, N> constants_;
   Enclosure own_;
+  double largest_form_ = 0;
 };
 
 /// A bound of what rounding to float adds to the form as it is timed, its exp2 off by `function` of its
@@ -79,7 +86,16 @@ double float_rounding_of(const std::array<Interval, N>& parameters, double funct
               &rounding};
     return Form()(RunningError{c.cos_theta, 0, &rounding}, p).error;
   };
-  return bound_of_rounding(error, Domain{});
+  // A bound has no need to be near: on so many boxes the values of a form are known to some percent.
+  constexpr int boxes_a_side = 128;
+  double bound = 0;
+  for (const Box& side : boxes_of(Domain{})) {
+    for (int i = 0; i < boxes_a_side; ++i) {
+      constexpr double step = half_way / boxes_a_side;
+      bound = std::max(bound, error(cosine_at(side.side, span_of(i * step, (i + 1) * step))));
+    }
+  }
+  return bound;
 }
 
 /// The bounds of the polynomials for float.
@@ -95,13 +111,11 @@ template <class Form, class Family>
 Pairing paired(const Family& family, const Constants& constants, std::vector<Interval> of_target) {
   const Errors<Family> errors(family, constants);
   Pairing pairing{.own_lower = errors.own().lower, .own_upper = errors.own().upper};
-  pairing.total = pairing.own_upper;
-  for (int degree = least_exp2_degree; degree <= largest_exp2_degree && pairing.degree == 0; ++degree) {
-    const double allowed = (1 + allowed_addition) * pairing.own_lower;
+  pairing.totals[0] = pairing.own_upper;
+  for (int degree = largest_exp2_degree; degree >= least_exp2_degree; --degree) {
     const double total = errors.upper_with(bound_of(degree));
-    if (total > allowed) continue;
-    pairing.degree = degree;
-    pairing.total = total;
+    pairing.totals[static_cast<std::size_t>(degree)] = total;
+    if (total <= (1 + allowed_addition) * pairing.own_lower) pairing.degree = degree;
   }
   std::array<Interval, Form::parameters> parameters;
   std::size_t next = 0;

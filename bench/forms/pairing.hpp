@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,12 +18,14 @@ inline constexpr double allowed_addition = 0.01;
 struct Pairing {
   double own_lower = 0, own_upper = 0;  ///< with an exact exp2: proven bounds
   int degree = 0;                       ///< of the cheapest polynomial that serves; 0: none does
-  /// With that polynomial for float in place of the exp2, in exact arithmetic: proven not to be exceeded.
-  /// Every result is off by no more than the polynomial's bound, relative, so it is the largest |error| +
-  /// bound |form|.
-  double total = 0;
+  /// By degree, with that polynomial for float in place of the exp2, in exact arithmetic: proven not to be
+  /// exceeded. Every result is off by no more than the polynomial's bound, relative, so it is the largest
+  /// |error| + bound |form|. At 0, with an exact exp2.
+  std::array<double, largest_exp2_degree + 1> totals{};
   /// What rounding adds at most where all is computed in float, the polynomial too: proven.
   double rounding = 0;
+
+  double total() const { return totals[static_cast<std::size_t>(degree)]; }
 };
 
 /// The pairing of an exp2 form of the lobe or of Schlick's weight; empty of all other forms. The forms of

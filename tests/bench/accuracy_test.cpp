@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
+#include <stdexcept>
 #include <string>
 
 #include "bench/forms/pairing.hpp"
@@ -33,11 +33,11 @@ double number(const std::vector<Cell>& row, const std::string& name) {
 
 /// The one row that is meant.
 const std::vector<Cell>& row(const std::string& form, const std::string& constants, const std::string& exp2,
-                             const std::string& arithmetic, const std::string& target = {}) {
+                             const std::string& arithmetic) {
   const std::vector<Cell>* found = nullptr;
   for (const auto& row : table().rows) {
     if (word(row, "form") != form || word(row, "constants") != constants || word(row, "exp2") != exp2 ||
-        word(row, "arithmetic") != arithmetic || (!target.empty() && word(row, "target") != target))
+        word(row, "arithmetic") != arithmetic)
       continue;
     EXPECT_EQ(found, nullptr) << form << " twice";
     found = &row;
@@ -60,17 +60,25 @@ TEST(Accuracy, KnowsWhatIsKnown) {
   EXPECT_GE(number(row("lobe-squarings", "none", "", "half"), "max_ulps"), 1);
 }
 
-// What was sampled in float keeps what was proven: the total error and the rounding.
+// What was sampled in float keeps what was proven: the total error and the rounding; and the proven bound is
+// not one of something else.
 TEST(Accuracy, KeepsWhatIsProven) {
-  int paired = 0;
+  int proven = 0, paired = 0;
   for (const auto& row : table().rows) {
-    if (word(row, "paired") != "yes" || word(row, "arithmetic") != "float") continue;
+    if (word(row, "total_error").empty() || word(row, "arithmetic") != "float") continue;
+    ++proven;
+    const double total = number(row, "total_error"), rounding = number(row, "rounding_error");
+    const std::string which = word(row, "form") + " " + word(row, "constants") + " " + word(row, "exp2");
+    EXPECT_LE(number(row, "max_abs_error"), total + rounding) << which;
+    // at the place where |error| + bound |form| is largest the polynomial need not be at its worst, but near
+    // it is
+    EXPECT_GE(number(row, "max_abs_error"), 0.6 * total - rounding) << which;
+    EXPECT_LE(rounding, 2e-5) << which;
+    if (word(row, "paired") != "yes") continue;
     ++paired;
-    EXPECT_LE(number(row, "max_abs_error"), number(row, "total_error") + number(row, "rounding_error"))
-        << word(row, "form") << " " << word(row, "constants");
-    EXPECT_LE(number(row, "total_error"), 1.0101 * number(row, "own_error"));
-    EXPECT_LE(number(row, "rounding_error"), 0.01 * number(row, "own_error") + 1e-4);
+    EXPECT_LE(total, 1.0101 * number(row, "own_error")) << which;
   }
+  EXPECT_GT(proven, 200);
   EXPECT_GT(paired, 30);
 }
 
@@ -83,22 +91,22 @@ TEST(Pairing, TakesTheCheapest) {
   EXPECT_EQ(pair->degree, 4);
   EXPECT_NEAR(pair->own_upper, 0.00377, 5e-6);
   EXPECT_LE(pair->own_lower, pair->own_upper);
-  EXPECT_LE(pair->total, 1.01 * pair->own_lower);
+  EXPECT_LE(pair->total(), 1.01 * pair->own_lower);
   const Constants plain{"", "", {{"x", "0", 0}}};
   EXPECT_EQ(pair_exp2("sg", plain)->degree, 3);
   EXPECT_FALSE(pair_exp2("schlick", {}));
   EXPECT_FALSE(pair_exp2("phong-sg", plain)) << "sampled";
 }
 
-// The goal of the lobe: the best constants with the cheapest exp2 are no worse than the published ones with
-// an exact exp2.
+// The best constants with the cheapest exp2 are no worse than the published ones with an exact exp2: proven.
 TEST(Accuracy, TheCheapestExp2BeatsThePublishedConstants) {
-  const double published =
-      number(row("sg", "published-sg-offset-mean", "library", "double", "lobe"), "max_abs_error");
-  EXPECT_LT(number(row("sg", "minimax-absolute", "2", "float", "lobe"), "max_abs_error"), published);
-  const double pair =
-      number(row("fresnel-quadratic", "published-fresnel-quadratic-a", "library", "double"), "max_abs_error");
-  EXPECT_LT(number(row("fresnel-quadratic", "minimax-absolute", "3", "float"), "max_abs_error"), pair);
+  const auto& published = row("sg", "published-sg-offset-mean", "library", "float");
+  const auto& cheap = row("sg", "minimax-absolute", "2", "float");
+  EXPECT_LT(number(cheap, "total_error") + number(cheap, "rounding_error"), number(published, "own_error"));
+  const auto& pair = row("fresnel-quadratic", "published-fresnel-quadratic-a", "library", "float");
+  const auto& cheap_pair = row("fresnel-quadratic", "minimax-absolute", "3", "float");
+  EXPECT_LT(number(cheap_pair, "total_error") + number(cheap_pair, "rounding_error"),
+            number(pair, "own_error"));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "approx/fresnel.hpp"
 #include "approx/gloss.hpp"
@@ -54,12 +55,15 @@ TEST(Exp2Fit, IsWhatIsPrinted) {
     EXPECT_EQ(exp2_for_double[record].degree, degree);
     for (std::size_t i = 0; i < fit.coefficients.size(); ++i) {
       const long double found = fit.coefficients[i];
-      EXPECT_EQ(constant<float>(exp2_for_float[record].printed[i]), static_cast<float>(found))
-          << "degree " << degree << ", c" << i + 1;
-      const auto printed = constant<long double>(exp2_for_double[record].printed[i]);
-      // half a unit of the fifteenth digit, and what a long double of these is off
-      const long double unit = std::pow(10.0L, std::floor(std::log10(found)) - 14);
-      EXPECT_LE(std::fabs(printed - found), 0.501L * unit) << "degree " << degree << ", c" << i + 1;
+      const std::string which = "degree " + std::to_string(degree) + ", c" + std::to_string(i + 1);
+      // half a unit of the last digit, and what a long double of these is off
+      const long double fifteenth = std::pow(10.0L, std::floor(std::log10(found)) - 14);
+      const auto as_double = constant<long double>(exp2_for_double[record].printed[i]);
+      EXPECT_LE(std::fabs(as_double - found), 0.501L * fifteenth) << which;
+      const auto nearest = static_cast<float>(found);
+      const auto as_float = constant<long double>(exp2_for_float[record].printed[i]);
+      EXPECT_EQ(constant<float>(exp2_for_float[record].printed[i]), nearest) << which;
+      EXPECT_LE(std::fabs(as_float - static_cast<long double>(nearest)), 0.501e6L * fifteenth) << which;
     }
   }
 }

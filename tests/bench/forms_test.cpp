@@ -141,14 +141,19 @@ TEST(Kernels, OfSse2AreTheScalarOnes) {
   EXPECT_GT(compared, 60);
 }
 
-/// What fusing multiply and add, and other functions, may change of a form, against the largest of its
-/// results: some sixty roundings, of the sums of 64 lights, of an exponent (the change of the result, t
+/// What fusing multiply and add, and other functions, may change of a form, in half ulps of the largest of
+/// its results: some sixty roundings, of the sums of 64 lights, of an exponent (the change of the result, t
 /// exp(-t) of its relative change, is at most 0.37 of it) or of a difference near the peak of a phase
-/// function.
-constexpr double roundings = 64;
+/// function. In A c - A the product is near A and rounded to half its ulps: A ln 2 of the result's, which is
+/// 2048 at a gloss of 255.
+double roundings_of(const FormEntry& form) {
+  constexpr double largest_power = 2048;
+  return form.target == "lobe-gloss" ? 2 * largest_power : 64;
+}
 
 template <class R>
-void expect_near(const std::vector<R>& expected, const std::vector<R>& found, const std::string& what) {
+void expect_near(const std::vector<R>& expected, const std::vector<R>& found, double roundings,
+                 const std::string& what) {
   const double tolerance = roundings * static_cast<double>(std::numeric_limits<R>::epsilon() / 2) *
                            static_cast<double>(*std::max_element(expected.begin(), expected.end()));
   for (std::size_t i = 0; i < size; ++i) {
@@ -170,10 +175,11 @@ TEST(Kernels, OfEveryWidthAreNearTheScalarOnes) {
         const CompiledForm& scalar = Tables::scalar[i];
         const std::string what =
             std::string(name(width)) + " " + std::string(form.id) + " " + std::to_string(scalar.exp2_degree);
-        expect_near(floats.run(scalar.in_float, parameters), floats.run(wide[i].in_float, parameters), what);
+        expect_near(floats.run(scalar.in_float, parameters), floats.run(wide[i].in_float, parameters),
+                    roundings_of(form), what);
         if (scalar.in_double == nullptr) continue;
         expect_near(doubles.run(scalar.in_double, parameters), doubles.run(wide[i].in_double, parameters),
-                    what);
+                    roundings_of(form), what);
       }
     }
   }
@@ -200,7 +206,7 @@ TEST(Kernels, OfEveryWidthKeepWhatIsProven) {
         const auto out = data.run(compiled.in_float, parameters_of(target, form.constants.front()));
         for (std::size_t i = 0; i < size; ++i) {
           const auto error = static_cast<double>(std::fabs(static_cast<long double>(out[i]) - truth[i]));
-          ASSERT_LE(error, pairing->total + pairing->rounding) << name(width) << " " << form.id;
+          ASSERT_LE(error, pairing->total() + pairing->rounding) << name(width) << " " << form.id;
         }
       }
     }
