@@ -61,9 +61,9 @@ Sweep begin_sweep(const SweepIdentity& identity, const Shard& shard) {
 void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
            std::uint32_t batch) {
   const std::uint32_t end = sweep.stretch().to;
-  const std::uint64_t step = std::uint64_t{batch} * std::max(threads, 1U);
   while (sweep.next < end) {
-    const auto to = static_cast<std::uint32_t>(std::min<std::uint64_t>(end, sweep.next + step));
+    const auto to =
+        static_cast<std::uint32_t>(std::min<std::uint64_t>(end, std::uint64_t{sweep.next} + batch));
     include(sweep.found, errors_on(subject, Stretch{sweep.next, to}, threads));
     sweep.next = to;
     between();

@@ -47,8 +47,8 @@ struct Sweep {
 /// One that has not begun.
 Sweep begin_sweep(const SweepIdentity& identity, const Shard& shard);
 
-/// Floats that a thread looks at before anybody may interrupt: some 20 ms of a cheap form.
-inline constexpr std::uint32_t usual_batch = 1U << 21;
+/// Floats that all threads together look at before anybody may interrupt: some 50 ms on two.
+inline constexpr std::uint32_t usual_batch = 1U << 22;
 
 /// Looks at the floats that are left. `between` is called after each batch, when `sweep` is in order: it may
 /// keep it, and end the work by throwing.

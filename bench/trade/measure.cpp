@@ -48,34 +48,39 @@ struct Memory {
 };
 
 /// The arrays of all targets of a precision, made where they are first needed. Targets that read the same
-/// share them.
+/// share them; those in memory, of which there should be few, are of cosines in [0, 1] with codes beside
+/// them, or of normals.
 template <class Real>
 class Workloads {
  public:
   explicit Workloads(std::size_t last_cache) : bytes_(memory_bytes(last_cache)) {}
 
   std::shared_ptr<Workload<Real>> in_cache(const forms::Target& target) {
-    auto& found = near_[key_of(target)];
+    auto& found = near_[{target.arguments, target.from, target.to}];
     if (!found) {
       found = std::make_shared<Workload<Real>>(target, first_cache_elements(target.arguments, sizeof(Real)));
     }
     return found;
   }
   std::shared_ptr<Memory<Real>> in_memory(const forms::Target& target) {
-    auto& found = far_[key_of(target)];
+    const bool has_normals = target.arguments == forms::Arguments::normal_to_lights;
+    auto& found = far_[has_normals];
     if (!found) {
-      found = std::make_shared<Memory<Real>>(Memory<Real>{Workload<Real>(target, bytes_ / sizeof(Real))});
+      const forms::Target like{
+          .id = {},
+          .text = {},
+          .arguments = has_normals ? forms::Arguments::normal_to_lights : forms::Arguments::cosine_and_code,
+          .parameters = {}};
+      const std::size_t size = bytes_ / sizeof(Real) / (has_normals ? 2 : 1);
+      found = std::make_shared<Memory<Real>>(Memory<Real>{Workload<Real>(like, size)});
     }
     return found;
   }
 
  private:
-  using Key = std::tuple<forms::Arguments, double, double>;
-  static Key key_of(const forms::Target& target) { return {target.arguments, target.from, target.to}; }
-
   std::size_t bytes_;
-  std::map<Key, std::shared_ptr<Workload<Real>>> near_;
-  std::map<Key, std::shared_ptr<Memory<Real>>> far_;
+  std::map<std::tuple<forms::Arguments, double, double>, std::shared_ptr<Workload<Real>>> near_;
+  std::map<bool, std::shared_ptr<Memory<Real>>> far_;
 };
 
 template <class Real>

@@ -79,6 +79,8 @@ forms::Arrays<Real> Workload<Real>::slice(std::size_t first, std::size_t count) 
   return arrays;
 }
 
+template class Array<float>;
+template class Array<double>;
 template class Workload<float>;
 template class Workload<double>;
 

@@ -19,8 +19,9 @@ inline constexpr std::size_t first_cache_bytes = 16 * 1024;
 /// not take seconds; the calls of a visit go on where the one before ended.
 inline constexpr std::size_t memory_slice = 8192;
 
-/// Bytes of one array in memory: as many as the last cache has, at least 32 MiB and at most 256 MiB. What is
-/// read and written before a place is met again is twice that at least.
+/// Bytes of an array of cosines in memory: as many as the last cache has, at least 32 MiB and at most 256
+/// MiB. What is read and written before a place is met again is twice that at least. Of normals, half of it
+/// an axis.
 std::size_t memory_bytes(std::size_t last_cache);
 
 /// The elements of a target's arrays that fit into the first cache together, a multiple of 64.

@@ -53,6 +53,9 @@ TEST(Front, HoldsWhatNoOtherBeats) {
   EXPECT_EQ(front_of({{nan, 0}, {1, nan}, {1, 1}}), std::vector<std::size_t>{2});
 }
 
+/// About a microsecond, of which sums are exact.
+constexpr double tick = 0x1p-20;
+
 /// A clock that moves by what was worked.
 struct Worked {
   double seconds = 0;
@@ -77,9 +80,9 @@ TEST(Timing, RoundsAreInterleaved) {
                 },
                 10, id == 0};
   };
-  const std::vector<Work> all{work(0, 1e-6), work(1, 4e-6), work(2, 2e-6)};
+  const std::vector<Work> all{work(0, tick), work(1, 4 * tick), work(2, 2 * tick)};
   std::vector<double> shares;
-  const auto samples = time_interleaved(all, {.rounds = 4, .seconds = 8e-6}, worked.clock(),
+  const auto samples = time_interleaved(all, {.rounds = 4, .seconds = 8 * tick}, worked.clock(),
                                         [&](double share) { shares.push_back(share); });
   // Each is calibrated once; then a round there, and one back.
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 0, 1, 2, 1, 0, 1, 2, 1, 0}));
@@ -88,10 +91,10 @@ TEST(Timing, RoundsAreInterleaved) {
   EXPECT_EQ(samples[1].calls, 2);
   for (std::size_t i = 0; i < 3; ++i) {
     ASSERT_EQ(samples[i].real.size(), 4U);
-    // ns an element: 10 elements a call. The sums of the clock are rounded, to 1e-16 of at most 1e-3 s.
-    const double wanted = std::array{100., 400., 200.}.at(i);
-    for (const double ns : samples[i].real) EXPECT_NEAR(ns, wanted, 1e-6);
-    for (const double ns : samples[i].cpu) EXPECT_NEAR(ns, wanted / 2, 1e-6);
+    // ns an element: 10 elements a call; a last bit or two for the division.
+    const double wanted = std::array{1., 4., 2.}.at(i) * tick * 1e9 / 10;
+    for (const double ns : samples[i].real) EXPECT_DOUBLE_EQ(ns, wanted);
+    for (const double ns : samples[i].cpu) EXPECT_DOUBLE_EQ(ns, wanted / 2);
   }
   EXPECT_EQ(shares.front(), 0);
   EXPECT_EQ(shares.back(), 1);
@@ -105,10 +108,10 @@ TEST(Timing, AWarmPieceIsCalledBeforeTheClockStarts) {
     calls = 0;
     const Work work{[&] {
                       ++calls;
-                      worked.seconds += 1e-6;
+                      worked.seconds += tick;
                     },
                     1, is_warm};
-    time_interleaved(std::vector{work}, {.rounds = 1, .seconds = 16e-6}, worked.clock(), [](double) {});
+    time_interleaved(std::vector{work}, {.rounds = 1, .seconds = 16 * tick}, worked.clock(), [](double) {});
     return calls;
   };
   // To find that 16 calls fill a visit takes 31; then 16, and 3 to warm up.
@@ -159,8 +162,8 @@ TEST(Trade, RelatesTimesToTheCopyAndTheScalarReferenceOfItsOwnKind) {
   EXPECT_FALSE(far.pows) << "no pow was timed in memory";
   const TimedForm& of_other = *find_timed(trade.forms, "other", Place::first_cache);
   EXPECT_FALSE(of_other.pows) << "its target has no reference";
-  EXPECT_EQ(find_timed(trade.forms, "cheap", Place::memory), nullptr);
 }
+
 TEST(Trade, AFrontHoldsEachFormAtItsFastestWidth) {
   const auto front = front_of_target(made_up_trade(), "lobe");
   std::vector<std::string> names;
@@ -230,7 +233,9 @@ TEST(Pareto, ThePictureJoinsTheFrontAndNamesIt) {
   EXPECT_TRUE(has(csv, "\n20,,,,6e-08,pow,float,scalar\n")) << csv;
   EXPECT_TRUE(has(figure.script, "set logscale xy"));
   EXPECT_TRUE(has(figure.script, "set label 'cheap form, exp2 of degree 3' at graph"));
-  EXPECT_FALSE(has(figure.script, "'bad"));
+  EXPECT_TRUE(has(figure.script, "set label 'bad' at graph"))
+      << "the best of a form is named off the front too";
+  EXPECT_TRUE(has(figure.script, "set label 'pow (scalar)' at graph"));
   EXPECT_FALSE(has_pareto_figure(trade, {"nothing", ""}));
 }
 
