@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "app/bench_options.hpp"
 #include "app/draw_figures.hpp"
 #include "bench/forms/accuracy.hpp"
 #include "bench/trade/google_json.hpp"
+#include "bench/trade/grid_errors.hpp"
 #include "bench/trade/measure.hpp"
 #include "bench/trade/report.hpp"
 #include "bench/trade/tables.hpp"
@@ -91,11 +93,15 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
   require_targets(catalogue, options.only);
   checkpoint();
   progress("errors of every form ..");
-  const Table accuracy = forms::accuracy_table();
+  // The table of accuracies proves, which takes seconds: a quick bench looks at a grid alone, and writes no
+  // table.
+  const auto accuracy = options.quick ? std::nullopt : std::optional(forms::accuracy_table());
+  const auto errors =
+      accuracy ? bench::form_errors(*accuracy) : bench::grid_errors(catalogue, options.only, checkpoint);
   checkpoint();
   const double start = bench::now().real;
   const bench::Trade trade =
-      bench::measure(catalogue, bench::form_errors(accuracy),
+      bench::measure(catalogue, errors,
                      {.targets = options.only,
                       .widths = widths,
                       .plan = options.quick ? bench::quick_plan : bench::full_plan},

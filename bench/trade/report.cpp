@@ -62,10 +62,12 @@ std::vector<Figure> bench_figures(const Trade& trade) {
   return figures;
 }
 
-std::vector<File> bench_files(const Trade& trade, const Table& accuracy, const std::vector<Figure>& figures) {
-  return {{"bench.md", bench_report(trade, figures)},
-          {"bench.csv", write_csv(bench_table(trade), Precision::report)},
-          {"accuracy.csv", write_csv(accuracy, Precision::report)}};
+std::vector<File> bench_files(const Trade& trade, const std::optional<Table>& accuracy,
+                              const std::vector<Figure>& figures) {
+  std::vector<File> files{{"bench.md", bench_report(trade, figures)},
+                          {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
+  if (accuracy) files.push_back({"accuracy.csv", write_csv(*accuracy, Precision::report)});
+  return files;
 }
 
 }  // namespace shadefit::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ std::string bench_report(const Trade& trade, const std::vector<Figure>& figures)
 /// The figures of all targets that have one.
 std::vector<Figure> bench_figures(const Trade& trade);
 
-/// bench.md, bench.csv, accuracy.csv.
-std::vector<File> bench_files(const Trade& trade, const Table& accuracy, const std::vector<Figure>& figures);
+/// bench.md, bench.csv, and accuracy.csv where there is a table for it.
+std::vector<File> bench_files(const Trade& trade, const std::optional<Table>& accuracy,
+                              const std::vector<Figure>& figures);
 
 }  // namespace shadefit::bench
