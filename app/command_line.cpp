@@ -62,6 +62,7 @@ void require_known_command(const CLI::App& app, const std::vector<std::string>& 
 /// What the arguments set, and what came of it.
 struct Call {
   const Checkpoint& checkpoint;
+  const Progress& progress;
   ListOptions list = {};
   RunOptions run = {};
   bool no_plots = false;
@@ -70,8 +71,8 @@ struct Call {
   CertifyOptions certify = {};
   VerifyOptions verify = {};
   ExplainOptions explain = {};
+  StressOptions stress = {};
   CheckOptions check = {};
-  bool all = false;
   Outcome outcome = {};
 };
 
@@ -243,22 +244,32 @@ void add_explain(CLI::App& app, Call& call) {
   explain->callback([&call] { call.outcome = explain_command(call.explain); });
 }
 
+void add_stress(CLI::App& app, Call& call) {
+  auto* stress = app.add_subcommand(
+      "stress", "forms and fits where they are hardest: naive against robust in half, float and double");
+  stress->add_option("--out", call.stress.out, "directory to write stress.csv and stress-fits.csv to")
+      ->capture_default_str()
+      ->type_name("DIR");
+  stress->callback([&call] { call.outcome = stress_command(call.stress, call.checkpoint, call.progress); });
+}
+
 void add_check(CLI::App& app, Call& call) {
   auto* check =
       app.add_subcommand("check", "recompute and compare with the committed tables; writes nothing");
   check->add_option("--baseline", call.check.baseline, "directory of the tables")
       ->capture_default_str()
       ->type_name("DIR");
-  check->add_flag("--all", call.all, "the slow tables too (this version has none)");
-  check->callback([&call] { call.outcome = check_command(call.check, call.checkpoint); });
+  check->add_flag("--all", call.check.all, "the slow tables too, those of stress");
+  check->callback([&call] { call.outcome = check_command(call.check, call.checkpoint, call.progress); });
 }
 
-Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint) {
+Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                      const Progress& progress) {
   CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
                "shadefit"};
   app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION);
   app.require_subcommand(1);
-  Call call{.checkpoint = checkpoint};
+  Call call{.checkpoint = checkpoint, .progress = progress};
   add_list(app, call);
   add_run(app, call);
   add_fit(app, call);
@@ -266,6 +277,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_certify(app, call);
   add_verify(app, call);
   add_explain(app, call);
+  add_stress(app, call);
   add_check(app, call);
 
   try {
@@ -289,9 +301,10 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
 
 }  // namespace
 
-Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint) {
+Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                         const Progress& progress) {
   try {
-    return parse_and_run(arguments, checkpoint);
+    return parse_and_run(arguments, checkpoint, progress);
   } catch (const UserError& error) {
     return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
   } catch (const Interrupted& interrupted) {

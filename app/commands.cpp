@@ -8,6 +8,7 @@
 
 #include "app/fit_arguments.hpp"
 #include "app/metric_options.hpp"
+#include "app/slow_tables.hpp"
 #include "approx/catalogue.hpp"
 #include "approx/ledger.hpp"
 #include "fit/ledger.hpp"
@@ -451,14 +452,19 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
   return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras), err};
 }
 
-Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint) {
+Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const Baseline baseline = read_baseline(options.baseline);
   const Results results = compute_results({}, checkpoint);
-  const auto drifts = compare(baseline, results);
-  if (drifts.empty()) {
-    return {0, fmt::format("check passed: {} cells agree with {}\n", count_cells(results), options.baseline),
-            ""};
+  auto drifts = compare(baseline, results);
+  std::size_t cells = count_cells(results);
+  for (const SlowTableMaker make : options.all ? slow_table_makers : std::vector<SlowTableMaker>{}) {
+    const auto files = make(checkpoint, progress);
+    const auto more = compare_files(std::filesystem::path(options.baseline) / slow_tables_folder, files);
+    drifts.insert(drifts.end(), more.begin(), more.end());
+    cells += count_cells(files);
   }
+  if (drifts.empty())
+    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, options.baseline), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
   for (const Drift& d : drifts) table.rows.push_back({d.file, d.row, d.column, d.before, d.after, d.effect});
   return {1,

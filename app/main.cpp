@@ -6,6 +6,7 @@
 
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
+#include "app/progress.hpp"
 
 namespace {
 
@@ -19,7 +20,8 @@ int main(int argc, char** argv) {
   // A file that may not grow further is then an error of that file, told like any other.
   std::signal(SIGXFSZ, SIG_IGN);
   const auto signals = shadefit::hold_interrupts();
-  const auto outcome = shadefit::run_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals));
+  const auto outcome = shadefit::run_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals),
+                                                  shadefit::terminal_progress());
   const bool is_interrupted = outcome.exit_code > 128;
   if (is_interrupted) shadefit::take_waiting(signals);
   // What is left is to print, which a reader may keep waiting for as long as it likes.

@@ -36,27 +36,26 @@ T decoded(const T& gloss) {
 }  // namespace
 
 std::vector<Regime> gloss_regimes() {
-  return {{.topic = "gloss",
-           .domain = "any g in [-0.01, 1.01], 10 doublings from 2",
-           .names = {"g", ""},
-           .forms = {{"decode_gloss", "exp2(10 g + 1)",
-                      in_formats([](auto gloss, auto) { return decoded(gloss); })},
-                     // two exp2 and their product; in the exponent 10 g is rounded
-                     {"decode_clamped_gloss", "exp2(10 g) exp2(1), g clamped",
-                      in_formats([](auto gloss, auto) {
-                        using T = decltype(gloss);
-                        return decode_clamped_gloss(gloss, integer<T>(doublings), integer<T>(first));
-                      }),
-                      Roundings{.operations = 1, .functions = 2, .operations_per_fold = 1}}},
-           .truth =
-               [](const Decimal50& gloss, const Decimal50&) {
-                 const Decimal50 clamped = gloss < 0 ? Decimal50(0) : gloss > 1 ? Decimal50(1) : gloss;
-                 return decoded(clamped);
-               },
-           .folds = [](double gloss,
-                       double) { return doublings * std::clamp(gloss, 0.0, 1.0) * std::log(2.0); },
-           .at_most = 2048,
-           .inputs = inputs}};
+  return {
+      {.topic = "gloss",
+       .domain = "any g in [-0.01, 1.01], 10 doublings from 2",
+       .names = {"g", ""},
+       .forms = {{"decode_gloss", "exp2(10 g + 1)",
+                  in_formats([](auto gloss, auto) { return decoded(gloss); })},
+                 // two exp2 and their product; in the exponent 10 g is rounded
+                 {"decode_clamped_gloss", "exp2(10 g) exp2(1), g clamped", in_formats([](auto gloss, auto) {
+                    using T = decltype(gloss);
+                    return decode_clamped_gloss(gloss, integer<T>(doublings), integer<T>(first));
+                  }),
+                  Roundings{.operations = 1, .functions = 2, .operations_per_fold = 1}}},
+       .truth =
+           [](const Decimal50& gloss, const Decimal50&) {
+             const Decimal50 clamped = gloss < 0 ? Decimal50(0) : gloss > 1 ? Decimal50(1) : gloss;
+             return decoded(clamped);
+           },
+       .folds = [](double gloss, double) { return doublings * std::clamp(gloss, 0.0, 1.0) * std::log(2.0); },
+       .at_most = 2048,
+       .inputs = inputs}};
 }
 
 }  // namespace shadefit

@@ -23,9 +23,8 @@ Regime near_peak() {
           .truth = [](const Decimal50& y, const Decimal50& k) { return power_lobe(Decimal50(1 - y), k); },
           .folds = [](double y, double k) { return k * std::log1p(-y); },
           .at_most = 1,
-          .inputs = [](const FloatFormat& format, std::size_t random) {
-            return near_peak_inputs(format, 1, random, 1);
-          }};
+          .inputs = [](const FloatFormat& format,
+                       std::size_t random) { return near_peak_inputs(format, 1, random, 1); }};
 }
 
 /// cos^k(theta/2) from y = 1 - cos(theta). y/2 has to be a number of the format: k multiplies what it loses.
@@ -38,8 +37,7 @@ Regime half_angle() {
   return {.topic = "half angle",
           .domain = "y = 1 - cos(theta) in [0, 2], 0 or y/2 normal; k in [0.001, 1e9]",
           .names = {"y", "k"},
-          .forms = {{"blinn_lobe_of_cosine", "pow((1 + c)/2, k/2), c = 1 - y",
-                     in_formats([](auto y, auto k) {
+          .forms = {{"blinn_lobe_of_cosine", "pow((1 + c)/2, k/2), c = 1 - y", in_formats([](auto y, auto k) {
                        const auto one = integer<decltype(y)>(1);
                        return blinn_lobe_of_cosine(decltype(y)(one - y), k, one);
                      })},

@@ -9,8 +9,18 @@ namespace {
 
 std::vector<Input> inputs(const FloatFormat& format, std::size_t random) {
   const double top = largest(format);
-  std::vector<double> numbers{0, least_subnormal(format), least_normal(format), 1e-30, 1e-12, 1e-7, 1e-5,
-                              1e18, 1e19, 1e20, std::sqrt(top), top};
+  std::vector<double> numbers{0,
+                              least_subnormal(format),
+                              least_normal(format),
+                              1e-30,
+                              1e-12,
+                              1e-7,
+                              1e-5,
+                              1e18,
+                              1e19,
+                              1e20,
+                              std::sqrt(top),
+                              top};
   for (const double k : exponents(format)) numbers.push_back(k);
   for (double alpha = 0.125; alpha < 4096; alpha += alpha < 32 ? 0.125 : 8) numbers.push_back(alpha);
   Sequence sequence(9);
@@ -35,8 +45,7 @@ std::vector<Regime> normalisation_regimes() {
                  {"blinn_phong_brdf_constant_by_parts", "(a+2)/(2^(-a/2) + a) (a+4)/(8 pi)",
                   in_formats([](auto alpha, auto) { return blinn_phong_brdf_constant_by_parts(alpha); }),
                   Roundings{.operations = 7, .functions = 1}}},
-       .truth = [](const Decimal50& alpha,
-                   const Decimal50&) { return BlinnPhongBrdfLobe::constant(alpha); },
+       .truth = [](const Decimal50& alpha, const Decimal50&) { return BlinnPhongBrdfLobe::constant(alpha); },
        .inputs = inputs},
       {.topic = "normalisation",
        .domain = "every finite alpha >= 0",

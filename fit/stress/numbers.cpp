@@ -14,8 +14,8 @@ double neighbour(const FloatFormat& format, double x, bool up) {
   if (x != 0) exponent = std::max(std::ilogb(x), format.least_exponent);
   const double step = std::ldexp(1.0, exponent - format.digits + 1);
   // Towards zero from a power of two the spacing is half.
-  const bool shrinks = up == std::signbit(x) && std::abs(x) == std::ldexp(1.0, exponent) &&
-                       exponent > format.least_exponent;
+  const bool shrinks =
+      up == std::signbit(x) && std::abs(x) == std::ldexp(1.0, exponent) && exponent > format.least_exponent;
   const double by = shrinks ? step / 2 : step;
   return up ? x + by : x - by;
 }
@@ -103,7 +103,8 @@ std::vector<Input> near_peak_inputs(const FloatFormat& format, double high, std:
 std::vector<double> edges(const FloatFormat& format, double high) {
   std::vector<double> all{0, least_subnormal(format), 3 * least_subnormal(format), least_normal(format),
                           high};
-  for (int e = format.least_exponent; e <= 1; e = e < -60 ? e / 2 : e < -12 ? e + 4 : e + 1) all.push_back(std::ldexp(1.0, e));
+  for (int e = format.least_exponent; e <= 1; e = e < -60 ? e / 2 : e < -12 ? e + 4 : e + 1)
+    all.push_back(std::ldexp(1.0, e));
   for (const double decimal : {0.1, 0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9, 1.1, 1.5, 1.9, 0.99, 0.999})
     all.push_back(decimal);
   return with_neighbours(format, all, 0, high, 1);

@@ -36,8 +36,8 @@ double log_uniform(Sequence& sequence, double low, double high);
 /// far as the format has them.
 std::vector<double> exponents(const FloatFormat& format);
 
-/// Pairs (y, k) of a lobe: every exponent with the edges of y in [0, high] and with y = t/k, t up to where the
-/// format underflows, where the lobe has its slope; and random ones of both kinds.
+/// Pairs (y, k) of a lobe: every exponent with the edges of y in [0, high] and with y = t/k, t up to where
+/// the format underflows, where the lobe has its slope; and random ones of both kinds.
 std::vector<Input> near_peak_inputs(const FloatFormat& format, double high, std::size_t random,
                                     std::uint64_t seed);
 

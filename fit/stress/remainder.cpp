@@ -24,20 +24,20 @@ std::vector<Input> inputs(const FloatFormat& format, std::size_t random) {
 }  // namespace
 
 std::vector<Regime> remainder_regimes() {
-  return {{.topic = "remainder",
-           .domain = "every finite x > -1",
-           .names = {"x", ""},
-           .forms = {{"log1p", "log1p(x) - x", in_formats([](auto x, auto) { return log1p(x) - x; })},
-                     // By the series up to |x| = 1/2: r = x/(2 + x) has 2, its square 5, the sum 1 and little
-                     // more, the product with it 9 at most, of which the difference, 3/5 of x and more, keeps
-                     // 2/3, 6, and its own; then the product with r: 10. Beyond, log1p is at most 4.3 times
-                     // the difference, so its 2 count as 8.6, and the difference: 10. One for the rest.
-                     {"log1p_remainder", "r (2 r^2 (1/3 + r^2/5 + ..) - x), r = x/(2 + x)",
-                      in_formats([](auto x, auto) { return log1p_remainder(x); }),
-                      Roundings{.operations = 11}}},
-           .truth = [](const Decimal50& x, const Decimal50&) { return log1p_remainder(x); },
-           .is_positive = false,
-           .inputs = inputs}};
+  return {
+      {.topic = "remainder",
+       .domain = "every finite x > -1",
+       .names = {"x", ""},
+       .forms = {{"log1p", "log1p(x) - x", in_formats([](auto x, auto) { return log1p(x) - x; })},
+                 // By the series up to |x| = 1/2: r = x/(2 + x) has 2, its square 5, the sum 1 and little
+                 // more, the product with it 9 at most, of which the difference, 3/5 of x and more, keeps
+                 // 2/3, 6, and its own; then the product with r: 10. Beyond, log1p is at most 4.3 times
+                 // the difference, so its 2 count as 8.6, and the difference: 10. One for the rest.
+                 {"log1p_remainder", "r (2 r^2 (1/3 + r^2/5 + ..) - x), r = x/(2 + x)",
+                  in_formats([](auto x, auto) { return log1p_remainder(x); }), Roundings{.operations = 11}}},
+       .truth = [](const Decimal50& x, const Decimal50&) { return log1p_remainder(x); },
+       .is_positive = false,
+       .inputs = inputs}};
 }
 
 }  // namespace shadefit

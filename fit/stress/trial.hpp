@@ -85,9 +85,9 @@ struct Trial {
   FloatFormat format = double_format;
   std::optional<Roundings> bound;
   long inputs = 0;
-  double worst_ulps = 0;  ///< of the results that are numbers
-  std::string worst_at;   ///< the first input that is more than half as bad as the worst; as text, empty if
-                          ///< nothing is wrong
+  double worst_ulps = 0;   ///< of the results that are numbers
+  std::string worst_at;    ///< the first input that is more than half as bad as the worst; as text, empty if
+                           ///< nothing is wrong
   double worst_share = 0;  ///< of a robust form: the most of its bound that an error takes up
   long nan = 0, infinite = 0, negative = 0;  ///< results that are none, where the truth is a number of the
                                              ///< format that is not negative
