@@ -4,7 +4,6 @@
 
 #include "approx/claim.hpp"
 #include "approx/gloss.hpp"
-#include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
 #include "approx/sources.hpp"
 
@@ -25,21 +24,6 @@ T power_by_exp2(const T& cos_theta, const T& exponent) {
 template <class T>
 T gaussian_lobe_base_two_of_difference(const T& cos_theta, const T& base_two) {
   return exp2(base_two * (cos_theta - integer<T>(1)));
-}
-
-/// c^k as a GPU computes it, for every c and k >= 0: c from a dot product of vectors that are not quite of
-/// length 1 is taken as the nearest of [0, 1], and 0^0 is 1, where `power_by_exp2` makes NaN of both.
-template <class T>
-T power_by_exp2_of_dot(const T& dot, const T& exponent) {
-  const T zero = integer<T>(0), one = integer<T>(1);
-  const T at_zero = select(less(zero, exponent), zero, one);
-  return select(less(zero, dot), power_by_exp2(min(dot, one), exponent), at_zero);
-}
-
-/// `gaussian_lobe_base_two_of_difference` of a dot product, taken as the nearest of [0, 1]: at most 1.
-template <class T>
-T gaussian_lobe_base_two_of_dot(const T& dot, const T& base_two) {
-  return gaussian_lobe_base_two_of_difference(unit_cosine(dot), base_two);
 }
 
 /// The rows of the ledger on this topic.

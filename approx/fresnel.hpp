@@ -25,13 +25,6 @@ T schlick_weight(const T& cos_theta) {
   return grazing_power(cos_theta, 5);
 }
 
-/// `schlick_weight` of a dot product, taken as the nearest of [0, 1]: in [0, 1], where the plain formula is
-/// negative beyond c = 1.
-template <class T>
-T schlick_weight_of_dot(const T& dot) {
-  return schlick_weight(min(positive_part(dot), integer<T>(1)));
-}
-
 /// F = f0 + (1 - f0) weight; f0 the reflectance at normal incidence, weight by `schlick_weight` or a form of
 /// it.
 template <class T>

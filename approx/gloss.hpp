@@ -17,14 +17,6 @@ T decode_gloss(const T& gloss, const T& doublings, const T& first) {
   return exp2(doublings * gloss + first);
 }
 
-/// `decode_gloss` of the nearest gloss in [0, 1], with 2^first apart: 2^(doublings g) 2^first. The sum
-/// doublings g + first is rounded once more than the product, near its end by 2^-7 in half; and a texture
-/// filter may return a gloss just beyond 1.
-template <class T>
-T decode_clamped_gloss(const T& gloss, const T& doublings, const T& first) {
-  return exp2(doublings * min(positive_part(gloss), integer<T>(1))) * exp2(first);
-}
-
 /// M = s/ln 2, with which exp(s(c-1)) = exp2(M c - M).
 template <class T>
 T base_two_power(const T& exponent) {

@@ -18,19 +18,6 @@ T power_lobe(const T& cos_theta, const T& exponent) {
   return power(cos_theta, exponent);
 }
 
-/// The cosine that a dot product stands for: the nearest of [0, 1]. Of vectors that are not quite of length 1
-/// it may exceed 1, and on the far side it is negative.
-template <class T>
-T unit_cosine(const T& dot) {
-  return min(positive_part(dot), integer<T>(1));
-}
-
-/// The lobe of a dot product; k >= 0. In [0, 1] for every number that the dot product is.
-template <class T>
-T power_lobe_of_dot(const T& dot, const T& exponent) {
-  return power_lobe(unit_cosine(dot), exponent);
-}
-
 /// The spherical Gaussian exp((k + x)(c - 1)): sharpness k + x, peak 1.
 /// Source: Wang, Ren, Gong, Snyder, Guo 2009, "All-Frequency Rendering of Dynamic, Spatially-Varying
 /// Reflectance".

@@ -96,15 +96,6 @@ struct BlinnPhongBrdfLobe {
   }
 };
 
-/// `BlinnPhongBrdfLobe::constant` as a product of two quotients. (a+2)(a+4) overflows in half from a = 253
-/// on, where the constant itself is 10.
-template <class T>
-T blinn_phong_brdf_constant_by_parts(const T& alpha) {
-  const T two = integer<T>(2);
-  const T near_one = (alpha + two) / (exp2(-(alpha / two)) + alpha);
-  return near_one * ((alpha + integer<T>(4)) / (integer<T>(8) * pi<T>()));
-}
-
 /// The cheap stand-in for the constant of the Blinn-Phong BRDF: right in the limits a = 0 and infinity, and
 /// too large by up to 7.5 % between them. Its source names it as given elsewhere, and quotes Naty Hoffman: "a
 /// cheap approximation which is close to 1", that is with a reflectance close to 1, the more so for low

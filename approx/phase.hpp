@@ -29,20 +29,6 @@ T henyey_greenstein_near_peak(const T& one_minus_cos, const T& g) {
   return rest * (one + g) / (integer<T>(4) * pi<T>() * (base * sqrt(base)));
 }
 
-/// The same from y for every g in (-1, 1): for g < 0 the function of -g and 1 + c = 2 - y, so that nothing
-/// cancels on either side. In half the powers of 1 - |g| would be subnormal from |g| = 0.99 on; everything is
-/// therefore scaled by 64, a power of two, which changes no digit:
-///   (1 - g^2)/(4 pi b^1.5) = (1 + |g|)/(4 pi) * 4096 (1 - |g|)/b' * 64/sqrt(b'),  b' = 4096 b.
-template <class T>
-T henyey_greenstein_from_both_sides(const T& one_minus_cos, const T& g) {
-  const T zero = integer<T>(0), one = integer<T>(1), scale = integer<T>(64), square = integer<T>(4096);
-  const T size = max(g, T(-g));
-  const T from_peak = select(less(g, zero), T(integer<T>(2) - one_minus_cos), one_minus_cos);
-  const T rest = one - size;
-  const T base = (scale * rest) * (scale * rest) + integer<T>(8192) * size * from_peak;
-  return (one + size) / (integer<T>(4) * pi<T>()) * (square * rest / base) * (scale / sqrt(base));
-}
-
 /// The share of the light that is scattered into the cone from c = 1 to c = 1 - y, y in [0, 2]:
 ///   2 pi times the integral of the function = (1 - g^2)/(2g) (1/(1-g) - 1/d), d^2 = (1-g)^2 + 2 g y,
 ///   = (1 + g) y/(d (d + 1 - g)), since d^2 - (1-g)^2 = 2 g y.

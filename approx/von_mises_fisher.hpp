@@ -30,19 +30,6 @@ T von_mises_fisher_near_peak(const T& one_minus_cos, const T& concentration) {
          gaussian_lobe_near_peak(one_minus_cos, concentration, integer<T>(0));
 }
 
-/// The same for every k >= 0 in every scalar, also the uniform density 1/(4 pi) at k = 0: k/(1 - e^(-2k)) is
-/// taken first, which is 1/2 there and loses nothing where k is subnormal. The exponential comes in two equal
-/// factors: e^(-k y) alone becomes subnormal, with few digits left, where the factor k still makes a normal
-/// number of it (in half from k y = 10 on).
-template <class T>
-T von_mises_fisher_of_any_concentration(const T& one_minus_cos, const T& concentration) {
-  const T zero = integer<T>(0), two = integer<T>(2);
-  const T share = -expm1(-(two * concentration));
-  const T peak = select(less(zero, concentration), T(concentration / share), T(integer<T>(1) / two));
-  const T half = exp(-(concentration * one_minus_cos / two));
-  return peak / (two * pi<T>()) * half * half;
-}
-
 /// k/(2 pi) e^(-k y): the density of a sharp lobe.
 template <class T>
 T von_mises_fisher_sharp(const T& one_minus_cos, const T& concentration) {

@@ -2,6 +2,7 @@
 
 #include "approx/arithmetic.hpp"
 #include "approx/fresnel.hpp"
+#include "approx/full_range.hpp"
 #include "approx/lobe.hpp"
 #include "fit/stress/regimes.hpp"
 

@@ -1,4 +1,5 @@
 #include "approx/gloss.hpp"
+#include "approx/full_range.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "approx/normalisation.hpp"
+#include "approx/full_range.hpp"
 
 #include <cmath>
 

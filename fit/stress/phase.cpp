@@ -1,4 +1,5 @@
 #include "approx/phase.hpp"
+#include "approx/full_range.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,5 @@
 #include "approx/von_mises_fisher.hpp"
+#include "approx/full_range.hpp"
 
 #include <cmath>
 

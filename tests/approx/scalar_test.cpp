@@ -16,6 +16,7 @@
 #include "tests/approx/formulas/cost.hpp"
 #include "tests/approx/formulas/environment_map.hpp"
 #include "tests/approx/formulas/fresnel.hpp"
+#include "tests/approx/formulas/full_range.hpp"
 #include "tests/approx/formulas/gloss.hpp"
 #include "tests/approx/formulas/kernels.hpp"
 #include "tests/approx/formulas/lobe.hpp"
@@ -40,7 +41,7 @@ auto formulas() {
   return std::tuple_cat(lobe_formulas(), gloss_formulas(), phong_blinn_formulas(), kernels_formulas(),
                         fresnel_formulas(), normalisation_formulas(), reflectance_formulas(),
                         microfacet_formulas(), cost_formulas(), environment_map_formulas(),
-                        material_formulas());
+                        material_formulas(), full_range_formulas());
 }
 
 template <class T, class F>
