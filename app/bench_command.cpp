@@ -6,6 +6,7 @@
 
 #include "app/bench_options.hpp"
 #include "app/draw_figures.hpp"
+#include "app/slow_tables.hpp"
 #include "bench/forms/accuracy.hpp"
 #include "bench/trade/google_json.hpp"
 #include "bench/trade/grid_errors.hpp"
@@ -82,6 +83,12 @@ std::string console_text(const bench::Trade& trade) {
 }
 
 }  // namespace
+
+std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& progress) {
+  checkpoint();
+  progress("errors of every form ..");
+  return {{"accuracy.csv", write_csv(forms::accuracy_table(), Precision::report)}};
+}
 
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
                       const Progress& progress) {

@@ -73,9 +73,9 @@ struct Call {
   CertifyOptions certify = {};
   VerifyOptions verify = {};
   ExplainOptions explain = {};
+  StressOptions stress = {};
   CheckOptions check = {};
   BenchOptions bench = {};
-  bool all = false;
   Outcome outcome = {};
 };
 
@@ -247,14 +247,23 @@ void add_explain(CLI::App& app, Call& call) {
   explain->callback([&call] { call.outcome = explain_command(call.explain); });
 }
 
+void add_stress(CLI::App& app, Call& call) {
+  auto* stress = app.add_subcommand(
+      "stress", "forms and fits where they are hardest: naive against robust in half, float and double");
+  stress->add_option("--out", call.stress.out, "directory to write stress.csv and stress-fits.csv to")
+      ->capture_default_str()
+      ->type_name("DIR");
+  stress->callback([&call] { call.outcome = stress_command(call.stress, call.checkpoint, call.progress); });
+}
+
 void add_check(CLI::App& app, Call& call) {
   auto* check =
       app.add_subcommand("check", "recompute and compare with the committed tables; writes nothing");
   check->add_option("--baseline", call.check.baseline, "directory of the tables")
       ->capture_default_str()
       ->type_name("DIR");
-  check->add_flag("--all", call.all, "the slow tables too (this version has none)");
-  check->callback([&call] { call.outcome = check_command(call.check, call.checkpoint); });
+  check->add_flag("--all", call.check.all, "the slow tables too, those of stress and bench");
+  check->callback([&call] { call.outcome = check_command(call.check, call.checkpoint, call.progress); });
 }
 
 void add_bench(CLI::App& app, Call& call) {
@@ -277,6 +286,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_certify(app, call);
   add_verify(app, call);
   add_explain(app, call);
+  add_stress(app, call);
   add_check(app, call);
   add_bench(app, call);
 

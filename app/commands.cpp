@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/draw_figures.hpp"
+#include "app/slow_tables.hpp"
 #include "approx/ledger.hpp"
 #include "fit/ledger.hpp"
 #include "fit/user_error.hpp"
@@ -132,14 +134,19 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   return {err.empty() ? 0 : 1, out, err};
 }
 
-Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint) {
+Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const Baseline baseline = read_baseline(options.baseline);
   const Results results = compute_results({}, checkpoint);
-  const auto drifts = compare(baseline, results);
-  if (drifts.empty()) {
-    return {0, fmt::format("check passed: {} cells agree with {}\n", count_cells(results), options.baseline),
-            ""};
+  auto drifts = compare(baseline, results);
+  std::size_t cells = count_cells(results);
+  for (const SlowTableMaker make : options.all ? slow_table_makers : std::vector<SlowTableMaker>{}) {
+    const auto files = make(checkpoint, progress);
+    const auto more = compare_files(std::filesystem::path(options.baseline) / slow_tables_folder, files);
+    drifts.insert(drifts.end(), more.begin(), more.end());
+    cells += count_cells(files);
   }
+  if (drifts.empty())
+    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, options.baseline), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
   for (const Drift& d : drifts) table.rows.push_back({d.file, d.row, d.column, d.before, d.after, d.effect});
   return {1,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "app/progress.hpp"
 
 /// The subcommands, once their arguments are parsed. Each throws UserError for input that is the user's to
 /// mend; those that work for long call a checkpoint, between fits and until they begin to put files in place.
@@ -62,12 +63,17 @@ struct VerifyOptions {
   std::string file;
 };
 
+struct StressOptions {
+  std::string out = "out";
+};
+
 struct ExplainOptions {
   std::string id;
 };
 
 struct CheckOptions {
   std::string baseline = "reports/baseline";
+  bool all = false;  ///< the slow tables too
 };
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
@@ -77,6 +83,7 @@ Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoin
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint);
 Outcome verify_command(const VerifyOptions& options);
 Outcome explain_command(const ExplainOptions& options);
-Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint);
+Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 }  // namespace shadefit

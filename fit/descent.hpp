@@ -197,12 +197,16 @@ void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, d
   candidate.status = Status::not_converged;
 }
 
-/// The optimum on few nodes, if all of the family's starts that are asked lead to it; else the status says
-/// why not. The Hessian that led the first one serves the other starts, and the larger rules after them.
+/// Where a descent begins, three times.
 template <class F>
-auto common_optimum(const F& family, const SampledProblem<F, double>& problem, std::size_t asked = 3) {
+using Starts = std::array<typename SampledProblem<F, double>::Parameters, 3>;
+
+/// The optimum on few nodes, if all of the starts that are asked lead to it; else the status says why not.
+/// The Hessian that led the first one serves the other starts, and the larger rules after them.
+template <class F>
+auto common_optimum(const Starts<F>& starts, const SampledProblem<F, double>& problem,
+                    std::size_t asked = 3) {
   constexpr int N = SampledProblem<F, double>::N;
-  const auto starts = family.starts();
   Candidate<N> common{.parameters = starts[0]};
   const double square = problem.square(starts[0]);
   if (!std::isfinite(square)) common.status = Status::not_finite;

@@ -65,8 +65,11 @@ class LeastSquares {
 
   /// Never throws for a hard problem: the status says how it went, and parameters are an answer only where it
   /// is `converged`.
-  Optimum<N> solve() const {
-    auto candidate = common_optimum(family_, basin_);
+  Optimum<N> solve() const { return solve(family_.starts()); }
+
+  /// The same from other starts than the family's own.
+  Optimum<N> solve(const Starts<F>& starts) const {
+    auto candidate = common_optimum<F>(starts, basin_);
     // A step below 2e-16 hardly changes a double.
     if (candidate.status == Status::converged) polish(fine_, candidate, 2e-16);
     Optimum<N> optimum{
@@ -107,7 +110,7 @@ class LeastSquares {
     const long double size = relative_size(newton.step, p);
     optimum.digits = correct_digits(size);
     optimum.rms_error = static_cast<double>(std::sqrt(at.square));
-    if (size <= settled) {
+    if (size <= settled && !is_contradicted(at, p)) {
       optimum.status = Status::converged;
       return false;
     }
@@ -116,6 +119,22 @@ class LeastSquares {
       optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
     ++optimum.iterations;
     return true;
+  }
+
+  /// Whether the Hessian makes nothing of a step that is none. It was corrected by gradients on the way, and
+  /// where these are rounding alone, as along the offset of `sg-scaled` at exponent 1e9, it may become
+  /// anything. Near an optimum with a small error Gauss and Newton's part of it says nearly the same: by that
+  /// the step has to be below the 1e-14 that are promised.
+  static bool is_contradicted(const typename SampledProblem<F, long double>::Gradient& at,
+                              const std::array<long double, N>& p) {
+    if constexpr (N == 1) {
+      return false;
+    } else {
+      const Eigen::Matrix<double, N, N> lower = at.slopes.template cast<double>();
+      const Eigen::Matrix<double, N, N> slopes = lower.template selfadjointView<Eigen::Lower>();
+      const auto step = newton_step<long double, double, N>(at.gradient, slopes);
+      return !step.is_finite || relative_size(step.step, p) > 5 * settled;
+    }
   }
 
   F family_;

@@ -27,6 +27,7 @@ class SampledProblem {
   struct Gradient {
     T square = 0;                      ///< integral of error^2
     Vector gradient = Vector::Zero();  ///< of half the square
+    Matrix slopes = Matrix::Zero();  ///< sum of w r_i r_j: Gauss and Newton's part of the Hessian; lower half
   };
   struct Derivatives : Gradient {
     Matrix hessian = Matrix::Zero();  ///< of half the square
@@ -74,7 +75,10 @@ class SampledProblem {
       const Jet r = error(node, seeds);
       const T weighted = nodes_[node].weight * r.a;
       g.square += weighted * r.a;
-      for (int i = 0; i < N; ++i) g.gradient[i] += weighted * r.v[i];
+      for (int i = 0; i < N; ++i) {
+        g.gradient[i] += weighted * r.v[i];
+        for (int j = 0; N > 1 && j <= i; ++j) g.slopes(i, j) += nodes_[node].weight * r.v[i] * r.v[j];
+      }
     }
     return g;
   }

@@ -33,7 +33,8 @@ constexpr std::array baseline_files{fits_file,    normalisation_file, reflectanc
                                     fresnel_file, claims_file,        better_file};
 
 constexpr std::array key_columns{"claim",      "constant", "parameter", "exponent",   "measure",
-                                 "view_angle", "surface",  "ior",       "wavelength", "curve"};
+                                 "view_angle", "surface",  "ior",       "wavelength", "curve",
+                                 "topic",      "name",     "format",    "interval"};
 
 /// The columns whose words name a row; the n-th row of the same name is matched with the n-th.
 std::vector<std::string> keys_of(const CsvTable& table) {
@@ -103,17 +104,22 @@ CsvTable as_csv(const Table& table, const std::string& name) {
   return parse_csv(write_csv(table, Precision::report), name);
 }
 
-CsvTable parse_checked(const Baseline& baseline, const std::string& name,
-                       const std::vector<std::string>& columns) {
-  const auto file = std::find_if(baseline.files.begin(), baseline.files.end(),
-                                 [&](const File& f) { return f.name == name; });
-  const std::string path = (baseline.directory / name).string();
-  const CsvTable table = parse_csv(file->content, path);
+/// The table of a baseline's file, which has to have these columns.
+CsvTable parse_with_columns(const std::string& content, const std::string& path,
+                            const std::vector<std::string>& columns) {
+  CsvTable table = parse_csv(content, path);
   if (table.columns != columns) {
     throw UserError(fmt::format("'{}' has other columns ({}): they must be {}", path,
                                 fmt::join(table.columns, ","), fmt::join(columns, ",")));
   }
   return table;
+}
+
+CsvTable parse_checked(const Baseline& baseline, const std::string& name,
+                       const std::vector<std::string>& columns) {
+  const auto file = std::find_if(baseline.files.begin(), baseline.files.end(),
+                                 [&](const File& f) { return f.name == name; });
+  return parse_with_columns(file->content, (baseline.directory / name).string(), columns);
 }
 
 struct NamedTable {
@@ -168,6 +174,30 @@ std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
     drifts.insert(drifts.end(), others.begin(), others.end());
   }
   return drifts;
+}
+
+std::vector<Drift> compare_files(const std::filesystem::path& directory, const std::vector<File>& now) {
+  std::vector<Drift> drifts;
+  for (const File& file : now) {
+    const CsvTable after = parse_csv(file.content, file.name);
+    const auto path = directory / file.name;
+    const CsvTable before = parse_with_columns(read_file(path), path.string(), after.columns);
+    const auto others =
+        compare_tables(file.name, before, after,
+                       [](std::size_t, const std::string&, const std::string& old_cell,
+                          const std::string& new_cell) { return plain_effect(old_cell, new_cell); });
+    drifts.insert(drifts.end(), others.begin(), others.end());
+  }
+  return drifts;
+}
+
+std::size_t count_cells(const std::vector<File>& files) {
+  std::size_t sum = 0;
+  for (const File& file : files) {
+    const CsvTable table = parse_csv(file.content, file.name);
+    sum += table.rows.size() * table.columns.size();
+  }
+  return sum;
 }
 
 std::size_t count_cells(const Results& results) {

@@ -32,6 +32,13 @@ Baseline read_baseline(const std::filesystem::path& directory);
 /// where the baseline is truncated, malformed or has other columns.
 std::vector<Drift> compare(const Baseline& baseline, const Results& results);
 
+/// Every difference between CSV tables as they are now and those of the same names in a directory. Throws
+/// UserError as `read_baseline` and `compare` do.
+std::vector<Drift> compare_files(const std::filesystem::path& directory, const std::vector<File>& now);
+
+/// How many cells such tables have.
+std::size_t count_cells(const std::vector<File>& files);
+
 /// How many cells the tables of the results have.
 std::size_t count_cells(const Results& results);
 

@@ -8,7 +8,7 @@ namespace {
 
 /// Places of a grid: a multiple of 64. The largest error of a form of a few extrema is met to a millionth of
 /// it.
-constexpr std::size_t places = 16384;
+constexpr std::size_t grid_places = 16384;
 
 /// What the errors of a target are taken at, in float, which is exact in double.
 struct Grid {
@@ -18,7 +18,7 @@ struct Grid {
 
 Grid grid_of(const forms::Target& target) {
   Grid grid;
-  for (std::size_t i = 0; i < places; ++i) {
+  for (std::size_t i = 0; i < grid_places; ++i) {
     if (target.arguments == forms::Arguments::normal_to_lights) {
       const auto direction = forms::spread_direction(i);
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -27,7 +27,8 @@ Grid grid_of(const forms::Target& target) {
     }
     const bool has_codes = target.arguments == forms::Arguments::cosine_and_code;
     // With codes: each of the 256 at every 64th of the cosines.
-    const std::size_t step = has_codes ? i / 256 : i, last = has_codes ? places / 256 - 1 : places - 1;
+    const std::size_t step = has_codes ? i / 256 : i,
+                      last = has_codes ? grid_places / 256 - 1 : grid_places - 1;
     const double share = static_cast<double>(step) / static_cast<double>(last);
     grid.in[0].push_back(static_cast<float>(target.from + share * (target.to - target.from)));
     if (has_codes) grid.codes.push_back(static_cast<std::uint8_t>(i % 256));
@@ -37,7 +38,7 @@ Grid grid_of(const forms::Target& target) {
 
 template <class Real>
 std::vector<Real> values_of(forms::Kernel<Real> kernel, const Grid& grid, const std::vector<double>& given) {
-  std::vector<Real> parameters(given.size()), in[3], out(places);
+  std::vector<Real> parameters(given.size()), in[3], out(grid_places);
   std::transform(given.begin(), given.end(), parameters.begin(),
                  [](double x) { return static_cast<Real>(x); });
   forms::Arrays<Real> arrays;
@@ -47,7 +48,7 @@ std::vector<Real> values_of(forms::Kernel<Real> kernel, const Grid& grid, const 
   }
   arrays.codes = grid.codes.empty() ? nullptr : grid.codes.data();
   arrays.out = out.data();
-  arrays.size = places;
+  arrays.size = grid_places;
   kernel(arrays, parameters);
   return out;
 }

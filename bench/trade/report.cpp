@@ -34,16 +34,16 @@ std::string target_section(const Trade& trade, const TimedTarget& target,
 
 }  // namespace
 
-std::string bench_report(const Trade& trade, const std::vector<Figure>& figures) {
+std::string bench_report(const Trade& trade, const std::vector<Figure>& figures, bool has_table) {
   const Machine& machine = trade.machine;
   std::string text = fmt::format(
       "# Run time against error\n\n"
       "{}, compiled by {}; widths: {}. Medians of {} rounds, each of which visits every form once, on one core; "
       "`spread` is the interquartile range. `x copy`: in times of copying the same array in the same registers; `x faster than "
-      "pow`: than the scalar loop over the library's own functions in the same precision. Errors are those of "
-      "`accuracy.csv`, which is the same everywhere; times are this machine's, of this day. Each form stands at its "
-      "fastest width, its data in L1.\n\n",
-      machine.cpu, machine.compiler, widths_text(trade.widths), rounds_of(trade));
+      "pow`: than the scalar loop over the library's own functions in the same precision. Errors are {}; times are "
+      "this machine's, of this day. Each form stands at its fastest width, its data in L1.\n\n",
+      machine.cpu, machine.compiler, widths_text(trade.widths), rounds_of(trade),
+      has_table ? "those of `accuracy.csv`, which is the same everywhere" : "the largest on a grid");
   text += "# What to use when\n\n";
   for (const TimedTarget& target : trade.targets) text += target_section(trade, target, figures);
   if (!trade.goals.empty()) {
@@ -64,7 +64,7 @@ std::vector<Figure> bench_figures(const Trade& trade) {
 
 std::vector<File> bench_files(const Trade& trade, const std::optional<Table>& accuracy,
                               const std::vector<Figure>& figures) {
-  std::vector<File> files{{"bench.md", bench_report(trade, figures)},
+  std::vector<File> files{{"bench.md", bench_report(trade, figures, accuracy.has_value())},
                           {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
   if (accuracy) files.push_back({"accuracy.csv", write_csv(*accuracy, Precision::report)});
   return files;

@@ -12,7 +12,9 @@
 namespace shadefit::bench {
 
 /// bench.md: what to use when, the fronts as tables and pictures, the goals, and how it was measured.
-std::string bench_report(const Trade& trade, const std::vector<Figure>& figures);
+/// `has_table`: whether accuracy.csv stands beside it, which the errors are of; else they are those of a
+/// grid.
+std::string bench_report(const Trade& trade, const std::vector<Figure>& figures, bool has_table);
 
 /// The figures of all targets that have one.
 std::vector<Figure> bench_figures(const Trade& trade);

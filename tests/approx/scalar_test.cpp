@@ -15,6 +15,7 @@
 #include "tests/approx/formulas/cost.hpp"
 #include "tests/approx/formulas/environment_map.hpp"
 #include "tests/approx/formulas/fresnel.hpp"
+#include "tests/approx/formulas/full_range.hpp"
 #include "tests/approx/formulas/gloss.hpp"
 #include "tests/approx/formulas/kernels.hpp"
 #include "tests/approx/formulas/lobe.hpp"
@@ -48,6 +49,7 @@ void every_formula(const Visit& visit) {
   testing::cost_formulas(visit);
   testing::environment_map_formulas(visit);
   testing::material_formulas(visit);
+  testing::full_range_formulas(visit);
 }
 
 template <class T, class F>

@@ -207,13 +207,13 @@ TEST(Trade, TheTableOfTimesHasTheColumnsThatOthersRelyOn) {
 
 TEST(Trade, TheReportHasWordsTablesPicturesAndGoals) {
   const Trade trade = made_up_trade();
-  const std::string report = bench_report(trade, bench_figures(trade));
+  const std::string report = bench_report(trade, bench_figures(trade), true);
   for (const char* part : {"# What to use when", "## The lobe c^10", "- An error of 0.02 allowed",
                            "| cheap form, exp2 of degree 3 ", "](plots/pareto-lobe.svg)", "# Goals",
                            "A CPU, made up, compiled by a compiler; widths: scalar, AVX2."})
     EXPECT_TRUE(has(report, part)) << part;
   EXPECT_TRUE(report.ends_with("|\n"));
-  EXPECT_FALSE(has(bench_report(trade, {}), "plots/"));
+  EXPECT_FALSE(has(bench_report(trade, {}, false), "plots/"));
   const std::string goals = write_csv(goals_table(trade), Precision::report);
   EXPECT_EQ(goals,
             "ratio,wanted,reached,met\nfast,>= 45,52,yes\nslow,>= 45,44,no\nnear,<= 1.4,1.4,yes\n"

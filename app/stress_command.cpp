@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/slow_tables.hpp"
+#include "fit/stress/starts.hpp"
+#include "fit/stress/stress.hpp"
+#include "reports/files.hpp"
+#include "reports/stress_tables.hpp"
+#include "reports/utf8.hpp"
+#include "reports/writers.hpp"
+
+/// The subcommand `stress`.
+namespace shadefit {
+namespace {
+
+struct Stress {
+  std::vector<Trial> forms;
+  std::vector<StartsTrial> fits;
+};
+
+Stress under_stress(const Checkpoint& checkpoint, const Progress& progress) {
+  Stress stress;
+  stress.forms = try_all_forms(stress_inputs, checkpoint,
+                               [&](std::string_view topic) { progress(fmt::format("stress: {}", topic)); });
+  progress("stress: fits");
+  stress.fits = try_starts(stress_starts, checkpoint);
+  progress("");
+  return stress;
+}
+
+}  // namespace
+
+std::vector<File> stress_tables(const Checkpoint& checkpoint, const Progress& progress) {
+  const Stress stress = under_stress(checkpoint, progress);
+  return stress_files(stress.forms, stress.fits);
+}
+
+Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  require_directory(options.out);
+  const Stress stress = under_stress(checkpoint, progress);
+  write_files(options.out, stress_files(stress.forms, stress.fits), checkpoint);
+  const std::string err = broken_lines(stress.forms, stress.fits);
+  return {err.empty() ? 0 : 1,
+          write_console(forms_stress_summary(stress.forms), Precision::report) + "\n" +
+              write_console(fits_stress_summary(stress.fits), Precision::report) +
+              fmt::format("\nTables: {}, {}\n",
+                          printable((without_detours(options.out) / forms_stress_file).string()),
+                          fits_stress_file),
+          err};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,128 @@
+#include "fit/stress/starts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+
+#include "fit/family_visit.hpp"
+#include "fit/least_squares.hpp"
+#include "fit/stress/newton_in_50_digits.hpp"
+#include "fit/stress/sequence.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Lobes from blunt to needle-sharp; one of 15 also on a thousandth of the domain, as every other form.
+constexpr std::array lobe_exponents{1e-3, 0.1, 1.0, 3.7, 15.0, 1e3, 1e6, 1e9};
+constexpr std::array narrow{Domain{0.999, 1}, Domain{0.4995, 0.5005}, Domain{0, 1e-3}};
+
+struct Case {
+  Setting setting;
+  Domain domain;
+};
+
+template <class F>
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  if constexpr (requires(F f) { f.exponent; }) {
+    for (const double k : lobe_exponents) all.push_back({Setting(k), {}});
+    for (const Domain& domain : narrow) all.push_back({Setting(15), domain});
+  } else {
+    all.push_back({Setting(0), {}});
+    for (const Domain& domain : narrow) all.push_back({Setting(0), domain});
+  }
+  return all;
+}
+
+/// Three places in the box that the family's own starts span, four times as wide about its middle.
+template <class F>
+Starts<F> starts_in_box(const Starts<F>& own, Sequence& sequence) {
+  Starts<F> starts;
+  for (auto& start : starts) {
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      const auto [low, high] = std::minmax({own[0][i], own[1][i], own[2][i]});
+      const double middle = (low + high) / 2, reach = 2 * (high - low);
+      start[i] = sequence.between(middle - reach, middle + reach);
+    }
+  }
+  return starts;
+}
+
+/// The digits of an answer: of a Newton step from it, with the gradient in 50 digits and a Hessian in double.
+template <class F, std::size_t N>
+int digits_of(const F& family, const Metric& metric, const std::array<double, N>& parameters) {
+  constexpr int n = static_cast<int>(N);
+  const auto gradient = gradient_in_50_digits(family, metric.domain, parameters);
+  const auto panels = Substitution::panels(metric, family.shape());
+  const auto derivatives =
+      SampledProblem<F, double>(family, panels, fit_rules.back()).derivatives(parameters);
+  Eigen::Matrix<double, n, 1> g;
+  // The problem's measure totals 1.
+  const double total = metric.domain.upper - metric.domain.lower;
+  for (int i = 0; i < n; ++i)
+    g[i] = Decimal50(gradient[static_cast<std::size_t>(i)] / total).template convert_to<double>();
+  const auto newton = newton_step<double, double, n>(g, derivatives.hessian);
+  return newton.is_finite ? correct_digits(relative_size(newton.step, parameters)) : 0;
+}
+
+template <class F>
+StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const Checkpoint& checkpoint) {
+  const F family = make_family<F>(at.setting);
+  const Metric metric{.domain = at.domain};
+  const LeastSquares<F> problem(family, metric);
+  const auto own = problem.solve();
+  StartsTrial trial;
+  trial.family = F::info.id;
+  if constexpr (requires { family.exponent; }) trial.exponent = family.exponent;
+  trial.domain = at.domain;
+  trial.status = own.status;
+  // Where the family's own starts do not lead to one optimum, the first that converges says where it is.
+  auto reference = own;
+  const auto measure = [&] {
+    trial.claimed = reference.digits;
+    trial.digits = digits_of(family, metric, reference.parameters);
+  };
+  if (own.status == Status::converged) measure();
+  Sequence sequence(seed);
+  for (std::size_t i = 0; i < fits; ++i) {
+    if (i % 64 == 0) checkpoint();
+    const auto starts = starts_in_box<F>(family.starts(), sequence);
+    const auto found = problem.solve(starts);
+    trial.starts += static_cast<long>(starts.size());
+    ++trial.fits;
+    if (found.status != Status::converged) {
+      ++trial.failed;
+      continue;
+    }
+    if (reference.status != Status::converged) {
+      reference = found;
+      measure();
+    }
+    if (std::find(starts.begin(), starts.end(), found.parameters) != starts.end()) ++trial.returned;
+    const bool is_there = distance(found.parameters, reference.parameters) <= same_optimum;
+    ++(is_there ? trial.reached : trial.elsewhere);
+  }
+  return trial;
+}
+
+template <class F>
+void try_family(std::vector<StartsTrial>& trials, std::size_t starts, const Checkpoint& checkpoint) {
+  const auto all = cases<F>();
+  for (const Case& at : all)
+    trials.push_back(
+        try_case<F>(at, (starts + 3 * all.size() - 1) / (3 * all.size()), trials.size(), checkpoint));
+}
+
+}  // namespace
+
+std::vector<StartsTrial> try_starts(std::size_t starts, const Checkpoint& checkpoint) {
+  std::vector<StartsTrial> trials;
+  [&]<class... F>(std::type_identity<std::tuple<F...>>) {
+    (try_family<F>(trials, starts, checkpoint), ...);
+  }(std::type_identity<Families>{});
+  return trials;
+}
+
+}  // namespace shadefit

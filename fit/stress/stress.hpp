@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "fit/checkpoint.hpp"
+#include "fit/stress/trial.hpp"
+
+/// Forms where they are hardest.
+namespace shadefit {
+
+/// Random inputs per regime and format, and starts per family, of the command and its tables.
+inline constexpr std::size_t stress_inputs = 1500, stress_starts = 10000;
+
+/// Every form of every regime. `progress` is called before each regime with its topic.
+std::vector<Trial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,
+                                 const std::function<void(std::string_view topic)>& progress);
+
+}  // namespace shadefit
