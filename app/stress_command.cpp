@@ -14,7 +14,7 @@ namespace shadefit {
 namespace {
 
 struct Stress {
-  std::vector<Trial> forms;
+  std::vector<FormTrial> forms;
   std::vector<StartsTrial> fits;
 };
 

@@ -17,7 +17,7 @@ int binade(const Decimal50& x) {
 
 }  // namespace
 
-Decimal50 ulp_at(const Decimal50& truth, const UlpFormat& format) {
+Decimal50 ulp_at(const Decimal50& truth, const BinaryFormat& format) {
   int e = format.least_exponent;
   if (isinf(truth)) {
     e = format.greatest_exponent;
@@ -27,13 +27,13 @@ Decimal50 ulp_at(const Decimal50& truth, const UlpFormat& format) {
   return ldexp(Decimal50(1), e - format.digits + 1);
 }
 
-bool overflows(const Decimal50& truth, const UlpFormat& format) {
+bool overflows(const Decimal50& truth, const BinaryFormat& format) {
   if (isinf(truth)) return true;
   const Decimal50 half_ulp = ldexp(Decimal50(1), format.greatest_exponent - format.digits);
   return abs(truth) >= ldexp(Decimal50(1), format.greatest_exponent + 1) - half_ulp;
 }
 
-double ulps_off(double computed, const Decimal50& truth, const UlpFormat& format) {
+double ulps_off(double computed, const Decimal50& truth, const BinaryFormat& format) {
   if (isnan(truth)) throw std::invalid_argument("the truth is no number");
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (std::isnan(computed)) return infinity;

@@ -31,33 +31,33 @@ std::string share(const StartsTrial& t) {
   return 10 * t.reached >= 9 * t.fits ? "most" : t.reached > 0 ? "some" : "none";
 }
 
-bool is_told(const Trial& trial) {
+bool is_told(const FormTrial& trial) {
   return !trial.is_robust() && trial.worst_ulps > least_told;
 }
 
-const std::string& first_wrong(const Trial& trial) {
+const std::string& first_wrong(const FormTrial& trial) {
   return trial.first_bad.empty() ? trial.first_broken : trial.first_bad;
 }
 
 /// How bad a row is: results that are none first, then the error.
-auto badness(const Trial& trial) {
+auto badness(const FormTrial& trial) {
   return std::pair(trial.nan + trial.infinite + trial.negative + trial.above.value_or(0), trial.worst_ulps);
 }
 
 }  // namespace
 
-Table forms_stress_table(const std::vector<Trial>& trials) {
+Table forms_stress_table(const std::vector<FormTrial>& trials) {
   Table table{{"topic", "name", "formula", "role", "format", "domain", "inputs", "worst_ulps", "worst_at",
                "bound", "kept", "nan", "infinite", "negative", "above", "first_bad"},
               {}};
-  for (const Trial& t : trials) {
+  for (const FormTrial& t : trials) {
     table.rows.push_back({std::string(t.topic), std::string(t.form), t.formula,
                           std::string(t.is_robust() ? "robust" : "naive"), std::string(t.format.name),
                           t.domain, t.inputs, is_told(t) ? Cell(power_of_two_above(t.worst_ulps)) : Cell(),
                           is_told(t) ? Cell(t.worst_at) : Cell(),
                           t.is_robust() ? Cell(bound_text(*t.bound, t.format)) : Cell(),
-                          t.is_robust() ? Cell(yes_or_no(t.is_kept())) : Cell(), t.nan, t.infinite, t.negative,
-                          t.above ? Cell(*t.above) : Cell(), first_wrong(t)});
+                          t.is_robust() ? Cell(yes_or_no(t.is_kept())) : Cell(), t.nan, t.infinite,
+                          t.negative, t.above ? Cell(*t.above) : Cell(), first_wrong(t)});
   }
   return table;
 }
@@ -74,7 +74,7 @@ Table fits_stress_table(const std::vector<StartsTrial>& trials) {
   return table;
 }
 
-Table forms_stress_summary(const std::vector<Trial>& trials) {
+Table forms_stress_summary(const std::vector<FormTrial>& trials) {
   Table table{{"topic", "format", "form", "worst ulps", "nan", "inf", "< 0", "> max", "robust form",
                "worst ulps", "bound", "kept"},
               {}};
@@ -83,13 +83,13 @@ Table forms_stress_summary(const std::vector<Trial>& trials) {
     while (end < trials.size() && trials[end].topic == trials[i].topic &&
            trials[end].domain == trials[i].domain)
       ++end;
-    for (const UlpFormat& format : stress_formats) {
-      const Trial* naive = nullptr;
-      const Trial* robust = nullptr;
+    for (const BinaryFormat& format : stress_formats) {
+      const FormTrial* naive = nullptr;
+      const FormTrial* robust = nullptr;
       for (std::size_t j = i; j < end; ++j) {
-        const Trial& t = trials[j];
+        const FormTrial& t = trials[j];
         if (t.format.name != format.name) continue;
-        const Trial*& worst = t.is_robust() ? robust : naive;
+        const FormTrial*& worst = t.is_robust() ? robust : naive;
         if (worst == nullptr || badness(*worst) < badness(t)) worst = &t;
       }
       std::vector<Cell> row{std::string(trials[i].topic), std::string(format.name)};
@@ -132,9 +132,9 @@ Table fits_stress_summary(const std::vector<StartsTrial>& trials) {
   return table;
 }
 
-std::string broken_lines(const std::vector<Trial>& trials, const std::vector<StartsTrial>& fits) {
+std::string broken_lines(const std::vector<FormTrial>& trials, const std::vector<StartsTrial>& fits) {
   std::string lines;
-  for (const Trial& t : trials) {
+  for (const FormTrial& t : trials) {
     if (!t.is_robust() || t.is_kept()) continue;
     if (!t.first_broken.empty())
       lines +=
@@ -155,7 +155,7 @@ std::string broken_lines(const std::vector<Trial>& trials, const std::vector<Sta
   return lines;
 }
 
-std::vector<File> stress_files(const std::vector<Trial>& trials, const std::vector<StartsTrial>& fits) {
+std::vector<File> stress_files(const std::vector<FormTrial>& trials, const std::vector<StartsTrial>& fits) {
   return {{forms_stress_file, write_csv(forms_stress_table(trials), Precision::report)},
           {fits_stress_file, write_csv(fits_stress_table(fits), Precision::report)}};
 }

@@ -22,7 +22,7 @@ namespace shadefit {
 /// or
 ///   above the largest exact value (1; 2048 of a decoded gloss; empty where there is none); `first_bad` is
 ///   the first input that they count, or of a robust form the first beyond its bound.
-Table forms_stress_table(const std::vector<Trial>& trials);
+Table forms_stress_table(const std::vector<FormTrial>& trials);
 
 /// stress-fits.csv: a row per family, exponent and domain. `status` is that of the fit from the family's own
 /// starts; `right` says that every fit from drawn starts that converged did so at one optimum, none at a
@@ -32,16 +32,16 @@ Table forms_stress_table(const std::vector<Trial>& trials);
 Table fits_stress_table(const std::vector<StartsTrial>& trials);
 
 /// Per topic the worst naive row and the robust one beside it, and the fits in short: for a console.
-Table forms_stress_summary(const std::vector<Trial>& trials);
+Table forms_stress_summary(const std::vector<FormTrial>& trials);
 Table fits_stress_summary(const std::vector<StartsTrial>& trials);
 
 /// One line for each bound that was broken and each fit that returned something wrong.
-std::string broken_lines(const std::vector<Trial>& trials, const std::vector<StartsTrial>& fits);
+std::string broken_lines(const std::vector<FormTrial>& trials, const std::vector<StartsTrial>& fits);
 
 inline constexpr const char* forms_stress_file = "stress.csv";
 inline constexpr const char* fits_stress_file = "stress-fits.csv";
 
 /// Both files, as the command writes them and `check --all` recomputes them.
-std::vector<File> stress_files(const std::vector<Trial>& trials, const std::vector<StartsTrial>& fits);
+std::vector<File> stress_files(const std::vector<FormTrial>& trials, const std::vector<StartsTrial>& fits);
 
 }  // namespace shadefit

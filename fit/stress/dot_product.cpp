@@ -11,7 +11,7 @@ namespace {
 
 /// What a shader gets for a cosine: the dot product of two vectors, each scaled to length 1 in the format.
 /// Those here are nearly parallel, nearly orthogonal, or anyhow.
-double dot_of_normalised(const UlpFormat& format, Sequence& sequence, int kind) {
+double dot_of_normalised(const BinaryFormat& format, Sequence& sequence, int kind) {
   const auto round = [&](double x) { return round_to(format, x); };
   std::array<double, 3> a{}, b{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -32,7 +32,7 @@ double dot_of_normalised(const UlpFormat& format, Sequence& sequence, int kind) 
 }
 
 /// The ends of [0, 1] from both sides, subnormals, and dot products.
-std::vector<double> dot_products(const UlpFormat& format, std::size_t random, std::uint64_t seed) {
+std::vector<double> dot_products(const BinaryFormat& format, std::size_t random, std::uint64_t seed) {
   std::vector<double> all = edges(format, 1);
   const double ulp = 1 - below_one(format), tiny = least_subnormal(format);
   for (const double c : {-0.0, -tiny, -least_normal(format), -ulp, -0.5, -1.0, 1 + 2 * ulp, 1 + 4 * ulp,
@@ -46,7 +46,7 @@ std::vector<double> dot_products(const UlpFormat& format, std::size_t random, st
 }
 
 /// With every power, 0 among them.
-std::vector<Input> with_powers(const UlpFormat& format, std::size_t random, bool has_zero, double factor) {
+std::vector<Input> with_powers(const BinaryFormat& format, std::size_t random, bool has_zero, double factor) {
   std::vector<Input> inputs;
   const auto cosines = dot_products(format, random, 4);
   for (const double k : {0.0, 0.001, 0.5, 1.0, 5.0, 100.0, 1000.0, 1e6, 1e9}) {
@@ -81,7 +81,7 @@ Regime power_regime() {
                       const Decimal50& k) { return k == 0 ? Decimal50(1) : power_lobe(clamped(dot), k); },
           .folds = [](double c, double k) { return c <= 0 || c >= 1 ? 0 : k * std::log(c); },
           .at_most = 1,
-          .inputs = [](const UlpFormat& format,
+          .inputs = [](const BinaryFormat& format,
                        std::size_t random) { return with_powers(format, random, true, 1); }};
 }
 
@@ -101,7 +101,7 @@ Regime gaussian_regime() {
                 return a * (c < 0 ? -1 : c > 1 ? 0 : c - 1) * std::log(2.0);
               },
           .at_most = 1,
-          .inputs = [](const UlpFormat& format,
+          .inputs = [](const BinaryFormat& format,
                        std::size_t random) { return with_powers(format, random, false, 1 / std::log(2.0)); }};
 }
 
@@ -118,7 +118,7 @@ Regime schlick_regime() {
       .truth = [](const Decimal50& dot, const Decimal50&) { return schlick_weight(clamped(dot)); },
       .at_most = 1,
       .inputs =
-          [](const UlpFormat& format, std::size_t random) {
+          [](const BinaryFormat& format, std::size_t random) {
             std::vector<Input> inputs;
             for (const double c : dot_products(format, 8 * random, 5)) inputs.push_back({c, 0});
             return inputs;

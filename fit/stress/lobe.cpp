@@ -23,13 +23,13 @@ Regime near_peak() {
           .truth = [](const Decimal50& y, const Decimal50& k) { return power_lobe(Decimal50(1 - y), k); },
           .folds = [](double y, double k) { return k * std::log1p(-y); },
           .at_most = 1,
-          .inputs = [](const UlpFormat& format,
+          .inputs = [](const BinaryFormat& format,
                        std::size_t random) { return near_peak_inputs(format, 1, random, 1); }};
 }
 
 /// cos^k(theta/2) from y = 1 - cos(theta). y/2 has to be a number of the format: k multiplies what it loses.
 Regime half_angle() {
-  const auto inputs = [](const UlpFormat& format, std::size_t random) {
+  const auto inputs = [](const BinaryFormat& format, std::size_t random) {
     auto all = near_peak_inputs(format, 2, random, 2);
     std::erase_if(all, [&](const Input& i) { return 0 < i[0] && i[0] < 2 * least_normal(format); });
     return all;
@@ -54,7 +54,7 @@ Regime half_angle() {
 
 /// A c - A against A (c - 1), A = k/ln 2.
 Regime base_two() {
-  const auto inputs = [](const UlpFormat& format, std::size_t random) {
+  const auto inputs = [](const BinaryFormat& format, std::size_t random) {
     std::vector<Input> all;
     for (const Input& i : near_peak_inputs(format, 1, random, 3)) {
       const double base_two = round_to(format, i[1] / std::log(2.0));

@@ -8,7 +8,7 @@
 namespace shadefit {
 namespace {
 
-std::vector<Input> inputs(const UlpFormat& format, std::size_t random) {
+std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
   const double top = largest(format);
   std::vector<double> numbers{0,
                               least_subnormal(format),

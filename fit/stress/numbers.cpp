@@ -9,7 +9,7 @@ namespace shadefit {
 namespace {
 
 /// The next number of the format above (`up`) or below a finite one; a subnormal step at 0.
-double neighbour(const UlpFormat& format, double x, bool up) {
+double neighbour(const BinaryFormat& format, double x, bool up) {
   int exponent = format.least_exponent;
   if (x != 0) exponent = std::max(std::ilogb(x), format.least_exponent);
   const double step = std::ldexp(1.0, exponent - format.digits + 1);
@@ -22,28 +22,28 @@ double neighbour(const UlpFormat& format, double x, bool up) {
 
 }  // namespace
 
-double round_to(const UlpFormat& format, double x) {
+double round_to(const BinaryFormat& format, double x) {
   return in_format(format.name, [&]<class T>() { return widened(rounded_to<T>(x)); });
 }
 
-double least_subnormal(const UlpFormat& format) {
+double least_subnormal(const BinaryFormat& format) {
   return std::ldexp(1.0, format.least_exponent - format.digits + 1);
 }
 
-double least_normal(const UlpFormat& format) {
+double least_normal(const BinaryFormat& format) {
   return std::ldexp(1.0, format.least_exponent);
 }
 
-double largest(const UlpFormat& format) {
+double largest(const BinaryFormat& format) {
   return std::ldexp(2 - std::ldexp(1.0, 1 - format.digits), format.greatest_exponent);
 }
 
-double below_one(const UlpFormat& format) {
+double below_one(const BinaryFormat& format) {
   return 1 - std::ldexp(1.0, -format.digits);
 }
 
-std::vector<double> with_neighbours(const UlpFormat& format, const std::vector<double>& numbers, double low,
-                                    double high, int reach) {
+std::vector<double> with_neighbours(const BinaryFormat& format, const std::vector<double>& numbers,
+                                    double low, double high, int reach) {
   std::vector<double> found;
   const auto add = [&](double x) {
     if (low <= x && x <= high) found.push_back(x == 0 ? 0 : x);
@@ -71,7 +71,7 @@ double log_uniform(Sequence& sequence, double low, double high) {
   }
 }
 
-std::vector<double> exponents(const UlpFormat& format) {
+std::vector<double> exponents(const BinaryFormat& format) {
   std::vector<double> all;
   for (double decade = 1e-3; decade <= 1e9; decade *= 10) {
     for (const double times : {1.0, 5.0}) all.push_back(decade * times);
@@ -80,7 +80,7 @@ std::vector<double> exponents(const UlpFormat& format) {
   return with_neighbours(format, all, 1e-3, std::min(1e9, largest(format)), 0);
 }
 
-std::vector<Input> near_peak_inputs(const UlpFormat& format, double high, std::size_t random,
+std::vector<Input> near_peak_inputs(const BinaryFormat& format, double high, std::size_t random,
                                     std::uint64_t seed) {
   std::vector<Input> inputs;
   const double folds = -std::log(least_subnormal(format));
@@ -100,7 +100,7 @@ std::vector<Input> near_peak_inputs(const UlpFormat& format, double high, std::s
   return inputs;
 }
 
-std::vector<double> edges(const UlpFormat& format, double high) {
+std::vector<double> edges(const BinaryFormat& format, double high) {
   std::vector<double> all{0, least_subnormal(format), 3 * least_subnormal(format), least_normal(format),
                           high};
   for (int e = format.least_exponent; e <= 1; e = e < -60 ? e / 2 : e < -12 ? e + 4 : e + 1)

@@ -6,7 +6,7 @@
 namespace shadefit {
 namespace {
 
-std::vector<Input> inputs(const UlpFormat& format, std::size_t random) {
+std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
   std::vector<double> numbers = edges(format, 2);
   const double end = below_one(format);
   for (const double x : edges(format, end)) numbers.push_back(-x);

@@ -6,12 +6,12 @@
 
 namespace shadefit {
 
-std::vector<Trial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,
-                                 const std::function<void(std::string_view topic)>& progress) {
+std::vector<FormTrial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,
+                                     const std::function<void(std::string_view topic)>& progress) {
   constexpr std::array topics{lobe_regimes,     dot_product_regimes,   von_mises_fisher_regimes,
                               phase_regimes,    normalisation_regimes, gloss_regimes,
                               remainder_regimes};
-  std::vector<Trial> trials;
+  std::vector<FormTrial> trials;
   for (const auto& regimes : topics) {
     for (const Regime& regime : regimes()) {
       progress(regime.topic);

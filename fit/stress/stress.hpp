@@ -15,7 +15,7 @@ namespace shadefit {
 inline constexpr std::size_t stress_inputs = 1500, stress_starts = 10000;
 
 /// Every form of every regime. `progress` is called before each regime with its topic.
-std::vector<Trial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,
-                                 const std::function<void(std::string_view topic)>& progress);
+std::vector<FormTrial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,
+                                     const std::function<void(std::string_view topic)>& progress);
 
 }  // namespace shadefit

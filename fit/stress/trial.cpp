@@ -24,7 +24,7 @@ std::string text_of(const Input& input, const std::array<std::string_view, 2>& n
   return text;
 }
 
-std::vector<Exact> exact_values(const Regime& regime, const UlpFormat& format,
+std::vector<Exact> exact_values(const Regime& regime, const BinaryFormat& format,
                                 const std::vector<Input>& inputs, const Checkpoint& checkpoint) {
   std::vector<Exact> values;
   values.reserve(inputs.size());
@@ -43,10 +43,10 @@ std::vector<Exact> exact_values(const Regime& regime, const UlpFormat& format,
   return values;
 }
 
-Trial try_form(const Regime& regime, const StressedForm& form, std::size_t format_index,
-               const std::vector<Input>& inputs, const std::vector<Exact>& exact) {
-  const UlpFormat& format = stress_formats[format_index];
-  Trial trial;
+FormTrial try_form(const Regime& regime, const StressedForm& form, std::size_t format_index,
+                   const std::vector<Input>& inputs, const std::vector<Exact>& exact) {
+  const BinaryFormat& format = stress_formats[format_index];
+  FormTrial trial;
   trial.topic = regime.topic;
   trial.form = form.name;
   trial.formula = form.formula;
@@ -86,27 +86,27 @@ Trial try_form(const Regime& regime, const StressedForm& form, std::size_t forma
 
 }  // namespace
 
-double Roundings::fixed(const UlpFormat& format) const {
+double Roundings::fixed(const BinaryFormat& format) const {
   return operations + functions * (format.digits == half_format.digits ? 1 : 2);
 }
 
-double Roundings::per_fold(const UlpFormat& format) const {
+double Roundings::per_fold(const BinaryFormat& format) const {
   return operations_per_fold + functions_per_fold * (format.digits == half_format.digits ? 1 : 2);
 }
 
-std::string bound_text(const Roundings& roundings, const UlpFormat& format) {
+std::string bound_text(const Roundings& roundings, const BinaryFormat& format) {
   const double per_fold = roundings.per_fold(format);
   const std::string fixed = to_text(roundings.fixed(format));
   return per_fold == 0 ? fixed : fixed + " + " + to_text(per_fold) + " L";
 }
 
-double bound_ulps(const Roundings& roundings, const UlpFormat& format, double folds) {
+double bound_ulps(const Roundings& roundings, const BinaryFormat& format, double folds) {
   const double u = std::ldexp(1.0, -format.digits);
   return std::expm1((roundings.fixed(format) + roundings.per_fold(format) * folds) * u) / u;
 }
 
-std::vector<Trial> try_forms(const Regime& regime, std::size_t random, const Checkpoint& checkpoint) {
-  std::vector<Trial> trials(regime.forms.size() * stress_formats.size());
+std::vector<FormTrial> try_forms(const Regime& regime, std::size_t random, const Checkpoint& checkpoint) {
+  std::vector<FormTrial> trials(regime.forms.size() * stress_formats.size());
   for (std::size_t f = 0; f < stress_formats.size(); ++f) {
     const auto inputs = regime.inputs(stress_formats[f], random);
     const auto exact = exact_values(regime, stress_formats[f], inputs, checkpoint);

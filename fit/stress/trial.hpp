@@ -19,16 +19,16 @@
 namespace shadefit {
 
 /// A form in a format: numbers of it in, a number of it out, all held as doubles.
-using EvaluateInFormat = double (*)(double, double);
+using NumberFunction = double (*)(double, double);
 /// The same in half, float and double.
-using InFormats = std::array<EvaluateInFormat, 3>;
+using InFormats = std::array<NumberFunction, 3>;
 
 inline constexpr std::array stress_formats{half_format, float_format, double_format};
 
 /// A generic captureless function of two scalars of one type, in each format.
 template <class Formula>
 InFormats in_formats(Formula) {
-  const auto evaluate = []<class T>(std::type_identity<T>) -> EvaluateInFormat {
+  const auto evaluate = []<class T>(std::type_identity<T>) -> NumberFunction {
     return [](double a, double b) { return widened(Formula{}(rounded_to<T>(a), rounded_to<T>(b))); };
   };
   return {evaluate(std::type_identity<Eigen::half>{}), evaluate(std::type_identity<float>{}),
@@ -47,15 +47,15 @@ struct Roundings {
   double operations = 0, functions = 0;
   double operations_per_fold = 0, functions_per_fold = 0;
 
-  double fixed(const UlpFormat& format) const;
-  double per_fold(const UlpFormat& format) const;
+  double fixed(const BinaryFormat& format) const;
+  double per_fold(const BinaryFormat& format) const;
 };
 
 /// "2 + 3 L", L the e-folds.
-std::string bound_text(const Roundings& roundings, const UlpFormat& format);
+std::string bound_text(const Roundings& roundings, const BinaryFormat& format);
 
 /// The ulps that they amount to after so many e-folds.
-double bound_ulps(const Roundings& roundings, const UlpFormat& format, double folds);
+double bound_ulps(const Roundings& roundings, const BinaryFormat& format, double folds);
 
 struct StressedForm {
   std::string_view name;
@@ -75,14 +75,14 @@ struct Regime {
   double (*folds)(double, double) = nullptr;
   std::optional<double> at_most = std::nullopt;  ///< the largest value that the exact formula takes
   bool is_positive = true;                       ///< the exact formula is nowhere negative
-  std::function<std::vector<Input>(const UlpFormat&, std::size_t random)> inputs;
+  std::function<std::vector<Input>(const BinaryFormat&, std::size_t random)> inputs;
 };
 
 /// What came of one form in one format.
-struct Trial {
+struct FormTrial {
   std::string_view topic, form;
   std::string formula, domain;
-  UlpFormat format = double_format;
+  BinaryFormat format = double_format;
   std::optional<Roundings> bound;
   long inputs = 0;
   double worst_ulps = 0;   ///< of the results that are numbers
@@ -101,7 +101,7 @@ struct Trial {
 };
 
 /// Tries the forms of a regime in each format, at its edges and at about that many random inputs.
-std::vector<Trial> try_forms(const Regime& regime, std::size_t random,
-                             const Checkpoint& checkpoint = keep_going);
+std::vector<FormTrial> try_forms(const Regime& regime, std::size_t random,
+                                 const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

@@ -9,7 +9,7 @@ namespace shadefit {
 namespace {
 
 /// Lobes as everywhere, and what only a normalisation minds: k towards 0, and where sinh overflows.
-std::vector<Input> inputs(const UlpFormat& format, std::size_t random) {
+std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
   auto all = near_peak_inputs(format, 2, random, 6);
   const double top = largest(format);
   const auto concentrations =

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double off(double computed, double truth, const UlpFormat& format = double_format) {
+double off(double computed, double truth, const BinaryFormat& format = double_format) {
   return ulps_off(computed, Decimal50(truth), format);
 }
 
