@@ -286,9 +286,9 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_certify(app, call);
   add_verify(app, call);
   add_explain(app, call);
+  add_bench(app, call);
   add_stress(app, call);
   add_check(app, call);
-  add_bench(app, call);
 
   try {
     require_known_command(app, arguments);

@@ -3,15 +3,27 @@
 #include "fit/solve.hpp"
 
 namespace shadefit {
+namespace {
 
-template <class F>
-Solution solve_plain(const F& family, const Metric& metric) {
-  const auto optimum = solve_least_squares(family, metric);
+template <int N>
+Solution solution_of(const Optimum<N>& optimum) {
   return {{optimum.parameters.begin(), optimum.parameters.end()},
           optimum.status,
           optimum.iterations,
           optimum.digits,
           optimum.rms_error};
+}
+
+}  // namespace
+
+template <class F>
+Solution solve_plain(const F& family, const Metric& metric) {
+  return solution_of(solve_least_squares(family, metric));
+}
+
+template <class F>
+Solution solve_plain_from(const F& family, const Metric& metric, const FamilyStarts<F>& starts) {
+  return solution_of(LeastSquares<F>(family, metric).solve(starts));
 }
 
 template Solution solve_plain(const SgOffset&, const Metric&);
@@ -24,5 +36,18 @@ template Solution solve_plain(const FresnelQuartic&, const Metric&);
 template Solution solve_plain(const FresnelFourth&, const Metric&);
 template Solution solve_plain(const FresnelSquare&, const Metric&);
 template Solution solve_plain(const FresnelRational&, const Metric&);
+
+template Solution solve_plain_from(const SgOffset&, const Metric&, const FamilyStarts<SgOffset>&);
+template Solution solve_plain_from(const FresnelOneTerm&, const Metric&, const FamilyStarts<FresnelOneTerm>&);
+template Solution solve_plain_from(const FresnelQuadratic&, const Metric&,
+                                   const FamilyStarts<FresnelQuadratic>&);
+template Solution solve_plain_from(const PhongBlinn&, const Metric&, const FamilyStarts<PhongBlinn>&);
+template Solution solve_plain_from(const SgScaled&, const Metric&, const FamilyStarts<SgScaled>&);
+template Solution solve_plain_from(const FresnelCubic&, const Metric&, const FamilyStarts<FresnelCubic>&);
+template Solution solve_plain_from(const FresnelQuartic&, const Metric&, const FamilyStarts<FresnelQuartic>&);
+template Solution solve_plain_from(const FresnelFourth&, const Metric&, const FamilyStarts<FresnelFourth>&);
+template Solution solve_plain_from(const FresnelSquare&, const Metric&, const FamilyStarts<FresnelSquare>&);
+template Solution solve_plain_from(const FresnelRational&, const Metric&,
+                                   const FamilyStarts<FresnelRational>&);
 
 }  // namespace shadefit

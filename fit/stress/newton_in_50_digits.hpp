@@ -41,11 +41,9 @@ std::vector<Decimal50> joints(const F& family, const Domain& domain) {
 /// stated; derivatives by central differences of 1e-15 of the parameter, which leave 30 of the 50 digits.
 template <class F, std::size_t N>
 std::array<Decimal50, N> gradient_in_50_digits(const F& family, const Domain& domain,
-                                               const std::array<double, N>& parameters) {
+                                               const std::array<Decimal50, N>& p) {
   using Rule = boost::math::quadrature::gauss<Decimal50, 30>;
   using Parameters = std::array<Decimal50, N>;
-  Parameters p;
-  std::copy(parameters.begin(), parameters.end(), p.begin());
   Decimal50 exponent = 0;
   if constexpr (requires { family.exponent; }) exponent = family.exponent;
   Parameters gradient{};

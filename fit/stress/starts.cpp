@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "fit/family_visit.hpp"
-#include "fit/least_squares.hpp"
+#include "fit/solve.hpp"
 #include "fit/stress/newton_in_50_digits.hpp"
 #include "fit/stress/sequence.hpp"
 
@@ -38,8 +38,8 @@ std::vector<Case> cases() {
 
 /// Three places in the box that the family's own starts span, four times as wide about its middle.
 template <class F>
-Starts<F> starts_in_box(const Starts<F>& own, Sequence& sequence) {
-  Starts<F> starts;
+FamilyStarts<F> starts_in_box(const FamilyStarts<F>& own, Sequence& sequence) {
+  FamilyStarts<F> starts;
   for (auto& start : starts) {
     for (std::size_t i = 0; i < start.size(); ++i) {
       const auto [low, high] = std::minmax({own[0][i], own[1][i], own[2][i]});
@@ -50,46 +50,63 @@ Starts<F> starts_in_box(const Starts<F>& own, Sequence& sequence) {
   return starts;
 }
 
-/// The digits of an answer: of a Newton step from it, with the gradient in 50 digits and a Hessian in double.
-template <class F, std::size_t N>
-int digits_of(const F& family, const Metric& metric, const std::array<double, N>& parameters) {
-  constexpr int n = static_cast<int>(N);
-  const auto gradient = gradient_in_50_digits(family, metric.domain, parameters);
-  const auto panels = Substitution::panels(metric, family.shape());
-  const auto derivatives =
-      SampledProblem<F, double>(family, panels, fit_rules.back()).derivatives(parameters);
-  Eigen::Matrix<double, n, 1> g;
-  // The problem's measure totals 1.
-  const double total = metric.domain.upper - metric.domain.lower;
-  for (int i = 0; i < n; ++i)
-    g[i] = Decimal50(gradient[static_cast<std::size_t>(i)] / total).template convert_to<double>();
-  const auto newton = newton_step<double, double, n>(g, derivatives.hessian);
-  return newton.is_finite ? correct_digits(relative_size(newton.step, parameters)) : 0;
+template <class F>
+std::array<double, F::parameters.size()> answer_of(const Solution& solution) {
+  std::array<double, F::parameters.size()> answer;
+  std::copy(solution.parameters.begin(), solution.parameters.end(), answer.begin());
+  return answer;
+}
+
+/// The digits of an answer: of a Newton step from it, with gradient and Hessian in 50 digits, the latter by
+/// central differences of the former.
+template <class F>
+int digits_of(const F& family, const Metric& metric, const std::array<double, F::parameters.size()>& answer) {
+  constexpr std::size_t n = F::parameters.size();
+  using Matrix = Eigen::Matrix<double, static_cast<int>(n), static_cast<int>(n)>;
+  std::array<Decimal50, n> p;
+  std::copy(answer.begin(), answer.end(), p.begin());
+  const auto gradient = gradient_in_50_digits(family, metric.domain, p);
+  Matrix hessian;
+  Eigen::Matrix<double, static_cast<int>(n), 1> g;
+  for (std::size_t i = 0; i < n; ++i) {
+    // Of the 30 digits of a gradient this leaves 20.
+    const Decimal50 step = Decimal50("1e-10") * p[i];
+    auto above = p, below = p;
+    above[i] += step;
+    below[i] -= step;
+    const auto up = gradient_in_50_digits(family, metric.domain, above);
+    const auto down = gradient_in_50_digits(family, metric.domain, below);
+    g[static_cast<Eigen::Index>(i)] = gradient[i].template convert_to<double>();
+    for (std::size_t j = 0; j < n; ++j)
+      hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          Decimal50((up[j] - down[j]) / (2 * step)).template convert_to<double>();
+  }
+  const auto newton = newton_step<double, double, static_cast<int>(n)>(g, hessian);
+  return newton.is_finite ? correct_digits(relative_size(newton.step, answer)) : 0;
 }
 
 template <class F>
 StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const Checkpoint& checkpoint) {
   const F family = make_family<F>(at.setting);
   const Metric metric{.domain = at.domain};
-  const LeastSquares<F> problem(family, metric);
-  const auto own = problem.solve();
+  const Solution own = solve_plain(family, metric);
   StartsTrial trial;
   trial.family = F::info.id;
   if constexpr (requires { family.exponent; }) trial.exponent = family.exponent;
   trial.domain = at.domain;
   trial.status = own.status;
   // Where the family's own starts do not lead to one optimum, the first that converges says where it is.
-  auto reference = own;
+  Solution reference = own;
   const auto measure = [&] {
     trial.claimed = reference.digits;
-    trial.digits = digits_of(family, metric, reference.parameters);
+    trial.digits = digits_of(family, metric, answer_of<F>(reference));
   };
   if (own.status == Status::converged) measure();
   Sequence sequence(seed);
   for (std::size_t i = 0; i < fits; ++i) {
     if (i % 64 == 0) checkpoint();
     const auto starts = starts_in_box<F>(family.starts(), sequence);
-    const auto found = problem.solve(starts);
+    const Solution found = solve_plain_from(family, metric, starts);
     trial.starts += static_cast<long>(starts.size());
     ++trial.fits;
     if (found.status != Status::converged) {
@@ -100,8 +117,9 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
       reference = found;
       measure();
     }
-    if (std::find(starts.begin(), starts.end(), found.parameters) != starts.end()) ++trial.returned;
-    const bool is_there = distance(found.parameters, reference.parameters) <= same_optimum;
+    const auto answer = answer_of<F>(found);
+    if (std::find(starts.begin(), starts.end(), answer) != starts.end()) ++trial.returned;
+    const bool is_there = distance(answer, answer_of<F>(reference)) <= same_optimum;
     ++(is_there ? trial.reached : trial.elsewhere);
   }
   return trial;
