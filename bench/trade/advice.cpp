@@ -7,7 +7,7 @@ namespace {
 
 /// A form that takes no longer than so many copies waits for its data, not for its sums: the copy itself
 /// varies by that much with the place of its arrays.
-constexpr double as_fast_as_a_copy = 1.5;
+constexpr double as_fast_as_a_copy = 1.25;
 
 /// The library's function in the widest registers, the precision of `timed`: what a programmer writes first.
 const TimedForm* wide_reference(const Trade& trade, const TimedForm& timed) {

@@ -187,7 +187,7 @@ TEST(Trade, AdviceNamesErrorFormTimeAndBound) {
           "\n- An error of 6e-08 allowed: pow in float (AVX2), 2 ns an element; the library's own functions; "
           "bound by its arithmetic (20 x a copy).\n"))
       << text;
-  // A form no slower than one and a half copies waits for its data.
+  // A form no slower than one and a quarter copies waits for its data.
   Trade trade = made_up_trade();
   for (TimedForm& timed : trade.forms) timed.ns.median /= 2;
   relate(trade);
