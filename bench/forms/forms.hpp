@@ -36,9 +36,11 @@ enum class Function {
   pow,   ///< a logarithm too
 };
 
-/// The constants as they are given.
-template <std::size_t N>
+/// A form of the cosine whose constants are used as they are given.
+template <std::size_t N, Function F>
 struct AsGiven {
+  static constexpr Arguments arguments = Arguments::cosine;
+  static constexpr Function function = F;
   static constexpr std::size_t parameters = N;
   template <class T>
   static std::array<T, N> prepared(const std::array<T, N>& p) {
@@ -48,10 +50,8 @@ struct AsGiven {
 
 // The lobe c^k: k, then the form's.
 
-struct LobePower : AsGiven<1> {
+struct LobePower : AsGiven<1, Function::pow> {
   static constexpr const char* id = "lobe-pow";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::pow;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>& p) const {
     return power_lobe(c, p[0]);
@@ -59,10 +59,8 @@ struct LobePower : AsGiven<1> {
 };
 
 /// c^k as a GPU has it.
-struct LobeExp2Log2 : AsGiven<1> {
+struct LobeExp2Log2 : AsGiven<1, Function::pow> {
   static constexpr const char* id = "lobe-exp2-log2";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::pow;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>& p) const {
     return power_by_exp2(c, p[0]);
@@ -70,10 +68,8 @@ struct LobeExp2Log2 : AsGiven<1> {
 };
 
 /// c^16 by four squarings; k has to be 16.
-struct LobeSquarings : AsGiven<1> {
+struct LobeSquarings : AsGiven<1, Function::none> {
   static constexpr const char* id = "lobe-squarings";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
   static constexpr int exponent = 16;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>&) const {
@@ -123,10 +119,8 @@ struct LobeScaledGaussian {
 };
 
 /// The Phong lobe by Blinn's, ((1 + c)/2)^(x k/2).
-struct LobeBlinn : AsGiven<2> {  // k, x
+struct LobeBlinn : AsGiven<2, Function::pow> {  // k, x
   static constexpr const char* id = "phong-blinn";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::pow;
   template <class T>
   T operator()(const T& c, const std::array<T, 2>& p) const {
     return blinn_lobe_of_cosine(c, p[0], p[1]);
@@ -176,10 +170,8 @@ struct GlossGaussian {
 
 // Schlick's weight (1-c)^5.
 
-struct SchlickPower : AsGiven<0> {
+struct SchlickPower : AsGiven<0, Function::pow> {
   static constexpr const char* id = "schlick-pow";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::pow;
   template <class T>
   T operator()(const T& c, const std::array<T, 0>&) const {
     return power(T(integer<T>(1) - c), integer<T>(5));
@@ -187,80 +179,64 @@ struct SchlickPower : AsGiven<0> {
 };
 
 /// By three multiplications.
-struct SchlickMultiplied : AsGiven<0> {
+struct SchlickMultiplied : AsGiven<0, Function::none> {
   static constexpr const char* id = "schlick";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
   template <class T>
   T operator()(const T& c, const std::array<T, 0>&) const {
     return schlick_weight(c);
   }
 };
 
-struct FresnelOneTermForm : AsGiven<1> {
+struct FresnelOneTermForm : AsGiven<1, Function::exp2> {
   static constexpr const char* id = "fresnel-one-term";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::exp2;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>& p) const {
     return fresnel_one_term(c, p[0]);
   }
 };
 
-struct FresnelQuadraticForm : AsGiven<2> {
+struct FresnelQuadraticForm : AsGiven<2, Function::exp2> {
   static constexpr const char* id = "fresnel-quadratic";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::exp2;
   template <class T>
   T operator()(const T& c, const std::array<T, 2>& p) const {
     return fresnel_quadratic(c, p[0], p[1]);
   }
 };
 
-struct FresnelCubicForm : AsGiven<3> {
+struct FresnelCubicForm : AsGiven<3, Function::exp2> {
   static constexpr const char* id = "fresnel-cubic";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::exp2;
   template <class T>
   T operator()(const T& c, const std::array<T, 3>& p) const {
     return fresnel_cubic(c, p[0], p[1], p[2]);
   }
 };
 
-struct FresnelQuarticForm : AsGiven<4> {
+struct FresnelQuarticForm : AsGiven<4, Function::exp2> {
   static constexpr const char* id = "fresnel-quartic";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::exp2;
   template <class T>
   T operator()(const T& c, const std::array<T, 4>& p) const {
     return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
   }
 };
 
-struct FresnelFourthForm : AsGiven<1> {
+struct FresnelFourthForm : AsGiven<1, Function::none> {
   static constexpr const char* id = "fresnel-fourth";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>& p) const {
     return fresnel_fourth(c, p[0]);
   }
 };
 
-struct FresnelSquareForm : AsGiven<2> {
+struct FresnelSquareForm : AsGiven<2, Function::none> {
   static constexpr const char* id = "fresnel-square";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
   template <class T>
   T operator()(const T& c, const std::array<T, 2>& p) const {
     return fresnel_square(c, p[0], p[1]);
   }
 };
 
-struct FresnelRationalForm : AsGiven<1> {
+struct FresnelRationalForm : AsGiven<1, Function::none> {
   static constexpr const char* id = "fresnel-rational";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>& p) const {
     return fresnel_rational(c, p[0]);
@@ -269,20 +245,16 @@ struct FresnelRationalForm : AsGiven<1> {
 
 // Phase functions: g, then the form's.
 
-struct HenyeyGreensteinPower : AsGiven<1> {
+struct HenyeyGreensteinPower : AsGiven<1, Function::pow> {
   static constexpr const char* id = "hg-pow";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::pow;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>& p) const {
     return henyey_greenstein(c, p[0]);
   }
 };
 
-struct HenyeyGreensteinRoot : AsGiven<1> {
+struct HenyeyGreensteinRoot : AsGiven<1, Function::none> {
   static constexpr const char* id = "hg-sqrt";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
   template <class T>
   T operator()(const T& c, const std::array<T, 1>& p) const {
     return henyey_greenstein_by_sqrt(c, p[0]);
@@ -354,10 +326,8 @@ struct PhongGaussian {
 };
 
 /// What every time is held against: the array, copied.
-struct Copy : AsGiven<0> {
+struct Copy : AsGiven<0, Function::none> {
   static constexpr const char* id = "copy";
-  static constexpr Arguments arguments = Arguments::cosine;
-  static constexpr Function function = Function::none;
   template <class T>
   T operator()(const T& c, const std::array<T, 0>&) const {
     return c;
