@@ -2,16 +2,18 @@
 
 #include <ceres/tiny_solver.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 
 #include "fit/jet.hpp"
+#include "fit/positive_definite.hpp"
 #include "fit/sampled_problem.hpp"
 #include "fit/status.hpp"
 
@@ -19,8 +21,10 @@
 /// bottom.
 namespace shadefit {
 
-/// Relative. Polishing in double leaves a few units of 1e-16; two different optima differ visibly.
-inline constexpr double same_optimum = 1e-12;
+/// Relative. What the polish on few nodes leaves of the way: the next one begins in Newton's reach.
+inline constexpr double basin_rest = 1e-13;
+/// Relative. Two different optima differ visibly, so the other starts need not go all the way.
+inline constexpr double same_optimum = 1e-6;
 /// Ceres looks for the basin on twelve nodes, on one panel or on two.
 inline constexpr unsigned basin_nodes = 12;
 
@@ -48,8 +52,10 @@ NewtonStep<T, N> newton_step(const Eigen::Matrix<T, N, 1>& gradient, const Eigen
 
 /// Whether a point with this Hessian is a minimum.
 template <int N>
-bool is_positive_definite(const Eigen::Matrix<double, N, N>& hessian) {
-  return hessian.llt().info() == Eigen::Success;
+bool is_minimum(const Eigen::Matrix<double, N, N>& hessian) {
+  std::array<double, N * N> rows;
+  std::copy_n(hessian.data(), rows.size(), rows.begin());
+  return is_positive_definite<N>(rows, [](double pivot) { return pivot > 0; });
 }
 
 /// The largest |step / parameter|. A parameter whose optimum is 0 has no relative digits and never settles.
@@ -62,19 +68,45 @@ T relative_size(const std::array<T, N>& step, const std::array<T, N>& p) {
   return largest;
 }
 
+/// A sampled problem behind plain functions: the way down is the same for every family with N parameters, and
+/// compiled once.
+template <int N>
+struct DescentProblem {
+  using Parameters = std::array<double, static_cast<std::size_t>(N)>;
+
+  std::function<double(const Parameters&)> square;
+  std::function<SampledGradient<double, N>(const Parameters&)> gradient;
+  std::function<SampledDerivatives<double, N>(const Parameters&)> derivatives;
+  std::function<void(const Parameters&, std::span<double>, std::span<double>)> errors;
+  std::function<double(std::size_t)> weight;
+};
+
+/// What the functions ask is the sampled problem itself: it has to stay where it is.
+template <class F>
+auto descent_problem(const SampledProblem<F, double>& sampled) {
+  constexpr int N = SampledProblem<F, double>::N;
+  using Parameters = typename DescentProblem<N>::Parameters;
+  const auto* problem = &sampled;
+  return DescentProblem<N>{.square = [problem](const Parameters& p) { return problem->square(p); },
+                           .gradient = [problem](const Parameters& p) { return problem->gradient(p); },
+                           .derivatives = [problem](const Parameters& p) { return problem->derivatives(p); },
+                           .errors = [problem](const Parameters& p, std::span<double> r,
+                                               std::span<double> slopes) { problem->errors(p, r, slopes); },
+                           .weight = [problem](std::size_t node) { return problem->weight(node); }};
+}
+
 /// What ceres::TinySolver minimises: sqrt(weight) * error, scaled to norm 1 at the start. TinySolver stops at
 /// absolute changes of the cost, and the cost of a lobe of exponent 1e6 is 1e-19 from the beginning.
 ///
 /// It asks for the errors after a step and, having accepted it, for them and their derivatives at the same
 /// place; both are computed at once, and the last are kept.
-template <class F>
+template <int N>
 class TinyFunction {
  public:
   using Scalar = double;
-  static constexpr int N = SampledProblem<F, double>::N;
   enum { NUM_RESIDUALS = static_cast<int>(basin_nodes), NUM_PARAMETERS = N };
 
-  TinyFunction(const SampledProblem<F, double>& sampled, double square) : problem_(sampled) {
+  TinyFunction(const DescentProblem<N>& problem, double square) : problem_(problem) {
     for (std::size_t i = 0; i < basin_nodes; ++i) roots_[i] = std::sqrt(problem_.weight(i) / square);
   }
 
@@ -86,24 +118,19 @@ class TinyFunction {
   }
 
  private:
-  using Jet = ceres::Jet<double, N>;
-
   void move_to(const double* parameters) const {
     place_.emplace();
     std::copy_n(parameters, N, place_->begin());
-    std::array<Jet, N> seeds;
-    for (int i = 0; i < N; ++i) seeds[static_cast<std::size_t>(i)] = Jet(parameters[i], i);
+    problem_.errors(*place_, residuals_, jacobian_);
     for (std::size_t node = 0; node < basin_nodes; ++node) {
-      const Jet r = problem_.error(node, seeds);
-      residuals_[node] = roots_[node] * r.a;
-      for (std::size_t i = 0; i < N; ++i)
-        jacobian_[i * basin_nodes + node] = roots_[node] * r.v[static_cast<int>(i)];
+      residuals_[node] *= roots_[node];
+      for (std::size_t i = 0; i < N; ++i) jacobian_[i * basin_nodes + node] *= roots_[node];
     }
   }
 
-  const SampledProblem<F, double>& problem_;
+  const DescentProblem<N>& problem_;
   std::array<double, basin_nodes> roots_{};  ///< of the weights, scaled
-  mutable std::optional<std::array<double, N>> place_ = std::nullopt;
+  mutable std::optional<typename DescentProblem<N>::Parameters> place_ = std::nullopt;
   mutable std::array<double, basin_nodes> residuals_{};
   mutable std::array<double, basin_nodes * N> jacobian_{};
 };
@@ -124,13 +151,13 @@ double distance(std::array<double, N> p, const std::array<double, N>& from) {
   return relative_size(p, from);
 }
 
-template <class F>
-using TinySolver = ceres::TinySolver<TinyFunction<F>>;
+template <int N>
+using TinySolver = ceres::TinySolver<TinyFunction<N>>;
 
 /// Only the basin is wanted: a step of 1e-2 (|x| + 1e-2) is inside Newton's; cost tests are off.
-template <class F>
-TinySolver<F> basin_solver() {
-  TinySolver<F> solver;
+template <int N>
+TinySolver<N> basin_solver() {
+  TinySolver<N> solver;
   solver.options.parameter_tolerance = 1e-2;
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = 0;
@@ -153,9 +180,9 @@ void correct(Eigen::Matrix<double, N, N>& hessian, const Eigen::Matrix<double, N
 /// Newton in double to the bottom of the basin, until what is left of the way is below `rest` of the
 /// parameters. The Hessian is dearer than the gradient, up to seven times: it is kept for as long as steps
 /// shrink to a third or less, and corrected by the gradients.
-template <class F, int N>
-void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, double rest) {
-  using Vector = typename SampledProblem<F, double>::Vector;
+template <int N>
+void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double rest) {
+  using Vector = Eigen::Matrix<double, N, 1>;
   auto& p = candidate.parameters;
   double last = 1;
   Vector last_gradient = Vector::Zero(), last_step = Vector::Zero();
@@ -184,9 +211,8 @@ void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, d
     // chance.
     const double size = relative_size(newton.step, p);
     const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
-    if (size < 1e-6 && left < rest) {
-      candidate.status =
-          is_positive_definite<N>(*candidate.hessian) ? Status::converged : Status::not_converged;
+    if (left < rest) {
+      candidate.status = is_minimum<N>(*candidate.hessian) ? Status::converged : Status::not_converged;
       return;
     }
     if (!(size < last / 3)) candidate.hessian.reset();
@@ -198,34 +224,33 @@ void polish(const SampledProblem<F, double>& problem, Candidate<N>& candidate, d
 }
 
 /// Where a descent begins, three times.
-template <class F>
-using Starts = std::array<typename SampledProblem<F, double>::Parameters, 3>;
+template <int N>
+using Starts = std::array<typename DescentProblem<N>::Parameters, 3>;
 
 /// The optimum on few nodes, if all of the starts that are asked lead to it; else the status says why not.
 /// The Hessian that led the first one serves the other starts, and the larger rules after them.
-template <class F>
-auto common_optimum(const Starts<F>& starts, const SampledProblem<F, double>& problem,
-                    std::size_t asked = 3) {
-  constexpr int N = SampledProblem<F, double>::N;
+template <int N>
+Candidate<N> common_optimum(const Starts<N>& starts, const DescentProblem<N>& problem,
+                            std::size_t asked = 3) {
   Candidate<N> common{.parameters = starts[0]};
   const double square = problem.square(starts[0]);
   if (!std::isfinite(square)) common.status = Status::not_finite;
   if (!(square > 0) || !std::isfinite(square)) return common;  // a square of 0 has underflowed
 
-  const TinyFunction<F> function(problem, square);
-  auto solver = basin_solver<F>();
-  const auto descend = [&](Candidate<N> candidate) {
-    typename TinySolver<F>::Parameters parameters(candidate.parameters.data());
+  const TinyFunction<N> function(problem, square);
+  auto solver = basin_solver<N>();
+  const auto descend = [&](Candidate<N> candidate, double rest) {
+    typename TinySolver<N>::Parameters parameters(candidate.parameters.data());
     candidate.iterations = solver.Solve(function, &parameters).iterations;
     std::copy_n(parameters.data(), N, candidate.parameters.begin());
-    polish(problem, candidate, same_optimum / 10);
+    polish<N>(problem, candidate, rest);
     return candidate;
   };
-  common = descend(common);
+  common = descend(common, basin_rest);
   if (common.status != Status::converged) return common;
   const auto first = common;
   for (std::size_t i = 1; i < asked; ++i) {
-    const auto candidate = descend({.parameters = starts[i], .hessian = first.hessian});
+    const auto candidate = descend({.parameters = starts[i], .hessian = first.hessian}, same_optimum / 10);
     if (candidate.status != Status::converged) {
       common.status = candidate.status;
     } else if (distance(candidate.parameters, first.parameters) > same_optimum &&

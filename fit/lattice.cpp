@@ -12,7 +12,7 @@ namespace shadefit {
 namespace {
 
 /// A double has 15 to 17 significant digits: 17 tell any two apart.
-constexpr int most_digits = 17;
+constexpr int digits_that_tell_apart = 17;
 
 }  // namespace
 
@@ -39,10 +39,10 @@ NumberFormat parse_number_format(const std::string& text) {
     int digits = 0;
     const char* end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data() + prefix.size(), end, digits);
-    if (error != std::errc{} || stop != end || digits < 1 || digits > most_digits)
+    if (error != std::errc{} || stop != end || digits < 1 || digits > digits_that_tell_apart)
       throw UserError("--round '" + text +
                       "': decimal:N takes a whole number N of significant digits from 1 to " +
-                      std::to_string(most_digits));
+                      std::to_string(digits_that_tell_apart));
     return {NumberFormat::Kind::decimal, digits};
   }
   throw UserError("--round '" + text + "' is unknown: it must be one of float, half, bfloat16, decimal:N");

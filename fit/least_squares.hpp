@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -48,6 +49,78 @@ inline int correct_digits(long double relative_step) {
   return static_cast<int>(std::clamp(digits, 0.0L, static_cast<long double>(most_digits)));
 }
 
+/// A problem under each rule that its solver asks, behind plain functions.
+template <int N>
+struct LeastSquaresProblem {
+  DescentProblem<N> basin, fine;
+  /// The gradient in long double by a rule, an index of `fit_rules`.
+  std::function<SampledGradient<long double, N>(std::size_t, const std::array<long double, N>&)> wide;
+  std::size_t first;  ///< of `fit_rules`: the check's; `fine` has the next
+};
+
+/// Whether the Hessian makes nothing of a step that is none. It was corrected by gradients on the way, and
+/// where these are rounding alone, as along the offset of `sg-scaled` at exponent 1e9, it may become
+/// anything. Near an optimum with a small error Gauss and Newton's part of it says nearly the same: by that
+/// the step has to be below the 1e-14 that are promised.
+template <int N>
+bool is_contradicted(const SampledGradient<long double, N>& at, const std::array<long double, N>& p) {
+  if constexpr (N == 1) {
+    return false;
+  } else {
+    const Eigen::Matrix<double, N, N> lower = at.slopes.template cast<double>();
+    const Eigen::Matrix<double, N, N> slopes = lower.template selfadjointView<Eigen::Lower>();
+    const auto step = newton_step<long double, double, N>(at.gradient, slopes);
+    return !step.is_finite || relative_size(step.step, p) > 5 * settled;
+  }
+}
+
+/// Asks a rule for one more step in long double, at the parameters as they are returned, rounded to double.
+/// Where it is nothing the answer has settled; else true says that another rule has to be asked, and a step
+/// of a larger rule than the answer's own is taken: a smaller one has nothing to add.
+template <int N>
+bool settle(Optimum<N>& optimum, const Candidate<N>& candidate, const LeastSquaresProblem<N>& problem,
+            std::size_t rule) {
+  std::array<long double, N> p;
+  std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
+  const auto at = problem.wide(rule, p);
+  const auto newton = newton_step<long double, double, N>(at.gradient, *candidate.hessian);
+  if (!newton.is_finite) {
+    optimum.status = Status::not_finite;
+    return false;
+  }
+  const long double size = relative_size(newton.step, p);
+  optimum.digits = correct_digits(size);
+  optimum.rms_error = static_cast<double>(std::sqrt(at.square));
+  if (size <= settled && !is_contradicted<N>(at, p)) {
+    optimum.status = Status::converged;
+    return false;
+  }
+  if (rule == problem.first) return true;
+  for (std::size_t j = 0; j < p.size(); ++j)
+    optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
+  ++optimum.iterations;
+  return true;
+}
+
+/// Never throws for a hard problem: the status says how it went, and parameters are an answer only where it
+/// is `converged`.
+template <int N>
+Optimum<N> solve_least_squares(const LeastSquaresProblem<N>& problem, const Starts<N>& starts) {
+  auto candidate = common_optimum<N>(starts, problem.basin);
+  // A step below 2e-16 hardly changes a double.
+  if (candidate.status == Status::converged) polish<N>(problem.fine, candidate, 2e-16);
+  Optimum<N> optimum{
+      .parameters = candidate.parameters, .status = candidate.status, .iterations = candidate.iterations};
+  if (candidate.status != Status::converged) return optimum;
+  optimum.status = Status::not_converged;
+  // The smaller neighbour of the rule that was polished on is the cheapest that can settle it, and nearly
+  // always does; larger ones are sampled as they are needed.
+  bool goes_on = settle<N>(optimum, candidate, problem, problem.first);
+  for (std::size_t rule = problem.first + 2; goes_on && rule < fit_rules.size(); ++rule)
+    goes_on = settle<N>(optimum, candidate, problem, rule);
+  return optimum;
+}
+
 /// A family under a metric (norm: least squares), sampled and ready to be solved.
 template <class F>
 class LeastSquares {
@@ -63,27 +136,15 @@ class LeastSquares {
         fine_(family, panels_, fit_rules[first_ + 1]),
         wide_(family, panels_, fit_rules[first_]) {}
 
-  /// Never throws for a hard problem: the status says how it went, and parameters are an answer only where it
-  /// is `converged`.
   Optimum<N> solve() const { return solve(family_.starts()); }
 
   /// The same from other starts than the family's own.
-  Optimum<N> solve(const Starts<F>& starts) const {
-    auto candidate = common_optimum<F>(starts, basin_);
-    // A step below 2e-16 hardly changes a double.
-    if (candidate.status == Status::converged) polish(fine_, candidate, 2e-16);
-    Optimum<N> optimum{
-        .parameters = candidate.parameters, .status = candidate.status, .iterations = candidate.iterations};
-    if (candidate.status != Status::converged) return optimum;
-    optimum.status = Status::not_converged;
-    // The smaller neighbour of the rule that was polished on is the cheapest that can settle it, and nearly
-    // always does; larger ones are sampled as they are needed.
-    bool goes_on = settle(optimum, candidate, wide_, false);
-    for (std::size_t i = first_ + 2; goes_on && i < fit_rules.size(); ++i) {
-      const SampledProblem<F, long double> wider(family_, panels_, fit_rules[i]);
-      goes_on = settle(optimum, candidate, wider, true);
-    }
-    return optimum;
+  Optimum<N> solve(const Starts<N>& starts) const {
+    const auto wide = [this](std::size_t rule, const std::array<long double, N>& p) {
+      if (rule == first_) return wide_.gradient(p);
+      return SampledProblem<F, long double>(family_, panels_, fit_rules[rule]).gradient(p);
+    };
+    return solve_least_squares<N>({descent_problem(basin_), descent_problem(fine_), wide, first_}, starts);
   }
 
  private:
@@ -92,49 +153,6 @@ class LeastSquares {
   static Shape blunt(Shape shape) {
     shape.concentration *= 2;
     return shape;
-  }
-
-  /// Asks a rule for one more step in long double, at the parameters as they are returned, rounded to double.
-  /// Where it is nothing the answer has settled; else true says that another rule has to be asked, and a step
-  /// of a larger rule than the answer's own is taken: a smaller one has nothing to add.
-  static bool settle(Optimum<N>& optimum, const Candidate<N>& candidate,
-                     const SampledProblem<F, long double>& problem, bool is_larger) {
-    std::array<long double, N> p;
-    std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
-    const auto at = problem.gradient(p);
-    const auto newton = newton_step<long double, double, N>(at.gradient, *candidate.hessian);
-    if (!newton.is_finite) {
-      optimum.status = Status::not_finite;
-      return false;
-    }
-    const long double size = relative_size(newton.step, p);
-    optimum.digits = correct_digits(size);
-    optimum.rms_error = static_cast<double>(std::sqrt(at.square));
-    if (size <= settled && !is_contradicted(at, p)) {
-      optimum.status = Status::converged;
-      return false;
-    }
-    if (!is_larger) return true;
-    for (std::size_t j = 0; j < p.size(); ++j)
-      optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
-    ++optimum.iterations;
-    return true;
-  }
-
-  /// Whether the Hessian makes nothing of a step that is none. It was corrected by gradients on the way, and
-  /// where these are rounding alone, as along the offset of `sg-scaled` at exponent 1e9, it may become
-  /// anything. Near an optimum with a small error Gauss and Newton's part of it says nearly the same: by that
-  /// the step has to be below the 1e-14 that are promised.
-  static bool is_contradicted(const typename SampledProblem<F, long double>::Gradient& at,
-                              const std::array<long double, N>& p) {
-    if constexpr (N == 1) {
-      return false;
-    } else {
-      const Eigen::Matrix<double, N, N> lower = at.slopes.template cast<double>();
-      const Eigen::Matrix<double, N, N> slopes = lower.template selfadjointView<Eigen::Lower>();
-      const auto step = newton_step<long double, double, N>(at.gradient, slopes);
-      return !step.is_finite || relative_size(step.step, p) > 5 * settled;
-    }
   }
 
   F family_;
@@ -149,5 +167,16 @@ template <class F>
 auto solve_least_squares(const F& family, const Metric& metric) {
   return LeastSquares<F>(family, metric).solve();
 }
+
+// The families of this library have one to four parameters: for these the solver is compiled in
+// fit/least_squares.cpp.
+extern template Optimum<1> solve_least_squares(const LeastSquaresProblem<1>&, const Starts<1>&);
+extern template Optimum<2> solve_least_squares(const LeastSquaresProblem<2>&, const Starts<2>&);
+extern template Optimum<3> solve_least_squares(const LeastSquaresProblem<3>&, const Starts<3>&);
+extern template Optimum<4> solve_least_squares(const LeastSquaresProblem<4>&, const Starts<4>&);
+extern template Candidate<1> common_optimum(const Starts<1>&, const DescentProblem<1>&, std::size_t);
+extern template Candidate<2> common_optimum(const Starts<2>&, const DescentProblem<2>&, std::size_t);
+extern template Candidate<3> common_optimum(const Starts<3>&, const DescentProblem<3>&, std::size_t);
+extern template Candidate<4> common_optimum(const Starts<4>&, const DescentProblem<4>&, std::size_t);
 
 }  // namespace shadefit

@@ -64,7 +64,7 @@ class Minimax {
     const auto panels = Substitution::panels(metric_, family_.shape());
     const SampledProblem<F, double> basin(family_, panels,
                                           basin_nodes / static_cast<unsigned>(panels.size()));
-    const auto start = common_optimum<F>(family_.starts(), basin, 1);
+    const auto start = common_optimum<static_cast<int>(N)>(family_.starts(), descent_problem(basin), 1);
     MinimaxParameters p{};
     std::copy(start.parameters.begin(), start.parameters.end(), p.begin());
     MinimaxOptimum optimum = solve_minimax(problem(), p);

@@ -15,23 +15,27 @@
 /// The continuous least-squares problem at the nodes of a Gauss rule: sums stand for the integrals.
 namespace shadefit {
 
+template <class T, int N>
+struct SampledGradient {
+  T square = 0;                                                      ///< integral of error^2
+  Eigen::Matrix<T, N, 1> gradient = Eigen::Matrix<T, N, 1>::Zero();  ///< of half the square
+  /// sum of w r_i r_j: Gauss and Newton's part of the Hessian; lower half
+  Eigen::Matrix<T, N, N> slopes = Eigen::Matrix<T, N, N>::Zero();
+};
+
+template <class T, int N>
+struct SampledDerivatives : SampledGradient<T, N> {
+  Eigen::Matrix<T, N, N> hessian = Eigen::Matrix<T, N, N>::Zero();  ///< of half the square
+};
+
 /// A family sampled at the nodes of a Gauss rule on each panel of a domain; the measure's total is 1.
 template <class F, class T>
 class SampledProblem {
  public:
   static constexpr int N = static_cast<int>(F::parameters.size());
   using Parameters = std::array<T, N>;
-  using Vector = Eigen::Matrix<T, N, 1>;
-  using Matrix = Eigen::Matrix<T, N, N>;
-
-  struct Gradient {
-    T square = 0;                      ///< integral of error^2
-    Vector gradient = Vector::Zero();  ///< of half the square
-    Matrix slopes = Matrix::Zero();  ///< sum of w r_i r_j: Gauss and Newton's part of the Hessian; lower half
-  };
-  struct Derivatives : Gradient {
-    Matrix hessian = Matrix::Zero();  ///< of half the square
-  };
+  using Gradient = SampledGradient<T, N>;
+  using Derivatives = SampledDerivatives<T, N>;
 
   SampledProblem(const F& family, std::span<const Substitution> panels, unsigned rule_size)
       : family_(family) {
@@ -50,9 +54,14 @@ class SampledProblem {
   std::size_t size() const { return nodes_.size(); }
   T weight(std::size_t i) const { return nodes_[i].weight; }
 
-  template <class P>
-  P error(std::size_t i, const std::array<P, N>& p) const {
-    return family_.error(nodes_[i].sample, p);
+  /// r, and its derivatives at all nodes by one parameter after the other
+  void errors(const Parameters& p, std::span<T> r, std::span<T> slopes) const {
+    const auto seeds = seeded(p);
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
+      const auto jet = error(node, seeds);
+      r[node] = jet.a;
+      for (std::size_t i = 0; i < N; ++i) slopes[i * nodes_.size() + node] = jet.v[static_cast<int>(i)];
+    }
   }
 
   /// sum of w r^2
@@ -67,12 +76,10 @@ class SampledProblem {
 
   /// and of w r r_i, by Jets
   Gradient gradient(const Parameters& p) const {
-    using Jet = ceres::Jet<T, N>;
-    std::array<Jet, N> seeds;
-    for (int i = 0; i < N; ++i) seeds[static_cast<std::size_t>(i)] = Jet(p[static_cast<std::size_t>(i)], i);
+    const auto seeds = seeded(p);
     Gradient g;
     for (std::size_t node = 0; node < nodes_.size(); ++node) {
-      const Jet r = error(node, seeds);
+      const auto r = error(node, seeds);
       const T weighted = nodes_[node].weight * r.a;
       g.square += weighted * r.a;
       for (int i = 0; i < N; ++i) {
@@ -106,6 +113,17 @@ class SampledProblem {
   }
 
  private:
+  template <class P>
+  P error(std::size_t i, const std::array<P, N>& p) const {
+    return family_.error(nodes_[i].sample, p);
+  }
+
+  static std::array<ceres::Jet<T, N>, N> seeded(const Parameters& p) {
+    std::array<ceres::Jet<T, N>, N> seeds;
+    for (std::size_t i = 0; i < N; ++i) seeds[i] = {p[i], static_cast<int>(i)};
+    return seeds;
+  }
+
   struct Node {
     typename F::template Sample<T> sample;
     T weight;

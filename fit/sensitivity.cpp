@@ -14,7 +14,7 @@ namespace shadefit {
 namespace {
 
 /// As many as tell all doubles apart.
-constexpr int most_digits = 17;
+constexpr int digits_that_tell_apart = 17;
 
 /// A value rounded to so many significant digits.
 double rounded(double value, int digits) {
@@ -76,7 +76,7 @@ class Objective {
 std::string shortest(const Objective& objective, std::vector<double> parameters, std::size_t i,
                      double limit) {
   const double value = parameters[i];
-  for (int digits = 1; digits < most_digits; ++digits) {
+  for (int digits = 1; digits < digits_that_tell_apart; ++digits) {
     for (const double neighbour : neighbours(value, digits)) {
       parameters[i] = neighbour;
       if (objective.at(parameters) <= limit) return to_text(neighbour);
@@ -88,7 +88,7 @@ std::string shortest(const Objective& objective, std::vector<double> parameters,
 /// All constants that were fitted, rounded to as few digits as keep the objective below a limit; those that
 /// are given stay.
 std::optional<CommonDigits> common(const Objective& objective, const Fit& fit, double limit) {
-  for (int digits = 1; digits <= most_digits; ++digits) {
+  for (int digits = 1; digits <= digits_that_tell_apart; ++digits) {
     CommonDigits found{digits, {}, 0};
     std::vector<double> values = fit.parameters;
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -12,6 +12,7 @@
 #include "fit/interval.hpp"
 #include "fit/interval_ends.hpp"
 #include "fit/jet.hpp"
+#include "fit/positive_definite.hpp"
 #include "fit/sampled_problem.hpp"
 
 namespace shadefit {
@@ -71,19 +72,6 @@ auto hessian_integrand(const F& family, const Intervals<N>& parameters) {
     }
     return result;
   };
-}
-
-/// Whether a symmetric matrix of intervals is positive definite: the pivots of L D L^T are.
-template <std::size_t N>
-bool is_positive_definite(std::array<Interval, N * N> a) {
-  for (std::size_t k = 0; k < N; ++k) {
-    if (!has_one_sign(a[k * N + k]) || !is_never_negative(a[k * N + k])) return false;
-    for (std::size_t i = k + 1; i < N; ++i) {
-      for (std::size_t j = k + 1; j < N; ++j)
-        a[i * N + j] = a[i * N + j] - a[i * N + k] * a[k * N + j] / a[k * N + k];
-    }
-  }
-  return true;
 }
 
 template <class F>
@@ -146,7 +134,8 @@ StationaryPoint prove(const F& family, const Fit& fit) {
     result.lies_in.emplace_back(lower, upper);
   }
   result.is_proven = true;
-  result.is_minimum = is_positive_definite<N>(*h);
+  result.is_minimum = is_positive_definite<N>(
+      *h, [](const Interval& pivot) { return has_one_sign(pivot) && is_never_negative(pivot); });
   double distance = 0;
   for (std::size_t i = 0; i < N; ++i) {
     const auto [lower, upper] = result.lies_in[i];

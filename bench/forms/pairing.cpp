@@ -30,11 +30,11 @@ std::array<Interval, N> enclosed(const Constants& constants) {
 
 /// A family's error, form and both together at given constants.
 template <class Family>
-class Errors {
+class EnclosedErrors {
  public:
   static constexpr std::size_t N = Family::parameters.size();
 
-  Errors(const Family& family, const Constants& constants)
+  EnclosedErrors(const Family& family, const Constants& constants)
       : family_(family), constants_(enclosed<N>(constants)) {
     own_ = largest(0);
     largest_form_ = largest(1, 0).upper;
@@ -109,7 +109,7 @@ constexpr double rounding_of_exp2 = 3 * 0x1p-24;
 
 template <class Form, class Family>
 Pairing paired(const Family& family, const Constants& constants, std::vector<Interval> of_target) {
-  const Errors<Family> errors(family, constants);
+  const EnclosedErrors<Family> errors(family, constants);
   Pairing pairing{.own_lower = errors.own().lower, .own_upper = errors.own().upper};
   pairing.totals[0] = pairing.own_upper;
   for (int degree = largest_exp2_degree; degree >= least_exp2_degree; --degree) {
@@ -120,7 +120,7 @@ Pairing paired(const Family& family, const Constants& constants, std::vector<Int
   std::array<Interval, Form::parameters> parameters;
   std::size_t next = 0;
   for (const Interval& value : of_target) parameters[next++] = value;
-  for (const Interval& value : enclosed<Errors<Family>::N>(constants)) parameters[next++] = value;
+  for (const Interval& value : enclosed<EnclosedErrors<Family>::N>(constants)) parameters[next++] = value;
   pairing.rounding = float_rounding_of<Form>(parameters, rounding_of_exp2);
   return pairing;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr int doublings = 10, first = 1;
 
 /// Both ends and beyond them, every 8-bit gloss, by division and by multiplication, and anything between.
-std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
+std::vector<Input> gloss_inputs(const BinaryFormat& format, std::size_t random) {
   std::vector<double> numbers = edges(format, 1);
   const double ulp = 1 - below_one(format);
   for (const double g : {-0.0, -least_subnormal(format), -ulp, -0.01, 1 + 2 * ulp, 1 + 4 * ulp, 1.01})
@@ -56,7 +56,7 @@ std::vector<Regime> gloss_regimes() {
            },
        .folds = [](double gloss, double) { return doublings * std::clamp(gloss, 0.0, 1.0) * std::log(2.0); },
        .at_most = 2048,
-       .inputs = inputs}};
+       .inputs = gloss_inputs}};
 }
 
 }  // namespace shadefit

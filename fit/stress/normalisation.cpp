@@ -8,7 +8,7 @@
 namespace shadefit {
 namespace {
 
-std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
+std::vector<Input> normalisation_inputs(const BinaryFormat& format, std::size_t random) {
   const double top = largest(format);
   std::vector<double> numbers{0,
                               least_subnormal(format),
@@ -47,7 +47,7 @@ std::vector<Regime> normalisation_regimes() {
                   in_formats([](auto alpha, auto) { return blinn_phong_brdf_constant_by_parts(alpha); }),
                   Roundings{.operations = 7, .functions = 1}}},
        .truth = [](const Decimal50& alpha, const Decimal50&) { return BlinnPhongBrdfLobe::constant(alpha); },
-       .inputs = inputs},
+       .inputs = normalisation_inputs},
       {.topic = "normalisation",
        .domain = "every finite alpha >= 0",
        .names = {"alpha", ""},
@@ -56,7 +56,7 @@ std::vector<Regime> normalisation_regimes() {
                   in_formats([](auto alpha, auto) { return BlinnPhongLobe::constant(alpha); }),
                   Roundings{.operations = 5, .functions = 1}}},
        .truth = [](const Decimal50& alpha, const Decimal50&) { return BlinnPhongLobe::constant(alpha); },
-       .inputs = inputs}};
+       .inputs = normalisation_inputs}};
 }
 
 }  // namespace shadefit

@@ -9,7 +9,7 @@ namespace shadefit {
 namespace {
 
 /// g at 0, at both ends and anywhere; y likewise, and about (1 - |g|)^2/2 from the peak, where it falls.
-std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
+std::vector<Input> phase_inputs(const BinaryFormat& format, std::size_t random) {
   const double end = below_one(format);
   const auto sizes = with_neighbours(format,
                                      {0, least_subnormal(format), 1e-3, 0.1, 0.25, 0.5, 0.76, 0.9, 0.97, 0.99,
@@ -57,7 +57,7 @@ std::vector<Regime> phase_regimes() {
                       in_formats([](auto y, auto g) { return henyey_greenstein_from_both_sides(y, g); }),
                       Roundings{.operations = 15}}},
            .truth = [](const Decimal50& y, const Decimal50& g) { return henyey_greenstein_near_peak(y, g); },
-           .inputs = inputs}};
+           .inputs = phase_inputs}};
 }
 
 }  // namespace shadefit

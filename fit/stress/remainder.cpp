@@ -6,7 +6,7 @@
 namespace shadefit {
 namespace {
 
-std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
+std::vector<Input> remainder_inputs(const BinaryFormat& format, std::size_t random) {
   std::vector<double> numbers = edges(format, 2);
   const double end = below_one(format);
   for (const double x : edges(format, end)) numbers.push_back(-x);
@@ -37,7 +37,7 @@ std::vector<Regime> remainder_regimes() {
                   in_formats([](auto x, auto) { return log1p_remainder(x); }), Roundings{.operations = 11}}},
        .truth = [](const Decimal50& x, const Decimal50&) { return log1p_remainder(x); },
        .is_positive = false,
-       .inputs = inputs}};
+       .inputs = remainder_inputs}};
 }
 
 }  // namespace shadefit

@@ -9,7 +9,7 @@ namespace shadefit {
 namespace {
 
 /// Lobes as everywhere, and what only a normalisation minds: k towards 0, and where sinh overflows.
-std::vector<Input> inputs(const BinaryFormat& format, std::size_t random) {
+std::vector<Input> von_mises_fisher_inputs(const BinaryFormat& format, std::size_t random) {
   auto all = near_peak_inputs(format, 2, random, 6);
   const double top = largest(format);
   const auto concentrations =
@@ -52,7 +52,7 @@ std::vector<Regime> von_mises_fisher_regimes() {
                   Roundings{.operations = 5, .functions = 3, .operations_per_fold = 1}}},
        .truth = truth,
        .folds = [](double y, double k) { return k * y; },
-       .inputs = inputs}};
+       .inputs = von_mises_fisher_inputs}};
 }
 
 }  // namespace shadefit

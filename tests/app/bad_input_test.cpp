@@ -175,10 +175,10 @@ TEST(BadInput, AnOptimumWithoutAnAlternation) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_TRUE(outcome.err.starts_with("shadefit: fresnel-square did not converge: ")) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_TRUE(json["parameters"]["a"].is_null());
-  EXPECT_TRUE(json["level"].is_null());
-  EXPECT_FALSE(json["why"].is_null());
+  const auto parsed = nlohmann::json::parse(outcome.out);
+  EXPECT_TRUE(parsed["parameters"]["a"].is_null());
+  EXPECT_TRUE(parsed["level"].is_null());
+  EXPECT_FALSE(parsed["why"].is_null());
 }
 
 TEST(BadInput, OutputPaths) {
@@ -299,9 +299,9 @@ TEST(BadInput, NumbersAtTheEdgeOfADouble) {
     const Outcome outcome = run_command_line(arguments);
     EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    const auto json = nlohmann::json::parse(outcome.out);
-    for (const auto& parameter : json["parameters"]) EXPECT_TRUE(parameter.is_null()) << outcome.out;
-    EXPECT_TRUE(json["rms_error"].is_null()) << outcome.out;
+    const auto parsed = nlohmann::json::parse(outcome.out);
+    for (const auto& parameter : parsed["parameters"]) EXPECT_TRUE(parameter.is_null()) << outcome.out;
+    EXPECT_TRUE(parsed["rms_error"].is_null()) << outcome.out;
   };
   for (const char* domain : {"0:1e-320", "1e-320:2e-320", "0:1e-300", "0:1e-12"}) {
     for (const char* id : {"fresnel-quadratic", "fresnel-one-term"})

@@ -43,8 +43,8 @@ TEST(BenchCommand, WritesTimesReportAndPictureData) {
   const Outcome outcome =
       bench({"--quick", "--no-plots", "--only", "schlick", "--width", "sse2", "--out", out, "--json"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto json = nlohmann::json::parse(outcome.out);
-  EXPECT_GT(json.at("benchmarks").size(), 100U);
+  const auto parsed = nlohmann::json::parse(outcome.out);
+  EXPECT_GT(parsed.at("benchmarks").size(), 100U);
   const auto files = snapshot(out);
   EXPECT_TRUE(files.contains("bench.md"));
   ASSERT_TRUE(files.contains("bench.csv"));

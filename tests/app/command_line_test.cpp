@@ -40,28 +40,28 @@ TEST(FitCommand, JsonHasFourteenDigitsOfEveryReference) {
                                        reference.domain};
     if (reference.exponent)
       arguments.insert(arguments.end(), {"--exponent", nlohmann::json(*reference.exponent).dump()});
-    const auto json = fit_json(arguments);
+    const auto parsed = fit_json(arguments);
     EXPECT_TRUE(is_close(reference.describe(), reference.value,
-                         json["parameters"][reference.parameter].get<double>(), 1e-14));
-    EXPECT_EQ(json["status"], "converged");
-    EXPECT_EQ(json["objective"]["measure"], reference.measure);
+                         parsed["parameters"][reference.parameter].get<double>(), 1e-14));
+    EXPECT_EQ(parsed["status"], "converged");
+    EXPECT_EQ(parsed["objective"]["measure"], reference.measure);
   }
 }
 
 TEST(FitCommand, JsonHasTheFieldsOfItsSchema) {
-  const auto json = fit_json({"fresnel-quadratic"});
+  const auto parsed = fit_json({"fresnel-quadratic"});
   for (const char* field : {"schema", "constant", "exponent", "parameters", "published", "verdict",
                             "rms_error", "max_abs_error", "max_abs_error_at", "max_rel_error",
                             "relative_domain", "status", "iterations", "digits", "objective"}) {
-    EXPECT_TRUE(json.contains(field)) << field;
+    EXPECT_TRUE(parsed.contains(field)) << field;
   }
-  EXPECT_EQ(json["schema"], 1);
-  EXPECT_EQ(json["constant"], "fresnel-quadratic");
-  EXPECT_TRUE(json["exponent"].is_null());
-  EXPECT_EQ(json["published"], nlohmann::json::parse(R"({"a": -5.55473, "b": -6.98316})"));
-  EXPECT_EQ(json["verdict"], "confirmed");
-  EXPECT_EQ(json["digits"], 14);
-  EXPECT_EQ(json["objective"], nlohmann::json::parse(R"({
+  EXPECT_EQ(parsed["schema"], 1);
+  EXPECT_EQ(parsed["constant"], "fresnel-quadratic");
+  EXPECT_TRUE(parsed["exponent"].is_null());
+  EXPECT_EQ(parsed["published"], nlohmann::json::parse(R"({"a": -5.55473, "b": -6.98316})"));
+  EXPECT_EQ(parsed["verdict"], "confirmed");
+  EXPECT_EQ(parsed["digits"], 14);
+  EXPECT_EQ(parsed["objective"], nlohmann::json::parse(R"({
     "measure": "cosine", "measure_counts_for": "the fit", "norm": "least-squares", "error": "absolute", "f0": 0.04,
     "weight": "1", "domain": [0.0, 1.0],
     "constraints": {"fixed": {}, "exact_at": [], "one_sided": null, "at_most": null, "at_least": null}})"));
@@ -170,8 +170,8 @@ TEST(FitCommand, MinimaxSaysWhatItFound) {
       run_command_line({"fit", "fresnel-quadratic", "--norm", "minimax", "--error", "relative", "--f0",
                         "0.02", "--weight", "1 + 4 c", "--at-most", "1", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const auto json = nlohmann::json::parse(outcome.out);
-  const auto& objective = json["objective"];
+  const auto parsed = nlohmann::json::parse(outcome.out);
+  const auto& objective = parsed["objective"];
   EXPECT_EQ(objective["norm"], "minimax");
   EXPECT_EQ(objective["error"], "relative");
   EXPECT_EQ(objective["f0"], 0.02);
@@ -180,22 +180,22 @@ TEST(FitCommand, MinimaxSaysWhatItFound) {
   EXPECT_EQ(objective["measure_counts_for"], "rms_error alone: minimax has no measure");
   EXPECT_EQ(objective["constraints"]["at_most"], 1);
   EXPECT_TRUE(objective["constraints"]["one_sided"].is_null());
-  EXPECT_EQ(json["relative_to"], "F = f0 + (1 - f0) f, f0 = 0.02");
-  ASSERT_EQ(json["alternation"].size(), 3U);
-  for (const auto& point : json["alternation"]) {
+  EXPECT_EQ(parsed["relative_to"], "F = f0 + (1 - f0) f, f0 = 0.02");
+  ASSERT_EQ(parsed["alternation"].size(), 3U);
+  for (const auto& point : parsed["alternation"]) {
     EXPECT_EQ(point["holds"], "level");
-    EXPECT_NEAR(point["sign"].get<double>() * point["error"].get<double>(), json["level"].get<double>(),
+    EXPECT_NEAR(point["sign"].get<double>() * point["error"].get<double>(), parsed["level"].get<double>(),
                 1e-14);
   }
 }
 
 TEST(FitCommand, LeastSquaresTakesGivenParametersAndRelativeErrors) {
-  const auto json = nlohmann::json::parse(
+  const auto parsed = nlohmann::json::parse(
       run_command_line({"fit", "fresnel-quadratic", "--error", "relative", "--fix", "b=-7", "--json"}).out);
-  EXPECT_EQ(json["parameters"]["b"], -7);
-  EXPECT_EQ(json["objective"]["constraints"]["fixed"]["b"], -7);
-  EXPECT_EQ(json["objective"]["measure_counts_for"], "the fit");
-  EXPECT_TRUE(json["level"].is_null());
+  EXPECT_EQ(parsed["parameters"]["b"], -7);
+  EXPECT_EQ(parsed["objective"]["constraints"]["fixed"]["b"], -7);
+  EXPECT_EQ(parsed["objective"]["measure_counts_for"], "the fit");
+  EXPECT_TRUE(parsed["level"].is_null());
   const Outcome csv = run_command_line({"fit", "fresnel-quadratic", "--fix", "b=-7", "--csv"});
   EXPECT_NE(csv.out.find("least-squares, b = -7"), std::string::npos) << csv.out;
 }
@@ -203,24 +203,24 @@ TEST(FitCommand, LeastSquaresTakesGivenParametersAndRelativeErrors) {
 TEST(ListCommand, NamesEveryClaimOnce) {
   const Outcome outcome = run_command_line({"list"});
   EXPECT_EQ(outcome.exit_code, 0);
-  const auto json = nlohmann::json::parse(run_command_line({"list", "--json"}).out);
-  EXPECT_EQ(json["schema"], 1);
+  const auto parsed = nlohmann::json::parse(run_command_line({"list", "--json"}).out);
+  EXPECT_EQ(parsed["schema"], 1);
   std::size_t claims = 0;
   for (const Topic& topic : ledger) {
     for (const Claim& claim : topic.claims) {
       EXPECT_NE(outcome.out.find("\n" + std::string(claim.id) + " "), std::string::npos) << claim.id;
-      EXPECT_EQ(json["constants"][claims++]["id"], claim.id);
+      EXPECT_EQ(parsed["constants"][claims++]["id"], claim.id);
     }
   }
   for (const FittableFamily& family : fittable_families()) {
     if (!family.info.is_comparison) continue;
     EXPECT_NE(outcome.out.find("\n" + std::string(family.info.id) + " "), std::string::npos)
         << family.info.id;
-    EXPECT_EQ(json["constants"][claims++]["id"], family.info.id) << "forms of comparison follow the claims";
+    EXPECT_EQ(parsed["constants"][claims++]["id"], family.info.id) << "forms of comparison follow the claims";
   }
-  EXPECT_EQ(json["constants"].size(), claims);
-  EXPECT_EQ(json["constants"][0]["printed"], "x = 0.775") << "as printed, not as a number";
-  EXPECT_TRUE(std::string(json["constants"][0]["source"]).starts_with("Lagarde 2012, Spherical Gaussian"));
+  EXPECT_EQ(parsed["constants"].size(), claims);
+  EXPECT_EQ(parsed["constants"][0]["printed"], "x = 0.775") << "as printed, not as a number";
+  EXPECT_TRUE(std::string(parsed["constants"][0]["source"]).starts_with("Lagarde 2012, Spherical Gaussian"));
 }
 
 TEST(ListCommand, Latex) {
@@ -233,10 +233,10 @@ TEST(ListCommand, Latex) {
 TEST(ListCommand, FiltersByVerdict) {
   std::size_t filtered = 0;
   for (const Verdict verdict : all_verdicts) {
-    const auto json = nlohmann::json::parse(
+    const auto parsed = nlohmann::json::parse(
         run_command_line({"list", "--verdict", std::string(name(verdict)), "--json"}).out);
-    for (const auto& row : json["constants"]) EXPECT_EQ(row["verdict"], name(verdict)) << row["id"];
-    filtered += json["constants"].size();
+    for (const auto& row : parsed["constants"]) EXPECT_EQ(row["verdict"], name(verdict)) << row["id"];
+    filtered += parsed["constants"].size();
   }
   const auto families = fittable_families();
   const auto comparisons = std::count_if(families.begin(), families.end(), [](const FittableFamily& family) {

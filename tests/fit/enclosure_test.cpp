@@ -24,7 +24,7 @@ auto error_of(const F& family, const std::array<const char*, F::parameters.size(
 }
 
 const FresnelQuadratic quadratic{};
-const std::array published_pair{"-5.55473", "-6.98316"};
+const std::array pair_texts{"-5.55473", "-6.98316"};
 
 /// 50 digits of the published pair's largest error, as tests/fit/extremum_test.cpp has it.
 const Decimal50 pair_error("3.7664127395073188128e-3");
@@ -32,7 +32,7 @@ const Decimal50 pair_error("3.7664127395073188128e-3");
 TEST(Enclosure, HoldsThePublishedPairAtEveryWidth) {
   std::size_t boxes = 0;
   for (const double width : {1e-3, 1e-9, 1e-12, least_width}) {
-    const Enclosure found = enclose_largest(error_of(quadratic, published_pair), {}, {.width = width});
+    const Enclosure found = enclose_largest(error_of(quadratic, pair_texts), {}, {.width = width});
     EXPECT_TRUE(found.is_reached) << width;
     EXPECT_LE(Decimal50(found.lower), pair_error);
     EXPECT_GE(Decimal50(found.upper), pair_error);
@@ -76,14 +76,14 @@ TEST(Enclosure, ContainsSampledErrorsAtFiftyDigits) {
 #else
   constexpr int on_a_side = 500000;
 #endif
-  expect_no_sample_above(quadratic, published_pair, on_a_side);
+  expect_no_sample_above(quadratic, pair_texts, on_a_side);
   expect_no_sample_above(FresnelOneTerm{}, {"8.35"}, 2000);
 }
 
 TEST(Enclosure, BoxesCoverTheDomainWithoutAGap) {
   for (const Domain domain :
        {Domain{0, 1}, Domain{0.25, 1}, Domain{0.7, 0.9}, Domain{0.1, 0.3}, Domain{0, 0.5}}) {
-    const Enclosure found = enclose_largest(error_of(quadratic, published_pair), domain);
+    const Enclosure found = enclose_largest(error_of(quadratic, pair_texts), domain);
     ASSERT_TRUE(found.is_reached) << to_text(domain);
     const auto start = [](const Box& box) { return box.side == Origin::horizon ? box.lower : 1 - box.upper; };
     const auto end = [](const Box& box) { return box.side == Origin::horizon ? box.upper : 1 - box.lower; };
@@ -109,7 +109,7 @@ TEST(Enclosure, SharpAndBluntLobes) {
 }
 
 TEST(Enclosure, AHintChangesNoBound) {
-  const auto error = error_of(quadratic, published_pair);
+  const auto error = error_of(quadratic, pair_texts);
   const Enclosure wrong = enclose_largest(error, {}, {.hint = ExactPlace{Origin::peak, 0.25}});
   const Enclosure outside = enclose_largest(error, Domain{0, 0.5}, {.hint = ExactPlace{Origin::peak, 0.25}});
   const Enclosure none = enclose_largest(error, {});

@@ -23,7 +23,7 @@ namespace {
 using testing::is_close;
 
 // The promise of issue 5.
-constexpr double promised = 1e-13;
+constexpr double minimax_promise = 1e-13;
 
 Metric minimax(Error error = Error::absolute) {
   return {.norm = Norm::minimax, .error = error};
@@ -53,7 +53,7 @@ TEST(Minimax, HasThirteenDigitsOfEveryReference) {
     EXPECT_EQ(fit.digits, 14) << what;
     const double value =
         row[1] == "level" ? fit.level.value() : fit.parameters[parameter_index(family, row[1])];
-    EXPECT_TRUE(is_close(what, Decimal50(row[5]), value, promised));
+    EXPECT_TRUE(is_close(what, Decimal50(row[5]), value, minimax_promise));
   }
 }
 
@@ -105,7 +105,8 @@ TEST(Minimax, TheMeasureHasNoInfluence) {
   const FittableFamily& family = *find_family("fresnel-quadratic");
   const Fit by_cosine = family.fit({}, minimax()), by_angle = family.fit({}, angle);
   for (std::size_t i = 0; i < 2; ++i)
-    EXPECT_TRUE(is_close("parameter", Decimal50(by_cosine.parameters[i]), by_angle.parameters[i], promised));
+    EXPECT_TRUE(
+        is_close("parameter", Decimal50(by_cosine.parameters[i]), by_angle.parameters[i], minimax_promise));
   EXPECT_NE(by_cosine.rms_error, by_angle.rms_error);
   EXPECT_EQ(describe(minimax()), describe(angle));
 }
@@ -137,7 +138,7 @@ TEST(Minimax, Constraints) {
   below.constraints.one_sided = Side::below;
   const Fit tangent = family.fit({}, below);
   ASSERT_EQ(tangent.status, Status::converged) << tangent.why;
-  EXPECT_TRUE(is_close("b", -5 / log(Decimal50(2)), tangent.parameters[1], promised));
+  EXPECT_TRUE(is_close("b", -5 / log(Decimal50(2)), tangent.parameters[1], minimax_promise));
   EXPECT_TRUE(std::any_of(tangent.alternation.begin(), tangent.alternation.end(),
                           [](const AlternationPoint& p) { return p.is_tangent && p.at.cos_theta == 0; }));
   EXPECT_LE(family.max_abs_error({}, below.domain, tangent.parameters).magnitude,

@@ -11,7 +11,7 @@
 namespace shadefit {
 namespace {
 
-Fit fit_of(const char* id, const Setting& setting, const Metric& metric) {
+Fit fit_under(const char* id, const Setting& setting, const Metric& metric) {
   return find_family(id)->fit(setting, metric);
 }
 
@@ -45,11 +45,11 @@ TEST(StationaryPoint, EveryFamilyUnderEveryMeasure) {
 }
 
 TEST(StationaryPoint, PowersThatAreNotWholeAndPartsOfTheDomain) {
-  expect_proven(fit_of("sg-offset", 0.5, {}));
-  expect_proven(fit_of("sg-offset", 2.5, {.measure = Measure::angle}));
-  expect_proven(fit_of("phong-blinn", 7.3, {.domain = {0.25, 1}}));
-  expect_proven(fit_of("fresnel-quadratic", Setting(), {.domain = {0.125, 0.375}}));
-  expect_proven(fit_of("fresnel-one-term", Setting(0, exact_surface(1.5)), {}));
+  expect_proven(fit_under("sg-offset", 0.5, {}));
+  expect_proven(fit_under("sg-offset", 2.5, {.measure = Measure::angle}));
+  expect_proven(fit_under("phong-blinn", 7.3, {.domain = {0.25, 1}}));
+  expect_proven(fit_under("fresnel-quadratic", Setting(), {.domain = {0.125, 0.375}}));
+  expect_proven(fit_under("fresnel-one-term", Setting(0, exact_surface(1.5)), {}));
 }
 
 /// The fifty digits of the references, which other methods computed, lie where the optimum is proven to lie.
@@ -74,10 +74,10 @@ TEST(StationaryPoint, TheReferencesLieWhereItIsProven) {
 }
 
 TEST(StationaryPoint, WhatIsNoOptimumIsNotProven) {
-  Fit fit = fit_of("fresnel-quadratic", Setting(), {});
+  Fit fit = fit_under("fresnel-quadratic", Setting(), {});
   fit.parameters[1] *= 1 + 1e-12;
   EXPECT_EQ(prove_stationary(fit).reason, "Krawczyk's operator does not map the box into itself");
-  fit = fit_of("sg-offset", 5, {});
+  fit = fit_under("sg-offset", 5, {});
   fit.parameters[0] *= 1 - 2e-13;
   EXPECT_FALSE(prove_stationary(fit).is_proven);
   fit.status = Status::ambiguous;

@@ -56,9 +56,9 @@ TEST(Taylor, EveryFunctionOfTheVocabulary) {
 
 TEST(Taylor, ConditionsThatCannotBeDecidedHaveNoSeries) {
   const auto wide = Series::variable(testing::span("0.25", "0.75"));
-  const auto half = constant<Series>("0.5");
-  EXPECT_FALSE(is_bounded(max(wide, half).value()));
-  EXPECT_FALSE(is_bounded(positive_part(wide - half)[3]));
+  const auto one_half = constant<Series>("0.5");
+  EXPECT_FALSE(is_bounded(max(wide, one_half).value()));
+  EXPECT_FALSE(is_bounded(positive_part(wide - one_half)[3]));
   EXPECT_TRUE(is_bounded(max(wide, constant<Series>("0.25"))[1])) << "they only touch";
   EXPECT_FALSE(is_bounded(log(Series::variable(testing::span("0", "0.5")))[1]));
 }

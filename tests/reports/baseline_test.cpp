@@ -9,17 +9,14 @@
 #include "fit/user_error.hpp"
 #include "reports/csv.hpp"
 #include "reports/report.hpp"
+#include "tests/reports/all_results.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::all_results;
 using testing::TemporaryDirectory;
-
-const Results& all_results() {
-  static const Results results = compute_results({});
-  return results;
-}
 
 Baseline committed() {
   return read_baseline(SHADEFIT_SOURCE_DIR "/reports/baseline");

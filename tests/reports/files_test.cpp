@@ -9,12 +9,14 @@
 #include <map>
 
 #include "fit/user_error.hpp"
+#include "tests/reports/stop.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::snapshot;
+using testing::Stop;
 using testing::TemporaryDirectory;
 namespace fs = std::filesystem;
 
@@ -103,9 +105,6 @@ TEST(Files, ADirectoryMadeForNothingIsRemoved) {
             "nothing was refused");
   EXPECT_FALSE(fs::exists(directory / "new"));
 }
-
-/// What a checkpoint of these tests throws: of no kind that the writer could know.
-struct Stop {};
 
 /// A checkpoint that does something at its n-th call, counted from 1.
 Checkpoint at_call(int n, const std::function<void()>& act) {

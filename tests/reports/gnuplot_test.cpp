@@ -9,12 +9,14 @@
 #include "fit/user_error.hpp"
 #include "reports/files.hpp"
 #include "tests/fake_gnuplot.hpp"
+#include "tests/reports/stop.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::EnvironmentVariable;
 using testing::fake_gnuplot;
+using testing::Stop;
 using testing::TemporaryDirectory;
 namespace fs = std::filesystem;
 
@@ -94,9 +96,6 @@ TEST(Gnuplot, APlaceThatIsTakenIsAFailure) {
   EXPECT_EQ(read_file(directory / "plots/a.svg/precious"), "kept");
   EXPECT_EQ(count_entries(directory / "plots"), 1U);
 }
-
-/// What a checkpoint of these tests throws: of no kind that the drawing could know.
-struct Stop {};
 
 bool has_children() {
   return ::waitpid(-1, nullptr, WNOHANG) >= 0 || errno != ECHILD;

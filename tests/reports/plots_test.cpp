@@ -12,19 +12,16 @@
 #include "reports/plot_script.hpp"
 #include "reports/report.hpp"
 #include "tests/accuracy.hpp"
+#include "tests/reports/all_results.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::all_results;
 using testing::is_close;
 
 /// Half a unit of the sixth digit, where the first one is a 1.
 constexpr double six_digits = 5e-6;
-
-const Results& all_results() {
-  static const Results results = compute_results({});
-  return results;
-}
 
 const Figure& figure(const std::vector<Figure>& figures, const std::string& name) {
   return *std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.name == name; });

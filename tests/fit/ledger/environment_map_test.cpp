@@ -4,11 +4,14 @@
 #include "fit/multiprecision.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/fit/ledger/mutations.hpp"
+#include "tests/fit/ledger/vector.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::dot;
 using testing::is_close;
+using testing::Vector;
 
 TEST(EnvironmentMapClaims, RestOnWhatIsPrintedAndGiven) {
   std::vector<Mutation> mutations{{"cap-solid-angle", "half-angles in degrees", "1,10,30"},
@@ -123,13 +126,7 @@ TEST(EnvironmentMapClaims, ThePowerOfThePrintedDigits) {
 // |a||b||c| + (a.b)|c| + (b.c)|a| + (c.a)|b|.
 // Source: Van Oosterom, Strackee 1983, "The Solid Angle of a Plane Triangle", IEEE Transactions on Biomedical
 // Engineering 30, pp. 125-126.
-using Direction = std::array<Decimal50, 3>;
-
-Decimal50 dot(const Direction& a, const Direction& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Decimal50 triangle_solid_angle(const Direction& a, const Direction& b, const Direction& c) {
+Decimal50 triangle_solid_angle(const Vector& a, const Vector& b, const Vector& c) {
   const Decimal50 determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
                                 a[2] * (b[0] * c[1] - b[1] * c[0]);
   const Decimal50 la = sqrt(dot(a, a)), lb = sqrt(dot(b, b)), lc = sqrt(dot(c, c));
@@ -142,7 +139,7 @@ TEST(CubeMap, TexelsAreTwoTriangles) {
        {std::array{"0", "0", "0.015625"}, std::array{"0.984375", "0.984375", "0.015625"},
         std::array{"-0.5", "0.25", "0.125"}, std::array{"-1", "-1", "2"}}) {
     const Decimal50 X(x), Y(y), S(size), far_x = X + S, far_y = Y + S;
-    const Direction a{X, Y, 1}, b{far_x, Y, 1}, c{far_x, far_y, 1}, d{X, far_y, 1};
+    const Vector a{X, Y, 1}, b{far_x, Y, 1}, c{far_x, far_y, 1}, d{X, far_y, 1};
     const Decimal50 truth = triangle_solid_angle(a, b, c) + triangle_solid_angle(a, c, d);
     EXPECT_TRUE(is_close(x, truth, texel_solid_angle(X, Y, S), 1e-44));
     // four values of size 1 leave a texel of 5e-5: 12 of 16 digits

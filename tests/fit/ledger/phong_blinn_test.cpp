@@ -7,9 +7,13 @@
 #include "fit/multiprecision.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/fit/ledger/mutations.hpp"
+#include "tests/fit/ledger/vector.hpp"
 
 namespace shadefit {
 namespace {
+
+using testing::dot;
+using testing::Vector;
 
 TEST(PhongBlinnClaims, RestOnWhatIsPrintedAndGiven) {
   check_mutations(phong_blinn_claims, {{"phong-blinn-factor", "printed 0", "6"},
@@ -58,15 +62,9 @@ TEST(PhongBlinnClaims, OnlyTheViewAlongTheNormalHasEveryLightInItsPlane) {
   EXPECT_EQ(verdict_of(with_printed(claim, 0, "1.999")), "refuted");
 }
 
-using Vector = std::array<Decimal50, 3>;
-
 Vector direction(double from_normal, double azimuth) {
   const Decimal50 polar(from_normal), around(azimuth);
   return {sin(polar) * cos(around), sin(polar) * sin(around), cos(polar)};
-}
-
-Decimal50 dot(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// Pairs of light and view over the hemisphere.
