@@ -17,7 +17,7 @@ namespace shadefit {
 namespace {
 
 /// The exponents of a claim that is given their first and last.
-std::vector<double> exponents_of(const Claim& claim) {
+std::vector<double> exponents_from_to(const Claim& claim) {
   return doubling_exponents(given(claim, "from"), given(claim, "to"));
 }
 
@@ -100,7 +100,7 @@ BadPowers bad_powers(double bad, int last, const std::vector<double>& exponents)
 Finding plain_accurate(const Claim& claim) {
   const double offset = given(claim, "offset"), accurate = given(claim, "accurate"),
                poor = given(claim, "poor");
-  const auto exponents = exponents_of(claim);
+  const auto exponents = exponents_from_to(claim);
   if (!std::all_of(exponents.begin(), exponents.end(), [](double k) { return best_offset(k).has_value(); }))
     return {std::nullopt, "", "the least-squares fits do not converge"};
   const auto error = [&](double k) { return largest_lobe_error(k, offset).magnitude; };
@@ -253,7 +253,7 @@ Finding offset_one_low(const Claim& claim) {
 }
 
 Finding offset_matters(const Claim& claim) {
-  const auto exponents = exponents_of(claim);
+  const auto exponents = exponents_from_to(claim);
   const double from = number_of(claim.printed.at("k")), subtle = given(claim, "subtle");
   const double plain = given(claim, "plain"), fitted = given(claim, "fitted"),
                other = given(claim, "literature");

@@ -24,7 +24,7 @@ namespace {
 /// the rules are cautious. Searches, whose places are printed to four digits, ask for less.
 constexpr double microfacet_tolerance = 1e-13;
 constexpr double promised = 1e-11;
-constexpr double search_tolerance = 1e-9;
+constexpr double place_tolerance = 1e-9;
 
 /// The roughnesses of a claim and their widths alpha, in rising order of the roughness.
 struct Widths {
@@ -145,11 +145,11 @@ struct Pair {
 
 /// G1 times the visible area over v.n, less 1; by one rule, for searches.
 double masking_error(const Pair& pair, double alpha, const View& view) {
-  const double area = integrate_visible_area_by_slope(pair.distribution, alpha, view, search_tolerance).value;
+  const double area = integrate_visible_area_by_slope(pair.distribution, alpha, view, place_tolerance).value;
   return masking(pair.masking, view, alpha) * area / view.direction.cosine - 1;
 }
 
-std::vector<double> views_of(const Claim& claim) {
+std::vector<double> angles_of(const Claim& claim) {
   std::vector<double> angles = parse_sweep(claim.inputs.at("view angles"));
   std::sort(angles.begin(), angles.end());
   return angles;
@@ -192,7 +192,7 @@ std::string effect_of_masking(const Furthest& worst, std::string_view distributi
 
 Finding masked_by_its_own(const Claim& claim) {
   const Widths widths(claim);
-  const auto angles = views_of(claim);
+  const auto angles = angles_of(claim);
   const Pair pair{distribution_of(claim.inputs.at("distribution")), masking_of(claim.inputs.at("masking"))};
   const Furthest worst = masking_table(pair, widths, angles).worst;
   const bool holds = worst.relative <= promised;
@@ -275,7 +275,7 @@ std::string at_flattest_view(const MaskingTable& table) {
 /// One loan: its verdict, how wrong it gets and where it is good enough.
 Finding loan(std::string_view distribution, const Claim& claim) {
   const Widths widths(claim);
-  const auto angles = views_of(claim);
+  const auto angles = angles_of(claim);
   const std::string lender(claim.inputs.at(distribution));
   const Pair pair{distribution_of(distribution), masking_of(lender)};
   const MaskingTable table = masking_table(pair, widths, angles);
@@ -305,7 +305,7 @@ Finding masked_by_another(const Claim& claim) {
   const Widths widths(claim);
   return {worst(std::array{blinn_phong.verdict, gtr1.verdict}),
           "at worst " + blinn_phong.computed + ", " + gtr1.computed,
-          "at " + widths.words() + " and " + views_in_words(views_of(claim)) + ", " + blinn_phong.evidence +
+          "at " + widths.words() + " and " + views_in_words(angles_of(claim)) + ", " + blinn_phong.evidence +
               "; " + gtr1.evidence,
           sentences({blinn_phong.effect, gtr1.effect})};
 }

@@ -18,7 +18,7 @@ namespace {
 
 /// How far the rules may be from the closed form and from each other: they are asked for 1e-13, and sums of
 /// some hundred ordinates, each with a few roundings, stay within ten times that.
-constexpr double agreement = 1e-12;
+constexpr double phase_agreement = 1e-12;
 
 /// The integral over the sphere by two rules, each in its own variable; in the error also what they are
 /// apart. Over the angle it is the form as printed, at g with its sign, in long double, where 1 + g^2 - 2 g c
@@ -26,10 +26,10 @@ constexpr double agreement = 1e-12;
 /// a negative g.
 Integral over_the_sphere(double signed_g) {
   if (!(std::abs(signed_g) < 1)) throw std::invalid_argument("g has to lie between -1 and 1, both excluded");
-  const double turn = 2 * pi<double>();
+  const double around = 2 * pi<double>();
   const auto in_angle = [&](double theta) {
     const long double wide = theta;
-    return static_cast<double>(turn * std::sin(wide) *
+    return static_cast<double>(around * std::sin(wide) *
                                henyey_greenstein(std::cos(wide), static_cast<long double>(signed_g)));
   };
   const Integral by_angle = tanh_sinh(in_angle, 0, pi<double>(), 1e-13);
@@ -38,7 +38,7 @@ Integral over_the_sphere(double signed_g) {
   // 1-c = width (e^s - 1): from the peak on, the base grows by e every unit of s.
   const double width = (1 - g) * (1 - g) / (2 * g);
   const auto stretched = [&](double s) {
-    return turn * henyey_greenstein_near_peak(width * std::expm1(s), g) * width * std::exp(s);
+    return around * henyey_greenstein_near_peak(width * std::expm1(s), g) * width * std::exp(s);
   };
   const Integral by_stretch = gauss_kronrod(stretched, 0, std::log1p(2 / width), 1e-13);
   return {by_stretch.value, std::max(by_stretch.error, std::abs(by_stretch.value - by_angle.value))};
@@ -64,7 +64,7 @@ double error_at_peak(float found, float g) {
   return std::abs(static_cast<double>(found) / henyey_greenstein_near_peak(0.0, static_cast<double>(g)) - 1);
 }
 
-Finding normalisation(const Claim& claim) {
+Finding phase_normalisation(const Claim& claim) {
   const std::vector<double> anisotropies = numbers_of(claim.inputs.at("g"));
   std::vector<std::optional<Verdict>> verdicts;
   double apart = 0, closed = 0;
@@ -72,7 +72,7 @@ Finding normalisation(const Claim& claim) {
     const Integral found = over_the_sphere(g);
     closed = henyey_greenstein_within(2.0, std::abs(g));
     apart = std::max({apart, found.error, std::abs(found.value - closed)});
-    verdicts.push_back(judge_known_to(claim.printed[0].value, closed, agreement));
+    verdicts.push_back(judge_known_to(claim.printed[0].value, closed, phase_agreement));
   }
   const auto [least, most] = std::minmax_element(anisotropies.begin(), anisotropies.end());
   const auto magnitude = [](double a, double b) { return std::abs(a) < std::abs(b); };
@@ -82,12 +82,13 @@ Finding normalisation(const Claim& claim) {
   const double robust = error_at_peak(henyey_greenstein_near_peak(0.0F, single), single);
   constexpr double roundings = 6e-7;  // ten of a float, as many as the form has operations
   return {
-      apart <= agreement ? worst(verdicts) : std::nullopt, decimal(closed, 10),
+      apart <= phase_agreement ? worst(verdicts) : std::nullopt, decimal(closed, 10),
       "the closed form gives " + decimal(closed, 10) + " at " +
           counted(static_cast<long>(anisotropies.size()), "value") + " of g from " + decimal(*least, 6) +
           " to " + decimal(*most, 6) +
           "; two quadrature rules, one of them over the form as printed, agree with it " +
-          (apart <= agreement ? "to " + decimal(agreement, 1) : "no better than to " + decimal(apart, 1)) +
+          (apart <= phase_agreement ? "to " + decimal(phase_agreement, 1)
+                                    : "no better than to " + decimal(apart, 1)) +
           "; the peak is " + decimal(henyey_greenstein_near_peak(0.0, sharpest), 4) +
           " per steradian at |g| = " + decimal(sharpest, 6) +
           ", where in single precision the printed form is off by " + decimal(off, 2) +
@@ -99,7 +100,7 @@ Finding normalisation(const Claim& claim) {
 }  // namespace
 
 std::span<const Evaluator> phase_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"hg-normalisation", normalisation}};
+  static constexpr std::array evaluators{Evaluator{"hg-normalisation", phase_normalisation}};
   return evaluators;
 }
 

@@ -55,7 +55,7 @@ Angles angles_of(const Vector& light, const Vector& view) {
   return {angle_between(reflected, view), angle_between({0, 0, 1}, half)};
 }
 
-struct Range {
+struct FactorRange {
   double low = 1e9;
   double high = -1e9;
   void add(double x) {
@@ -65,8 +65,8 @@ struct Range {
 };
 
 /// phong/blinn over lights and views in one plane, every `step` degrees from horizon to horizon.
-Range factor_in_plane(double step) {
-  Range range;
+FactorRange factor_in_plane(double step) {
+  FactorRange range;
   const int steps = static_cast<int>(std::floor(89 / step));
   for (int i = -steps; i <= steps; ++i) {
     for (int j = -steps; j <= steps; ++j) {
@@ -175,7 +175,7 @@ std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& view
 
 Finding angle(const Claim& claim) {
   const double printed = number_of(claim.printed[0].value), exponent = given(claim, "exponent");
-  const Range in_plane = factor_in_plane(given(claim, "step"));
+  const FactorRange in_plane = factor_in_plane(given(claim, "step"));
   const bool holds_in_plane = std::max(in_plane.high - printed, printed - in_plane.low) <= angle_tolerance;
   std::vector<AtView> views;
   for (const double view : parse_sweep(claim.inputs.at("views"))) views.push_back(look_from(view, exponent));

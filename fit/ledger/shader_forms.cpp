@@ -82,7 +82,7 @@ struct Form {
   Symbolic (*result)();
 };
 
-constexpr std::array forms{
+constexpr std::array counted_forms{
     Form{"pow", [] { return power_by_exp2(cosine(), v("k")); }},
     Form{"gaussian", [] { return gaussian_lobe_base_two(cosine(), v("A")); }},
     Form{"gaussian-of-power", [] { return gaussian_lobe_base_two(cosine(), base_two_power(v("k"))); }},
@@ -131,7 +131,7 @@ constexpr std::array light_forms{
 }  // namespace
 
 std::vector<Symbolic> shader_form(std::string_view name, int lights) {
-  for (const Form& form : forms) {
+  for (const Form& form : counted_forms) {
     if (form.name == name) return {form.result()};
   }
   for (const LightForm& form : light_forms) {

@@ -168,10 +168,10 @@ TEST(Refit, FitsWhatWasPublishedForOutsideTheSweep) {
 
 TEST(FitCache, TellsMetricsApart) {
   FitCache fits(*find_family("sg-offset"));
-  const double whole = fits.at(5, {}).parameters[0];
+  const double everywhere = fits.at(5, {}).parameters[0];
   const double upper_half = fits.at(5, {.domain = {0.5, 1}}).parameters[0];
-  EXPECT_NE(whole, upper_half);
-  EXPECT_EQ(fits.at(5, {}).parameters[0], whole);
+  EXPECT_NE(everywhere, upper_half);
+  EXPECT_EQ(fits.at(5, {}).parameters[0], everywhere);
 }
 
 /// A family whose fit fails under the angle measure alone.
