@@ -21,10 +21,10 @@
 /// bottom.
 namespace shadefit {
 
-/// Relative. What the polish on few nodes leaves of the way: the next one begins in Newton's reach.
-inline constexpr double basin_rest = 1e-13;
-/// Relative. Two different optima differ visibly, so the other starts need not go all the way.
-inline constexpr double same_optimum = 1e-6;
+/// Relative. Polishing in double leaves a few units of 1e-16; two different optima differ visibly. A looser
+/// agreement saves no time that could be measured, and lets a pair on a thousandth of its domain pass with a
+/// wrong optimum.
+inline constexpr double same_optimum = 1e-12;
 /// Ceres looks for the basin on twelve nodes, on one panel or on two.
 inline constexpr unsigned basin_nodes = 12;
 
@@ -211,7 +211,7 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
     // chance.
     const double size = relative_size(newton.step, p);
     const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
-    if (left < rest) {
+    if (size < 1e-6 && left < rest) {
       candidate.status = is_minimum<N>(*candidate.hessian) ? Status::converged : Status::not_converged;
       return;
     }
@@ -239,18 +239,18 @@ Candidate<N> common_optimum(const Starts<N>& starts, const DescentProblem<N>& pr
 
   const TinyFunction<N> function(problem, square);
   auto solver = basin_solver<N>();
-  const auto descend = [&](Candidate<N> candidate, double rest) {
+  const auto descend = [&](Candidate<N> candidate) {
     typename TinySolver<N>::Parameters parameters(candidate.parameters.data());
     candidate.iterations = solver.Solve(function, &parameters).iterations;
     std::copy_n(parameters.data(), N, candidate.parameters.begin());
-    polish<N>(problem, candidate, rest);
+    polish<N>(problem, candidate, same_optimum / 10);
     return candidate;
   };
-  common = descend(common, basin_rest);
+  common = descend(common);
   if (common.status != Status::converged) return common;
   const auto first = common;
   for (std::size_t i = 1; i < asked; ++i) {
-    const auto candidate = descend({.parameters = starts[i], .hessian = first.hessian}, same_optimum / 10);
+    const auto candidate = descend({.parameters = starts[i], .hessian = first.hessian});
     if (candidate.status != Status::converged) {
       common.status = candidate.status;
     } else if (distance(candidate.parameters, first.parameters) > same_optimum &&
