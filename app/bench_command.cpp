@@ -111,7 +111,8 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
       bench::measure(catalogue, errors,
                      {.targets = options.only,
                       .widths = widths,
-                      .plan = options.quick ? bench::quick_plan : bench::full_plan},
+                      .plan = options.quick ? bench::quick_plan : bench::full_plan,
+                      .has_little_memory = options.quick},
                      bench::now, [&](double share) {
                        checkpoint();
                        progress(progress_line("bench", share, bench::now().real - start));

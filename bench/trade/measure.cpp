@@ -109,7 +109,7 @@ Work work_of(forms::Kernel<Real> kernel, const forms::Target& target, std::vecto
 class Programme {
  public:
   Programme(const forms::Catalogue& catalogue, const Wanted& wanted, std::size_t last_cache)
-      : floats_(last_cache), doubles_(last_cache) {
+      : has_little_memory_(wanted.has_little_memory), floats_(last_cache), doubles_(last_cache) {
     for (const forms::Width width : wanted.widths) {
       const auto compiled = compiled_for(width);
       add_all(compiled, "copy", catalogue.targets.front(), nullptr, width);
@@ -136,10 +136,12 @@ class Programme {
       if (version.form != id) continue;
       const auto given =
           form == nullptr ? std::vector<double>{} : forms::parameters_of(target, form->constants.front());
-      for (const Place place : {Place::first_cache, Place::memory}) {
-        add(version, version.in_float, target, form, given, width, place, floats_);
-        add(version, version.in_double, target, form, given, width, place, doubles_);
-      }
+      add(version, version.in_float, target, form, given, width, Place::first_cache, floats_);
+      add(version, version.in_double, target, form, given, width, Place::first_cache, doubles_);
+      if (!has_little_memory_ || target.arguments != forms::Arguments::normal_to_lights)
+        add(version, version.in_float, target, form, given, width, Place::memory, floats_);
+      if (!has_little_memory_)
+        add(version, version.in_double, target, form, given, width, Place::memory, doubles_);
     }
   }
 
@@ -161,6 +163,7 @@ class Programme {
     work.push_back(work_of(kernel, target, std::move(parameters), place, workloads));
   }
 
+  bool has_little_memory_;
   Workloads<float> floats_;
   Workloads<double> doubles_;
 };

@@ -28,6 +28,8 @@ struct Wanted {
   std::vector<std::string> targets;  ///< ids; empty: all
   std::vector<forms::Width> widths;  ///< that this machine has
   Plan plan;
+  /// Long arrays take a system seconds to make: only those of cosines, in float.
+  bool has_little_memory = false;
 };
 
 /// Rounds and visits of a whole bench, well below 90 s, and of a quick one, below 5 s.
