@@ -10,16 +10,16 @@ namespace {
 
 using testing::is_close;
 
-const Substitution whole({}, {});
+const Substitution whole_range({}, {});
 
 TEST(Extremum, FindsInteriorAndEnds) {
   const auto hump = [](const auto& c) { return c.cos_theta * c.one_minus_cos; };
-  const auto interior = largest_magnitude(hump, whole);
+  const auto interior = largest_magnitude(hump, whole_range);
   EXPECT_NEAR(interior.magnitude, 0.25, 1e-16);
   EXPECT_NEAR(interior.at.cos_theta, 0.5, 1e-12);
-  EXPECT_EQ(largest_magnitude([](const auto& c) { return c.cos_theta; }, whole).at.cos_theta, 1);
-  EXPECT_EQ(largest_magnitude([](const auto& c) { return -c.one_minus_cos; }, whole).at.cos_theta, 0);
-  EXPECT_EQ(largest_magnitude([](const auto& c) { return -c.one_minus_cos; }, whole).magnitude, 1);
+  EXPECT_EQ(largest_magnitude([](const auto& c) { return c.cos_theta; }, whole_range).at.cos_theta, 1);
+  EXPECT_EQ(largest_magnitude([](const auto& c) { return -c.one_minus_cos; }, whole_range).at.cos_theta, 0);
+  EXPECT_EQ(largest_magnitude([](const auto& c) { return -c.one_minus_cos; }, whole_range).magnitude, 1);
 }
 
 TEST(Extremum, OfEqualOnesTheSmallestCosine) {
@@ -28,7 +28,7 @@ TEST(Extremum, OfEqualOnesTheSmallestCosine) {
     const T m = c.cos_theta - integer<T>(1) / integer<T>(2);
     return m * (m * m - constant<T>("0.1875"));  // odd about 1/2: |f| = 1/32 at the ends and at m = +-1/4
   };
-  const auto found = largest_magnitude(equal, whole);
+  const auto found = largest_magnitude(equal, whole_range);
   EXPECT_EQ(found.at.cos_theta, 0);
   EXPECT_NEAR(found.magnitude, 1.0 / 32, 1e-16);
 }
@@ -41,7 +41,7 @@ TEST(Extremum, TiesAreWithTheLargestAndNotAmongEachOther) {
     const T height = integer<T>(1) - constant<T>("0.0000002") * c.one_minus_cos;
     return height * cos(integer<T>(40) * pi<T>() * c.one_minus_cos);
   };
-  const auto found = largest_magnitude(crests, whole);
+  const auto found = largest_magnitude(crests, whole_range);
   EXPECT_EQ(found.magnitude, 1);
   EXPECT_EQ(found.at.cos_theta, 1);
 }
@@ -52,7 +52,7 @@ TEST(Extremum, SeesANarrowSpikeAtThePeak) {
     const T t = constant<T>("1e9") * c.one_minus_cos;
     return t * exp(-t);
   };
-  EXPECT_NEAR(largest_magnitude(spike, whole).magnitude, std::exp(-1.0), 1e-15);
+  EXPECT_NEAR(largest_magnitude(spike, whole_range).magnitude, std::exp(-1.0), 1e-15);
 }
 
 // Reference: Sollya at 200 bits, and two 50-digit methods, for the published pair.

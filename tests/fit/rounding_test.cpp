@@ -16,7 +16,7 @@
 namespace shadefit {
 namespace {
 
-const NumberFormat half{NumberFormat::Kind::half};
+const NumberFormat half_format{NumberFormat::Kind::half};
 const NumberFormat bfloat16{NumberFormat::Kind::bfloat16};
 const NumberFormat single{NumberFormat::Kind::single};
 
@@ -53,7 +53,7 @@ TEST(Rounding, HalfConstantsBeatTheRoundedPublishedOnes) {
   for (const Case& c :
        {Case{"fresnel-quadratic", 0, {-5.55473, -6.98316}}, Case{"fresnel-one-term", 0, {8.35}},
         Case{"sg-offset", 5, {0.788}}, Case{"sg-offset", 10, {0.775}}, Case{"phong-blinn", 64, {4.2}}}) {
-    const Rounded rounded = round_fit(fit_of(c.family, c.exponent), half, c.published);
+    const Rounded rounded = round_fit(fit_of(c.family, c.exponent), half_format, c.published);
     EXPECT_TRUE(rounded.is_proven) << c.family;
     EXPECT_EQ(rounded.searched, "all finite numbers of the format");
     EXPECT_LT(rounded.best.max_error, 0.91 * rounded.published->max_error) << c.family;
@@ -64,7 +64,7 @@ TEST(Rounding, HalfConstantsBeatTheRoundedPublishedOnes) {
 
 // Each a landmark of the report, and of the halves -5.4921875 and -7.0078125.
 TEST(Rounding, QuadraticInHalf) {
-  const Rounded rounded = round_fit(fit_of("fresnel-quadratic"), half, {-5.55473, -6.98316});
+  const Rounded rounded = round_fit(fit_of("fresnel-quadratic"), half_format, {-5.55473, -6.98316});
   EXPECT_EQ(rounded.best.parameters, (std::vector{-0x1.5f8p+2, -0x1.c08p+2}));
   EXPECT_EQ(rounded.best.texts, (std::vector<std::string>{"-5.492", "-7.008"}));
   EXPECT_NEAR(rounded.best.max_error, 0.0035796, 5e-8);
@@ -77,7 +77,7 @@ TEST(Rounding, QuadraticInHalf) {
 
 // Every half A, without an interval.
 TEST(Rounding, BestOfAllHalvesByBruteForce) {
-  const Rounded rounded = round_fit(fit_of("fresnel-one-term"), half, {});
+  const Rounded rounded = round_fit(fit_of("fresnel-one-term"), half_format, {});
   const BinaryLattice<HalfFormat> lattice;
   double best = error_in_half(FresnelOneTerm{}, {8.35}, 1);  // a start that most fail against early
   for (std::int64_t i = -lattice.last(); i <= lattice.last(); ++i)
@@ -122,7 +122,7 @@ TEST(Rounding, BoundsOfBoxesHold) {
 
 // Each parameter one step up or down is no better, and the ruler sees the step.
 TEST(Rounding, MutationsAreNoBetter) {
-  for (const NumberFormat& format : {half, bfloat16}) {
+  for (const NumberFormat& format : {half_format, bfloat16}) {
     const Rounded rounded = round_fit(fit_of("fresnel-quadratic"), format, {});
     const auto expect_worse = [&](const auto& problem) {
       const auto& lattice = problem.lattice();
@@ -138,7 +138,7 @@ TEST(Rounding, MutationsAreNoBetter) {
       }
       EXPECT_GE(changed, 2);
     };
-    if (format == half) {
+    if (format == half_format) {
       expect_worse(NarrowProblem<FresnelQuadratic, HalfFormat>({}, Error::absolute, {}));
     } else {
       expect_worse(NarrowProblem<FresnelQuadratic, Bfloat16Format>({}, Error::absolute, {}));
@@ -148,10 +148,10 @@ TEST(Rounding, MutationsAreNoBetter) {
 
 TEST(Rounding, GivesUpHonestly) {
   const Fit fit = fit_of("fresnel-quadratic");
-  const Rounded few = round_fit(fit, half, {}, keep_going, 40);
+  const Rounded few = round_fit(fit, half_format, {}, keep_going, 40);
   EXPECT_FALSE(few.is_proven);
   EXPECT_EQ(few.searched, "the constants within 16 steps of the format");
-  const Rounded all = round_fit(fit, half, {});
+  const Rounded all = round_fit(fit, half_format, {});
   EXPECT_GE(few.best.max_error, all.best.max_error);
   EXPECT_LE(few.best.max_error, few.naive.max_error);
   int called = 0;
@@ -185,7 +185,7 @@ TEST(Rounding, MeasuresTheErrorsOfTheFamilies) {
 TEST(Rounding, RelativeErrorsAndDomains) {
   Fit fit = fit_of("fresnel-quadratic");
   fit.metric.error = Error::relative;
-  const Rounded relative = round_fit(fit, half, {});
+  const Rounded relative = round_fit(fit, half_format, {});
   EXPECT_TRUE(relative.is_proven);
   EXPECT_LT(relative.best.max_error, relative.naive.max_error);
   const NarrowProblem<FresnelQuadratic, HalfFormat> problem({}, Error::relative, {});
@@ -313,7 +313,7 @@ TEST(Rounding, DecimalsAreTheBestOfTheirNeighbours) {
 TEST(Rounding, GivenParametersStay) {
   Metric metric;
   metric.constraints.held = {{"b", -7}};
-  const Rounded rounded = round_fit(find_family("fresnel-quadratic")->fit({0}, metric), half, {});
+  const Rounded rounded = round_fit(find_family("fresnel-quadratic")->fit({0}, metric), half_format, {});
   EXPECT_EQ(rounded.best.parameters[1], -7);
   EXPECT_TRUE(rounded.is_proven);
   EXPECT_EQ(rounded.searched, "all finite numbers of the format, for the parameters that are not given");
@@ -326,10 +326,10 @@ TEST(Rounding, GivenParametersStay) {
 
 // Three parameters: the neighbourhood is searched, and more cannot be said.
 TEST(Rounding, OfManyParametersTheNeighbourhood) {
-  const Rounded rounded = round_fit(fit_of("fresnel-cubic"), half, {});
+  const Rounded rounded = round_fit(fit_of("fresnel-cubic"), half_format, {});
   EXPECT_EQ(rounded.searched, "the constants within 16 steps of the format");
   EXPECT_LT(rounded.best.max_error, rounded.naive.max_error);
-  EXPECT_LT(rounded.best.max_error, round_fit(fit_of("fresnel-quadratic"), half, {}).best.max_error);
+  EXPECT_LT(rounded.best.max_error, round_fit(fit_of("fresnel-quadratic"), half_format, {}).best.max_error);
 }
 
 TEST(Rounding, RefusesWhatAFormatCannotHold) {
@@ -341,25 +341,25 @@ TEST(Rounding, RefusesWhatAFormatCannotHold) {
     }
     return "";
   };
-  EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 0.1), half, {}); }),
+  EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 0.1), half_format, {}); }),
             "--exponent '0.1' is no number of half: the nearest is 0.0999755859375");
-  EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 1e6), half, {}); }),
+  EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 1e6), half_format, {}); }),
             "--exponent '1e+06' is no number of half: the largest is 65504");
   EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 1000), bfloat16, {}); }), "");
-  EXPECT_EQ(line([] { round_fit(fit_of("fresnel-one-term"), half, {70000}); }),
+  EXPECT_EQ(line([] { round_fit(fit_of("fresnel-one-term"), half_format, {70000}); }),
             "fresnel-one-term: A = 70000 overflows half: the largest is 65504");
   EXPECT_EQ(line([] {
               round_fit(fit_of("fresnel-one-term"), {NumberFormat::Kind::decimal, 3}, {1e30});
             }),
             "fresnel-one-term: A = 1e+30 overflows decimal:3: the largest is 1e21");
   EXPECT_EQ(line([] {
-              round_fit(fit_of("sg-offset", 8, {0.50001, 0.50002}), half, {});
+              round_fit(fit_of("sg-offset", 8, {0.50001, 0.50002}), half_format, {});
             }),
             "--domain '0.50001:0.50002' holds no number of half");
   const auto with = [&](const auto& change) {
     Fit fit = fit_of("fresnel-one-term");
     change(fit.metric);
-    return line([&] { round_fit(fit, half, {}); });
+    return line([&] { round_fit(fit, half_format, {}); });
   };
   EXPECT_EQ(with([](Metric& m) { m.weight = "1 + c"; }),
             "--round 'half' does not apply with --weight: the largest error is searched without one");
