@@ -26,9 +26,10 @@ struct EnclosureOptions {
   double width = usual_width;           ///< relative to the largest magnitude
   std::optional<ExactPlace> hint = {};  ///< where it probably is: a good lower bound from the start
   int boxes = most_boxes;               ///< the search gives up when it has as many
+  double least = 0;                     ///< a magnitude up to this one is of no interest
 };
 
-/// max |f| lies in [lower, upper].
+/// max |f|, or `EnclosureOptions::least` where that is more, lies in [lower, upper].
 struct Enclosure {
   double lower = 0;
   double upper = 0;
@@ -50,7 +51,8 @@ struct BoundedBox {
 template <class F>
 class LargestSearch {
  public:
-  LargestSearch(const F& f, const EnclosureOptions& options) : f_(f), options_(options) {}
+  LargestSearch(const F& f, const EnclosureOptions& options)
+      : f_(f), options_(options), lower_(options.least) {}
 
   Enclosure search(const std::vector<Box>& domain) {
     for (const Box& box : domain) raise({box.side, box.lower});
@@ -144,7 +146,7 @@ class LargestSearch {
   const F& f_;
   EnclosureOptions options_;
   std::priority_queue<BoundedBox> boxes_;
-  double lower_ = 0;
+  double lower_;
   ExactPlace attained_;
 };
 

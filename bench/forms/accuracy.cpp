@@ -204,8 +204,7 @@ class Accuracy {
     const Places<double> doubles(grid, target, exact);
     for (const FormEntry* form : forms) {
       for (const Constants& constants : form->constants) {
-        const Row row{*form, constants, pair_exp2(form->id, constants)};
-        first_row_ = table_.rows.size();
+        const Row row{*form, constants, pair_exp2(target, form->id, constants)};
         const LibraryForm& library = library_form(form->id);
         const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic,
                              const Format& format, int degree) {
@@ -227,7 +226,6 @@ class Accuracy {
             add(doubles, compiled.in_double, "double", double_format, compiled.exp2_degree);
           add(floats, compiled.in_float, "float", float_format, compiled.exp2_degree);
         }
-        if (form->function == Function::exp2 && !row.pairing) pair_by_samples();
       }
     }
   }
@@ -250,7 +248,6 @@ class Accuracy {
     if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
     const bool is_paired = row.pairing && row.pairing->degree == degree;
     const bool is_float = arithmetic == float_format.name;
-    if (is_float) sampled_[static_cast<std::size_t>(degree)] = errors.absolute;
     table_.rows.push_back(
         {std::string(row.form.target), std::string(row.form.id), row.constants.id, values_of(row.constants),
          exp2, std::string(arithmetic), number(errors.absolute, digits),
@@ -258,26 +255,10 @@ class Accuracy {
          number(errors.rms, digits), number(errors.ulps, few), number(errors.codes, few),
          row.pairing ? number(row.pairing->own_upper, few) : Cell(),
          row.pairing ? number(row.pairing->totals[static_cast<std::size_t>(degree)], few) : Cell(),
-         row.pairing && is_float ? number(row.pairing->rounding, few) : Cell(),
+         row.pairing && row.pairing->rounding && is_float ? number(*row.pairing->rounding, few) : Cell(),
          row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
   }
 
-  /// The pairing of a form without a proof: by the sampled errors of its rows in float.
-  void pair_by_samples() {
-    int paired = 0;
-    for (int degree = largest_exp2_degree; degree >= least_exp2_degree; --degree) {
-      if (sampled_[static_cast<std::size_t>(degree)] <= (1 + allowed_addition) * sampled_[0]) paired = degree;
-    }
-    const std::string text = paired == 0 ? "library" : std::to_string(paired);
-    for (std::size_t i = first_row_; i < table_.rows.size(); ++i) {
-      const bool is_paired = std::get<std::string>(table_.rows[i][exp2_column]) == text;
-      table_.rows[i].back() = std::string(is_paired ? "sampled" : "no");
-    }
-  }
-
-  static constexpr std::size_t exp2_column = 4;
-  std::size_t first_row_ = 0;                                 ///< of the form's constants
-  std::array<double, largest_exp2_degree + 1> sampled_ = {};  ///< largest errors in float, by degree
   Table table_{.columns = {"target", "form", "constants", "values", "exp2", "arithmetic", "max_abs_error",
                            "max_abs_error_at", "max_rel_error", "rms_error", "max_ulps", "srgb_codes",
                            "own_error", "total_error", "rounding_error", "paired"},

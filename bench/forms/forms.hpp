@@ -162,9 +162,12 @@ struct GlossGaussian {
     return {p[0] / largest_code<T>(), p[2], base_two_power(p[3])};
   }
   template <class T>
+  static T base_two(const T& code, const std::array<T, 3>& p) {
+    return decode_gloss(code, p[0], p[1]) + p[2];
+  }
+  template <class T>
   T operator()(const T& c, const T& code, const std::array<T, 3>& p) const {
-    const T base_two = decode_gloss(code, p[0], p[1]) + p[2];
-    return gaussian_lobe_base_two(c, base_two);
+    return gaussian_lobe_base_two(c, base_two(code, p));
   }
 };
 

@@ -18,6 +18,8 @@ namespace {
 
 /// Relative to the error: a tenth of what decides.
 constexpr double width = allowed_addition / 10;
+/// Where it is enough to tell one lobe's error from another's.
+constexpr double rough_width = 0.02;
 /// k and x, their sum, ln 2 and the quotient: what of a constant may be rounded before it is used.
 constexpr double roundings_of_constants = 5;
 
@@ -28,19 +30,43 @@ std::array<Interval, N> enclosed(const Constants& constants) {
   return values;
 }
 
-/// A family's error, form and both together at given constants.
+/// Of an 8-bit gloss.
+constexpr int codes = 256;
+
+/// A quantity lies in [lower, upper].
+struct Bounds {
+  double lower, upper;
+};
+
+/// max |f(error, form)| of a family at given constants.
+template <class Family, std::size_t N, class F>
+Enclosure enclose(const Family& family, const std::array<Interval, N>& constants, const F& f,
+                  const EnclosureOptions& options) {
+  const auto of_cosine = [&]<class T>(const Cosine<T>& c) {
+    std::array<T, N> p;
+    for (std::size_t i = 0; i < N; ++i) p[i] = lift<T>(constants[i]);
+    const auto sample = family.sample(c);
+    return T(f(family.error(sample, p), family.form(sample, p)));
+  };
+  return enclose_largest(of_cosine, Domain{}, options);
+}
+
+/// A family's error at given constants.
 template <class Family>
-class EnclosedErrors {
+class FamilyErrors {
  public:
   static constexpr std::size_t N = Family::parameters.size();
 
-  EnclosedErrors(const Family& family, const Constants& constants)
+  FamilyErrors(const Family& family, const Constants& constants)
       : family_(family), constants_(enclosed<N>(constants)) {
-    own_ = largest(0);
-    largest_form_ = largest(1, 0).upper;
+    own_ =
+        enclose(family_, constants_, [](const auto& error, const auto&) { return error; }, {.width = width});
+    largest_form_ =
+        enclose(family_, constants_, [](const auto&, const auto& form) { return form; }, {.width = width})
+            .upper;
   }
 
-  const Enclosure& own() const { return own_; }
+  Bounds own() const { return {own_.lower, own_.upper}; }
 
   /// max (|error| + relative |form|), from above. Where the second is next to nothing, by the largest of
   /// each; else of the sum and of the difference, the larger. The form is positive.
@@ -48,22 +74,15 @@ class EnclosedErrors {
     constexpr double upwards = 1 + 0x1p-50;  // more than what the two operations round
     const double apart = (own_.upper + relative * largest_form_) * upwards;
     if (apart <= (1 + width) * own_.upper) return apart;
-    return std::max(largest(relative).upper, largest(-relative).upper);
+    return std::max(largest_with(relative), largest_with(-relative));
   }
 
  private:
-  /// max |errors * error + relative * form|
-  Enclosure largest(double relative, double errors = 1) const {
-    const Interval factor(relative), of_error(errors);
-    const auto sum = [&]<class T>(const Cosine<T>& c) {
-      std::array<T, N> p;
-      for (std::size_t i = 0; i < N; ++i) p[i] = lift<T>(constants_[i]);
-      const auto sample = family_.sample(c);
-      return T(lift<T>(of_error) * family_.error(sample, p) + lift<T>(factor) * family_.form(sample, p));
+  double largest_with(double relative) const {
+    const auto sum = [factor = Interval(relative)]<class T>(const T& error, const T& form) {
+      return T(error + lift<T>(factor) * form);
     };
-    EnclosureOptions options{.width = width};
-    if (relative != 0 && errors != 0) options.hint = own_.attained;
-    return enclose_largest(sum, Domain{}, options);
+    return enclose(family_, constants_, sum, {.width = width, .hint = own_.attained}).upper;
   }
 
   Family family_;
@@ -72,28 +91,143 @@ class EnclosedErrors {
   double largest_form_ = 0;
 };
 
-/// A bound of what rounding to float adds to the form as it is timed, its exp2 off by `function` of its
-/// result.
-template <class Form, std::size_t N>
-double float_rounding_of(const std::array<Interval, N>& parameters, double function) {
-  Rounding rounding = float_rounding;
-  rounding.function = function;
-  const auto constants = Form::template prepared<Interval>(parameters);
-  const auto error = [&](const Cosine<Interval>& c) {
-    std::array<RunningError, std::tuple_size_v<decltype(constants)>> p;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p[i] = {constants[i], roundings_of_constants * rounding.basic * largest_magnitude_in(constants[i]),
-              &rounding};
-    return Form()(RunningError{c.cos_theta, 0, &rounding}, p).error;
+/// The error of the lobe with a gloss per element, over all codes.
+///
+/// Its exp2 serves twice. Off by delta, relative, it makes D (1 + delta) of D = exp2(d g + m), and off by
+/// delta' the result 1 + delta' times as large: (1 + delta') exp((k + x')(c - 1)), with
+/// x' = ln 2 D (1 + delta) + x - k. That falls with delta and rises with delta': where both are within a
+/// bound its error lies between those at two corners. These are only looked at for lobes that may err most,
+/// the widest.
+class GlossErrors {
+ public:
+  GlossErrors(const Target& target, const Constants& constants) : offset_(number(constants.numbers, 1)) {
+    const Interval doublings = number(target.parameters, 0), first = number(target.parameters, 1);
+    const Interval base_two_first = number(constants.numbers, 0);
+    for (int code = 0; code < codes; ++code) {
+      const Interval gloss = Interval(code) / largest_code<Interval>();
+      Lobe lobe{decode_gloss(gloss, doublings, first), decode_gloss(gloss, doublings, base_two_first)};
+      lobe.own_upper = largest_of(lobe, {0, 0}, rough_width).upper;
+      lobes_.push_back(lobe);
+    }
+  }
+
+  Bounds own() const { return largest_at({{0, 0}}, 0); }
+
+  /// Beside its own error a lobe has at most (1 + bound) exp(t bound) - 1 times exp(-t), t the exponent it
+  /// has fallen by: t exp(-t) is 1/e at most, and of the rest a hundredth is more than enough.
+  double upper_with(double relative) const {
+    constexpr double more_than_both = 1.01 * (1 + 0.37);
+    return largest_at({{-relative, relative}, {relative, -relative}}, more_than_both * relative).upper;
+  }
+
+ private:
+  /// Of a code.
+  struct Lobe {
+    Interval exponent, base_two;
+    double own_upper = 0;  ///< its own error is no larger
   };
-  // A bound has no need to be near: on so many boxes the values of a form are known to some percent.
-  constexpr int boxes_a_side = 128;
+  /// delta and delta'
+  struct Corner {
+    double of_power, of_result;
+  };
+
+  static Interval number(const std::vector<NamedNumber>& numbers, std::size_t i) {
+    return constant<Interval>(numbers.at(i).printed);
+  }
+
+  /// The largest error of a lobe where the polynomial is off by a corner.
+  Bounds largest_of(const Lobe& lobe, const Corner& corner, double relative_width) const {
+    // |c^k - c^k'| <= |k - k'|/(e k'), the largest of -c^k log c being 1/(e k)
+    const double exponent = lower_end(lobe.exponent);
+    const double beside = (upper_end(lobe.exponent) - exponent) / exponent;
+    const Interval power = ln2<Interval>() * lobe.base_two * (Interval(1) + Interval(corner.of_power));
+    const std::array p{Interval(Interval(1) + Interval(corner.of_result)),
+                       Interval(power + offset_ - Interval(exponent))};
+    const auto error = [](const auto& e, const auto&) { return e; };
+    const Enclosure largest =
+        enclose(make_family<SgScaled>(Setting(exponent)), p, error, {.width = relative_width});
+    return {largest.lower - beside, largest.upper + beside};
+  }
+
+  /// Of all lobes but those whose own error and `more` is less than what another's has been found to be.
+  Bounds largest_at(const std::vector<Corner>& corners, double more) const {
+    Bounds worst{0, 0};
+    for (const Lobe& lobe : lobes_) {
+      if (lobe.own_upper + more <= worst.lower) {
+        worst.upper = std::max(worst.upper, lobe.own_upper + more);
+        continue;
+      }
+      for (const Corner& corner : corners) {
+        const Bounds largest = largest_of(lobe, corner, width);
+        worst = {std::max(worst.lower, largest.lower), std::max(worst.upper, largest.upper)};
+      }
+    }
+    return worst;
+  }
+
+  Interval offset_;
+  std::vector<Lobe> lobes_;
+};
+
+/// Half an ulp is 2^-24 of a number at most: three of them hold what Horner's rule of any degree rounds, see
+/// `Exp2Bounds::rounding`, and exp2 of the library is better.
+constexpr double rounding_of_exp2 = 3 * 0x1p-24;
+
+Rounding rounding_with_polynomial() {
+  Rounding rounding = float_rounding;
+  rounding.function = rounding_of_exp2;
+  return rounding;
+}
+
+/// A form's constants, rounded.
+template <std::size_t N>
+std::array<RunningError, N> rounded_constants(const std::array<Interval, N>& constants,
+                                              const Rounding& rounding) {
+  std::array<RunningError, N> rounded;
+  for (std::size_t i = 0; i < N; ++i) {
+    rounded[i] = {constants[i], roundings_of_constants * rounding.basic * largest_magnitude_in(constants[i]),
+                  &rounding};
+  }
+  return rounded;
+}
+
+/// A bound of what rounding adds to `evaluate`, a form of one cosine. It has no need to be near: on so many
+/// boxes the values of a form are known to some percent.
+template <class Evaluate>
+double rounding_on(int boxes_a_side, const Rounding& rounding, const Evaluate& evaluate) {
   double bound = 0;
   for (const Box& side : boxes_of(Domain{})) {
     for (int i = 0; i < boxes_a_side; ++i) {
-      constexpr double step = half_way / boxes_a_side;
-      bound = std::max(bound, error(cosine_at(side.side, span_of(i * step, (i + 1) * step))));
+      const double step = half_way / boxes_a_side;
+      const auto c = cosine_at(side.side, span_of(i * step, (i + 1) * step));
+      bound = std::max(bound, evaluate(RunningError{c.cos_theta, 0, &rounding}).error);
     }
+  }
+  return bound;
+}
+
+template <class Form>
+double float_rounding_of(const std::array<Interval, Form::parameters>& parameters) {
+  const Rounding rounding = rounding_with_polynomial();
+  const auto p = rounded_constants(Form::template prepared<Interval>(parameters), rounding);
+  return rounding_on(128, rounding, [&](const RunningError& c) { return Form()(c, p); });
+}
+
+/// Over all codes. A rounded A, off by r in relation to itself, moves exp2(A c - A) by r t exp(-t) to first
+/// order, t the exponent it has fallen by, which is r/e at most; the rest is that of the form with that A. It
+/// is most at the peak of the narrowest lobe, which needs no narrow boxes.
+double float_rounding_of_gloss(const std::array<Interval, GlossGaussian::parameters>& parameters) {
+  const Rounding rounding = rounding_with_polynomial();
+  const auto p = rounded_constants(GlossGaussian::prepared<Interval>(parameters), rounding);
+  constexpr double falling = 0.37;  // 1/e, and what the second order may add
+  double bound = 0;
+  for (int code = 0; code < codes; ++code) {
+    const RunningError base_two = GlossGaussian::base_two(RunningError{Interval(code), 0, &rounding}, p);
+    const RunningError exact{base_two.value, 0, &rounding};
+    const double of_base_two = base_two.error / smallest_magnitude_in(base_two.value);
+    bound = std::max(bound, falling * of_base_two + rounding_on(4, rounding, [&](const RunningError& c) {
+                              return gaussian_lobe_base_two(c, exact);
+                            }));
   }
   return bound;
 }
@@ -103,41 +237,70 @@ double bound_of(int degree) {
   return constant<double>(exp2_for_float[static_cast<std::size_t>(degree - least_exp2_degree)].bound);
 }
 
-/// Half an ulp is 2^-24 of a number at most: three of them hold what Horner's rule of any degree rounds, see
-/// `Exp2Bounds::rounding`, and exp2 of the library is better.
-constexpr double rounding_of_exp2 = 3 * 0x1p-24;
-
-template <class Form, class Family>
-Pairing paired(const Family& family, const Constants& constants, std::vector<Interval> of_target) {
-  const EnclosedErrors<Family> errors(family, constants);
-  Pairing pairing{.own_lower = errors.own().lower, .own_upper = errors.own().upper};
+template <class Errors>
+Pairing paired(const Errors& errors) {
+  const Bounds own = errors.own();
+  Pairing pairing{.own_lower = own.lower, .own_upper = own.upper};
   pairing.totals[0] = pairing.own_upper;
   for (int degree = largest_exp2_degree; degree >= least_exp2_degree; --degree) {
     const double total = errors.upper_with(bound_of(degree));
     pairing.totals[static_cast<std::size_t>(degree)] = total;
     if (total <= (1 + allowed_addition) * pairing.own_lower) pairing.degree = degree;
   }
-  std::array<Interval, Form::parameters> parameters;
+  return pairing;
+}
+
+/// The numbers of the target, then those of the form.
+template <class Form>
+std::array<Interval, Form::parameters> all_parameters(const Target& target, const Constants& constants) {
+  std::array<Interval, Form::parameters> all;
   std::size_t next = 0;
-  for (const Interval& value : of_target) parameters[next++] = value;
-  for (const Interval& value : enclosed<EnclosedErrors<Family>::N>(constants)) parameters[next++] = value;
-  pairing.rounding = float_rounding_of<Form>(parameters, rounding_of_exp2);
+  for (const auto* numbers : {&target.parameters, &constants.numbers}) {
+    for (const NamedNumber& number : *numbers) all.at(next++) = constant<Interval>(number.printed);
+  }
+  return all;
+}
+
+template <class Form, class Family>
+Pairing paired(const Family& family, const Target& target, const Constants& constants) {
+  Pairing pairing = paired(FamilyErrors(family, constants));
+  pairing.rounding = float_rounding_of<Form>(all_parameters<Form>(target, constants));
+  return pairing;
+}
+
+Pairing paired_gloss(const Target& target, const Constants& constants) {
+  Pairing pairing = paired(GlossErrors(target, constants));
+  pairing.rounding = float_rounding_of_gloss(all_parameters<GlossGaussian>(target, constants));
+  return pairing;
+}
+
+/// Of N lights wherever they are: N times the lobe, which N lights in one direction attain. Behind the
+/// horizon the target is 0 and the form falls, so both of its errors are less than at c = 0.
+Pairing paired_lights(const Target& target, const Constants& constants) {
+  constexpr std::size_t power = 1, axes = 3;
+  const auto lights = static_cast<double>((target.parameters.size() - power) / axes);
+  Pairing pairing = paired(FamilyErrors(make_family<SgOffset>(Setting(fixed_exponent)), constants));
+  pairing.own_lower *= lights;
+  pairing.own_upper *= lights;
+  for (double& total : pairing.totals) total *= lights;
   return pairing;
 }
 
 }  // namespace
 
-std::optional<Pairing> pair_exp2(std::string_view form, const Constants& constants) {
+std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants) {
   const auto lobe = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form>(make_family<Family>(Setting(fixed_exponent)), constants, {Interval(fixed_exponent)});
+    return paired<Form>(make_family<Family>(Setting(fixed_exponent)), target, constants);
   };
   const auto fresnel = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form>(Family(), constants, {});
+    return paired<Form>(Family(), target, constants);
   };
   if (form == LobeGaussian::id) return lobe(LobeGaussian(), std::type_identity<SgOffset>());
   if (form == LobeGaussianOfDifference::id)
     return lobe(LobeGaussianOfDifference(), std::type_identity<SgOffset>());
   if (form == LobeScaledGaussian::id) return lobe(LobeScaledGaussian(), std::type_identity<SgScaled>());
+  if (form == GlossGaussian::id) return paired_gloss(target, constants);
+  if (form == PhongGaussian::id) return paired_lights(target, constants);
   if (form == FresnelOneTermForm::id)
     return fresnel(FresnelOneTermForm(), std::type_identity<FresnelOneTerm>());
   if (form == FresnelQuadraticForm::id)

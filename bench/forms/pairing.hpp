@@ -14,23 +14,22 @@ namespace shadefit::forms {
 inline constexpr double allowed_addition = 0.01;
 
 /// A form with one set of constants, and the polynomial that serves it. All errors are the largest |form -
-/// target| over c in [0, 1].
+/// target| over c in [0, 1], over all 256 codes where there is a gloss, and over all places of the lights.
 struct Pairing {
   double own_lower = 0, own_upper = 0;  ///< with an exact exp2: proven bounds
   int degree = 0;                       ///< of the cheapest polynomial that serves; 0: none does
   /// By degree, with that polynomial for float in place of the exp2, in exact arithmetic: proven not to be
   /// exceeded. Every result is off by no more than the polynomial's bound, relative, so it is the largest
-  /// |error| + bound |form|. At 0, with an exact exp2.
+  /// |error| + bound |form|; a decoded gloss moves its exponent too. At 0, with an exact exp2.
   std::array<double, largest_exp2_degree + 1> totals{};
-  /// What rounding adds at most where all is computed in float, the polynomial too: proven.
-  double rounding = 0;
+  /// What rounding adds at most where all is computed in float, the polynomial too: proven. Empty for lights:
+  /// there the cosine is a product of rounded vectors, which move the target as much as the form.
+  std::optional<double> rounding = std::nullopt;
 
   double total() const { return totals[static_cast<std::size_t>(degree)]; }
 };
 
-/// The pairing of an exp2 form of the lobe or of Schlick's weight; empty of all other forms. The forms of
-/// lights are the lobe's for each light; that of a gloss per element is sampled where its accuracy is tabled,
-/// not proven.
-std::optional<Pairing> pair_exp2(std::string_view form, const Constants& constants);
+/// The pairing of an exp2 form of a target; empty of all other forms.
+std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants);
 
 }  // namespace shadefit::forms

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "fit/half.hpp"
@@ -82,19 +83,54 @@ std::string describe(const char* name, const std::vector<const char*>& arguments
   return text;
 }
 
-/// Every formula in the scalar T at all of its arguments. What is expected of the values is said elsewhere,
-/// once a scalar: here every line is compiled for each formula.
+using Bfloat16Result = NarrowResult<Bfloat16Format>;
+using Jet1 = ceres::Jet<double, 1>;
+using NestedJet = ceres::Jet<ceres::Jet<double, 2>, 2>;
+using WideNestedJet = ceres::Jet<ceres::Jet<long double, 1>, 1>;
+
+template <class... T>
+struct Scalars {
+  using Table = std::tuple<std::vector<Computed<T>>...>;
+  using Tested = ::testing::Types<T...>;
+};
+/// Those of which the values are numbers.
+using Numbers = Scalars<float, double, long double, Eigen::half, HalfResult, Bfloat16Result, Decimal50, Jet1,
+                        NestedJet, WideNestedJet>;
+using AllScalars = Scalars<float, double, long double, Eigen::half, HalfResult, Bfloat16Result, Decimal50,
+                           Jet1, NestedJet, WideNestedJet, Decimal100, Symbolic, Interval>;
+
 template <class T>
-std::vector<Computed<T>> every_formula_in() {
-  std::vector<Computed<T>> all;
-  const auto add = [&](const auto& formula) {
+void append(std::vector<Computed<T>>& all, const std::string& of, const T& value, double epsilons) {
+  all.push_back({of, value, epsilons});
+}
+
+/// Every formula in every scalar at all of its arguments. What is expected of the values is said elsewhere,
+/// once a scalar: here every line is compiled for each formula, and what is within `each` for each scalar
+/// too.
+AllScalars::Table computed_in_all() {
+  AllScalars::Table all;
+  every_formula([&](const auto& formula) {
     for (const auto& arguments : formula.arguments) {
-      static_assert(std::same_as<decltype(evaluate<T>(formula, arguments)), T>, "a formula left its scalar");
-      all.push_back({describe(formula.name, arguments), evaluate<T>(formula, arguments), formula.epsilons});
+      const std::string of = describe(formula.name, arguments);
+      const auto each = [&]<class T>(std::vector<Computed<T>>& computed) {
+        static_assert(std::same_as<decltype(evaluate<T>(formula, arguments)), T>,
+                      "a formula left its scalar");
+        append(computed, of, evaluate<T>(formula, arguments), formula.epsilons);
+      };
+      std::apply([&](auto&... of_scalar) { (each(of_scalar), ...); }, all);
     }
-  };
-  every_formula(add);
+  });
   return all;
+}
+
+const AllScalars::Table& all_computed() {
+  static const AllScalars::Table all = computed_in_all();
+  return all;
+}
+
+template <class T>
+const std::vector<Computed<T>>& every_formula_in() {
+  return std::get<std::vector<Computed<T>>>(all_computed());
 }
 
 template <class T>
@@ -113,8 +149,6 @@ Decimal50 value_of(const ceres::Jet<T, N>& x) {
   return value_of(x.a);
 }
 
-using Bfloat16Result = NarrowResult<Bfloat16Format>;
-
 template <class T>
 double epsilon_of() {
   if constexpr (std::same_as<T, Eigen::half> || std::same_as<T, HalfResult>) {
@@ -131,11 +165,6 @@ double epsilon_of() {
 template <class T>
 class EveryScalar : public ::testing::Test {};
 
-using Jet1 = ceres::Jet<double, 1>;
-using NestedJet = ceres::Jet<ceres::Jet<double, 2>, 2>;
-using WideNestedJet = ceres::Jet<ceres::Jet<long double, 1>, 1>;
-using ScalarTypes = ::testing::Types<float, double, long double, Eigen::half, HalfResult, Bfloat16Result,
-                                     Decimal50, Jet1, NestedJet, WideNestedJet>;
 struct ScalarNames {
   template <class T>
   static std::string GetName(int i) {
@@ -145,12 +174,12 @@ struct ScalarNames {
     return names[i];
   }
 };
-TYPED_TEST_SUITE(EveryScalar, ScalarTypes, ScalarNames);
+TYPED_TEST_SUITE(EveryScalar, Numbers::Tested, ScalarNames);
 
 TYPED_TEST(EveryScalar, KeepsItsTypeAndAgreesWithFiftyDigits) {
   // Truth is the same formula in 100 digits; that the formula itself is right, other tests say.
-  const auto computed = every_formula_in<TypeParam>();
-  const auto truth = every_formula_in<Decimal100>();
+  const auto& computed = every_formula_in<TypeParam>();
+  const auto& truth = every_formula_in<Decimal100>();
   ASSERT_EQ(computed.size(), truth.size());
   const double epsilon =
       std::max(epsilon_of<TypeParam>(), static_cast<double>(std::numeric_limits<Decimal50>::epsilon()));
@@ -162,8 +191,8 @@ TYPED_TEST(EveryScalar, KeepsItsTypeAndAgreesWithFiftyDigits) {
 
 // A formula that went through its own expression is the formula.
 TEST(SymbolicScalar, EveryFormulaIsItsExpression) {
-  const auto expressions = every_formula_in<Symbolic>();
-  const auto truth = every_formula_in<Decimal100>();
+  const auto& expressions = every_formula_in<Symbolic>();
+  const auto& truth = every_formula_in<Decimal100>();
   ASSERT_EQ(expressions.size(), truth.size());
   const auto no_variable = [](const std::string& name) -> Decimal100 { throw std::logic_error(name); };
   for (std::size_t i = 0; i < truth.size(); ++i) {
@@ -176,8 +205,8 @@ TEST(SymbolicScalar, EveryFormulaIsItsExpression) {
 }
 
 TEST(IntervalScalar, EveryFormulaContainsTheTruth) {
-  const auto computed = every_formula_in<Interval>();
-  const auto truth = every_formula_in<Decimal100>();
+  const auto& computed = every_formula_in<Interval>();
+  const auto& truth = every_formula_in<Decimal100>();
   ASSERT_EQ(computed.size(), truth.size());
   for (std::size_t i = 0; i < truth.size(); ++i) {
     const Interval& interval = computed[i].value;

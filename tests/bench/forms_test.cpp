@@ -23,6 +23,11 @@ using shadefit::testing::is_close;
 
 constexpr std::size_t size = 1024;
 
+const Catalogue& all() {
+  static const Catalogue made = catalogue();
+  return made;
+}
+
 /// Arrays for every target: cosines in [0, 1] and the ends, for lights unit vectors.
 template <class R>
 struct Data {
@@ -39,6 +44,24 @@ struct Data {
     }
   }
 
+  /// The target there, by its own formula.
+  std::vector<long double> truth(const Target& target) const {
+    std::array<std::vector<long double>, 3> wide;
+    for (std::size_t axis = 0; axis < 3; ++axis) wide[axis].assign(in[axis].begin(), in[axis].end());
+    std::vector<long double> truth(size), parameters;
+    for (const double p : parameters_of(target, {})) parameters.push_back(static_cast<long double>(p));
+    // the first of a target's forms is the target
+    const auto& forms = all().forms;
+    const auto own =
+        std::find_if(forms.begin(), forms.end(), [&](const auto& f) { return f.target == target.id; });
+    for (const LibraryForm& exact : library_forms()) {
+      if (exact.form != own->id) continue;
+      exact.in_long_double(
+          {{wide[0].data(), wide[1].data(), wide[2].data()}, codes.data(), truth.data(), size}, parameters);
+    }
+    return truth;
+  }
+
   std::vector<R> run(Kernel<R> kernel, const std::vector<double>& parameters) const {
     std::vector<R> out(size), p;
     for (const double x : parameters) p.push_back(static_cast<R>(x));
@@ -46,11 +69,6 @@ struct Data {
     return out;
   }
 };
-
-const Catalogue& all() {
-  static const Catalogue made = catalogue();
-  return made;
-}
 
 std::vector<CompiledForm> forms_of(Width width) {
   switch (width) {
@@ -185,20 +203,20 @@ TEST(Kernels, OfEveryWidthAreNearTheScalarOnes) {
   }
 }
 
+/// What rounding may add to the highlights, which has no proof: 16 lights' exponents, each a sum of four
+/// products of at most A = 24, with some 11 roundings in each of two parts of that size.
+constexpr double rounding_of_lights = 16 * 24 * 22 * 0x1p-24;
+
 // On every width that the machine has the paired exp2 keeps what is proven of it.
 TEST(Kernels, OfEveryWidthKeepWhatIsProven) {
   int kept = 0;
   for (const FormEntry& form : all().forms) {
-    const auto pairing = pair_exp2(form.id, form.constants.front());
-    if (!pairing) continue;
+    if (form.target.starts_with("phong") && form.target != "phong-16") continue;
     const Target& target = target_of(all(), form.target);
+    const auto pairing = pair_exp2(target, form.id, form.constants.front());
+    if (!pairing) continue;
     const Data<float> data(target);
-    std::vector<long double> cosines(data.in[0].begin(), data.in[0].end()), truth(size), parameters;
-    for (const double p : parameters_of(target, {})) parameters.push_back(static_cast<long double>(p));
-    for (const LibraryForm& exact : library_forms()) {
-      if (exact.form == (form.target == "lobe" ? "lobe-pow" : "schlick"))
-        exact.in_long_double({{cosines.data(), nullptr, nullptr}, nullptr, truth.data(), size}, parameters);
-    }
+    const std::vector<long double> truth = data.truth(target);
     for (const Width width : widths_here()) {
       for (const CompiledForm& compiled : forms_of(width)) {
         if (compiled.form != form.id || compiled.exp2_degree != pairing->degree) continue;
@@ -206,12 +224,13 @@ TEST(Kernels, OfEveryWidthKeepWhatIsProven) {
         const auto out = data.run(compiled.in_float, parameters_of(target, form.constants.front()));
         for (std::size_t i = 0; i < size; ++i) {
           const auto error = static_cast<double>(std::fabs(static_cast<long double>(out[i]) - truth[i]));
-          ASSERT_LE(error, pairing->total() + pairing->rounding) << name(width) << " " << form.id;
+          ASSERT_LE(error, pairing->total() + pairing->rounding.value_or(rounding_of_lights))
+              << name(width) << " " << form.id;
         }
       }
     }
   }
-  EXPECT_GE(kept, 14) << "seven forms on two widths at least";
+  EXPECT_GE(kept, 18) << "nine forms on two widths at least";
 }
 
 /// exp2 itself through a kernel: exp2(-A c) with A = -1.
