@@ -28,10 +28,11 @@ void require_values(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     const std::string option = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = option == arguments[i] || option.size() + 1 == arguments[i].size();
-    constexpr std::array take_text{"--out",       "--baseline", "--measure", "--target",     "--only",
-                                   "--verdict",   "--norm",     "--error",   "--weight",     "--fix",
-                                   "--one-sided", "--round",    "--width",   "--exhaustive", "--constants",
-                                   "--shard",     "--state",    "--merge",   "--range"};
+    constexpr std::array take_text{"--out",       "--baseline", "--measure",    "--target",     "--only",
+                                   "--verdict",   "--norm",     "--error",      "--weight",     "--fix",
+                                   "--one-sided", "--round",    "--width",      "--exhaustive", "--constants",
+                                   "--shard",     "--state",    "--merge",      "--range",      "--lang",
+                                   "--precision", "--name",     "--parameters", "--check"};
     const bool takes_text = std::find(take_text.begin(), take_text.end(), option) != take_text.end();
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
@@ -72,6 +73,7 @@ struct Call {
   BetterOptions better = {};
   CertifyOptions certify = {};
   VerifyOptions verify = {};
+  EmitOptions emit = {};
   ExplainOptions explain = {};
   StressOptions stress = {};
   CheckOptions check = {};
@@ -135,9 +137,10 @@ void add_surface(CLI::App& command, FitOptions& fit) {
       ->type_name("K");
 }
 
-/// What `fit` and `certify` are both told: which form, and what it is fitted to.
-void add_fit_options(CLI::App& command, FitOptions& fit) {
-  command.add_option("id", fit.id, "a family or a published constant, see 'shadefit list'")->required();
+/// What `fit`, `certify` and `emit` are told: which form, and what it is fitted to. The option of the form.
+CLI::Option* add_fit_options(CLI::App& command, FitOptions& fit) {
+  auto* id =
+      command.add_option("id", fit.id, "a family or a published constant, see 'shadefit list'")->required();
   command.add_option("--exponent", fit.exponent, "K or A:B:STEP, by commas; default: the record's own")
       ->type_name("K");
   command.add_option("--measure", fit.measure, "cosine, angle or cosine-weighted")
@@ -156,6 +159,7 @@ void add_fit_options(CLI::App& command, FitOptions& fit) {
       ->capture_default_str()
       ->type_name("NAME");
   command.add_option("--f0", fit.f0, "of a Fresnel form's relative error; default: 0.04")->type_name("F0");
+  return id;
 }
 
 /// The options that print tables for others than a terminal.
@@ -240,6 +244,28 @@ void add_verify(CLI::App& app, Call& call) {
   verify->callback([&call] { call.outcome = verify_command(call.verify); });
 }
 
+void add_emit(CLI::App& app, Call& call) {
+  EmitOptions& options = call.emit;
+  auto* emit = app.add_subcommand("emit", "a form as code, generated from its formula");
+  // With --check the file says all of it.
+  add_fit_options(*emit, options.fit)->required(false);
+  emit->add_option("--norm", options.fit.norm, "of fitted constants: least-squares or minimax")
+      ->capture_default_str()
+      ->type_name("NAME");
+  emit->add_option("--parameters", options.parameters,
+                   "NAME=VALUE, by commas; default: the published values, else the fitted")
+      ->type_name("LIST");
+  emit->add_option("--lang", options.language, "glsl, hlsl, c, cpp, wgsl or msl")->type_name("NAME");
+  emit->add_option("--precision", options.precision, "float or half")
+      ->capture_default_str()
+      ->type_name("NAME");
+  emit->add_option("--name", options.name, "of the function; default: the family's")->type_name("NAME");
+  emit->add_option("--out", options.out, "write the file instead of printing it")->type_name("FILE");
+  emit->add_option("--check", options.check, "exit 1 unless FILE, once generated, would be the same now")
+      ->type_name("FILE");
+  emit->callback([&call] { call.outcome = emit_command(call.emit, call.checkpoint); });
+}
+
 void add_explain(CLI::App& app, Call& call) {
   auto* explain =
       app.add_subcommand("explain", "one claim: what is said, by whom, what is computed, and why");
@@ -285,6 +311,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_better(app, call);
   add_certify(app, call);
   add_verify(app, call);
+  add_emit(app, call);
   add_explain(app, call);
   add_bench(app, call);
   add_stress(app, call);

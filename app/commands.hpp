@@ -59,6 +59,16 @@ struct CertifyOptions {
   std::optional<std::string> out;         ///< a file for the certificate
 };
 
+struct EmitOptions {
+  FitOptions fit;                         ///< which form, where, and the fit where nothing was published
+  std::optional<std::string> parameters;  ///< as of `CertifyOptions`
+  std::string language;                   ///< "glsl" ..; empty with `check`
+  std::string precision = "float";        ///< or "half"
+  std::optional<std::string> name;        ///< of the function; empty: the family's
+  std::optional<std::string> out;         ///< a file; empty: printed
+  std::optional<std::string> check;       ///< a file that was generated
+};
+
 struct VerifyOptions {
   std::string file;
 };
@@ -82,6 +92,7 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
 Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint);
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint);
 Outcome verify_command(const VerifyOptions& options);
+Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint);
 Outcome explain_command(const ExplainOptions& options);
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress);

@@ -54,17 +54,6 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   return {0, write(table, Precision::full), ""};
 }
 
-/// "cosine measure, least squares", or what else the metric says.
-std::string headline(const Metric& metric) {
-  if (metric.norm == Norm::minimax)
-    return describe(metric) +
-           fmt::format("; the {} measure counts for the rms error alone", name(metric.measure));
-  const bool is_plain =
-      metric.error == Error::absolute && metric.weight.empty() && metric.constraints == Constraints{};
-  return is_plain ? describe(metric) + " measure, least squares"
-                  : "least squares, measure: " + describe(metric);
-}
-
 std::string console_text(const Refit& refit, const Metric& metric) {
   const Family& info = refit.family->info;
   std::string text = fmt::format("{}: {} ~ {}, {}\n", info.id, target_of(refit.fits.front().fit),

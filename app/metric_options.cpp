@@ -8,24 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "app/parse_name.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 #include "fit/weight.hpp"
 
 namespace shadefit {
 namespace {
-
-/// The one of `all` whose name the text is.
-template <class T, std::size_t N>
-T parse_name(const std::string& option, const std::string& text, const std::array<T, N>& all) {
-  std::vector<std::string> known;
-  for (const T& value : all) {
-    if (text == name(value)) return value;
-    known.emplace_back(name(value));
-  }
-  throw UserError(
-      fmt::format("{} '{}' is unknown: it must be one of {}", option, text, fmt::join(known, ", ")));
-}
 
 /// "A:B" with 0 <= A < B <= 1.
 Domain parse_domain(const std::string& text) {
@@ -156,6 +145,16 @@ Metric parse_metric(const FitOptions& options, const FittableFamily& family,
     }
   }
   return metric;
+}
+
+std::string headline(const Metric& metric) {
+  if (metric.norm == Norm::minimax)
+    return describe(metric) +
+           fmt::format("; the {} measure counts for the rms error alone", name(metric.measure));
+  const bool is_plain =
+      metric.error == Error::absolute && metric.weight.empty() && metric.constraints == Constraints{};
+  return is_plain ? describe(metric) + " measure, least squares"
+                  : "least squares, measure: " + describe(metric);
 }
 
 }  // namespace shadefit

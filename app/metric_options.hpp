@@ -16,6 +16,9 @@ namespace shadefit {
 Metric parse_metric(const FitOptions& options, const FittableFamily& family,
                     std::span<const Setting> settings);
 
+/// "cosine measure, least squares", or what else the metric says.
+std::string headline(const Metric& metric);
+
 /// A finite number; `option` is for the complaint.
 double parse_finite(const std::string& option, const std::string& text);
 

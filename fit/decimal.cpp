@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "approx/scalar.hpp"
+
 namespace shadefit {
 
 std::string decimal(double value, int digits) {
@@ -11,6 +13,14 @@ std::string decimal(double value, int digits) {
   const auto end =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
   return {text.data(), end.ptr};
+}
+
+std::string decimal_above(double value, int digits) {
+  double step = value;  // no more than a unit of the last place
+  for (int i = 0; i < digits; ++i) step /= 10;
+  std::string text = decimal(value, digits);
+  for (double more = value + step; constant<double>(text) < value; more += step) text = decimal(more, digits);
+  return text;
 }
 
 std::string counted(long count, std::string_view noun) {

@@ -10,6 +10,10 @@ namespace shadefit {
 /// zero is 0.
 std::string decimal(double value, int digits);
 
+/// The least decimal of that many significant digits that is not below `value`, which is positive: for
+/// bounds.
+std::string decimal_above(double value, int digits);
+
 /// "1 fit", "2 fits".
 std::string counted(long count, std::string_view noun);
 

@@ -126,6 +126,16 @@ Symbolic multiplied(const Symbolic& x, int n) {
   return n % 2 == 0 ? even : even * x;
 }
 
+/// exp(n x) as exp2((n/ln 2) x), n a number: the exponential that a processor has, its factor computed
+/// before. The conversion of any other is the compiler's.
+std::optional<Symbolic> exp_by_exp2_of_product(const Symbolic& e) {
+  if (e.kind() != Kind::function || e.name() != "exp" || e.part(0).kind() != Kind::multiply)
+    return std::nullopt;
+  const Symbolic& factor = e.part(0).part(0);
+  if (!is_of_numbers(factor)) return std::nullopt;
+  return exp2(Symbolic((factor / ln2<Symbolic>()) * e.part(0).part(1)));
+}
+
 /// How tightly an expression of a programming language holds together.
 enum class Tightness { sum, product, sign, atom };
 
@@ -162,7 +172,7 @@ class Body {
     if (e.parts().empty()) {
       if (!is_number(e)) return e.name();
       const bool is_signed = e.name().front() == '-';
-      return is_signed && least > Tightness::sum ? "(" + literal(e.name()) + ")" : literal(e.name());
+      return is_signed && least >= Tightness::sign ? "(" + literal(e.name()) + ")" : literal(e.name());
     }
     const std::string key = to_text(e);
     const auto known = names_.find(key);
@@ -289,6 +299,7 @@ Symbolic as_generated(const Symbolic& e, ShaderPrecision precision) {
   }
   if (e.kind() == Kind::variable) return e;
   if (e.kind() == Kind::integer_power) return multiplied(as_generated(e.part(0), precision), e.exponent());
+  if (const auto by_exp2 = exp_by_exp2_of_product(e)) return as_generated(*by_exp2, precision);
   std::vector<Symbolic> parts;
   for (const Symbolic& part : e.parts()) parts.push_back(as_generated(part, precision));
   return e.kind() == Kind::function ? Symbolic::function(e.name(), std::move(parts))

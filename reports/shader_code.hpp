@@ -22,6 +22,9 @@ std::string_view name(Language language);
 /// The arithmetic of generated code.
 enum class ShaderPrecision { float32, float16 };
 
+inline constexpr std::array shader_precisions{ShaderPrecision::float32, ShaderPrecision::float16};
+
+/// "float" or "half".
 std::string_view name(ShaderPrecision precision);
 
 /// What is generated: a function of numbers to a number.
@@ -34,7 +37,7 @@ struct ShaderFunction {
 
 /// An expression as generated code has it: every part that is of numbers alone is one number, computed in 50
 /// digits and rounded once to the format, as the shortest decimal that reads back as it; a whole power is its
-/// multiplications, in the order of `power`.
+/// multiplications, in the order of `power`; exp of a number times something is exp2 of another.
 ///
 /// Evaluated in float, operation by operation, it is bit for bit what the code computes, where that is
 /// compiled without contraction and calls the same exp2.

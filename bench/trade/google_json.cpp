@@ -7,11 +7,15 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <string_view>
 
 namespace shadefit::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// What an iteration is there: compare.py prints times as whole numbers.
+constexpr int elements_an_iteration = 1000;
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -58,9 +62,9 @@ void add_rows(Json& rows, const TimedForm& timed, std::size_t family) {
     Json iteration = row(name, "", family, "iteration", repetitions);
     iteration["repetition_index"] = i;
     iteration["threads"] = 1;
-    iteration["iterations"] = timed.elements;
-    iteration["real_time"] = timed.real[i];
-    iteration["cpu_time"] = timed.cpu[i];
+    iteration["iterations"] = timed.elements / elements_an_iteration;
+    iteration["real_time"] = elements_an_iteration * timed.real[i];
+    iteration["cpu_time"] = elements_an_iteration * timed.cpu[i];
     iteration["time_unit"] = "ns";
     rows.push_back(std::move(iteration));
   }
@@ -69,8 +73,9 @@ void add_rows(Json& rows, const TimedForm& timed, std::size_t family) {
     whole["aggregate_name"] = aggregate.name;
     whole["aggregate_unit"] = aggregate.unit;
     whole["iterations"] = repetitions;
-    whole["real_time"] = aggregate.of(timed.real);
-    whole["cpu_time"] = aggregate.of(timed.cpu);
+    const int factor = aggregate.unit == std::string_view("time") ? elements_an_iteration : 1;
+    whole["real_time"] = factor * aggregate.of(timed.real);
+    whole["cpu_time"] = factor * aggregate.of(timed.cpu);
     whole["time_unit"] = "ns";
     rows.push_back(std::move(whole));
   }

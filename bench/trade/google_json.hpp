@@ -16,7 +16,7 @@ struct Occasion {
 Occasion this_occasion();
 
 /// The times as Google Benchmark's --benchmark_format=json writes them, with its aggregates, so that its
-/// tools/compare.py reads them. An iteration is an element; times are in nanoseconds.
+/// tools/compare.py reads them. An iteration is a thousand elements; times are in nanoseconds.
 std::string google_json(const Trade& trade, const Occasion& occasion);
 
 /// "schlick/multiplications/float/avx2/L1", the name of a row there.

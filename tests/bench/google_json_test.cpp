@@ -58,12 +58,12 @@ TEST(GoogleJson, AggregatesAreOfTheRounds) {
   const Json json = Json::parse(google_json(trade, {}));
   const Json& rows = json.at("benchmarks");
   EXPECT_EQ(rows.at(0).at("name"), "lobe/form/exp2-3/float/AVX2/L1");
-  EXPECT_EQ(rows.at(0).at("iterations"), 1000);
-  EXPECT_EQ(rows.at(2).at("real_time"), 6);
+  EXPECT_EQ(rows.at(0).at("iterations"), 1);
+  EXPECT_EQ(rows.at(2).at("real_time"), 6000);
   EXPECT_EQ(rows.at(2).at("repetition_index"), 2);
-  EXPECT_EQ(rows.at(3).at("real_time"), 3) << "mean";
-  EXPECT_EQ(rows.at(4).at("real_time"), 2) << "median";
-  EXPECT_DOUBLE_EQ(rows.at(5).at("real_time"), std::sqrt(7.0)) << "stddev: (4 + 1 + 9) / 2";
+  EXPECT_EQ(rows.at(3).at("real_time"), 3000) << "mean";
+  EXPECT_EQ(rows.at(4).at("real_time"), 2000) << "median";
+  EXPECT_DOUBLE_EQ(rows.at(5).at("real_time"), 1000 * std::sqrt(7.0)) << "stddev: (4 + 1 + 9) / 2";
   EXPECT_DOUBLE_EQ(rows.at(6).at("real_time"), std::sqrt(7.0) / 3) << "cv";
   EXPECT_EQ(rows.at(6).at("aggregate_unit"), "percentage");
   EXPECT_EQ(rows.at(6).at("cpu_time"), 0);

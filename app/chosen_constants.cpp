@@ -1,0 +1,76 @@
+#include "app/chosen_constants.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "approx/catalogue.hpp"
+#include "fit/sweep.hpp"
+#include "fit/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+/// "a=-5.55473,b=-6.98316", in the order of the family where the names are its own.
+Parameters parse_parameters(const std::string& text, const FittableFamily& family) {
+  Parameters parameters;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const std::string part = text.substr(start, end - start);
+    const std::size_t equals = part.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw UserError(fmt::format("--parameters '{}' is not a list NAME=VALUE, by commas", text));
+    parameters.emplace_back(part.substr(0, equals), part.substr(equals + 1));
+    start = end + 1;
+  }
+  const auto rank = [&](const auto& parameter) {
+    return std::find(family.parameters.begin(), family.parameters.end(), parameter.first) -
+           family.parameters.begin();
+  };
+  std::stable_sort(parameters.begin(), parameters.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  return parameters;
+}
+
+/// The number that was published for a parameter of a fit: of the record that was asked for, else the first
+/// that is meant as the best fit in that setting.
+const Published* published_for(const FittableFamily& family, std::string_view parameter,
+                               const Setting& setting, const Published* asked) {
+  if (asked != nullptr && asked->parameter == parameter) return asked;
+  for (const Published& p : published_constants) {
+    if (p.family != family.info.id || p.parameter != parameter || p.statement != Statement::best_fit)
+      continue;
+    if (!family.has_exponent() || exponents_of(p) == std::vector{setting.exponent}) return &p;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+ChosenSubject chosen_constants(const std::optional<std::string>& parameters, const NamedFit& named,
+                               const Setting& setting, const Metric& metric) {
+  const FittableFamily& family = *named.family;
+  Subject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
+  if (parameters) {
+    subject.parameters = parse_parameters(*parameters, family);
+    return {subject, "given"};
+  }
+  for (const std::string_view parameter : family.parameters) {
+    if (const Published* p = published_for(family, parameter, setting, named.published))
+      subject.parameters.emplace_back(parameter, p->printed);
+  }
+  if (subject.parameters.size() == family.parameters.size()) return {subject, "published"};
+  const Fit fit = family.fit(setting, metric);
+  if (fit.status != Status::converged) {
+    throw UserError(fmt::format(
+        "{}{}: nothing was published for it and its fit did not converge: give --parameters", family.info.id,
+        family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : ""));
+  }
+  return {subject_of(fit, metric.error), "fitted"};
+}
+
+}  // namespace shadefit

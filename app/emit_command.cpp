@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+#include "app/chosen_constants.hpp"
+#include "app/commands.hpp"
+#include "app/metric_options.hpp"
+#include "app/output_file.hpp"
+#include "app/parse_name.hpp"
+#include "approx/catalogue.hpp"
+#include "fit/certificate.hpp"
+#include "fit/decimal.hpp"
+#include "fit/hex_float.hpp"
+#include "fit/user_error.hpp"
+#include "reports/files.hpp"
+#include "reports/shader_code.hpp"
+#include "reports/utf8.hpp"
+
+/// The subcommand `emit`.
+namespace shadefit {
+namespace {
+
+constexpr std::string_view command_prefix = "// shadefit emit ";
+
+std::string parse_function_name(const std::string& text) {
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const bool is_name = !text.empty() && std::all_of(text.begin(), text.end(), is_letter) &&
+                       std::isdigit(static_cast<unsigned char>(text.front())) == 0;
+  if (!is_name)
+    throw UserError(fmt::format("--name '{}' is no name of a function: letters, digits and '_'", text));
+  return text;
+}
+
+std::string function_name(const FittableFamily& family, const EmitOptions& options) {
+  if (options.name) return parse_function_name(*options.name);
+  std::string text(family.info.id);
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+}
+
+/// The command that makes the file: every option that is not as it is by default.
+std::string command_of(const EmitOptions& options) {
+  const FitOptions &fit = options.fit, usual;
+  std::string text = fit.id + " --lang " + options.language;
+  const auto add = [&](const char* option, const std::string& value, const std::string& by_default = "") {
+    if (value != by_default) text += fmt::format(" {} {}", option, value);
+  };
+  add("--exponent", fit.exponent.value_or(""));
+  add("--parameters", options.parameters.value_or(""));
+  add("--norm", fit.norm, usual.norm);
+  add("--measure", fit.measure, usual.measure);
+  add("--error", fit.error, usual.error);
+  add("--f0", fit.f0.value_or(""));
+  add("--domain", fit.domain.value_or(""));
+  add("--target", fit.target, usual.target);
+  add("--ior", fit.ior.value_or(""));
+  add("--extinction", fit.extinction.value_or(""));
+  add("--precision", options.precision, EmitOptions().precision);
+  add("--name", options.name.value_or(""));
+  return text;
+}
+
+/// What is known of the constants at each setting that the code serves.
+struct Proven {
+  ChosenSubject chosen;  ///< at the last of them
+  double upper = 0;      ///< no error is larger at any
+  std::string target, form;
+};
+
+/// Constants that serve all the settings, and their proof.
+Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, const EmitOptions& options,
+                 const Metric& metric, const Checkpoint& checkpoint) {
+  Proven proven;
+  for (const Setting& setting : settings) {
+    checkpoint();
+    proven.chosen = chosen_constants(options.parameters, named, setting, metric);
+    if (settings.size() > 1 && !options.parameters && proven.chosen.from == "fitted")
+      throw UserError(
+          fmt::format("emit '{}' wants one --exponent: fitted constants are of one", options.fit.id));
+    // the fourth digit of a bound is rounded up
+    constexpr double width = 1e-6;
+    const Certified certified = certify(proven.chosen.subject, width);
+    proven.upper = std::max(proven.upper, certified.certificate.upper);
+    proven.target = certified.certificate.target;
+    proven.form = certified.certificate.form;
+  }
+  return proven;
+}
+
+/// A decimal text, or of a fit a hexadecimal double, as a decimal.
+std::string as_decimal(const std::string& text) {
+  const auto hex = parse_hex(text);
+  return hex ? fmt::format("{}", *hex) : text;
+}
+
+/// The form with its constants; an exponent is one of them where it was asked for.
+ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options, const Subject& subject) {
+  ShaderFunction function{function_name(family, options), {"c"}, family.form()};
+  const bool is_of_one_exponent = options.fit.exponent.has_value();
+  if (family.has_exponent() && !is_of_one_exponent) function.arguments.emplace_back("k");
+  const auto value_of = [&](const std::string& variable) {
+    for (const auto& [name, value] : subject.parameters) {
+      if (name == variable) return Symbolic::number(as_decimal(value));
+    }
+    if (variable == "k" && is_of_one_exponent)
+      return Symbolic::number(fmt::format("{}", subject.setting.exponent));
+    return Symbolic::variable(variable);
+  };
+  function.result = evaluate<Symbolic>(family.form(), value_of);
+  return function;
+}
+
+/// Whose constants they are: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
+/// fitted.
+std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric) {
+  if (chosen.from == "fitted") return "fitted: " + headline(metric);
+  if (chosen.from == "given") return "given";
+  for (const Published& p : published_constants) {
+    const bool is_it = named.published != nullptr ? &p == named.published
+                                                  : p.family == named.family->info.id &&
+                                                        p.printed == chosen.subject.parameters.front().second;
+    if (is_it) return fmt::format("published: {} {}, \"{}\"", p.source.author, p.source.year, p.source.title);
+  }
+  return "published";
+}
+
+std::string exponents_text(const std::vector<Setting>& settings) {
+  if (settings.size() == 1) return fmt::format(", k = {}", settings.front().exponent);
+  return fmt::format(", k = {} to {}", settings.front().exponent, settings.back().exponent);
+}
+
+std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint) {
+  const Language language = parse_name("--lang", options.language, languages);
+  const ShaderPrecision precision = parse_name("--precision", options.precision, shader_precisions);
+  const NamedFit named = find_fit(options.fit.id);
+  const FittableFamily& family = *named.family;
+  const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
+  if (options.fit.exponent && settings.size() > 1)
+    throw UserError(fmt::format("--exponent '{}': code is of one exponent, or without the option of any",
+                                *options.fit.exponent));
+  const Metric metric = parse_metric(options.fit, family, settings);
+  const Proven proven = proven_at(settings, named, options, metric, checkpoint);
+  const Subject& subject = proven.chosen.subject;
+
+  std::string constants;
+  for (const auto& [name, value] : subject.parameters)
+    constants += fmt::format("{}{} = {}", constants.empty() ? "" : ", ", name, as_decimal(value));
+  const std::vector<std::string> comment{
+      "Generated: do not edit. Made by the next line, held against it by 'shadefit emit --check FILE'.",
+      "shadefit emit " + command_of(options),
+      "",
+      fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
+      fmt::format("{} ({})", constants, origin_of(named, proven.chosen, metric)),
+      fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),
+                  decimal_above(proven.upper, 4), subject.domain.lower, subject.domain.upper,
+                  family.has_exponent() ? exponents_text(settings) : ""),
+  };
+  const std::array functions{function_of(family, options, subject)};
+  return shader_code(functions, language, precision, comment);
+}
+
+/// The words of the command that a generated file names.
+std::vector<std::string> command_in(const std::string& code, const std::string& file) {
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(command_prefix)) continue;
+    std::istringstream words(line.substr(command_prefix.size()));
+    std::vector<std::string> command{"emit"};
+    for (std::string word; words >> word;) command.push_back(word);
+    const auto is_forbidden = [](const std::string& word) {
+      return word.starts_with("--check") || word.starts_with("--out");
+    };
+    if (std::none_of(command.begin(), command.end(), is_forbidden)) return command;
+  }
+  throw UserError(fmt::format("--check '{}' names no command '{}..'", file, command_prefix));
+}
+
+/// The first line in which two texts differ, from 1.
+int first_difference(const std::string& a, const std::string& b) {
+  const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+  return 1 + static_cast<int>(std::count(a.begin(), end, '\n'));
+}
+
+Outcome check_file(const std::string& file, const Checkpoint& checkpoint) {
+  const std::string code = read_file(file);
+  const Outcome now = run_command_line(command_in(code, file), checkpoint);
+  if (now.exit_code != 0) return now;
+  if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
+  return {1, "",
+          fmt::format("shadefit: {} is out of date: line {} would be another now\n", printable(file),
+                      first_difference(code, now.out))};
+}
+
+}  // namespace
+
+Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint) {
+  if (options.check) {
+    if (!options.fit.id.empty() || !options.language.empty())
+      throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
+                                  *options.check));
+    return check_file(*options.check, checkpoint);
+  }
+  if (options.fit.id.empty()) throw UserError("emit needs the id of a form, see 'shadefit list'");
+  if (options.language.empty()) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
+  const auto file = options.out ? std::optional(parse_output_file(*options.out, "the code")) : std::nullopt;
+  const std::string code = code_of(options, checkpoint);
+  if (!file) return {0, code, ""};
+  write_files(file->directory, {{file->name, code}}, checkpoint);
+  return {0, fmt::format("Code: {}\n", printable(*options.out)), ""};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "app/command_line.hpp"
+#include "reports/files.hpp"
+#include "tests/app/refusal.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::expect_refusal;
+using testing::snapshot;
+using testing::TemporaryDirectory;
+
+std::string emitted(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "emit");
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  return outcome.out;
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Emit, ThePublishedPair) {
+  const std::string code = emitted({"fresnel-quadratic", "--lang", "glsl"});
+  EXPECT_TRUE(holds(code, "// shadefit emit fresnel-quadratic --lang glsl\n")) << code;
+  EXPECT_TRUE(holds(code, "// a = -5.55473, b = -6.98316 (published: Lagarde")) << code;
+  // 0.0037664127395.. of the 50-digit references, rounded up
+  EXPECT_TRUE(
+      holds(code, "// Proven: absolute error at most 0.003767 for c in [0, 1], in exact arithmetic.\n"))
+      << code;
+  EXPECT_TRUE(holds(code,
+                    "float fresnel_quadratic(float c) {\n"
+                    "  return exp2((-5.55473 * c - 6.98316) * c);\n}\n"))
+      << code;
+}
+
+TEST(Emit, ALobeOfOnePowerOrOfAny) {
+  const std::string any = emitted({"sg-offset-mean", "--lang", "hlsl", "--name", "lobe"});
+  EXPECT_TRUE(holds(any, "// shadefit emit sg-offset-mean --lang hlsl --name lobe\n")) << any;
+  EXPECT_TRUE(holds(any, ", k = 3 to 15, in exact")) << any;
+  EXPECT_TRUE(holds(any, "float lobe(float c, float k) {\n  return exp((k + 0.775f) * (c - 1.0f));\n}\n"))
+      << any;
+  const std::string one =
+      emitted({"sg-offset", "--lang", "cpp", "--exponent", "16", "--parameters", "x=0.75"});
+  EXPECT_TRUE(holds(one, "// x = 0.75 (given)\n")) << one;
+  EXPECT_TRUE(
+      holds(one, "inline float sg_offset(float c) {\n  return std::exp2(24.165142f * (c - 1.0f));\n}\n"))
+      << one;
+}
+
+TEST(Emit, FittedConstantsSayHow) {
+  const std::string code = emitted(
+      {"fresnel-quadratic", "--lang", "wgsl", "--norm", "minimax", "--target", "exact", "--ior", "1.5"});
+  EXPECT_TRUE(holds(code, "--norm minimax --target exact --ior 1.5\n")) << code;
+}
+
+TEST(Emit, ACheckedFileIsUpToDateOrNot) {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "pair.glsl";
+  const Outcome written = run_command_line({"emit", "fresnel-quadratic", "--lang", "glsl", "--out", file});
+  EXPECT_EQ(written.exit_code, 0) << written.err;
+  EXPECT_EQ(written.out, "Code: " + file + "\n");
+  EXPECT_EQ(read_file(file), emitted({"fresnel-quadratic", "--lang", "glsl"}));
+  const Outcome fresh = run_command_line({"emit", "--check", file});
+  EXPECT_EQ(fresh.exit_code, 0) << fresh.err;
+  EXPECT_EQ(fresh.out, file + " is what would be generated now\n");
+
+  std::string code = read_file(file);
+  code.replace(code.find("-5.55473 *"), 8, "-5.55437");
+  directory.file("pair.glsl", code);
+  const auto before = snapshot(directory.path());
+  const Outcome old = run_command_line({"emit", "--check", file});
+  EXPECT_EQ(old.exit_code, 1);
+  EXPECT_EQ(old.out, "");
+  const auto line =
+      1 + std::count(code.begin(), code.begin() + static_cast<long>(code.find("-5.55437")), '\n');
+  EXPECT_EQ(old.err, "shadefit: " + file + " is out of date: line " + std::to_string(line) +
+                         " would be another now\n");
+  EXPECT_EQ(snapshot(directory.path()), before) << "a check writes nothing";
+}
+
+TEST(Emit, BadInput) {
+  const TemporaryDirectory directory;
+  expect_refusal({"emit"}, "emit needs the id of a form, see 'shadefit list'");
+  expect_refusal({"emit", "fresnel-quadratic"}, "emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
+  expect_refusal({"emit", "fresnel-quadratic", "--lang", "rust"},
+                 "--lang 'rust' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl");
+  expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--precision", "double"},
+                 "--precision 'double' is unknown: it must be one of float, half");
+  expect_refusal({"emit", "fresnel-quadratic", "--lang", "c", "--precision", "half"},
+                 "--precision 'half' does not apply to --lang 'c': it has no half");
+  expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--name", "2fast"},
+                 "--name '2fast' is no name of a function: letters, digits and '_'");
+  expect_refusal({"emit", "sg-offset", "--lang", "glsl"},
+                 "emit 'sg-offset' wants one --exponent: fitted constants are of one");
+  expect_refusal({"emit", "sg-offset", "--lang", "glsl", "--exponent", "3:15:1"},
+                 "--exponent '3:15:1': code is of one exponent, or without the option of any");
+  const std::string no_command = directory.file("a.glsl", "float f(float c) { return c; }\n");
+  expect_refusal({"emit", "--check", no_command},
+                 "--check '" + no_command + "' names no command '// shadefit emit ..'");
+  const std::string recursive = directory.file("b.glsl", "// shadefit emit --check b.glsl\n");
+  expect_refusal({"emit", "--check", recursive},
+                 "--check '" + recursive + "' names no command '// shadefit emit ..'");
+  expect_refusal({"emit", "fresnel-quadratic", "--check", no_command},
+                 "--check '" + no_command + "' takes no other argument: the file names its own command");
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,218 @@
+#include "reports/shader_code.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdlib>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "fit/fit.hpp"
+#include "fit/user_error.hpp"
+#include "reports/files.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::TemporaryDirectory;
+
+Symbolic variable(const char* name) {
+  return Symbolic::variable(name);
+}
+Symbolic number_of(const char* decimal) {
+  return Symbolic::number(decimal);
+}
+
+/// The Fresnel pair with its published constants.
+ShaderFunction fresnel_pair() {
+  const auto value_of = [](const std::string& name) {
+    return name == "a" ? number_of("-5.55473") : name == "b" ? number_of("-6.98316") : variable("c");
+  };
+  return {"fresnel", {"c"}, evaluate<Symbolic>(find_family("fresnel-quadratic")->form(), value_of)};
+}
+
+/// Everything that a shading language has, with a part that is used twice, a choice and whole powers.
+ShaderFunction of_everything() {
+  const Symbolic c = variable("c"), k = variable("k"), one = integer<Symbolic>(1);
+  const Symbolic y = one - c;
+  const Symbolic powers = power(y, 5) + power(c, 16) / power(y + one, -3);
+  const Symbolic functions = exp(-y) + exp2(k * y) + log(c + one) + log2(c + one) + sqrt(c) + sin(c) + cos(c);
+  const Symbolic chosen = select(less(c, constant<Symbolic>("0.25")), y, -power(c, k));
+  return {"of_everything",
+          {"c", "k"},
+          powers * (functions - (chosen - y)) + min(y, k) / max(pi<Symbolic>() * c, y) -
+              (y - ln2<Symbolic>() / constant<Symbolic>("-3")),
+          {"All of it."}};
+}
+
+std::string code_of(const ShaderFunction& function, Language language,
+                    ShaderPrecision precision = ShaderPrecision::float32) {
+  return shader_code(std::span(&function, 1), language, precision, {});
+}
+
+TEST(ShaderCode, OfThePairInEveryLanguage) {
+  EXPECT_EQ(code_of(fresnel_pair(), Language::glsl),
+            "\nfloat fresnel(float c) {\n  return exp2((-5.55473 * c - 6.98316) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::hlsl),
+            "\nfloat fresnel(float c) {\n  return exp2((-5.55473f * c - 6.98316f) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::c),
+            "\n#include <math.h>\n\nstatic inline float fresnel(float c) {\n"
+            "  return exp2f((-5.55473f * c - 6.98316f) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::cpp),
+            "\n#include <algorithm>\n#include <cmath>\n\ninline float fresnel(float c) {\n"
+            "  return std::exp2((-5.55473f * c - 6.98316f) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::wgsl),
+            "\nfn fresnel(c: f32) -> f32 {\n  return exp2((-5.55473f * c - 6.98316f) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::msl),
+            "\n#include <metal_stdlib>\n\ninline float fresnel(float c) {\n"
+            "  return metal::exp2((-5.55473f * c - 6.98316f) * c);\n}\n");
+}
+
+// A half has three to four digits, and says so in the languages that have one.
+TEST(ShaderCode, OfHalf) {
+  EXPECT_EQ(code_of(fresnel_pair(), Language::hlsl, ShaderPrecision::float16),
+            "\nmin16float fresnel(min16float c) {\n  return exp2((-5.555h * c - 6.984h) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::glsl, ShaderPrecision::float16),
+            "\nmediump float fresnel(mediump float c) {\n  return exp2((-5.555 * c - 6.984) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::wgsl, ShaderPrecision::float16),
+            "\nenable f16;\n\nfn fresnel(c: f16) -> f16 {\n  return exp2((-5.555h * c - 6.984h) * c);\n}\n");
+  for (const Language language : {Language::c, Language::cpp})
+    EXPECT_THROW(code_of(fresnel_pair(), language, ShaderPrecision::float16), UserError);
+}
+
+TEST(ShaderCode, SharesWhatIsUsedTwiceAndFoldsNumbers) {
+  const Symbolic c = variable("c"), t0 = variable("t0");
+  const ShaderFunction squares{"f", {"c", "t0"}, power(c, 5) + t0};
+  EXPECT_EQ(code_of(squares, Language::glsl),
+            "\nfloat f(float c, float t0) {\n  float t1 = c * c;\n  return t1 * t1 * c + t0;\n}\n");
+  const ShaderFunction folded{"f", {"c"}, (constant<Symbolic>("16.775") / ln2<Symbolic>()) * c};
+  EXPECT_EQ(code_of(folded, Language::wgsl), "\nfn f(c: f32) -> f32 {\n  return 24.20121f * c;\n}\n");
+  EXPECT_EQ(code_of({"f", {"c"}, c - (c - integer<Symbolic>(-3))}, Language::hlsl),
+            "\nfloat f(float c) {\n  return c - (c + 3.0f);\n}\n");
+  EXPECT_EQ(code_of({"f", {"c"}, c * integer<Symbolic>(-3)}, Language::hlsl),
+            "\nfloat f(float c) {\n  return c * (-3.0f);\n}\n");
+}
+
+TEST(ShaderCode, TakesExp2WhereAFactorIsANumber) {
+  const Symbolic y = integer<Symbolic>(1) - variable("c");
+  const ShaderFunction of_number{"f", {"c"}, exp(Symbolic(constant<Symbolic>("-16.775") * y))};
+  EXPECT_EQ(code_of(of_number, Language::glsl),
+            "\nfloat f(float c) {\n  return exp2(-24.20121 * (1.0 - c));\n}\n");
+  const ShaderFunction of_variable{"f", {"c", "k"}, exp(Symbolic(variable("k") * y))};
+  EXPECT_EQ(code_of(of_variable, Language::glsl),
+            "\nfloat f(float c, float k) {\n  return exp(k * (1.0 - c));\n}\n");
+}
+
+TEST(ShaderCode, NamesWhatALanguageLacks) {
+  const ShaderFunction function{"f", {"c"}, log1p(variable("c"))};
+  try {
+    code_of(function, Language::glsl);
+    FAIL();
+  } catch (const UserError& error) {
+    EXPECT_STREQ(error.what(), "f: 'glsl' has no log1p");
+  }
+  EXPECT_EQ(code_of(function, Language::c),
+            "\n#include <math.h>\n\nstatic inline float f(float c) {\n  return log1pf(c);\n}\n");
+}
+
+/// Runs a tool; what it says stands in the file `said`.
+bool runs(const std::string& command, const TemporaryDirectory& directory) {
+  return std::system((command + " >'" + directory / "said" + "' 2>&1").c_str()) == 0;
+}
+
+/// A whole shader around functions, which calls `of_everything`.
+std::string fragment_shader(const std::string& code) {
+  return "#version 450\nprecision highp float;\nlayout(location = 0) in vec2 at;\n"
+         "layout(location = 0) out vec4 colour;\n" +
+         code + "void main() { colour = vec4(of_everything(at.x, at.y)); }\n";
+}
+std::string pixel_shader(const std::string& code, const std::string& type) {
+  return code + type + "4 main(float2 at : TEXCOORD0) : SV_Target {\n  " + type + " v = of_everything((" +
+         type + ")at.x, (" + type + ")at.y);\n  return " + type + "4(v, v, v, v);\n}\n";
+}
+
+TEST(GeneratedShader, CompilesAsGlslAndHlsl) {
+  const TemporaryDirectory directory;
+  for (const ShaderPrecision precision : shader_precisions) {
+    directory.file("a.frag", fragment_shader(code_of(of_everything(), Language::glsl, precision)));
+    EXPECT_TRUE(runs("glslangValidator -V -o '" + directory / "a.spv" + "' '" + directory / "a.frag" + "'",
+                     directory))
+        << read_file(directory / "said");
+    EXPECT_TRUE(runs("spirv-val '" + directory / "a.spv" + "'", directory)) << read_file(directory / "said");
+    const std::string type = precision == ShaderPrecision::float32 ? "float" : "min16float";
+    directory.file("b.frag", pixel_shader(code_of(of_everything(), Language::hlsl, precision), type));
+    EXPECT_TRUE(
+        runs("glslangValidator -D -e main -V -o '" + directory / "b.spv" + "' '" + directory / "b.frag" + "'",
+             directory))
+        << read_file(directory / "said");
+    EXPECT_TRUE(runs("spirv-val '" + directory / "b.spv" + "'", directory)) << read_file(directory / "said");
+  }
+}
+
+/// Cosines and powers in the order in which the programs below try them.
+template <class Visit>
+void every_argument(const Visit& visit) {
+  for (int i = 0; i <= 64; ++i) {
+    for (const int k : {1, 3, 16, 100}) visit(static_cast<float>(i) / 64, static_cast<float>(k) / 4);
+  }
+}
+
+/// A program that prints the bits of what the function gives for each.
+std::string program(const std::string& code) {
+  return "#include <stdio.h>\n#include <string.h>\n" + code +
+         "int main(void) {\n  static const int powers[] = {1, 3, 16, 100};\n  for (int i = 0; i <= 64; ++i)\n"
+         "    for (int k = 0; k < 4; ++k) {\n"
+         "      float x = of_everything((float)i / 64, (float)powers[k] / 4);\n      unsigned bits;\n"
+         "      memcpy(&bits, &x, sizeof bits);\n      printf(\"%08x\\n\", bits);\n    }\n  return 0;\n}\n";
+}
+
+std::string bits_in_process(const ShaderFunction& function) {
+  const Symbolic generated = as_generated(function.result, ShaderPrecision::float32);
+  std::string text;
+  every_argument([&](float c, float k) {
+    const float value =
+        evaluate<float>(generated, [&](const std::string& name) { return name == "c" ? c : k; });
+    char line[16];
+    std::snprintf(line, sizeof line, "%08x\n", std::bit_cast<unsigned>(value));
+    text += line;
+  });
+  return text;
+}
+
+// What the C and C++ code computes is what is evaluated here, bit for bit, by every compiler at hand. Metal's
+// is that of C++ with another library in front.
+TEST(GeneratedCode, ComputesTheBitsThatAreEvaluatedHere) {
+  const TemporaryDirectory directory;
+  const ShaderFunction function = of_everything();
+  const std::string expected = bits_in_process(function);
+  directory.file("metal_stdlib",
+                 "#pragma once\n#include <cmath>\n#include <algorithm>\nnamespace metal {\n"
+                 "using namespace std;\n}\n");
+  directory.file("a.c", program(code_of(function, Language::c)));
+  directory.file("b.cpp", program(code_of(function, Language::cpp)));
+  directory.file("c.cpp", program(code_of(function, Language::msl)));
+  std::istringstream compilers(SHADEFIT_COMPILERS);  // "c=cc c++=g++ .."
+  int programs = 0;
+  for (std::string compiler; compilers >> compiler;) {
+    const bool is_c = compiler.starts_with("c=");
+    const std::string path = compiler.substr(compiler.find('=') + 1);
+    for (const std::string& source :
+         is_c ? std::vector<std::string>{"a.c"} : std::vector<std::string>{"b.cpp", "c.cpp"}) {
+      const std::string options =
+          " -O2 -Wall -Wextra -Werror -ffp-contract=off -I'" + directory.path().string() + "'";
+      ASSERT_TRUE(runs(path + (is_c ? " -std=c11" : " -std=c++11") + options + " -o '" +
+                           directory / "program" + "' '" + directory / source + "' -lm",
+                       directory))
+          << compiler << read_file(directory / "said");
+      ASSERT_TRUE(runs("'" + directory / "program" + "'", directory));
+      EXPECT_EQ(read_file(directory / "said"), expected) << compiler << " " << source;
+      ++programs;
+    }
+  }
+  EXPECT_GE(programs, 3);
+}
+
+}  // namespace
+}  // namespace shadefit
