@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "bench/trade/labels.hpp"
 #include "reports/plot_script.hpp"
@@ -169,6 +172,29 @@ std::string label_commands(const Drawn& drawn, const Axis& time, const Axis& err
   return commands;
 }
 
+/// A formula in gnuplot's markup: whatever is raised stands in braces, so that "c^(2^k) x" keeps its
+/// exponents and its spaces.
+std::string raised(std::string_view text) {
+  std::string marked;
+  while (!text.empty()) {
+    marked += text.front();
+    const bool is_raised = text.front() == '^';
+    text.remove_prefix(1);
+    if (!is_raised || text.empty()) continue;
+    std::size_t end = 0;
+    for (int depth = 0; end < text.size(); ++end) {
+      const bool is_word = std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '.';
+      depth += text[end] == '(' ? 1 : text[end] == ')' ? -1 : 0;
+      if (depth < 0 || (depth == 0 && !is_word && text[end] != ')')) break;
+    }
+    const bool has_parentheses = text.front() == '(' && end > 1;
+    const std::string_view exponent = has_parentheses ? text.substr(1, end - 2) : text.substr(0, end);
+    marked += "{" + raised(exponent) + "}";
+    text.remove_prefix(end);
+  }
+  return marked;
+}
+
 }  // namespace
 
 bool has_pareto_figure(const Trade& trade, const TimedTarget& target) {
@@ -185,7 +211,7 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
   const Axis time = axis_around(times, 0.06, 0.22), error = axis_around(errors, 0.08, 0.08);
   const std::string name = "pareto-" + target.id;
   Panel panel{
-      .title = fmt::format("{}, on {}", target.title, trade.machine.cpu),
+      .title = fmt::format("{}, on {}", raised(target.title), trade.machine.cpu),
       .x_label = "ns an element, data in L1, one core",
       .y_label = "largest absolute error",
       .settings = fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"

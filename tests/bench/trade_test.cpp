@@ -239,6 +239,22 @@ TEST(Pareto, ThePictureJoinsTheFrontAndNamesIt) {
   EXPECT_FALSE(has_pareto_figure(trade, {"nothing", ""}));
 }
 
+// gnuplot raises one character after a ^, and takes the space behind it.
+TEST(ParetoFigure, RaisesWholeExponents) {
+  const Trade trade = testing::made_up_trade();
+  const auto title_of = [&](const std::string& title) {
+    TimedTarget target = trade.targets.front();
+    target.title = title;
+    const std::string script = pareto_figure(trade, target).script;
+    const std::size_t start = script.find("set title '") + 11;
+    return script.substr(start, script.find(", on ", start) - start);
+  };
+  EXPECT_EQ(title_of("c^(2^(d g + f)), g a code"), "c^{2^{d g + f}}, g a code");
+  EXPECT_EQ(title_of("max(n.l, 0)^k over all"), "max(n.l, 0)^{k} over all");
+  EXPECT_EQ(title_of("(1 - g^2)/(4 pi (1 + g^2)^1.5)"), "(1 - g^{2})/(4 pi (1 + g^{2})^{1.5})");
+  EXPECT_EQ(title_of("c"), "c");
+}
+
 struct Rectangle {
   double left, right, top, bottom;
 };
