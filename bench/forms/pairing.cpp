@@ -17,7 +17,7 @@ namespace shadefit::forms {
 namespace {
 
 /// Relative to the error: a tenth of what decides.
-constexpr double width = allowed_addition / 10;
+constexpr double pairing_width = allowed_addition / 10;
 /// Where it is enough to tell one lobe's error from another's.
 constexpr double rough_width = 0.02;
 /// k and x, their sum, ln 2 and the quotient: what of a constant may be rounded before it is used.
@@ -59,11 +59,11 @@ class FamilyErrors {
 
   FamilyErrors(const Family& family, const Constants& constants)
       : family_(family), constants_(enclosed<N>(constants)) {
-    own_ =
-        enclose(family_, constants_, [](const auto& error, const auto&) { return error; }, {.width = width});
-    largest_form_ =
-        enclose(family_, constants_, [](const auto&, const auto& form) { return form; }, {.width = width})
-            .upper;
+    own_ = enclose(family_, constants_, [](const auto& error, const auto&) { return error; },
+                   {.width = pairing_width});
+    largest_form_ = enclose(family_, constants_, [](const auto&, const auto& form) { return form; },
+                            {.width = pairing_width})
+                        .upper;
   }
 
   Bounds own() const { return {own_.lower, own_.upper}; }
@@ -73,7 +73,7 @@ class FamilyErrors {
   double upper_with(double relative) const {
     constexpr double upwards = 1 + 0x1p-50;  // more than what the two operations round
     const double apart = (own_.upper + relative * largest_form_) * upwards;
-    if (apart <= (1 + width) * own_.upper) return apart;
+    if (apart <= (1 + pairing_width) * own_.upper) return apart;
     return std::max(largest_with(relative), largest_with(-relative));
   }
 
@@ -82,7 +82,7 @@ class FamilyErrors {
     const auto sum = [factor = Interval(relative)]<class T>(const T& error, const T& form) {
       return T(error + lift<T>(factor) * form);
     };
-    return enclose(family_, constants_, sum, {.width = width, .hint = own_.attained}).upper;
+    return enclose(family_, constants_, sum, {.width = pairing_width, .hint = own_.attained}).upper;
   }
 
   Family family_;
@@ -136,7 +136,7 @@ class GlossErrors {
   }
 
   /// The largest error of a lobe where the polynomial is off by a corner.
-  Bounds largest_of(const Lobe& lobe, const Corner& corner, double relative_width) const {
+  Bounds largest_of(const Lobe& lobe, const Corner& corner, double width) const {
     // |c^k - c^k'| <= |k - k'|/(e k'), the largest of -c^k log c being 1/(e k)
     const double exponent = lower_end(lobe.exponent);
     const double beside = (upper_end(lobe.exponent) - exponent) / exponent;
@@ -144,8 +144,7 @@ class GlossErrors {
     const std::array p{Interval(Interval(1) + Interval(corner.of_result)),
                        Interval(power + offset_ - Interval(exponent))};
     const auto error = [](const auto& e, const auto&) { return e; };
-    const Enclosure largest =
-        enclose(make_family<SgScaled>(Setting(exponent)), p, error, {.width = relative_width});
+    const Enclosure largest = enclose(make_family<SgScaled>(Setting(exponent)), p, error, {.width = width});
     return {largest.lower - beside, largest.upper + beside};
   }
 
@@ -158,7 +157,7 @@ class GlossErrors {
         continue;
       }
       for (const Corner& corner : corners) {
-        const Bounds largest = largest_of(lobe, corner, width);
+        const Bounds largest = largest_of(lobe, corner, pairing_width);
         worst = {std::max(worst.lower, largest.lower), std::max(worst.upper, largest.upper)};
       }
     }
