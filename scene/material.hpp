@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// What a scene's file says of a material, in the terms of one shading: a specular lobe with a power, a
+/// Fresnel term between two reflectances, a diffuse part that nothing here is about.
+namespace shadefit::scene {
+
+/// An interval of a quantity over a material's texels.
+struct Range {
+  double least = 0, most = 0;
+  bool is_constant() const { return least == most; }
+  bool operator==(const Range&) const = default;
+};
+
+/// How often a specular power is used: the share of a material's texels.
+struct PowerShare {
+  double power;  ///< of cos^power(n.h); 0 is a constant and no lobe
+  double share;  ///< they sum to 1
+  bool operator==(const PowerShare&) const = default;
+};
+
+/// How the reflectance runs with the angle.
+enum class FresnelTerm {
+  none,     ///< a factor alone: Ks of Wavefront's format
+  schlick,  ///< from F0 to F90
+};
+
+struct Material {
+  std::string name;  ///< as the file has it; "material 3" where it has none
+  std::string file;
+  bool is_unlit = false;  ///< nothing of it is shaded
+
+  FresnelTerm fresnel = FresnelTerm::schlick;
+  std::array<Range, 3>
+      f0;  ///< red, green, blue: linear reflectances facing the surface; of `none`, the factor
+  Range f90{1, 1};
+
+  /// By rising power, at least one. A power that is the same everywhere is one share.
+  std::vector<PowerShare> powers;
+  bool is_power_textured = false;  ///< read from a texture, pixel by pixel, even if all texels agree
+
+  /// What the files do not say, taken at its full range: "roughness texture 'a.png' is missing", a line each.
+  std::vector<std::string> unknowns;
+  /// What was changed to be usable: "Ns = 1e+30 is taken for 1e+09", a line each.
+  std::vector<std::string> remarks;
+
+  bool operator==(const Material&) const = default;
+};
+
+/// How stored numbers become powers.
+struct Conventions {
+  /// alpha = roughness^2 (Burley 2012, "Physically-based shading at Disney"), or roughness itself.
+  bool is_roughness_squared = true;
+  /// A gloss g is 1 - roughness (KHR_materials_pbrSpecularGlossiness), or a power 2^(10 g + 1) (Lagarde 2011,
+  /// "Adopting a physically based shading model").
+  bool is_gloss_exponential = false;
+  /// map_Ka is metallic and map_Ns roughness (the seed document's exporter), or what the names say.
+  bool are_maps_pbr = false;
+};
+
+/// Beyond this a lobe is narrower than any light: larger powers are taken for it, and that is said.
+inline constexpr double most_power = 1e9;
+
+/// What the files hold together.
+struct Scene {
+  std::vector<Material> materials;
+  int lights = 0;  ///< punctual ones; 0 where the files name none
+  /// Files that were named and are missing, without a loss: geometry, buffers.
+  std::vector<std::string> missing;
+};
+
+}  // namespace shadefit::scene

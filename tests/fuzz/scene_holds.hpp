@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cmath>
+#include <cstdlib>
+
+#include "scene/material.hpp"
+
+/// What has to be true of every scene that a reader returns; a fuzzer ends where it is not.
+namespace shadefit::fuzz {
+
+inline void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+inline void require_range(const scene::Range& range) {
+  require(range.least >= 0 && range.least <= range.most && std::isfinite(range.most));
+}
+
+inline void require_holds(const scene::Scene& scene) {
+  require(scene.lights >= 0);
+  for (const scene::Material& material : scene.materials) {
+    for (const scene::Range& channel : material.f0) require_range(channel);
+    require_range(material.f90);
+    require(!material.powers.empty());
+    double shares = 0, before = -1;
+    for (const scene::PowerShare& share : material.powers) {
+      require(share.power > before && share.power <= scene::most_power && share.share > 0);
+      before = share.power;
+      shares += share.share;
+    }
+    require(std::abs(shares - 1) < 1e-12);
+  }
+}
+
+}  // namespace shadefit::fuzz

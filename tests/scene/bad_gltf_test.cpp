@@ -1,0 +1,232 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "scene/json_document.hpp"
+#include "scene/limits.hpp"
+#include "scene/read_gltf.hpp"
+#include "tests/scene/samples.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit::scene {
+namespace {
+
+using shadefit::testing::base64;
+using shadefit::testing::chunk;
+using shadefit::testing::glb_of;
+using shadefit::testing::gltf_of;
+using shadefit::testing::gltf_of_image;
+using shadefit::testing::gltf_of_material;
+using shadefit::testing::metallic_roughness_png;
+using shadefit::testing::png_header;
+using shadefit::testing::refusal;
+using shadefit::testing::TemporaryDirectory;
+
+std::string refusal_of_gltf(const std::string& document) {
+  return refusal([&] { read_gltf(document, "a.gltf", {}); });
+}
+
+std::string refusal_of_material(const std::string& members) {
+  return refusal_of_gltf(gltf_of_material(members));
+}
+
+std::string refusal_of_factor(const std::string& members) {
+  return refusal_of_material(R"("pbrMetallicRoughness":{)" + members + "}");
+}
+
+TEST(BadGltf, MalformedJsonHasItsPosition) {
+  EXPECT_EQ(refusal_of_gltf(""), "'a.gltf', line 1, column 1: malformed JSON");
+  EXPECT_EQ(refusal_of_gltf("{\n  \"a\": 1,\n  b\n}"), "'a.gltf', line 3, column 3: malformed JSON");
+  EXPECT_EQ(refusal_of_gltf("{\"a\": 1"), "'a.gltf', line 1, column 8: malformed JSON");
+  EXPECT_EQ(refusal_of_gltf("{\"a\": NaN}"), "'a.gltf', line 1, column 7: malformed JSON");
+  EXPECT_EQ(refusal_of_gltf("{\"a\": \"\xFF\"}"), "'a.gltf', line 1, column 8: malformed JSON");
+  EXPECT_EQ(refusal_of_gltf("{\"a\": 1e999}"), "'a.gltf', line 1, column 11: a number is too large");
+}
+
+TEST(BadGltf, DepthAndNumberOfValuesAreBounded) {
+  const std::string deep = std::string(1000000, '[') + std::string(1000000, ']');
+  EXPECT_EQ(refusal_of_gltf(deep), "'a.gltf': JSON is deeper than 64 values in each other");
+  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("accessors":)" + deep)),
+            "'a.gltf': JSON is deeper than 64 values in each other");
+  std::string many = "[0";
+  for (std::size_t i = 0; i < most_json_values; ++i) many += ",0";
+  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("materials":)" + many + "]")),
+            "'a.gltf': JSON has more than 4000000 values");
+}
+
+TEST(BadGltf, TooManyMaterials) {
+  std::string many = "{}";
+  for (std::size_t i = 0; i < most_materials; ++i) many += ",{}";
+  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("materials":[)" + many + "]")),
+            "'a.gltf': /materials: there are 65537, more than 65536");
+}
+
+TEST(BadGltf, OtherVersions) {
+  EXPECT_EQ(refusal_of_gltf("[]"), "'a.gltf': /: it must be an object");
+  EXPECT_EQ(refusal_of_gltf("{}"), "'a.gltf': /: its member 'asset' is missing");
+  EXPECT_EQ(refusal_of_gltf(R"({"asset":{}})"), "'a.gltf': /asset: its member 'version' is missing");
+  EXPECT_EQ(refusal_of_gltf(R"({"asset":{"version":2.0}})"),
+            "'a.gltf': /asset/version = 2.0: it must be a text");
+  EXPECT_EQ(refusal_of_gltf(R"({"asset":{"version":"1.0"}})"),
+            "'a.gltf': /asset/version = \"1.0\": it must be 2.0");
+}
+
+TEST(BadGltf, FactorsOutOfRange) {
+  const std::string place = "'a.gltf': /materials/0/pbrMetallicRoughness/";
+  EXPECT_EQ(refusal_of_factor(R"("roughnessFactor":1.5)"),
+            place + "roughnessFactor = 1.5: it must be in [0, 1]");
+  EXPECT_EQ(refusal_of_factor(R"("roughnessFactor":-0.5)"),
+            place + "roughnessFactor = -0.5: it must be in [0, 1]");
+  EXPECT_EQ(refusal_of_factor(R"("roughnessFactor":null)"),
+            place + "roughnessFactor = null: it must be a number");
+  EXPECT_EQ(refusal_of_factor(R"("roughnessFactor":"1")"),
+            place + "roughnessFactor = \"1\": it must be a number");
+  EXPECT_EQ(refusal_of_factor(R"("metallicFactor":2)"), place + "metallicFactor = 2: it must be in [0, 1]");
+  EXPECT_EQ(refusal_of_factor(R"("metallicFactor":[1])"), place + "metallicFactor: it must be a number");
+  EXPECT_EQ(refusal_of_factor(R"("baseColorFactor":[1,1,1])"),
+            place + "baseColorFactor: it must have 4 numbers");
+  EXPECT_EQ(refusal_of_factor(R"("baseColorFactor":{})"), place + "baseColorFactor: it must be an array");
+  EXPECT_EQ(refusal_of_factor(R"("baseColorFactor":[1,2,1,1])"),
+            place + "baseColorFactor/1 = 2: it must be in [0, 1]");
+  EXPECT_EQ(refusal_of_material(R"("name":5)"), "'a.gltf': /materials/0/name = 5: it must be a text");
+}
+
+TEST(BadGltf, ExtensionsOutOfRange) {
+  const auto refused = [&](const std::string& name, const std::string& members) {
+    return refusal_of_material(R"("extensions":{"KHR_materials_)" + name + R"(":{)" + members + "}}");
+  };
+  const std::string place = "'a.gltf': /materials/0/extensions/KHR_materials_";
+  EXPECT_EQ(refused("ior", R"("ior":0.5)"),
+            place + "ior/ior = 0.5: it must be at least 1, or 0 for a reflectance of 1");
+  EXPECT_EQ(refused("ior", R"("ior":-1)"), place + "ior/ior = -1: it must be at least 0");
+  EXPECT_EQ(refused("specular", R"("specularFactor":2)"),
+            place + "specular/specularFactor = 2: it must be in [0, 1]");
+  EXPECT_EQ(refused("specular", R"("specularColorFactor":[1,-1,1])"),
+            place + "specular/specularColorFactor/1 = -1: it must be at least 0");
+  EXPECT_EQ(refused("pbrSpecularGlossiness", R"("glossinessFactor":2)"),
+            place + "pbrSpecularGlossiness/glossinessFactor = 2: it must be in [0, 1]");
+}
+
+TEST(BadGltf, IndicesOutOfRange) {
+  const std::string info = "'a.gltf': /materials/0/pbrMetallicRoughness/metallicRoughnessTexture";
+  EXPECT_EQ(refusal_of_factor(R"("metallicRoughnessTexture":{})"), info + ": its member 'index' is missing");
+  EXPECT_EQ(refusal_of_factor(R"("metallicRoughnessTexture":{"index":0})"),
+            info + "/index = 0: there are 0 in /textures, counted from 0");
+  EXPECT_EQ(refusal_of_factor(R"("metallicRoughnessTexture":{"index":-1})"),
+            info + "/index = -1: it must be a whole number from 0 on");
+  EXPECT_EQ(refusal_of_factor(R"("metallicRoughnessTexture":{"index":1e9})"),
+            info + "/index = 1000000000.0: it must be a whole number from 0 on");
+  const auto refused = [&](const std::string& members) {
+    return refusal_of_gltf(gltf_of(
+        R"("materials":[{"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}}],)" + members));
+  };
+  EXPECT_EQ(refused(R"("textures":[{"source":3}],"images":[{}])"),
+            "'a.gltf': /textures/0/source = 3: there are 1 in /images, counted from 0");
+  EXPECT_EQ(refused(R"("textures":[{"source":0}],"images":[{}])"),
+            "'a.gltf': /images/0: it must have a uri or a bufferView, and not both");
+  EXPECT_EQ(refused(R"("textures":[{"source":0}],"images":[{"bufferView":1}],"bufferViews":[{}])"),
+            "'a.gltf': /images/0/bufferView = 1: there are 1 in /bufferViews, counted from 0");
+  EXPECT_EQ(
+      refused(
+          R"("textures":[{"source":0}],"images":[{"bufferView":0}],"bufferViews":[{"buffer":1}],"buffers":[])"),
+      "'a.gltf': /bufferViews/0/buffer = 1: there are 0 in /buffers, counted from 0");
+  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("meshes":[{"primitives":[{"material":0}]}])")),
+            "'a.gltf': /meshes/0/primitives/0/material = 0: there are 0 in /materials, counted from 0");
+  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("nodes":[{"extensions":{"KHR_lights_punctual":{"light":0}}}])")),
+            "'a.gltf': /nodes/0/extensions/KHR_lights_punctual/light = 0: there are 0 in "
+            "/extensions/KHR_lights_punctual/lights, counted from 0");
+}
+
+TEST(BadGltf, ViewsPastTheEnd) {
+  const TemporaryDirectory directory;
+  directory.file("short.bin", "12345");
+  const auto refused = [&](const std::string& view, const std::string& buffer) {
+    const std::string document = gltf_of_image(
+        R"("bufferView":0)", R"(,"bufferViews":[{"buffer":0,)" + view + R"(}],"buffers":[{)" + buffer + "}]");
+    return refusal([&] { read_gltf(document, directory / "a.gltf", {}); });
+  };
+  const std::string file = "'" + directory / "a.gltf" + "': ", view = file + "/bufferViews/0";
+  EXPECT_EQ(refused(R"("byteLength":6)", R"("byteLength":5,"uri":"short.bin")"),
+            view + ": 6 bytes from 0 on go past the 5 of /buffers/0");
+  EXPECT_EQ(
+      refused(R"("byteLength":1,"byteOffset":18446744073709551615)", R"("byteLength":5,"uri":"short.bin")"),
+      view + ": 1 bytes from 18446744073709551615 on go past the 5 of /buffers/0");
+  EXPECT_EQ(refused(R"("byteLength":4,"byteOffset":2)", R"("byteLength":9,"uri":"short.bin")"),
+            view + ": cannot read '" + std::filesystem::weakly_canonical(directory / "short.bin").string() +
+                "': 4 bytes from 2 on are asked of a file of 5");
+  EXPECT_EQ(refused(R"("byteLength":4)", R"("byteLength":9,"uri":"data:,ab")"),
+            view + ": 4 bytes from 0 on go past the 2 of /buffers/0");
+  EXPECT_EQ(refused(R"("byteLength":4)", R"("byteLength":9)"),
+            file + "/buffers/0: it has neither a uri nor a chunk BIN");
+  EXPECT_EQ(refused(R"("byteLength":4)", R"("byteLength":1e9)"),
+            file + "/buffers/0/byteLength = 1000000000.0: it must be a whole number from 0 on");
+}
+
+TEST(BadGltf, NamesOutsideOfTheFolder) {
+  const TemporaryDirectory directory;
+  directory.file("secret.png", metallic_roughness_png());
+  directory.file("scene/a.png", metallic_roughness_png());
+  std::filesystem::create_symlink(directory.path() / "secret.png", directory.path() / "scene/link.png");
+  std::filesystem::create_directory_symlink(directory.path(), directory.path() / "scene/up");
+  const std::string file = directory / "scene/a.gltf";
+  for (const char* uri :
+       {"../secret.png", "%2e%2e/secret.png", "x/../../secret.png", "..\\\\secret.png", "/etc/passwd",
+        "file:///etc/passwd", "FILE:a.png", "C:/a.png", "link.png", "up/secret.png", "."}) {
+    const std::string image = std::string(R"("uri":")") + uri + "\"";
+    const std::string words = refusal([&] { read_gltf(gltf_of_image(image), file, {}); });
+    EXPECT_NE(words.find("is outside of the scene's folder"), std::string::npos) << uri << ": " << words;
+    // Also where nobody would read it.
+    EXPECT_EQ(refusal([&] { read_gltf(gltf_of(R"("images":[{)" + image + "}]"), file, {}); }), words);
+  }
+  EXPECT_EQ(refusal([&] { read_gltf(gltf_of_image(R"("uri":"../../etc/passwd")"), file, {}); }),
+            "'" + file + "': /images/0/uri: '../../etc/passwd' is outside of the scene's folder '" +
+                directory / "scene" + "'");
+  EXPECT_EQ(refusal([&] { read_gltf(gltf_of_image(R"("uri":"x/../a.png")"), file, {}); }), "");
+}
+
+TEST(BadGltf, MalformedUris) {
+  const auto refused = [&](const std::string& uri) {
+    return refusal_of_gltf(gltf_of_image(R"("uri":")" + uri + "\""));
+  };
+  const std::string place = "'a.gltf': /images/0/uri: ";
+  EXPECT_EQ(refused("data:image/png;base64"), place + "the data URI has no comma before its data");
+  EXPECT_EQ(refused("data:;base64,abc*"), place + "character 4 of the base64 is none of its 64");
+  EXPECT_EQ(refused("data:;base64,abcde"), place + "base64 ends within a byte");
+  EXPECT_EQ(refused("a%2"), place + "character 2 of the URI is a % without two digits of a byte");
+  EXPECT_EQ(refused("a%zz"), place + "character 2 of the URI is a % without two digits of a byte");
+  EXPECT_EQ(refused("a%00"), place + "character 2 of the URI is a % without two digits of a byte");
+  EXPECT_EQ(refused(""), place + "the name of a file is empty");
+  EXPECT_EQ(refused("a\\u0000"), place + "the name of a file has a zero within");
+  EXPECT_NE(refused(std::string(100000, 'x')).find("cannot be followed: File name too long"),
+            std::string::npos);
+}
+
+TEST(BadGltf, PicturesThatAreDamagedOrTooLarge) {
+  const auto refused = [&](const std::string& picture) {
+    return refusal_of_gltf(gltf_of_image(R"("uri":"data:;base64,)" + base64(picture) + "\""));
+  };
+  EXPECT_EQ(refused(png_header(60000, 60000)),
+            "'a.gltf': /images/0: the picture has 60000 x 60000 pixels, more than 67108864 together");
+  EXPECT_EQ(refused(metallic_roughness_png().substr(0, 50)),
+            "'a.gltf': /images/0: the PNG is damaged: the file ends before the picture does");
+}
+
+TEST(BadGltf, Files) {
+  const TemporaryDirectory directory;
+  EXPECT_EQ(refusal([&] { read_gltf(std::filesystem::path(directory / "gone.gltf"), {}); }),
+            "cannot read '" + directory / "gone.gltf" + "': there is no such file");
+  EXPECT_EQ(refusal([&] { read_gltf(directory.path(), {}); }),
+            "cannot read '" + directory.path().string() + "': it is a directory");
+  const std::string large = directory.file("large.gltf", "");
+  std::filesystem::resize_file(large, most_json_bytes + 1);
+  EXPECT_EQ(refusal([&] { read_gltf(std::filesystem::path(large), {}); }),
+            "cannot read '" + large + "': it has 67108865 bytes, more than 67108864");
+  EXPECT_EQ(refusal([&] { read_gltf("glTF", "a.glb", {}); }),
+            "'a.glb': byte 0: a GLB file begins with 12 bytes, and has 4");
+  const std::string padded = glb_of(chunk("JSON", std::string(most_json_bytes + 4, ' ')));
+  EXPECT_EQ(refusal([&] { read_gltf(padded, "a.glb", {}); }),
+            "'a.glb': its JSON has 67108868 bytes, more than the 67108864 that it may have");
+}
+
+}  // namespace
+}  // namespace shadefit::scene

@@ -1,0 +1,87 @@
+#include "scene/read_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/scene/samples.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit::scene {
+namespace {
+
+using shadefit::testing::chunk;
+using shadefit::testing::glb_of;
+using shadefit::testing::gltf_of;
+using shadefit::testing::refusal;
+using shadefit::testing::TemporaryDirectory;
+
+std::vector<std::string> names_of(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Material& material : scene.materials) names.push_back(material.name);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+Scene scene_of(const std::vector<std::filesystem::path>& files) {
+  return read_scene(files, {});
+}
+
+TEST(ReadScene, TakesFilesTogether) {
+  const TemporaryDirectory directory;
+  const std::string lights = R"("extensions":{"KHR_lights_punctual":{"lights":[{},{}]}})";
+  const std::string gltf = directory.file(
+      "a.gltf",
+      gltf_of(R"("materials":[{"name":"g"}],"buffers":[{"byteLength":1,"uri":"g.bin"}],)" + lights));
+  const std::string glb = directory.file("b.glb", glb_of(chunk("JSON", gltf_of(lights))));
+  const std::string mtl = directory.file("c.MTL", "newmtl m\n");
+  const Scene scene = scene_of({gltf, glb, mtl});
+  EXPECT_EQ(names_of(scene), (Names{"g", "default", "m"}));
+  EXPECT_EQ(scene.lights, 4);
+  EXPECT_EQ(scene.missing, Names{"g.bin"});
+  EXPECT_EQ(scene.materials[2].file, mtl);
+  EXPECT_TRUE(scene_of({}).materials.empty());
+}
+
+TEST(ReadScene, RefusesOtherExtensions) {
+  EXPECT_EQ(refusal([&] { scene_of({"a.fbx"}); }),
+            "cannot read 'a.fbx': its name must end with .gltf, .glb, .mtl or .obj");
+  EXPECT_EQ(refusal([&] { scene_of({"gltf"}); }),
+            "cannot read 'gltf': its name must end with .gltf, .glb, .mtl or .obj");
+}
+
+TEST(ReadObj, FollowsItsLibraries) {
+  const TemporaryDirectory directory;
+  directory.file("a.mtl", "newmtl a\n");
+  directory.file("b.mtl", "newmtl b\n");
+  directory.file("two words.mtl", "newmtl c\n");
+  const std::string geometry(200000, '1');
+  const std::string obj =
+      directory.file("s.obj", "# obj\nmtllib a.mtl b.mtl\r\nv 0 0 " + geometry +
+                                  "\nmtllib  two words.mtl\nmtllibx x\nf 1\nmtllib a.mtl");
+  EXPECT_EQ(names_of(scene_of({obj})), (Names{"a", "b", "c"}));
+  EXPECT_TRUE(scene_of({directory.file("empty.obj", "v 0 0 0\n")}).materials.empty());
+}
+
+TEST(ReadObj, RefusesLibrariesThatAreMissingOrElsewhere) {
+  const TemporaryDirectory directory;
+  const std::string gone = directory.file("gone.obj", "\nmtllib gone.mtl\n");
+  EXPECT_EQ(refusal([&] { scene_of({gone}); }),
+            "'" + gone + "', line 2: cannot read '" + directory / "gone.mtl" + "': there is no such file");
+  const std::string out = directory.file("out.obj", "mtllib ../a.mtl");
+  EXPECT_EQ(refusal([&] { scene_of({out}); }),
+            "'" + out + "', line 1: '../a.mtl' is outside of the scene's folder '" +
+                directory.path().string() + "'");
+  const std::string none = directory.file("none.obj", "mtllib");
+  EXPECT_EQ(refusal([&] { scene_of({none}); }), "'" + none + "', line 1: the name of a file is empty");
+  directory.file("a.mtl", "");
+  std::string lines, name = "a.mtl";
+  for (int i = 0; i < 1001; ++i) lines += "mtllib " + (name = "./" + name) + "\n";
+  const std::string many = directory.file("many.obj", lines);
+  EXPECT_EQ(refusal([&] { scene_of({many}); }),
+            "'" + many + "', line 1001: there are more than 1000 lines mtllib");
+  EXPECT_EQ(refusal([&] { scene_of({directory / "x.obj"}); }),
+            "cannot read '" + directory / "x.obj" + "': there is no such file");
+}
+
+}  // namespace
+}  // namespace shadefit::scene
