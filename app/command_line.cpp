@@ -32,7 +32,8 @@ void require_values(const std::vector<std::string>& arguments) {
                                    "--verdict",   "--norm",     "--error",      "--weight",     "--fix",
                                    "--one-sided", "--round",    "--width",      "--exhaustive", "--constants",
                                    "--shard",     "--state",    "--merge",      "--range",      "--lang",
-                                   "--precision", "--name",     "--parameters", "--check"};
+                                   "--precision", "--name",     "--parameters", "--check",      "--tolerance",
+                                   "--lights",    "--alpha",    "--gloss",      "--maps"};
     const bool takes_text = std::find(take_text.begin(), take_text.end(), option) != take_text.end();
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
@@ -74,6 +75,7 @@ struct Call {
   CertifyOptions certify = {};
   VerifyOptions verify = {};
   EmitOptions emit = {};
+  SceneOptions scene = {};
   ExplainOptions explain = {};
   StressOptions stress = {};
   CheckOptions check = {};
@@ -266,6 +268,36 @@ void add_emit(CLI::App& app, Call& call) {
   emit->callback([&call] { call.outcome = emit_command(call.emit, call.checkpoint); });
 }
 
+void add_scene(CLI::App& app, Call& call) {
+  SceneOptions& options = call.scene;
+  auto* scene = app.add_subcommand("scene", "what a scene's materials need, and what can be skipped");
+  scene->add_option("file", options.files, "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), one or more")
+      ->required();
+  scene->add_option("--tolerance", options.tolerance, "of a pixel, all its lights together, in linear values")
+      ->capture_default_str()
+      ->type_name("T");
+  scene
+      ->add_option("--lights", options.lights,
+                   "that may shine on one point; default: those of the files, else 1")
+      ->type_name("N");
+  scene->add_option("--alpha", options.alpha, "what a roughness is: roughness-squared, or alpha = roughness")
+      ->capture_default_str()
+      ->type_name("NAME");
+  scene->add_option("--gloss", options.gloss, "1 - roughness, or exponential: a power of 2^(10 g + 1)")
+      ->capture_default_str()
+      ->type_name("NAME");
+  scene
+      ->add_option("--maps", options.maps,
+                   "of a .mtl: named, as the format says, or pbr: map_Ka metallic, map_Ns roughness")
+      ->capture_default_str()
+      ->type_name("NAME");
+  auto* json = scene->add_flag("--json", options.json, "print JSON");
+  scene->add_option("--out", options.out, "directory to write scene.md, scene.csv and scene.json to")
+      ->type_name("DIR")
+      ->excludes(json);
+  scene->callback([&call] { call.outcome = scene_command(call.scene, call.checkpoint); });
+}
+
 void add_explain(CLI::App& app, Call& call) {
   auto* explain =
       app.add_subcommand("explain", "one claim: what is said, by whom, what is computed, and why");
@@ -312,6 +344,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   add_certify(app, call);
   add_verify(app, call);
   add_emit(app, call);
+  add_scene(app, call);
   add_explain(app, call);
   add_bench(app, call);
   add_stress(app, call);

@@ -1,0 +1,140 @@
+#include "reports/scene_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "fit/decimal.hpp"
+#include "reports/utf8.hpp"
+#include "reports/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+using scene::Material;
+using scene::MaterialPlan;
+using scene::Plan;
+using scene::Scene;
+using Json = nlohmann::ordered_json;
+
+/// Of a bound, as many digits as anybody reads.
+Cell bound(double value) {
+  return Number{value, 3};
+}
+
+std::string range_text(const scene::Range& range) {
+  return range.is_constant() ? decimal(range.least, 4)
+                             : decimal(range.least, 4) + " to " + decimal(range.most, 4);
+}
+
+std::string headline(const Scene& scene, const Plan& plan) {
+  return fmt::format("{}, {}, tolerance {} in linear values",
+                     counted(static_cast<long>(scene.materials.size()), "material"),
+                     counted(plan.wanted.lights, "light"), decimal(plan.wanted.tolerance, 4));
+}
+
+std::string summary(const Plan& plan) {
+  return fmt::format("Error at most {} of {}: {}.\nFits run {}, skipped {}.\n", decimal_above(plan.error, 3),
+                     decimal(plan.wanted.tolerance, 4),
+                     plan.is_within() ? "within the tolerance" : "NOT within it", plan.fits_run,
+                     plan.fits_skipped);
+}
+
+/// What is not known, and what was changed, a line each.
+std::vector<std::string> notes(const Scene& scene) {
+  std::vector<std::string> lines;
+  for (const std::string& file : scene.missing)
+    lines.push_back(fmt::format("'{}' is missing", printable(file)));
+  for (const Material& material : scene.materials) {
+    for (const auto* some : {&material.unknowns, &material.remarks}) {
+      for (const std::string& line : *some)
+        lines.push_back(fmt::format("'{}': {}", printable(material.name), printable(line)));
+    }
+  }
+  return lines;
+}
+
+Json json_of(const scene::Range& range) {
+  return Json::array({range.least, range.most});
+}
+
+}  // namespace
+
+Table decisions_table(const Plan& plan) {
+  Table table{.columns = {"term", "verdict", "form", "error", "reason"}, .rows = {}};
+  for (const scene::Decision& d : plan.decisions)
+    table.rows.push_back({d.term, word(name(d.verdict)), d.form, bound(d.error), d.reason});
+  return table;
+}
+
+Table materials_table(const Scene& scene, const Plan& plan) {
+  Table table{.columns = {"material", "lobe", "power", "largest", "cutoff", "reason"}, .rows = {}};
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    const MaterialPlan& m = plan.materials[i];
+    const bool is_textured = scene.materials[i].is_power_textured;
+    table.rows.push_back({printable(m.name), std::string(m.has_lobe ? "yes" : "no"),
+                          range_text(m.power) + (is_textured ? ", textured" : ""), bound(m.factor),
+                          m.has_lobe ? bound(m.cutoff) : Cell(), m.reason});
+  }
+  return table;
+}
+
+std::string plan_text(const Scene& scene, const Plan& plan) {
+  std::string text = headline(scene, plan) + "\n\n" +
+                     write_console(decisions_table(plan), Precision::report) + "\n" + summary(plan);
+  for (const std::string& line : notes(scene)) text += "Note: " + line + "\n";
+  return text;
+}
+
+std::string plan_markdown(const Scene& scene, const Plan& plan) {
+  std::string text =
+      "# What this scene needs\n\n" + headline(scene, plan) + ".\n\n" +
+      markdown_block(decisions_table(plan)) + summary(plan) +
+      "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven, in "
+      "exact arithmetic.\n\n# Materials\n\n`largest` is the largest F (n + 2)/8; below `cutoff`, a value "
+      "of n.h, a light need not be asked.\n\n" +
+      markdown_block(materials_table(scene, plan));
+  const std::vector<std::string> lines = notes(scene);
+  if (!lines.empty()) text += "# Notes\n\n";
+  for (const std::string& line : lines) text += "- " + line + "\n";
+  return text;
+}
+
+std::string plan_json(const Scene& scene, const Plan& plan) {
+  Json terms = Json::array(), materials = Json::array();
+  for (const scene::Decision& d : plan.decisions) {
+    terms.push_back({{"term", d.term},
+                     {"verdict", name(d.verdict)},
+                     {"form", d.form},
+                     {"error", d.error},
+                     {"reason", d.reason}});
+  }
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    const MaterialPlan& m = plan.materials[i];
+    const Material& material = scene.materials[i];
+    Json powers = Json::array();
+    for (const scene::PowerShare& share : material.powers) powers.push_back({share.power, share.share});
+    materials.push_back({{"name", printable(m.name)},
+                         {"lobe", m.has_lobe},
+                         {"reason", m.reason},
+                         {"largest", m.factor},
+                         {"cutoff", m.cutoff},
+                         {"f0", {json_of(material.f0[0]), json_of(material.f0[1]), json_of(material.f0[2])}},
+                         {"f90", json_of(material.f90)},
+                         {"powers", powers},
+                         {"textured", material.is_power_textured}});
+  }
+  return Json{{"schema", 1},
+              {"tolerance", plan.wanted.tolerance},
+              {"lights", plan.wanted.lights},
+              {"error", plan.error},
+              {"fits_run", plan.fits_run},
+              {"fits_skipped", plan.fits_skipped},
+              {"terms", terms},
+              {"materials", materials},
+              {"notes", notes(scene)}}
+             .dump(2) +
+         "\n";
+}
+
+}  // namespace shadefit
