@@ -3,79 +3,117 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
-#include "approx/lobe.hpp"
-#include "fit/enclosure.hpp"
-#include "fit/family_visit.hpp"
+#include "approx/shading.hpp"
+#include "fit/interval.hpp"
+#include "fit/interval_ends.hpp"
 
 namespace shadefit::scene {
 namespace {
 
-/// |f - t| min(g, 1/max(f, t)), with the difference given.
-template <class T>
-T shown_error(const T& difference, const T& form, const T& target, const T& factor) {
-  return difference * min(factor, T(integer<T>(1) / max(form, target)));
+/// The ratio of a cell's ends. A lobe falls on a cell by the factor e^-(0.02 t) or so, t = n y, and what
+/// matters of it lies at t = 1 to 3.
+constexpr double cell_ratio = 1.02;
+/// Where cells begin: below t = n y = 0.01, and below a cosine of 1e-4, where little light is, one cell does.
+constexpr double least_t = 0.01, least_cosine = 1e-4;
+/// More than all operations of a bound in doubles round, each by 1.1e-16 and functions by a few times that,
+/// with exponents up to 40 and what a sum of slopes cancels.
+constexpr double rounding_up = 1 + 1e-12;
+constexpr double derivative_rounding = 1e-13;
+
+/// Of a form by slopes: log f/n at y = 1 - c, natural.
+Interval form_log(const std::vector<Interval>& slopes, const Interval& y) {
+  return ln2<Interval>() * log2_by_slopes(Interval(-y), slopes);
 }
 
-constexpr double golden = 0.6180339887498949;  // (sqrt 5 - 1)/2
+/// The ends of d/dc (log f/n) over a cell, in doubles: ln 2 (s1 + 2 s2 z + 3 s3 z^2 ..), z = -y.
+Range slope_range(std::span<const double> slopes, double y_low, double y_high) {
+  double low = 0, high = 0, size = 0;
+  double at_low = std::numbers::ln2, at_high = at_low;  // ln 2 |z|^i
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const double sign = i % 2 == 0 ? 1 : -1;
+    const double s = static_cast<double>(i + 1) * sign * slopes[i];
+    low += std::min(s * at_low, s * at_high);
+    high += std::max(s * at_low, s * at_high);
+    size += std::abs(s * at_high);
+    at_low *= y_low;
+    at_high *= y_high;
+  }
+  return {low - derivative_rounding * size, high + derivative_rounding * size};
+}
+
+double largest_magnitude(const Range& range) {
+  return std::max(std::abs(range.least), std::abs(range.most));
+}
+
+/// A cell of cosines [c_low, c_high], given with y = 1 - c of both: one of each pair is rounded, and by less
+/// than what everything is rounded up by.
+LobeCell make_cell(std::span<const double> slopes, const std::vector<Interval>& wide, double c_low,
+                   double c_high, double y_low, double y_high) {
+  const bool is_near_peak = y_high <= 0.5;
+  const double middle = is_near_peak ? y_low + (y_high - y_low) / 2 : c_low + (c_high - c_low) / 2;
+  const double half_width = (is_near_peak ? y_high - y_low : c_high - c_low) / 2 * rounding_up;
+  const Interval c = is_near_peak ? Interval(integer<Interval>(1) - Interval(middle)) : Interval(middle);
+  const Interval y = is_near_peak ? Interval(middle) : Interval(integer<Interval>(1) - Interval(middle));
+  const Interval form = form_log(wide, y);
+  const Interval target = is_near_peak ? log1p(Interval(-y)) : log(c);
+  const Interval bend = form - target;
+  const Range slope = slope_range(slopes, y_low, y_high);
+  const Range bend_slope{slope.least - (c_low > 0 ? rounding_up / c_low : HUGE_VAL),
+                         slope.most - 1 / (c_high * rounding_up)};
+  LobeCell cell;
+  cell.weight = std::min(1.0, 2 * c_high * rounding_up);
+  cell.y_low = y_low / rounding_up;
+  cell.y_high = std::min(1.0, y_high * rounding_up);
+  cell.log_target = is_near_peak ? std::log1p(-y_low) / rounding_up : std::log(c_high) / rounding_up;
+  cell.log_form = upper_end(form) + half_width * largest_magnitude(slope);
+  const double reach = half_width * largest_magnitude(bend_slope);
+  cell.bend_low = c_low > 0 ? lower_end(bend) - reach : -HUGE_VAL;
+  cell.bend_high = upper_end(bend) + reach;
+  if (!(c_low > 0)) cell.bend_high = HUGE_VAL;
+  return cell;
+}
 
 }  // namespace
 
-double gaussian_error(const WeightedPower& lobe, double offset, double enough) {
-  const auto family = make_family<SgOffset>(Setting(lobe.power));
-  const auto shown = [&]<class T>(const Cosine<T>& c) {
-    const std::array p{lift<T>(offset)};
-    const auto sample = family.sample(c);
-    const T difference = family.error(sample, p), form = family.form(sample, p);
-    if (lobe.factor <= 1) return T(lift<T>(lobe.factor) * difference);
-    return shown_error(difference, form, T(form - difference), lift<T>(lobe.factor));
+LobeCells::LobeCells(std::span<const double> slopes, double largest_power) {
+  std::vector<Interval> wide;
+  for (const double slope : slopes) wide.emplace_back(slope);
+  const auto add = [&](double c_low, double c_high, double y_low, double y_high) {
+    cells_.push_back(make_cell(slopes, wide, c_low, c_high, y_low, y_high));
   };
-  return enclose_largest(shown, Domain{}, {.width = 0.02, .least = enough}).upper;
+  double y = std::min(0.5, least_t / largest_power);
+  add(1 - y, 1, 0, y);
+  while (y < 0.5) {
+    const double next = std::min(0.5, y * cell_ratio);
+    add(1 - next, 1 - y, y, next);
+    y = next;
+  }
+  double c = 0.5;
+  while (c > least_cosine) {
+    const double next = c / cell_ratio;
+    add(next, c, 1 - c, 1 - next);
+    c = next;
+  }
+  add(0, c, 1 - c, 1);
 }
 
-double sampled_gaussian_error(const WeightedPower& lobe, double offset) {
-  // Lobes of every width fall alike with t = n y: 64 places up to t = 16 see the error to some percent.
-  constexpr int places = 64;
-  double largest = 0;
-  for (int i = 0; i <= places; ++i) {
-    const double y = std::min(1.0, 0.25 * i / lobe.power);
-    const double target = y < 1 ? power_lobe_near_peak(y, lobe.power) : 0;
-    const double form = gaussian_lobe_near_peak(y, lobe.power, offset);
-    const double larger = std::max(form, target);
-    if (larger > 0) largest = std::max(largest, std::abs(form - target) * std::min(lobe.factor, 1 / larger));
+double LobeCells::largest_error(const WeightedPower& lobe, double offset, ShownScale scale,
+                                double enough) const {
+  const double n = lobe.power, most_shown = on_scale(scale, 1);
+  double largest = enough;
+  for (const LobeCell& cell : cells_) {
+    const double ratio = std::max(std::abs(n * cell.bend_low - offset * cell.y_high),
+                                  std::abs(n * cell.bend_high - offset * cell.y_low));
+    // v S'(v) <= S(1), so that a ratio of e^r moves nothing by more than |r| S(1)
+    if (ratio * most_shown <= largest) continue;
+    const double log_larger = std::max(n * cell.log_target, n * cell.log_form - offset * cell.y_low);
+    const double shown = lobe.factor * cell.weight * std::exp(log_larger) * rounding_up;
+    if (on_scale(scale, shown) <= largest) continue;
+    largest = std::max(largest, apart_by_ratio(scale, shown, ratio) * rounding_up);
   }
   return largest;
-}
-
-double best_offset(std::span<const WeightedPower> lobes) {
-  const auto error = [&](double offset) {
-    double largest = 0;
-    for (const WeightedPower& lobe : lobes) {
-      if (lobe.power > 0) largest = std::max(largest, sampled_gaussian_error(lobe, offset));
-    }
-    return largest;
-  };
-  // The largest of functions that fall and then rise does so too: the golden section.
-  double low = 0, high = 1.5;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double error_at_a = error(a), error_at_b = error(b);
-  constexpr double near = 1e-4;
-  while (high - low > near) {
-    if (error_at_a <= error_at_b) {
-      high = b;
-      b = a;
-      error_at_b = error_at_a;
-      a = high - golden * (high - low);
-      error_at_a = error(a);
-    } else {
-      low = a;
-      a = b;
-      error_at_a = error_at_b;
-      b = low + golden * (high - low);
-      error_at_b = error(b);
-    }
-  }
-  return low + (high - low) / 2;
 }
 
 }  // namespace shadefit::scene

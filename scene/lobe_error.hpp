@@ -1,34 +1,46 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
-#include "scene/material.hpp"
+#include "scene/lobe_form.hpp"
+#include "scene/shown_scale.hpp"
 
-/// How far a form of the lobe may move a picture.
+/// How far a form of the lobe may move a picture: bounds that are proven.
 ///
-/// What is shown of a light is min(g t, 1): t = c^n the lobe, g the rest of the specular term, which is
-/// anything up to F (n + 2)/8 (a unit light of games, F the reflectance). With a form f in place of t it is
-/// off by
-///   |f - t| min(g, 1/max(f, t)),
-/// at the worst g: either it is not clamped, or the larger of both is just not.
+/// What is shown of a light is min(g w t, 1): t = c^n the lobe, w = n.l, g anything up to the largest
+/// F (n + 2)/8. Where the viewer sees the surface, n.v >= 0, and l = 2 (h.l) h - v gives n.l <= 2 c: at
+/// grazing half vectors there is little light, w <= min(1, 2 c). With a form f in place of t, f/t = e^r, the
+/// larger of both shown values is at most v = min(1, g min(1, 2c) max(f, t)), and they are apart by no more
+/// than v (1 - e^-|r|), or by the same of encoded values.
+///
+/// For all forms by slopes ln f = (n + x)(ln t/n + d(c)) with a `bend` d that no power enters. So the cosines
+/// are cut into cells once, d is enclosed on each by intervals of 50 digits, and a bound for one more power
+/// is a walk over the cells in doubles. Cells are 2 % wide, and so are the bounds.
 namespace shadefit::scene {
 
-/// A lobe of a scene: the power, and the largest factor in front of it.
-struct WeightedPower {
-  double power;
-  double factor;  ///< the largest F (n + 2)/8
+/// A part of the cosines, and what of a form is there the same for every power.
+struct LobeCell {
+  double weight;               ///< min(1, 2c), at most
+  double log_target;           ///< log c, at most
+  double log_form;             ///< the form's in its place, at most
+  double y_low, y_high;        ///< 1 - c
+  double bend_low, bend_high;  ///< the form's logarithm minus log c; the highest may be infinite
 };
 
-/// The largest error of the plain Gaussian exp((n + x)(c - 1)) for a lobe, over all c in [0, 1]: proven not
-/// to be exceeded, in exact arithmetic. It is found to 2 %, and what is below `enough` only as far as that it
-/// is.
-double gaussian_error(const WeightedPower& lobe, double offset, double enough);
+/// A form by slopes on all cosines.
+class LobeCells {
+ public:
+  /// For powers up to `largest_power`, above 0. At least one slope.
+  LobeCells(std::span<const double> slopes, double largest_power);
 
-/// The same, sampled and so from below: fast, to rule an offset out.
-double sampled_gaussian_error(const WeightedPower& lobe, double offset);
+  /// The largest difference between what is shown of a lobe of a power above 0, and of the form with an
+  /// offset >= 0: not exceeded, in exact arithmetic. `enough`: where it is no more, it is only proven to be
+  /// no more.
+  double largest_error(const WeightedPower& lobe, double offset, ShownScale scale, double enough) const;
 
-/// The offset in [0, 3/2], to four digits, whose largest sampled error over all lobes with a power above 0 is
-/// least.
-double best_offset(std::span<const WeightedPower> lobes);
+ private:
+  std::vector<LobeCell> cells_;
+};
 
 }  // namespace shadefit::scene

@@ -2,122 +2,26 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <optional>
 
-#include "approx/fresnel.hpp"
+#include "approx/exp2_polynomial.hpp"
 #include "approx/gloss.hpp"
 #include "fit/decimal.hpp"
 #include "fit/fit.hpp"
-#include "scene/lobe_error.hpp"
+#include "scene/choose_lobe.hpp"
+#include "scene/lobes.hpp"
 
 namespace shadefit::scene {
 namespace {
 
 /// How a light's share of the tolerance is spent. A cut-off costs no instruction of a pixel that is lit, and
-/// a tenth of the error widens it little: the lobe's own width is its logarithm.
-constexpr double for_cutoff = 0.1;
-/// The lobe's form and Fresnel's share the rest.
-constexpr double for_lobe = 0.6, for_fresnel = 0.3;
+/// a tenth of the error widens it little: the lobe's own width is its logarithm. Fresnel's term is cheap
+/// where it is kept, so that little is set aside to do without. The lobe has the rest.
+constexpr double for_cutoff = 0.1, for_fresnel = 0.3;
 
-/// Whole powers up to this one are cheaper by multiplications than by LOG2, MUL and EXP2: at a quarter of the
-/// rate each, those are nine instructions, and 64 is six multiplications.
-constexpr double most_multiplied = 64;
-
-double largest_of(const std::array<Range, 3>& channels) {
-  return std::max({channels[0].most, channels[1].most, channels[2].most});
-}
-
-/// The largest reflectance at any angle.
-double largest_reflectance(const Material& material) {
-  const double facing = largest_of(material.f0);
-  return material.fresnel == FresnelTerm::none ? facing : std::max(facing, material.f90.most);
-}
-
-bool is_black(const Material& material) {
-  return largest_reflectance(material) == 0;
-}
-
-/// F90 as a material's lobe meets it: a black F0 with a white F90 shines at grazing angles alone.
-double largest_factor(const Material& material, double power) {
-  return largest_reflectance(material) * game_normalisation(power);
-}
-
-Range powers_of(const Material& material) {
-  return {material.powers.front().power, material.powers.back().power};
-}
-
-MaterialPlan plan_material(const Material& material, double budget) {
-  MaterialPlan plan;
-  plan.name = material.name;
-  plan.power = powers_of(material);
-  plan.factor = largest_factor(material, plan.power.most);
-  if (material.is_unlit) {
-    plan.reason = "unlit";
-  } else if (is_black(material)) {
-    plan.reason = "black specular colour";
-  } else if (std::min(plan.factor, 1.0) <= budget) {
-    plan.reason = "at most " + decimal_above(plan.factor, 2) + " of a light";
-    plan.error = plan.factor;
-  } else {
-    plan.has_lobe = true;
-  }
-  return plan;
-}
-
-/// Each power once, with the largest factor that it has anywhere.
-std::vector<WeightedPower> each_once(std::vector<WeightedPower> lobes) {
-  std::sort(lobes.begin(), lobes.end(), [](const WeightedPower& a, const WeightedPower& b) {
-    return a.power != b.power ? a.power < b.power : a.factor > b.factor;
-  });
-  const auto is_same = [](const WeightedPower& a, const WeightedPower& b) { return a.power == b.power; };
-  lobes.erase(std::unique(lobes.begin(), lobes.end(), is_same), lobes.end());
-  return lobes;
-}
-
-/// What the lobes of a scene have in common.
-struct Lobes {
-  std::vector<WeightedPower> powers;  ///< of all materials that have one, by rising power
-  bool is_textured = false, has_schlick = false, has_colour = false;
-
-  Range range() const { return {powers.front().power, powers.back().power}; }
-  bool is_one_power() const { return range().is_constant() && !is_textured; }
-};
-
-Lobes lobes_of(const Scene& scene, const std::vector<MaterialPlan>& plans) {
-  Lobes lobes;
-  for (std::size_t i = 0; i < plans.size(); ++i) {
-    if (!plans[i].has_lobe) continue;
-    const Material& material = scene.materials[i];
-    for (const PowerShare& share : material.powers)
-      lobes.powers.push_back({share.power, largest_factor(material, share.power)});
-    lobes.is_textured = lobes.is_textured || material.is_power_textured;
-    lobes.has_schlick = lobes.has_schlick || material.fresnel == FresnelTerm::schlick;
-    const auto& f0 = material.f0;
-    lobes.has_colour = lobes.has_colour || f0[0] != f0[1] || f0[1] != f0[2];
-  }
-  lobes.powers = each_once(std::move(lobes.powers));
-  return lobes;
-}
-
-/// The largest proven error of a Gaussian with that offset; empty where it is above what is allowed.
-std::optional<double> error_within(const Lobes& lobes, double offset, double allowed,
-                                   const Checkpoint& checkpoint) {
-  for (const WeightedPower& lobe : lobes.powers) {
-    if (lobe.power > 0 && sampled_gaussian_error(lobe, offset) > allowed) return std::nullopt;
-  }
-  double largest = 0;
-  // Far enough below what is allowed, more precise bounds decide nothing.
-  constexpr double enough = 0.9;
-  for (const WeightedPower& lobe : lobes.powers) {
-    checkpoint();
-    // a power of 0 is 1, and its Gaussian 1 - x y + ..
-    if (lobe.power == 0 && offset != 0) return std::nullopt;
-    if (lobe.power > 0) largest = std::max(largest, gaussian_error(lobe, offset, enough * allowed));
-    if (largest > allowed) return std::nullopt;
-  }
-  return largest;
-}
+/// More than what is computed beside rounds.
+constexpr double downwards = 1 - 0x1p-40;
 
 class Planner {
  public:
@@ -127,165 +31,222 @@ class Planner {
   }
 
   Plan plan() && {
-    for (const Material& material : scene_.materials)
-      plan_.materials.push_back(plan_material(material, budget_));
-    lobes_ = lobes_of(scene_, plan_.materials);
     decide_materials();
-    if (lobes_.powers.empty()) {
+    if (lobes_.are_none()) {
       skip_all();
     } else {
-      decide_lobe();
-      decide_rest();
       decide_fresnel();
       decide_culling();
+      decide_lobe();
+      decide_power();
+      decide_colour();
     }
     sum_up();
     return std::move(plan_);
   }
 
  private:
+  ShownScale scale() const { return plan_.wanted.scale; }
+
   void decide(std::string term, Verdict verdict, std::string form, std::string reason, double error = 0) {
     plan_.decisions.push_back({std::move(term), verdict, std::move(form), std::move(reason), error});
   }
 
+  MaterialPlan plan_material(const Material& material) const {
+    MaterialPlan plan;
+    plan.name = material.name;
+    plan.power = powers_of(material);
+    plan.factor = largest_factor(material, plan.power.most);
+    const double shown = on_scale(scale(), plan.factor);
+    if (material.is_unlit) {
+      plan.reason = "unlit";
+    } else if (largest_reflectance(material) == 0) {
+      plan.reason = "black specular colour";
+    } else if (shown <= budget_) {
+      plan.reason = "at most " + decimal_above(plan.factor, 2) + " of a light";
+      plan.error = shown;
+    } else {
+      plan.has_lobe = true;
+    }
+    return plan;
+  }
+
   void decide_materials() {
-    const auto total = static_cast<long>(plan_.materials.size());
-    const auto needed = std::count_if(plan_.materials.begin(), plan_.materials.end(),
-                                      [](const MaterialPlan& m) { return m.has_lobe; });
+    std::vector<bool> has_lobe;
     double error = 0;
-    for (const MaterialPlan& material : plan_.materials) error = std::max(error, material.error);
-    const std::string of = std::to_string(total - needed) + " of " + counted(total, "material");
-    decide("specular",
-           needed == 0       ? Verdict::skip
-           : needed == total ? Verdict::keep
-                             : Verdict::replace,
-           needed == 0 ? "" : "for " + std::to_string(needed) + " of " + counted(total, "material"),
-           needed == total ? "every material has one" : "skipped for " + of, error);
+    for (const Material& material : scene_.materials) {
+      plan_.materials.push_back(plan_material(material));
+      has_lobe.push_back(plan_.materials.back().has_lobe);
+      error = std::max(error, plan_.materials.back().error);
+    }
+    lobes_ = lobes_of(scene_.materials, has_lobe);
+    const auto total = static_cast<long>(has_lobe.size());
+    const auto needed = std::count(has_lobe.begin(), has_lobe.end(), true);
+    const std::string all = counted(total, "material");
+    if (needed == total) {
+      decide("specular lobe", Verdict::keep, "for " + all, "every material has one", error);
+    } else {
+      decide("specular lobe", needed == 0 ? Verdict::skip : Verdict::replace,
+             needed == 0 ? "" : "for " + std::to_string(needed) + " of " + all,
+             "skipped for " + std::to_string(total - needed) + " of " + all, error);
+    }
   }
 
   void skip_all() {
-    for (const char* term : {"lobe", "offset x", "power", "gloss decode", "normalisation", "coloured F0",
-                             "Fresnel", "mip level", "culling"})
+    plan_.shading = {};
+    plan_.shading.lobe.kind = LobeKind::constant;
+    for (const char* term : {"Fresnel", "culling", "lobe", "offset x", "exp2", "rounding", "power",
+                             "gloss decode", "normalisation", "mip level", "coloured F0"})
       decide(term, Verdict::skip, "", "no material has a specular lobe");
   }
 
-  void decide_lobe() {
-    const double allowed = for_lobe * budget_;
-    const Range range = lobes_.range();
-    if (range.most == 0) {
-      decide("lobe", Verdict::skip, "", "every power is 0: a constant");
-      decide("offset x", Verdict::skip, "", "no Gaussian");
-    } else if (lobes_.is_one_power() && range.most <= most_multiplied &&
-               range.most == std::floor(range.most)) {
-      decide("lobe", Verdict::replace, "c^" + decimal(range.most, 3) + " by multiplications",
-             "one whole power: exact");
-      decide("offset x", Verdict::skip, "", "no Gaussian");
-    } else {
-      decide_gaussian(allowed);
-    }
-  }
-
-  /// The plain Gaussian, the one with this scene's offset, or the power itself.
-  void decide_gaussian(double allowed) {
-    if (const auto plain = error_within(lobes_, 0, allowed, checkpoint_)) {
-      decide("lobe", Verdict::replace, "exp2(A c - A), A = n/ln 2", "near enough without an offset", *plain);
-      decide("offset x", Verdict::skip, "", "0 is near enough");
-      return;
-    }
-    ++plan_.fits_run;
-    const double offset = best_offset(lobes_.powers);
-    if (const auto best = error_within(lobes_, offset, allowed, checkpoint_)) {
-      decide("lobe", Verdict::replace, "exp2(A c - A), A = (n + x)/ln 2", "the cheapest that is near enough",
-             *best);
-      decide("offset x", Verdict::keep, "x = " + decimal(offset, 6),
-             "its largest error over the scene's powers is least");
-      return;
-    }
-    double least = 0;
-    for (const WeightedPower& lobe : lobes_.powers)
-      least = std::max(least, sampled_gaussian_error(lobe, offset));
-    decide("lobe", Verdict::keep, "exp2(n log2(c))",
-           "no Gaussian is within " + decimal(allowed, 2) + ": the best, x = " + decimal(offset, 3) +
-               ", is off by " + decimal(least, 2) + ", as (n + 2)/8 grows with what it errs less");
-    decide("offset x", Verdict::skip, "", "no Gaussian");
-  }
-
-  void decide_rest() {
-    const Range range = lobes_.range();
-    const std::string one = "one power for the whole scene: " + decimal(range.least, 6);
-    const bool is_one = lobes_.is_one_power();
-    const std::string powers = "powers from " + decimal(range.least, 3) + " to " + decimal(range.most, 3);
-    if (is_one) {
-      decide("power", Verdict::skip, "", one);
-    } else {
-      decide("power", Verdict::keep, lobes_.is_textured ? "for each pixel" : "for each material", powers);
-    }
-    if (lobes_.is_textured) {
-      decide("gloss decode", Verdict::keep, "n = 2/alpha^2 - 2", "roughness is a texture");
-    } else {
-      decide("gloss decode", Verdict::skip, "", is_one ? one : "each material's power is a constant");
-    }
-    if (is_one) {
-      decide("normalisation", Verdict::replace, decimal(game_normalisation(range.least), 6), one);
-    } else {
-      decide("normalisation", Verdict::keep,
-             lobes_.is_textured ? "(n + 2)/8" : "(n + 2)/8, a constant of the material", powers);
-    }
-    if (lobes_.has_colour) {
-      decide("coloured F0", Verdict::keep, "three channels", "a reflectance is coloured");
-    } else {
-      decide("coloured F0", Verdict::replace, "one channel", "every reflectance is grey");
-    }
-    decide("mip level", lobes_.is_textured ? Verdict::keep : Verdict::replace,
-           lobes_.is_textured ? "of the pixel's power" : "a constant of the material", is_one ? one : powers);
-  }
-
-  /// What a constant in place of the weight (1 - c)^5 would be off by, at most.
+  /// What F0 in place of the reflectance would be off by, at most.
   double error_without_fresnel() const {
     double largest = 0;
     for (std::size_t i = 0; i < plan_.materials.size(); ++i) {
       const Material& material = scene_.materials[i];
       if (!plan_.materials[i].has_lobe || material.fresnel == FresnelTerm::none) continue;
-      const double normalisation = game_normalisation(powers_of(material).most);
+      const double normalisation = game_normalisation(plan_.materials[i].power.most);
       for (const Range& f0 : material.f0) {
         const double rise =
             std::max(std::abs(material.f90.most - f0.least), std::abs(material.f90.least - f0.most));
-        largest = std::max(largest, std::min(1.0, rise * normalisation));
+        largest = std::max(largest, on_scale(scale(), rise * normalisation));
       }
     }
     return largest;
   }
 
   void decide_fresnel() {
+    const double skipped = error_without_fresnel();
+    plan_.shading.has_fresnel = lobes_.has_schlick && skipped > for_fresnel * budget_;
     if (!lobes_.has_schlick) {
       decide("Fresnel", Verdict::skip, "", "the format has none: Ks times the lobe");
-      return;
-    }
-    const double skipped = error_without_fresnel();
-    if (skipped <= for_fresnel * budget_) {
+    } else if (!plan_.shading.has_fresnel) {
       decide("Fresnel", Verdict::skip, "F0", "F90 is next to F0", skipped);
+      left_ -= skipped;
     } else {
-      decide("Fresnel", Verdict::keep, "F0 + (F90 - F0) (1 - c)^5 by three multiplications",
-             "exact, and no dearer than exp2((a c + b) c)");
+      decide("Fresnel", Verdict::keep, "F0 + (F90 - F0) (1 - c)^5, three multiplications",
+             "exact, and cheaper than exp2((a c + b) c)");
     }
   }
 
-  /// g c^n <= e below c = (e/g)^(1/n); of the powers of a texture with the least n and the largest g.
+  /// A light adds g min(1, 2c) c^n at most: no more than e below (e/g)^(1/n), and below (e/(2 g))^(1/(n +
+  /// 1)).
+  static double cutoff_of(double error, double factor, double power) {
+    const double slanted = std::pow(error / (2 * factor), 1 / (power + 1));
+    const double straight = power > 0 ? std::pow(error / factor, 1 / power) : 0;
+    return std::min(1.0, std::max(slanted, straight)) * downwards;
+  }
+
   void decide_culling() {
-    const double error = for_cutoff * budget_;
-    double least = 1;
-    for (MaterialPlan& material : plan_.materials) {
+    const double spent = for_cutoff * budget_, error = from_scale(scale(), spent) * downwards;
+    double least = 1, largest = 0;
+    for (std::size_t i = 0; i < plan_.materials.size(); ++i) {
+      MaterialPlan& material = plan_.materials[i];
       if (!material.has_lobe) continue;
-      constexpr double downwards = 1 - 0x1p-40;  // more than all of it rounds
-      const double n = material.power.least;
-      material.cutoff = n > 0 ? std::exp(std::log(error / material.factor) / n) * downwards : 0;
+      material.cutoff = 1;
+      for (const PowerShare& share : scene_.materials[i].powers) {
+        const double factor = largest_factor(scene_.materials[i], share.power);
+        material.cutoff = std::min(material.cutoff, cutoff_of(error, factor, share.power));
+      }
       least = std::min(least, material.cutoff);
+      largest = std::max(largest, material.factor);
     }
-    if (least > 0) {
-      decide("culling", Verdict::keep, "where n.h < " + decimal(least, 3) + " or more, by material",
-             "a light adds less there", error);
+    plan_.shading.least_exponent = std::log2(error / largest) * (error < largest ? 1 / downwards : downwards);
+    left_ -= spent;
+    decide("culling", Verdict::keep,
+           lobes_.is_textured ? "where n.h < " + decimal(least, 3) + " or the lobe < 2^" +
+                                    decimal(plan_.shading.least_exponent, 3)
+                              : "where n.h < " + decimal(least, 3) + " or more, by material",
+           "a light adds less there", spent);
+  }
+
+  void decide_lobe() {
+    const ChosenLobe chosen = choose_lobe(
+        lobes_, {.allowed = left_, .scale = scale(), .precision = plan_.wanted.precision}, checkpoint_);
+    plan_.shading.lobe = chosen.form;
+    plan_.fits_run = chosen.fits_run;
+    const bool is_kept = chosen.form.kind == LobeKind::power;
+    decide("lobe",
+           is_kept                                  ? Verdict::keep
+           : chosen.form.kind == LobeKind::constant ? Verdict::skip
+                                                    : Verdict::replace,
+           to_text(chosen.form), reason_of(chosen), chosen.error);
+    const bool has_offset = chosen.form.offset != 0;
+    decide("offset x", has_offset ? Verdict::keep : Verdict::skip,
+           has_offset ? "x = " + decimal(chosen.form.offset, 6) : "",
+           has_offset ? "best for this scene's powers; its ADD is the material's"
+           : chosen.form.kind != LobeKind::exponential ? "no Gaussian"
+           : chosen.form.slopes.size() > 1             ? "the slopes do its work"
+                                                       : "0 is near enough");
+    decide_exp2(chosen.form, left_ - chosen.error - chosen.rounding);
+    decide("rounding", Verdict::keep, std::string(name(plan_.wanted.precision)),
+           plan_.wanted.precision == PixelPrecision::float32
+               ? "each operation by 2^-24, exp2 and log2 by four times that"
+               : "every half n.h of every power was tried",
+           chosen.rounding);
+  }
+
+  static std::string reason_of(const ChosenLobe& chosen) {
+    switch (chosen.form.kind) {
+      case LobeKind::constant:
+        return "every power is 0";
+      case LobeKind::multiplied:
+        return "one whole power: exact";
+      case LobeKind::exponential:
+      case LobeKind::power:
+        break;
+    }
+    return chosen.cheaper.empty() ? "the cheapest, and near enough"
+                                  : chosen.cheaper + ": (n + 2)/8 takes back what it errs less for large n";
+  }
+
+  /// exp2 by a polynomial is off by a factor 1 + bound, which moves no value by more than the bound.
+  void decide_exp2(const LobeForm& form, double left) {
+    if (form.kind == LobeKind::constant || form.kind == LobeKind::multiplied) {
+      decide("exp2", Verdict::skip, "", "none is computed");
+      return;
+    }
+    double error = 0;
+    for (const Exp2Coefficients& record : exp2_for_float) {
+      double bound = 0;
+      std::from_chars(record.bound.data(), record.bound.data() + record.bound.size(), bound);
+      plan_.shading.exp2_degree = record.degree;
+      error = apart_by_ratio(scale(), 1, std::log1p(bound) / downwards);
+      if (error <= left) break;
+    }
+    decide("exp2", Verdict::replace, "of degree " + std::to_string(plan_.shading.exp2_degree),
+           "where it is no instruction: the least that is near enough", error);
+  }
+
+  void decide_power() {
+    const Range range = lobes_.range();
+    const std::string one = "one power for the whole scene: " + decimal(range.least, 6);
+    const std::string powers = "powers from " + decimal(range.least, 3) + " to " + decimal(range.most, 3);
+    plan_.shading.is_power_of_pixel = lobes_.is_textured;
+    if (lobes_.is_textured) {
+      decide("power", Verdict::keep, "for each pixel", powers);
+      decide("gloss decode", Verdict::keep, "n = 2/alpha^2 - 2", "roughness is a texture");
+      decide("normalisation", Verdict::keep, "(n + 2)/8", powers);
+      decide("mip level", Verdict::keep, "of the pixel's power", powers);
     } else {
-      decide("culling", Verdict::skip, "", "a lobe reaches every light");
+      const bool is_one = lobes_.is_one_power();
+      const std::string reason = is_one ? one : powers + ", one for each material";
+      decide("power", is_one ? Verdict::skip : Verdict::replace, is_one ? "" : "for each material", reason);
+      decide("gloss decode", Verdict::skip, "", is_one ? one : "no power comes from a texture");
+      decide("normalisation", Verdict::replace,
+             is_one ? decimal(game_normalisation(range.least), 6) : "a constant of the material", reason);
+      decide("mip level", Verdict::replace, "a constant of the material", reason);
+    }
+  }
+
+  void decide_colour() {
+    plan_.shading.is_coloured = lobes_.is_coloured;
+    const std::string metal = lobes_.has_metal ? "metals among them" : "no metal";
+    if (lobes_.is_coloured) {
+      decide("coloured F0", Verdict::keep, "three channels", "a reflectance is coloured, " + metal);
+    } else {
+      decide("coloured F0", Verdict::replace, "one channel", "every reflectance is grey, " + metal);
     }
   }
 
@@ -293,14 +254,15 @@ class Planner {
     // A pixel is of one material: it has a lobe, with the errors of its terms, or it has none.
     double of_lobes = 0, of_materials = 0;
     for (const Decision& decision : plan_.decisions)
-      (decision.term == "specular" ? of_materials : of_lobes) += decision.error;
+      (decision.term == "specular lobe" ? of_materials : of_lobes) += decision.error;
     plan_.error = plan_.wanted.lights * std::max(of_lobes, of_materials);
-    plan_.fits_skipped = static_cast<int>(fittable_families().size()) - plan_.fits_run;
+    plan_.fits_skipped = static_cast<int>(fittable_families().size()) + lobe_fits - plan_.fits_run;
   }
 
   const Scene& scene_;
   const Checkpoint& checkpoint_;
-  double budget_;  ///< of one light
+  double budget_;          ///< of one light
+  double left_ = budget_;  ///< what is not spent of it
   Plan plan_;
   Lobes lobes_;
 };
@@ -309,6 +271,33 @@ class Planner {
 
 std::string_view name(Verdict verdict) {
   return verdict == Verdict::keep ? "keep" : verdict == Verdict::replace ? "replace" : "skip";
+}
+
+bool Plan::has_lobes() const {
+  return std::any_of(materials.begin(), materials.end(), [](const MaterialPlan& m) { return m.has_lobe; });
+}
+
+std::string to_text(const LobeForm& form) {
+  switch (form.kind) {
+    case LobeKind::constant:
+      return "1";
+    case LobeKind::multiplied:
+      return "c^" + std::to_string(form.whole) + " by multiplications";
+    case LobeKind::power:
+      return "exp2(n log2(c))";
+    case LobeKind::exponential:
+      break;
+  }
+  constexpr int digits = 6;
+  if (form.slopes.size() == 1) {
+    const std::string sharpness =
+        form.offset == 0 ? "n/ln 2" : "(n + " + decimal(form.offset, digits) + ")/ln 2";
+    return (form.is_fused ? "exp2(A c - A), A = " : "exp2(A (c - 1)), A = ") + sharpness;
+  }
+  std::string sum = decimal(form.slopes.back(), digits);
+  for (std::size_t i = form.slopes.size() - 1; i > 0; --i)
+    sum = decimal(form.slopes[i - 1], digits) + " + y (" + sum + ")";
+  return "exp2(n y (" + sum + ")), y = c - 1";
 }
 
 Plan make_plan(const Scene& scene, const Wanted& wanted, const Checkpoint& checkpoint) {

@@ -1,22 +1,29 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/checkpoint.hpp"
+#include "scene/lobe_form.hpp"
 #include "scene/material.hpp"
+#include "scene/rounding_error.hpp"
+#include "scene/shown_scale.hpp"
 
 /// What a shading needs for a scene's own materials, within a tolerance: each term is kept, replaced by the
 /// cheapest form that is near enough, or skipped.
 ///
 /// The shading is that of one light: F (n + 2)/8 c^n (n.l), F by Schlick, c = n.h, a unit light of games,
-/// clamped to [0, 1]. An error is one of that result, in linear values, and the sum of all of a pixel's
-/// errors over all lights stays below the tolerance. Errors are proven, in exact arithmetic.
+/// clamped to [0, 1]. An error is one of that result, in linear values or in sRGB codes, and the sum of all
+/// of a pixel's errors over all lights stays below the tolerance. Errors are proven, in exact arithmetic, and
+/// what the pixel's precision rounds comes on top.
 namespace shadefit::scene {
 
 struct Wanted {
-  double tolerance = 1.0 / 255;  ///< in linear values, above 0
+  double tolerance = 1.0 / 255;  ///< on the scale, above 0
   int lights = 1;                ///< that may shine on one point, at least 1
+  ShownScale scale = ShownScale::linear;
+  PixelPrecision precision = PixelPrecision::float32;
 };
 
 enum class Verdict { keep, replace, skip };
@@ -29,7 +36,7 @@ struct Decision {
   Verdict verdict;
   std::string form;  ///< what is computed; empty where nothing is
   std::string reason;
-  double error = 0;  ///< of one light's result, at most
+  double error = 0;  ///< of one light's result, at most, on the scale
 };
 
 /// What becomes of one material.
@@ -45,15 +52,33 @@ struct MaterialPlan {
   double error = 0;  ///< of one light, where it has no lobe and might have had one
 };
 
+/// What is computed where a material has a lobe.
+struct PlannedShading {
+  LobeForm lobe;
+  bool has_fresnel = true;        ///< else F0 stands for the reflectance
+  bool is_coloured = true;        ///< else one channel does
+  bool is_power_of_pixel = true;  ///< else of the material
+  /// Where the pixel's power is its own, a lobe of at most 2^this need not be finished: no light adds more
+  /// than the error that is set aside.
+  double least_exponent = 0;
+  /// Of the polynomial that does for exp2 where a processor has none; 0: there is no exp2.
+  int exp2_degree = 0;
+};
+
 struct Plan {
   Wanted wanted;
+  PlannedShading shading;
   std::vector<Decision> decisions;
   std::vector<MaterialPlan> materials;
   double error = 0;  ///< of all lights together, at most
   int fits_run = 0;
   int fits_skipped = 0;  ///< of those that a whole catalogue of constants would take
   bool is_within() const { return error <= wanted.tolerance; }
+  bool has_lobes() const;
 };
+
+/// The form as it is written: "exp2(A c - A), A = (n + 0.775)/ln 2".
+std::string to_text(const LobeForm& form);
 
 /// Decides for a scene with at least one material.
 Plan make_plan(const Scene& scene, const Wanted& wanted, const Checkpoint& checkpoint = keep_going);

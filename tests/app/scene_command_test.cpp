@@ -38,11 +38,11 @@ TEST(SceneCommand, WritesThePlan) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.ends_with("\nPlan: " + (directory / "plan") + "/scene.md, scene.csv, scene.json\n"))
       << outcome.out;
-  const auto json = nlohmann::json::parse(read_file(directory / "plan/scene.json"));
-  EXPECT_EQ(json.at("lights"), 4);
-  EXPECT_EQ(json.at("materials").size(), 2U);
-  EXPECT_EQ(json.at("materials").at(0).at("lobe"), false);
-  EXPECT_LE(json.at("error").get<double>(), json.at("tolerance").get<double>());
+  const auto written = nlohmann::json::parse(read_file(directory / "plan/scene.json"));
+  EXPECT_EQ(written.at("lights"), 4);
+  EXPECT_EQ(written.at("materials").size(), 2U);
+  EXPECT_EQ(written.at("materials").at(0).at("lobe"), false);
+  EXPECT_LE(written.at("error").get<double>(), written.at("tolerance").get<double>());
   EXPECT_TRUE(read_file(directory / "plan/scene.csv")
                   .starts_with("term,verdict,form,error,reason\nspecular,replace,"));
   EXPECT_TRUE(read_file(directory / "plan/scene.md").starts_with("# What this scene needs\n"));

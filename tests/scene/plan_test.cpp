@@ -128,9 +128,9 @@ TEST(Plan, TakesTheCheapestFormThatIsNearEnough) {
     return decision(plan, "lobe").form;
   };
   EXPECT_EQ(form(1.0 / 64), "exp2(A c - A), A = n/ln 2");
-  EXPECT_EQ(form(1.0 / 255), "exp2(A c - A), A = (n + x)/ln 2");
+  EXPECT_EQ(form(1.0 / 512), "exp2(A c - A), A = (n + x)/ln 2");
   EXPECT_EQ(form(1.0 / 4096), "exp2(n log2(c))");
-  const Plan offset = make_plan(scene, {.tolerance = 1.0 / 255});
+  const Plan offset = make_plan(scene, {.tolerance = 1.0 / 512});
   EXPECT_EQ(offset.fits_run, 1);
   EXPECT_EQ(decision(offset, "offset x").verdict, Verdict::keep);
   EXPECT_EQ(make_plan(scene, {.tolerance = 1.0 / 64}).fits_run, 0) << "0 is near enough: nothing is fitted";
@@ -173,7 +173,7 @@ TEST(Plan, OfAConstantLobe) {
 TEST(Plan, KeepsItsPromise) {
   Scene scene;
   scene.materials = {wavefront("a", 0.04, 10.5), wavefront("b", 0.03, 33.25)};
-  const Plan plan = make_plan(scene, {.tolerance = 1.0 / 255});
+  const Plan plan = make_plan(scene, {.tolerance = 1.0 / 512});
   ASSERT_EQ(decision(plan, "lobe").form, "exp2(A c - A), A = (n + x)/ln 2");
   const double offset = std::stod(decision(plan, "offset x").form.substr(4));
   double largest = 0;

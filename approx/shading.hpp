@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+
+#include "approx/scalar.hpp"
+
+/// The specular term of one light, F (n + 2)/8 c^n (n.l), as games have it, and the forms of its lobe that a
+/// plan for a scene chooses from. c = n.h, n the specular exponent.
+namespace shadefit {
+
+/// The base-two logarithm of a cosine near 1 as y (s1 + y (s2 + ..)), y = c - 1 in [-1, 0]: Taylor's slopes
+/// are 1/ln 2, -1/(2 ln 2), 1/(3 ln 2) .. `slopes` is an array of T, at least one.
+template <class T, class Slopes>
+T log2_by_slopes(const T& cos_minus_one, const Slopes& slopes) {
+  std::size_t i = slopes.size() - 1;
+  T sum = slopes[i];
+  while (i > 0) sum = slopes[--i] + cos_minus_one * sum;
+  return cos_minus_one * sum;
+}
+
+/// The lobe c^n of slopes times n: exp2(y (A1 + y (A2 + ..))), y = c - 1, c in [0, 1]. With one slope it is
+/// the spherical Gaussian exp2(A (c - 1)); the difference c - 1 is exact from c = 1/2 on (Sterbenz 1974,
+/// "Floating-Point Computation"), where A c - A cancels.
+template <class T, class Slopes>
+T sloped_lobe(const T& cos_theta, const Slopes& slopes) {
+  return exp2(log2_by_slopes(T(cos_theta - integer<T>(1)), slopes));
+}
+
+/// The same where the exponent comes with the pixel: exp2(n y (s1 + y (s2 + ..))).
+template <class T, class Slopes>
+T sloped_lobe(const T& cos_theta, const T& exponent, const Slopes& slopes) {
+  return exp2(exponent * log2_by_slopes(T(cos_theta - integer<T>(1)), slopes));
+}
+
+/// F0 + (F90 - F0) s: Schlick's reflectance between any two, s the weight of the angle.
+template <class T>
+T reflectance_between(const T& f0, const T& f90, const T& weight) {
+  return f0 + (f90 - f0) * weight;
+}
+
+/// The specular term of one light as it is shown, clamped: min(F g t (n.l), 1), g the normalisation, t the
+/// lobe.
+template <class T>
+T shown_specular(const T& reflectance, const T& normalisation, const T& lobe, const T& n_dot_l) {
+  return min(T(reflectance * normalisation * lobe * n_dot_l), integer<T>(1));
+}
+
+}  // namespace shadefit

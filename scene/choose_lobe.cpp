@@ -1,0 +1,128 @@
+#include "scene/choose_lobe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "fit/decimal.hpp"
+#include "scene/lobe_error.hpp"
+#include "scene/lobe_fit.hpp"
+
+namespace shadefit::scene {
+namespace {
+
+/// One whole power by so many multiplications is no dearer than LOG2, MUL and EXP2.
+constexpr int most_multiplications = 9;
+
+int multiplications(int n) {
+  const auto bits = static_cast<unsigned>(n);
+  return std::bit_width(bits) + std::popcount(bits) - 2;
+}
+
+/// A form is taken within this share of what is allowed: the rest is for exp2 by a polynomial.
+constexpr double share_of_form = 0.9;
+/// A c - A saves an instruction over A (c - 1) where what it rounds more is next to nothing of what is
+/// allowed.
+constexpr double next_to_nothing = 0.02;
+
+class Choice {
+ public:
+  Choice(const Lobes& lobes, const LobeBudget& budget, const Checkpoint& checkpoint)
+      : lobes_(lobes), budget_(budget), checkpoint_(checkpoint), shaped_(shaped(lobes)) {}
+
+  ChosenLobe cheapest() {
+    const Range range = lobes_.range();
+    if (range.most == 0) return measured({.kind = LobeKind::constant});
+    if (const auto whole = one_whole_power())
+      return measured({.kind = LobeKind::multiplied, .whole = *whole});
+    LobeFitter fitter(shaped_, budget_.scale);
+    const auto done = [&](ChosenLobe found) {
+      found.fits_run = fitter.fits_run();
+      found.cheaper = cheaper_;
+      return found;
+    };
+    if (const auto found = gaussian(fitter)) return done(*found);
+    for (int slopes = 2; slopes <= most_slopes; ++slopes) {
+      const LobeForm form{.kind = LobeKind::exponential, .slopes = fitter.best_slopes(slopes)};
+      if (const auto found = within(fitter, form)) return done(*found);
+    }
+    return done(measured({.kind = LobeKind::power}));
+  }
+
+ private:
+  static constexpr int most_slopes = 4;
+
+  /// Those that have a shape: a power of 0 is 1.
+  static std::vector<WeightedPower> shaped(const Lobes& lobes) {
+    std::vector<WeightedPower> result = lobes.powers;
+    std::erase_if(result, [](const WeightedPower& lobe) { return lobe.power == 0; });
+    return result;
+  }
+
+  std::optional<int> one_whole_power() const {
+    const Range range = lobes_.range();
+    constexpr double most = 1 << 8;
+    if (!lobes_.is_one_power() || range.most != std::floor(range.most) || range.most > most) return {};
+    const int n = static_cast<int>(range.most);
+    if (multiplications(n) > most_multiplications) return {};
+    return n;
+  }
+
+  /// Without an offset, else with this scene's.
+  std::optional<ChosenLobe> gaussian(LobeFitter& fitter) {
+    LobeForm form{.kind = LobeKind::exponential, .slopes = {natural_slope}};
+    if (const auto plain = within(fitter, form)) return plain;
+    form.offset = fitter.best_offset();
+    if (auto found = within(fitter, form)) return found;
+    cheaper_ = "the best Gaussian, x = " + decimal(form.offset, 3) + ", is off by " +
+               decimal(fitter.sampled_error(form.slopes, form.offset), 2);
+    return {};
+  }
+
+  /// The form with its errors where they are within the budget.
+  std::optional<ChosenLobe> within(const LobeFitter& fitter, LobeForm form) const {
+    // A power of 0 is 1, and with an offset its Gaussian is not.
+    if (shaped_.size() < lobes_.powers.size() && form.offset != 0) return {};
+    const double allowed = share_of_form * budget_.allowed;
+    if (fitter.sampled_error(form.slopes, form.offset) > allowed) return {};
+    double error = 0;
+    const LobeCells cells(form.slopes, shaped_.back().power);
+    for (const WeightedPower& lobe : shaped_) {
+      checkpoint_();
+      error = std::max(error, cells.largest_error(lobe, form.offset, budget_.scale, error));
+      if (error > allowed) return {};
+    }
+    form.is_fused = form.slopes.size() == 1;
+    form.is_fused = form.is_fused && rounding(form) <= next_to_nothing * budget_.allowed;
+    const double added = rounding(form);
+    if (error + added > budget_.allowed) return {};
+    return ChosenLobe{.form = form, .error = error, .rounding = added};
+  }
+
+  ChosenLobe measured(const LobeForm& form) const {
+    return {.form = form, .error = 0, .rounding = rounding(form)};
+  }
+
+  double rounding(const LobeForm& form) const {
+    if (budget_.precision == PixelPrecision::float16)
+      return half_rounding(form, lobes_.powers, budget_.scale);
+    const double sharpness = (lobes_.range().most + form.offset) * natural_slope;
+    return float_rounding(form, lobes_.largest_factor(), sharpness, budget_.scale);
+  }
+
+  const Lobes& lobes_;
+  const LobeBudget& budget_;
+  const Checkpoint& checkpoint_;
+  std::vector<WeightedPower> shaped_;
+  std::string cheaper_;
+};
+
+}  // namespace
+
+ChosenLobe choose_lobe(const Lobes& lobes, const LobeBudget& budget, const Checkpoint& checkpoint) {
+  return Choice(lobes, budget, checkpoint).cheapest();
+}
+
+}  // namespace shadefit::scene

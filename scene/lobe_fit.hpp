@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/lobe_form.hpp"
+#include "scene/shown_scale.hpp"
+
+/// Constants of the lobe's forms for a scene's own powers: those whose largest error that is shown, over all
+/// of them, is least.
+namespace shadefit::scene {
+
+/// Solves for constants, and counts how often.
+class LobeFitter {
+ public:
+  /// `lobes` with powers above 0, at least one. Many are thinned out: of neighbours within a tenth the one
+  /// with the largest factor stands for all.
+  LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale);
+
+  /// The offset x in [0, 3/2] of a Gaussian, to four digits, by the golden section.
+  double best_offset();
+
+  /// The slopes of log2(c) in y = c - 1, 2 to 4, each rounded to a float. By Lawson's iteration of weighted
+  /// least squares: the error of a lobe is the slopes' times n, its own value and its factor. Source: Lawson
+  /// 1961, "Contributions to the Theory of Linear Least Maximum Approximation", thesis, University of
+  /// California.
+  std::vector<double> best_slopes(int count);
+
+  /// How many times one of the above was asked for.
+  int fits_run() const { return fits_run_; }
+
+  /// The largest error that is shown of a form by slopes, sampled: from below.
+  double sampled_error(std::span<const double> slopes, double offset) const;
+
+ private:
+  std::vector<WeightedPower> lobes_;
+  ShownScale scale_;
+  int fits_run_ = 0;
+};
+
+}  // namespace shadefit::scene

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "scene/lobe_form.hpp"
+#include "scene/material.hpp"
+
+/// The lobes of a scene's materials, taken together.
+namespace shadefit::scene {
+
+/// The largest reflectance of a material in any channel, at any angle.
+double largest_reflectance(const Material& material);
+
+/// The largest F (n + 2)/8 of a material where it has that power.
+double largest_factor(const Material& material, double power);
+
+/// The least and the largest power of a material.
+Range powers_of(const Material& material);
+
+/// What the lobes of several materials have in common.
+struct Lobes {
+  std::vector<WeightedPower> powers;  ///< each once, with its largest factor, by rising power
+  bool is_textured = false;           ///< a power comes with the pixel
+  bool has_schlick = false;           ///< a reflectance rises with the angle
+  bool is_coloured = false;           ///< a reflectance differs between the channels
+  bool has_metal = false;             ///< one facing the surface is above that of any dielectric
+
+  bool are_none() const { return powers.empty(); }
+  Range range() const { return {powers.front().power, powers.back().power}; }
+  bool is_one_power() const { return range().is_constant() && !is_textured; }
+  double largest_factor() const;
+};
+
+/// Of the materials that are marked.
+Lobes lobes_of(const std::vector<Material>& materials, const std::vector<bool>& has_lobe);
+
+}  // namespace shadefit::scene
