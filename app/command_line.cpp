@@ -12,6 +12,7 @@
 #include "app/bench_options.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/scene_options.hpp"
 #include "fit/user_error.hpp"
 #include "reports/results.hpp"
 #include "reports/utf8.hpp"
@@ -33,7 +34,7 @@ void require_values(const std::vector<std::string>& arguments) {
                                    "--one-sided", "--round",    "--width",      "--exhaustive", "--constants",
                                    "--shard",     "--state",    "--merge",      "--range",      "--lang",
                                    "--precision", "--name",     "--parameters", "--check",      "--tolerance",
-                                   "--lights",    "--alpha",    "--gloss",      "--maps"};
+                                   "--lights",    "--alpha",    "--gloss",      "--maps",       "--codes"};
     const bool takes_text = std::find(take_text.begin(), take_text.end(), option) != take_text.end();
     if (takes_text && is_open && arguments[i + 1].starts_with('-')) {
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
@@ -269,33 +270,9 @@ void add_emit(CLI::App& app, Call& call) {
 }
 
 void add_scene(CLI::App& app, Call& call) {
-  SceneOptions& options = call.scene;
-  auto* scene = app.add_subcommand("scene", "what a scene's materials need, and what can be skipped");
-  scene->add_option("file", options.files, "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), one or more")
-      ->required();
-  scene->add_option("--tolerance", options.tolerance, "of a pixel, all its lights together, in linear values")
-      ->capture_default_str()
-      ->type_name("T");
-  scene
-      ->add_option("--lights", options.lights,
-                   "that may shine on one point; default: those of the files, else 1")
-      ->type_name("N");
-  scene->add_option("--alpha", options.alpha, "what a roughness is: roughness-squared, or alpha = roughness")
-      ->capture_default_str()
-      ->type_name("NAME");
-  scene->add_option("--gloss", options.gloss, "1 - roughness, or exponential: a power of 2^(10 g + 1)")
-      ->capture_default_str()
-      ->type_name("NAME");
-  scene
-      ->add_option("--maps", options.maps,
-                   "of a .mtl: named, as the format says, or pbr: map_Ka metallic, map_Ns roughness")
-      ->capture_default_str()
-      ->type_name("NAME");
-  auto* json = scene->add_flag("--json", options.json, "print JSON");
-  scene->add_option("--out", options.out, "directory to write scene.md, scene.csv and scene.json to")
-      ->type_name("DIR")
-      ->excludes(json);
-  scene->callback([&call] { call.outcome = scene_command(call.scene, call.checkpoint); });
+  add_scene_options(app, call.scene)->callback([&call] {
+    call.outcome = scene_command(call.scene, call.checkpoint);
+  });
 }
 
 void add_explain(CLI::App& app, Call& call) {

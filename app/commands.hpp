@@ -69,15 +69,6 @@ struct EmitOptions {
   std::optional<std::string> check;       ///< a file that was generated
 };
 
-struct SceneOptions {
-  std::vector<std::string> files;
-  std::string tolerance = "1/255";
-  std::optional<std::string> lights;  ///< empty: as many as the files name, else 1
-  std::string alpha = "roughness-squared", gloss = "roughness", maps = "named";
-  std::optional<std::string> out;  ///< a directory; empty: printed alone
-  bool json = false;
-};
-
 struct VerifyOptions {
   std::string file;
 };
@@ -101,7 +92,6 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
 Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint);
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint);
 Outcome verify_command(const VerifyOptions& options);
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint);
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint);
 Outcome explain_command(const ExplainOptions& options);
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 
 #include "app/chosen_constants.hpp"
 #include "app/commands.hpp"
+#include "app/generated_file.hpp"
 #include "app/metric_options.hpp"
 #include "app/output_file.hpp"
 #include "app/parse_name.hpp"
@@ -21,8 +21,6 @@
 /// The subcommand `emit`.
 namespace shadefit {
 namespace {
-
-constexpr std::string_view command_prefix = "// shadefit emit ";
 
 std::string parse_function_name(const std::string& text) {
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
@@ -161,38 +159,6 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint) {
   return shader_code(functions, language, precision, comment);
 }
 
-/// The words of the command that a generated file names.
-std::vector<std::string> command_in(const std::string& code, const std::string& file) {
-  std::istringstream lines(code);
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with(command_prefix)) continue;
-    std::istringstream words(line.substr(command_prefix.size()));
-    std::vector<std::string> command{"emit"};
-    for (std::string word; words >> word;) command.push_back(word);
-    const auto is_forbidden = [](const std::string& word) {
-      return word.starts_with("--check") || word.starts_with("--out");
-    };
-    if (std::none_of(command.begin(), command.end(), is_forbidden)) return command;
-  }
-  throw UserError(fmt::format("--check '{}' names no command '{}..'", file, command_prefix));
-}
-
-/// The first line in which two texts differ, from 1.
-int first_difference(const std::string& a, const std::string& b) {
-  const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
-  return 1 + static_cast<int>(std::count(a.begin(), end, '\n'));
-}
-
-Outcome check_file(const std::string& file, const Checkpoint& checkpoint) {
-  const std::string code = read_file(file);
-  const Outcome now = run_command_line(command_in(code, file), checkpoint);
-  if (now.exit_code != 0) return now;
-  if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
-  return {1, "",
-          fmt::format("shadefit: {} is out of date: line {} would be another now\n", printable(file),
-                      first_difference(code, now.out))};
-}
-
 }  // namespace
 
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint) {
@@ -200,7 +166,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint) {
     if (!options.fit.id.empty() || !options.language.empty())
       throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
                                   *options.check));
-    return check_file(*options.check, checkpoint);
+    return check_generated_file(*options.check, checkpoint);
   }
   if (options.fit.id.empty()) throw UserError("emit needs the id of a form, see 'shadefit list'");
   if (options.language.empty()) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");

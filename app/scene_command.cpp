@@ -1,12 +1,18 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
+#include <filesystem>
+#include <optional>
 #include <string_view>
 
-#include "app/commands.hpp"
+#include "app/generated_file.hpp"
 #include "app/metric_options.hpp"
+#include "app/parse_name.hpp"
+#include "app/scene_options.hpp"
 #include "fit/user_error.hpp"
 #include "reports/files.hpp"
+#include "reports/scene_code.hpp"
 #include "reports/scene_plan.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
@@ -17,13 +23,13 @@
 namespace shadefit {
 namespace {
 
-/// "0.004" or "1/255", above 0 and at most 1.
-double parse_tolerance(const std::string& text) {
+/// "0.004" or "1/255", above 0 and at most `most`.
+double parse_share(const std::string& option, const std::string& text, double most) {
   const std::size_t slash = text.find('/');
-  double value = parse_finite("--tolerance", text.substr(0, slash));
-  if (slash != std::string::npos) value /= parse_finite("--tolerance", text.substr(slash + 1));
-  if (!(value > 0 && value <= 1))
-    throw UserError(fmt::format("--tolerance '{}' must be greater than 0 and at most 1", text));
+  double value = parse_finite(option, text.substr(0, slash));
+  if (slash != std::string::npos) value /= parse_finite(option, text.substr(slash + 1));
+  if (!(value > 0 && value <= most))
+    throw UserError(fmt::format("{} '{}' must be greater than 0 and at most {}", option, text, most));
   return value;
 }
 
@@ -44,32 +50,90 @@ bool is_second(const std::string& option, const std::string& text,
   throw UserError(fmt::format("{} '{}' is unknown: it must be {} or {}", option, text, words[0], words[1]));
 }
 
+scene::Conventions parse_conventions(const SceneOptions& options) {
+  return {.is_roughness_squared = is_second("--alpha", options.alpha, {"roughness", "roughness-squared"}),
+          .is_gloss_exponential = is_second("--gloss", options.gloss, {"roughness", "exponential"}),
+          .are_maps_pbr = is_second("--maps", options.maps, {"named", "pbr"})};
+}
+
+scene::Wanted parse_wanted(const SceneOptions& options) {
+  scene::Wanted wanted;
+  if (options.tolerance) wanted.tolerance = parse_share("--tolerance", *options.tolerance, 1);
+  if (options.codes) {
+    constexpr double most_codes = 255;
+    wanted.tolerance = parse_share("--codes", *options.codes, most_codes);
+    wanted.scale = scene::ShownScale::codes;
+  }
+  if (options.lights) wanted.lights = parse_lights(*options.lights);
+  wanted.precision = is_second("--precision", options.precision, {"float", "half"})
+                         ? scene::PixelPrecision::float16
+                         : scene::PixelPrecision::float32;
+  return wanted;
+}
+
+/// The command that prints the code: every option that is not as it is by default.
+std::string code_command(const SceneOptions& options, Language language) {
+  std::vector<std::string> words{"scene"};
+  words.insert(words.end(), options.files.begin(), options.files.end());
+  const SceneOptions usual;
+  const auto add = [&](const char* option, const std::string& value, const std::string& by_default = "") {
+    if (value != by_default) words.insert(words.end(), {option, value});
+  };
+  add("--tolerance", options.tolerance.value_or(""));
+  add("--codes", options.codes.value_or(""));
+  add("--lights", options.lights.value_or(""));
+  add("--precision", options.precision, usual.precision);
+  add("--alpha", options.alpha, usual.alpha);
+  add("--gloss", options.gloss, usual.gloss);
+  add("--maps", options.maps, usual.maps);
+  add("--lang", std::string(name(language)));
+  return command_text(words);
+}
+
+/// What --out writes.
+std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scene, const scene::Plan& plan) {
+  std::vector<File> files{{"scene.md", plan_markdown(scene, plan)},
+                          {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
+                          {"scene.json", plan_json(scene, plan)}};
+  const auto add = [&](const char* file, Language language) {
+    files.push_back({file, scene_code(scene, plan, language, code_command(options, language))});
+  };
+  add("scene.glsl", Language::glsl);
+  add("scene.hlsl", Language::hlsl);
+  // C++ has no half.
+  if (plan.wanted.precision == scene::PixelPrecision::float32) add("scene.hpp", Language::cpp);
+  return files;
+}
+
+std::string written(const std::string& directory, const std::vector<File>& files) {
+  std::vector<std::string> names;
+  for (const File& file : files) names.push_back(file.name);
+  return fmt::format("\nPlan: {}: {}\n", printable(without_detours(directory).string()),
+                     fmt::join(names, ", "));
+}
+
 }  // namespace
 
 Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint) {
-  const scene::Conventions conventions{
-      .is_roughness_squared = is_second("--alpha", options.alpha, {"roughness", "roughness-squared"}),
-      .is_gloss_exponential = is_second("--gloss", options.gloss, {"roughness", "exponential"}),
-      .are_maps_pbr = is_second("--maps", options.maps, {"named", "pbr"})};
-  scene::Wanted wanted{.tolerance = parse_tolerance(options.tolerance)};
-  if (options.lights) wanted.lights = parse_lights(*options.lights);
+  const scene::Conventions conventions = parse_conventions(options);
+  scene::Wanted wanted = parse_wanted(options);
+  const auto language = [&] { return parse_name("--lang", *options.language, languages); };
+  if (options.language) language();  // refused before a file is read
   if (options.out) require_directory(*options.out);
-  const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
-  const scene::Scene scene = scene::read_scene(files, conventions);
+  const std::vector<std::filesystem::path> paths(options.files.begin(), options.files.end());
+  const scene::Scene scene = scene::read_scene(paths, conventions);
   if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
   if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
   const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
   const int exit_code = plan.is_within() ? 0 : 1;
+  if (options.language)
+    return {exit_code, scene_code(scene, plan, language(), code_command(options, language())), ""};
   if (options.json) return {exit_code, plan_json(scene, plan), ""};
   std::string out = plan_text(scene, plan);
   if (options.out) {
-    write_files(*options.out,
-                {{"scene.md", plan_markdown(scene, plan)},
-                 {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
-                 {"scene.json", plan_json(scene, plan)}},
-                checkpoint);
-    out += fmt::format("\nPlan: {}, scene.csv, scene.json\n",
-                       printable((without_detours(*options.out) / "scene.md").string()));
+    const std::vector<File> files = files_of(options, scene, plan);
+    write_files(*options.out, files, checkpoint);
+    out += written(*options.out, files);
   }
   return {exit_code, out, ""};
 }

@@ -28,9 +28,10 @@ std::string range_text(const scene::Range& range) {
 }
 
 std::string headline(const Scene& scene, const Plan& plan) {
-  return fmt::format("{}, {}, tolerance {} in linear values",
+  return fmt::format("{}, {}, tolerance {} in {}",
                      counted(static_cast<long>(scene.materials.size()), "material"),
-                     counted(plan.wanted.lights, "light"), decimal(plan.wanted.tolerance, 4));
+                     counted(plan.wanted.lights, "light"), decimal(plan.wanted.tolerance, 4),
+                     plan.wanted.scale == scene::ShownScale::linear ? "linear values" : "sRGB codes");
 }
 
 std::string summary(const Plan& plan) {
@@ -71,7 +72,7 @@ Table materials_table(const Scene& scene, const Plan& plan) {
   Table table{.columns = {"material", "lobe", "power", "largest", "cutoff", "reason"}, .rows = {}};
   for (std::size_t i = 0; i < plan.materials.size(); ++i) {
     const MaterialPlan& m = plan.materials[i];
-    const bool is_textured = scene.materials[i].is_power_textured;
+    const bool is_textured = scene.materials[i].is_power_textured();
     table.rows.push_back({printable(m.name), std::string(m.has_lobe ? "yes" : "no"),
                           range_text(m.power) + (is_textured ? ", textured" : ""), bound(m.factor),
                           m.has_lobe ? bound(m.cutoff) : Cell(), m.reason});
@@ -122,10 +123,12 @@ std::string plan_json(const Scene& scene, const Plan& plan) {
                          {"f0", {json_of(material.f0[0]), json_of(material.f0[1]), json_of(material.f0[2])}},
                          {"f90", json_of(material.f90)},
                          {"powers", powers},
-                         {"textured", material.is_power_textured}});
+                         {"textured", material.is_power_textured()}});
   }
   return Json{{"schema", 1},
               {"tolerance", plan.wanted.tolerance},
+              {"scale", plan.wanted.scale == scene::ShownScale::linear ? "linear" : "codes"},
+              {"precision", name(plan.wanted.precision)},
               {"lights", plan.wanted.lights},
               {"error", plan.error},
               {"fits_run", plan.fits_run},

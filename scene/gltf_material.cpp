@@ -50,7 +50,7 @@ Range read_metallic_roughness(const JsonPlace& object, TextureNotes& textures,
   }
   const auto channels = textures.read(*info, "metallic-roughness texture", {Channel::green, Channel::blue});
   textures.material.powers = power_shares(channels[0], roughness, power);
-  textures.material.is_power_textured = true;
+  textures.material.power_texture = PowerTexture::roughness;
   return range_of_texture(channels[1], metallic);
 }
 
@@ -111,7 +111,7 @@ void read_specular_glossiness(const JsonPlace& object, TextureNotes& textures,
   const PowerOf power = [&](double value) { return power_of_gloss(value, conventions); };
   const auto info = member(object, "specularGlossinessTexture");
   material.f0 = scaled_colour(colour_or_white(object, "specularFactor", 3, 1), info.has_value());
-  material.is_power_textured = info.has_value();
+  if (info) material.power_texture = PowerTexture::gloss;
   if (!info) {
     material.powers = {{power(gloss), 1}};
     return;

@@ -28,6 +28,9 @@ enum class FresnelTerm {
   schlick,  ///< from F0 to F90
 };
 
+/// What a texture stores that the power is read from, pixel by pixel.
+enum class PowerTexture { none, roughness, gloss, power };
+
 struct Material {
   std::string name;  ///< as the file has it; "material 3" where it has none
   std::string file;
@@ -40,7 +43,8 @@ struct Material {
 
   /// By rising power, at least one. A power that is the same everywhere is one share.
   std::vector<PowerShare> powers;
-  bool is_power_textured = false;  ///< read from a texture, pixel by pixel, even if all texels agree
+  PowerTexture power_texture = PowerTexture::none;  ///< even if all texels agree
+  bool is_power_textured() const { return power_texture != PowerTexture::none; }
 
   /// What the files do not say, taken at its full range: "roughness texture 'a.png' is missing", a line each.
   std::vector<std::string> unknowns;
@@ -67,7 +71,8 @@ inline constexpr double most_power = 1e9;
 /// What the files hold together.
 struct Scene {
   std::vector<Material> materials;
-  int lights = 0;  ///< punctual ones; 0 where the files name none
+  Conventions conventions = {};  ///< by which its numbers became powers
+  int lights = 0;                ///< punctual ones; 0 where the files name none
   /// Files that were named and are missing, without a loss: geometry, buffers.
   std::vector<std::string> missing;
 };

@@ -58,7 +58,7 @@ void read_shininess(MtlReading& reading) {
   } else {
     material.powers = {{shininess, 1}};
   }
-  material.is_power_textured = is_scaled;
+  if (is_scaled) material.power_texture = PowerTexture::power;
   limit_powers(material, "Ns");
 }
 
@@ -88,8 +88,8 @@ void read_roughness(MtlReading& reading) {
   const ScalarMap* const map = roughness_map(reading);
   const auto roughness = reading.numbers.roughness;
   const PowerOf power = [&](double value) { return power_of_roughness(value, reading.conventions); };
-  material.is_power_textured = map != nullptr;
   if (map != nullptr) {
+    material.power_texture = PowerTexture::roughness;
     material.powers = power_shares(reading.read(*map, "roughness texture"), roughness.value_or(1), power);
   } else if (roughness) {
     material.powers = {{power(*roughness), 1}};

@@ -29,6 +29,7 @@ void append(std::vector<T>& all, std::vector<T> more) {
 
 Scene read_scene(std::span<const std::filesystem::path> files, const Conventions& conventions) {
   Scene scene;
+  scene.conventions = conventions;
   for (const std::filesystem::path& file : files) {
     Scene one = read_one_file(file, conventions);
     append(scene.materials, std::move(one.materials));

@@ -26,7 +26,7 @@ void expect_power(const Material& material, double power) {
   ASSERT_EQ(material.powers.size(), 1u);
   EXPECT_NEAR(material.powers[0].power, power, 1e-12 * power);
   EXPECT_EQ(material.powers[0].share, 1);
-  EXPECT_FALSE(material.is_power_textured);
+  EXPECT_FALSE(material.is_power_textured());
 }
 
 constexpr std::array<Range, 3> white{Range{1, 1}, Range{1, 1}, Range{1, 1}};

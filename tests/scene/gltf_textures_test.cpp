@@ -27,7 +27,7 @@ void expect_the_sample(const Material& material) {
   EXPECT_NEAR(material.powers[1].power, 1248, 1e-9);
   EXPECT_EQ(material.powers[1].share, 0.5);
   EXPECT_EQ(material.powers[2], (PowerShare{most_power, 0.25}));
-  EXPECT_TRUE(material.is_power_textured);
+  EXPECT_TRUE(material.is_power_textured());
   EXPECT_NEAR(material.f0[0].least, 0.04, 1e-15);
   EXPECT_EQ(material.f0[0].most, 1);
   EXPECT_TRUE(material.unknowns.empty());
@@ -106,7 +106,7 @@ TEST(GltfTextures, GlossIsInTheAlpha) {
 void expect_unknown(const Scene& scene, const std::string& words) {
   const Material& material = scene.materials.at(0);
   EXPECT_EQ(material.unknowns, std::vector<std::string>{"metallic-roughness texture " + words});
-  EXPECT_TRUE(material.is_power_textured);
+  EXPECT_TRUE(material.is_power_textured());
   ASSERT_GT(material.powers.size(), 250u);
   EXPECT_EQ(material.powers.front(), (PowerShare{0, 1 / 256.0}));
   double shares = 0;

@@ -29,7 +29,7 @@ TEST(Mtl, PhongHasAFactorAndAPower) {
   EXPECT_EQ(material.fresnel, FresnelTerm::none);
   EXPECT_EQ(material.f0, (std::array{Range{0.25, 0.25}, Range{0.5, 0.5}, Range{1.5, 1.5}}));
   EXPECT_EQ(material.powers, (std::vector<PowerShare>{{50.5, 1}}));
-  EXPECT_FALSE(material.is_power_textured);
+  EXPECT_FALSE(material.is_power_textured());
   EXPECT_TRUE(material.unknowns.empty() && material.remarks.empty());
 }
 
@@ -100,7 +100,7 @@ TEST(Mtl, MapsScaleWhatTheyAreNamedAfter) {
   };
   const Material material = read("Ns 50\nKs 0.5 1 0\nmap_Ns -s 1 1 1 maps\\n.png\nmap_Ks gone.png");
   EXPECT_EQ(material.powers, (std::vector<PowerShare>{{10, 0.5}, {50, 0.5}}));
-  EXPECT_TRUE(material.is_power_textured);
+  EXPECT_TRUE(material.is_power_textured());
   EXPECT_EQ(material.f0, (std::array{Range{0, 0.5}, Range{0, 1}, Range{0, 0}}));
   EXPECT_EQ(material.unknowns,
             std::vector<std::string>{"specular texture is not read: Ks is taken from 0 to its value"});

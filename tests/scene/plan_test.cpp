@@ -120,7 +120,7 @@ TEST(Plan, TakesTheCheapestFormThatIsNearEnough) {
   Scene scene;
   Material dull = wavefront("dull", 0.04, 0);
   dull.powers = {{10.5, 0.5}, {20.5, 0.5}};
-  dull.is_power_textured = true;
+  dull.power_texture = PowerTexture::roughness;
   scene.materials = {dull};
   const auto form = [&](double tolerance) {
     const Plan plan = make_plan(scene, {.tolerance = tolerance});

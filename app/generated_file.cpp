@@ -1,0 +1,90 @@
+#include "app/generated_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "fit/user_error.hpp"
+#include "reports/files.hpp"
+#include "reports/utf8.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr std::string_view line_prefix = "// shadefit ";
+
+/// The commands that print code.
+constexpr std::array<std::string_view, 2> generators{"emit", "scene"};
+
+/// The words of a line; what is in quotes is one.
+std::vector<std::string> words_of(std::string_view line) {
+  std::vector<std::string> words;
+  bool is_quoted = false, is_open = false;
+  for (const char c : line) {
+    const bool ends_word = c == ' ' && !is_quoted;
+    if (c == '\'') is_quoted = !is_quoted;
+    if (ends_word) {
+      is_open = false;
+      continue;
+    }
+    if (!is_open) words.emplace_back();
+    is_open = true;
+    if (c != '\'') words.back() += c;
+  }
+  return words;
+}
+
+/// The command of a line, if it is one that prints code and neither writes nor checks a file.
+std::optional<std::vector<std::string>> command_of_line(const std::string& line) {
+  if (!line.starts_with(line_prefix)) return {};
+  std::vector<std::string> words = words_of(std::string_view(line).substr(line_prefix.size()));
+  const bool is_generator =
+      !words.empty() && std::find(generators.begin(), generators.end(), words.front()) != generators.end();
+  const auto is_forbidden = [](const std::string& word) {
+    return word.starts_with("--check") || word.starts_with("--out");
+  };
+  if (!is_generator || std::any_of(words.begin(), words.end(), is_forbidden)) return {};
+  return words;
+}
+
+std::vector<std::string> command_in(const std::string& code, const std::string& file) {
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) {
+    if (auto command = command_of_line(line)) return *command;
+  }
+  throw UserError(fmt::format("--check '{}' names no command '{}emit ..' or '{}scene ..'", file, line_prefix,
+                              line_prefix));
+}
+
+/// The first line in which two texts differ, from 1.
+int first_difference(const std::string& a, const std::string& b) {
+  const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+  return 1 + static_cast<int>(std::count(a.begin(), end, '\n'));
+}
+
+}  // namespace
+
+std::string command_text(const std::vector<std::string>& words) {
+  std::string text = "shadefit";
+  for (const std::string& word : words) {
+    const bool has_blank = word.empty() || word.find(' ') != std::string::npos;
+    text += has_blank ? " '" + word + "'" : " " + word;
+  }
+  return text;
+}
+
+Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoint) {
+  const std::string code = read_file(file);
+  const Outcome now = run_command_line(command_in(code, file), checkpoint);
+  if (!now.err.empty()) return now;
+  if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
+  return {1, "",
+          fmt::format("shadefit: {} is out of date: line {} would be another now\n", printable(file),
+                      first_difference(code, now.out))};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,211 @@
+#include "reports/scene_code.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "approx/fresnel.hpp"
+#include "approx/gloss.hpp"
+#include "approx/microfacet.hpp"
+#include "approx/shading.hpp"
+#include "fit/decimal.hpp"
+#include "reports/utf8.hpp"
+
+namespace shadefit {
+namespace {
+
+using scene::LobeForm;
+using scene::LobeKind;
+using scene::Plan;
+using scene::PowerTexture;
+using scene::Scene;
+
+Symbolic number_of(double value) {
+  return Symbolic::number(fmt::format("{}", value));
+}
+
+/// The largest power: `most_power`, or what the largest half, 65504, leaves.
+Symbolic largest_power(scene::PixelPrecision precision) {
+  return number_of(precision == scene::PixelPrecision::float32 ? scene::most_power : 65504);
+}
+
+bool has_texture(const Scene& scene, const Plan& plan, PowerTexture texture) {
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    if (plan.materials[i].has_lobe && scene.materials[i].power_texture == texture) return true;
+  }
+  return false;
+}
+
+/// Whether all lobes have one power, and which.
+std::optional<double> one_power(const Plan& plan) {
+  std::optional<double> one;
+  for (const scene::MaterialPlan& material : plan.materials) {
+    if (!material.has_lobe) continue;
+    if (!material.power.is_constant() || (one && *one != material.power.least)) return {};
+    one = material.power.least;
+  }
+  return plan.shading.is_power_of_pixel ? std::nullopt : one;
+}
+
+/// A Gaussian of constant powers has its A computed with the material.
+bool has_sharpness(const Plan& plan) {
+  const LobeForm& lobe = plan.shading.lobe;
+  return lobe.kind == LobeKind::exponential && lobe.slopes.size() == 1 && !plan.shading.is_power_of_pixel &&
+         !one_power(plan);
+}
+
+ShaderFunction exponent_of_roughness(const Scene& scene, const Plan& plan) {
+  const Symbolic roughness = Symbolic::variable("roughness");
+  const Symbolic alpha = scene.conventions.is_roughness_squared ? roughness * roughness : roughness;
+  return {"scene_exponent_of_roughness",
+          {"roughness"},
+          min(blinn_phong_exponent(alpha), largest_power(plan.wanted.precision)),
+          {"The power n of a pixel's roughness."}};
+}
+
+ShaderFunction exponent_of_gloss(const Scene& scene, const Plan& plan) {
+  const Symbolic gloss = Symbolic::variable("gloss"), one = integer<Symbolic>(1);
+  ShaderFunction function{"scene_exponent_of_gloss", {"gloss"}, one, {"The power n of a pixel's gloss."}};
+  if (scene.conventions.is_gloss_exponential) {
+    function.result = decode_gloss(gloss, integer<Symbolic>(10), one);
+  } else {
+    const Symbolic roughness = one - gloss;
+    const Symbolic alpha = scene.conventions.is_roughness_squared ? roughness * roughness : roughness;
+    function.result = min(blinn_phong_exponent(alpha), largest_power(plan.wanted.precision));
+  }
+  return function;
+}
+
+/// The lobe of c by slopes, of a number or a variable for the power.
+Symbolic sloped(const LobeForm& lobe, const Symbolic& c, const std::optional<double>& power) {
+  std::vector<Symbolic> slopes;
+  for (const double slope : lobe.slopes)
+    slopes.push_back(number_of(power ? (*power + lobe.offset) * slope : slope));
+  if (power && lobe.is_fused) return gaussian_lobe_base_two(c, slopes[0]);
+  if (power) return sloped_lobe(c, slopes);
+  const Symbolic n = Symbolic::variable("exponent");
+  const Symbolic exponent = lobe.offset == 0 ? n : n + number_of(lobe.offset);
+  return sloped_lobe(c, exponent, slopes);
+}
+
+Symbolic lobe_of(const Plan& plan, const Symbolic& c) {
+  const LobeForm& lobe = plan.shading.lobe;
+  const std::optional<double> power = one_power(plan);
+  switch (lobe.kind) {
+    case LobeKind::constant:
+      return integer<Symbolic>(1);
+    case LobeKind::multiplied:
+      return shadefit::power(c, lobe.whole);
+    case LobeKind::power:
+      return exp2((power ? number_of(*power) : Symbolic::variable("exponent")) * log2(c));
+    case LobeKind::exponential:
+      break;
+  }
+  if (!has_sharpness(plan)) return sloped(lobe, c, power);
+  const Symbolic sharpness = Symbolic::variable("sharpness");
+  if (lobe.is_fused) return gaussian_lobe_base_two(c, sharpness);
+  return sloped_lobe(c, std::array{sharpness});
+}
+
+ShaderFunction light(const Plan& plan) {
+  const Symbolic c = Symbolic::variable("n_dot_h"), n_dot_l = Symbolic::variable("n_dot_l");
+  ShaderFunction function{"scene_light", {"n_dot_h", "n_dot_l"}, n_dot_l, {}};
+  const std::optional<double> power = one_power(plan);
+  Symbolic normalisation = n_dot_l;
+  if (power) {
+    normalisation = number_of(game_normalisation(*power));
+  } else if (has_sharpness(plan)) {
+    function.arguments.insert(function.arguments.end(), {"sharpness", "normalisation"});
+    normalisation = Symbolic::variable("normalisation");
+  } else {
+    function.arguments.emplace_back("exponent");
+    normalisation = game_normalisation(Symbolic::variable("exponent"));
+  }
+  function.result = normalisation * lobe_of(plan, c) * n_dot_l;
+  function.comment = {fmt::format("The normalised lobe times n.l: {}.", to_text(plan.shading.lobe))};
+  return function;
+}
+
+ShaderFunction reflectance() {
+  const Symbolic f0 = Symbolic::variable("f0"), f90 = Symbolic::variable("f90");
+  return {"scene_reflectance",
+          {"f0", "f90", "l_dot_h"},
+          reflectance_between(f0, f90, schlick_weight(Symbolic::variable("l_dot_h"))),
+          {"Schlick's reflectance, for each channel that differs."}};
+}
+
+/// A line for each material with a lobe, its constants to as many digits as a float has.
+std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
+  constexpr int digits = 9;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    const scene::MaterialPlan& material = plan.materials[i];
+    if (!material.has_lobe) continue;
+    std::string line = "  " + printable(material.name) + ": ";
+    if (scene.materials[i].is_power_textured()) {
+      line += "exponent of the pixel";
+    } else if (has_sharpness(plan)) {
+      const double n = material.power.least;
+      line += fmt::format("sharpness {}, normalisation {}",
+                          decimal((n + plan.shading.lobe.offset) * scene::natural_slope, digits),
+                          decimal(game_normalisation(n), digits));
+    } else {
+      line += "exponent " + decimal(material.power.least, digits);
+    }
+    if (material.cutoff > 0) line += ", dark where n_dot_h < " + decimal(material.cutoff, 4);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const std::string& command) {
+  const bool in_codes = plan.wanted.scale == scene::ShownScale::codes;
+  std::vector<std::string> comment{
+      "Generated: do not edit. Made by the next line, held against it by 'shadefit emit --check FILE'.",
+      command, ""};
+  if (!plan.has_lobes()) {
+    comment.emplace_back("No material of this scene needs a specular term.");
+    return comment;
+  }
+  comment.emplace_back(plan.shading.has_fresnel
+                           ? "The specular term of a light is scene_reflectance(..) scene_light(..)."
+                           : "The specular term of a light is F0 scene_light(..).");
+  comment.push_back(fmt::format(
+      "Proven: clamped to [0, 1], of {} together, at most {}{} from F (n + 2)/8 (n.h)^n (n.l) in {};",
+      counted(plan.wanted.lights, "light"), decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "",
+      plan.wanted.precision == scene::PixelPrecision::float32 ? "float" : "half"));
+  comment.emplace_back(
+      "exp2 and log2 within 2 ulps. Where no exp2 is at hand, a polynomial is near enough: see the plan.");
+  comment.emplace_back("");
+  comment.emplace_back(fmt::format(
+      "With a specular lobe, {} of {}:",
+      std::count_if(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.has_lobe; }),
+      counted(static_cast<long>(plan.materials.size()), "material")));
+  const std::vector<std::string> lines = material_lines(scene, plan);
+  comment.insert(comment.end(), lines.begin(), lines.end());
+  return comment;
+}
+
+}  // namespace
+
+std::vector<ShaderFunction> scene_functions(const Scene& scene, const Plan& plan) {
+  std::vector<ShaderFunction> functions;
+  if (!plan.has_lobes()) return functions;
+  if (has_texture(scene, plan, PowerTexture::roughness))
+    functions.push_back(exponent_of_roughness(scene, plan));
+  if (has_texture(scene, plan, PowerTexture::gloss)) functions.push_back(exponent_of_gloss(scene, plan));
+  functions.push_back(light(plan));
+  if (plan.shading.has_fresnel) functions.push_back(reflectance());
+  return functions;
+}
+
+std::string scene_code(const Scene& scene, const Plan& plan, Language language, const std::string& command) {
+  const std::vector<ShaderFunction> functions = scene_functions(scene, plan);
+  const bool is_half = plan.wanted.precision == scene::PixelPrecision::float16;
+  return shader_code(functions, language, is_half ? ShaderPrecision::float16 : ShaderPrecision::float32,
+                     comment_of(scene, plan, command));
+}
+
+}  // namespace shadefit
