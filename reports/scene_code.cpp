@@ -111,7 +111,9 @@ Symbolic lobe_of(const Plan& plan, const Symbolic& c) {
 
 ShaderFunction light(const Plan& plan) {
   const Symbolic c = Symbolic::variable("n_dot_h"), n_dot_l = Symbolic::variable("n_dot_l");
-  ShaderFunction function{"scene_light", {"n_dot_h", "n_dot_l"}, n_dot_l, {}};
+  ShaderFunction function{"scene_light", {"n_dot_l"}, n_dot_l, {}};
+  if (plan.shading.lobe.kind != LobeKind::constant)
+    function.arguments.insert(function.arguments.begin(), "n_dot_h");
   const std::optional<double> power = one_power(plan);
   Symbolic normalisation = n_dot_l;
   if (power) {
@@ -173,8 +175,9 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
                            ? "The specular term of a light is scene_reflectance(..) scene_light(..)."
                            : "The specular term of a light is F0 scene_light(..).");
   comment.push_back(fmt::format(
-      "Proven: clamped to [0, 1], of {} together, at most {}{} from F (n + 2)/8 (n.h)^n (n.l) in {};",
-      counted(plan.wanted.lights, "light"), decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "",
+      "Proven: {} clamped to [0, 1], at most {}{} from F (n + 2)/8 (n.h)^n (n.l) in {};",
+      plan.wanted.lights == 1 ? "a light" : fmt::format("{} lights together, each", plan.wanted.lights),
+      decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "",
       plan.wanted.precision == scene::PixelPrecision::float32 ? "float" : "half"));
   comment.emplace_back(
       "exp2 and log2 within 2 ulps. Where no exp2 is at hand, a polynomial is near enough: see the plan.");

@@ -93,7 +93,7 @@ double LobeFitter::best_offset() {
   const std::array slope{natural_slope};
   const auto error = [&](double offset) { return sampled_error(slope, offset); };
   // The largest of functions that fall and then rise does so too.
-  double low = 0, high = 1.5;
+  double low = 0, high = 16;
   double a = high - golden * (high - low), b = low + golden * (high - low);
   double error_at_a = error(a), error_at_b = error(b);
   constexpr double near = 1e-4;

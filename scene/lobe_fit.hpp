@@ -17,7 +17,8 @@ class LobeFitter {
   /// with the largest factor stands for all.
   LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale);
 
-  /// The offset x in [0, 3/2] of a Gaussian, to four digits, by the golden section.
+  /// The offset x in [0, 16] of a Gaussian, to four decimals, by the golden section. A bright lobe is clamped
+  /// up to t = n y = log g, and there (n + x) y = t + t^2/(2n) has x = t/2: at most 9.
   double best_offset();
 
   /// The slopes of log2(c) in y = c - 1, 2 to 4, each rounded to a float. By Lawson's iteration of weighted

@@ -34,7 +34,7 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
                  "'norm-phong' is integrated, not fitted: see 'shadefit run --only norm-phong'");
   expect_refusal({"plot"},
                  "unknown command 'plot': it must be one of list, run, fit, better, certify, verify, "
-                 "emit, explain, bench, stress, check");
+                 "emit, scene, explain, bench, stress, check");
   expect_refusal({"fit", "sg\n-offset"},
                  "unknown constant to fit 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");

@@ -102,11 +102,13 @@ TEST(Emit, BadInput) {
   expect_refusal({"emit", "sg-offset", "--lang", "glsl", "--exponent", "3:15:1"},
                  "--exponent '3:15:1': code is of one exponent, or without the option of any");
   const std::string no_command = directory.file("a.glsl", "float f(float c) { return c; }\n");
-  expect_refusal({"emit", "--check", no_command},
-                 "--check '" + no_command + "' names no command '// shadefit emit ..'");
+  expect_refusal(
+      {"emit", "--check", no_command},
+      "--check '" + no_command + "' names no command '// shadefit emit ..' or '// shadefit scene ..'");
   const std::string recursive = directory.file("b.glsl", "// shadefit emit --check b.glsl\n");
-  expect_refusal({"emit", "--check", recursive},
-                 "--check '" + recursive + "' names no command '// shadefit emit ..'");
+  expect_refusal(
+      {"emit", "--check", recursive},
+      "--check '" + recursive + "' names no command '// shadefit emit ..' or '// shadefit scene ..'");
   expect_refusal({"emit", "fresnel-quadratic", "--check", no_command},
                  "--check '" + no_command + "' takes no other argument: the file names its own command");
 }

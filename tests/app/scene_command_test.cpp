@@ -27,7 +27,7 @@ TEST(SceneCommand, SaysWhatIsNeeded) {
   EXPECT_TRUE(outcome.out.starts_with("2 materials, 1 light, tolerance 0.003922 in linear values\n\nterm "))
       << outcome.out;
   EXPECT_NE(outcome.out.find("skipped for 1 of 2 materials"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\nFits run 0, skipped 10.\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nFits run 0, skipped 14.\n"), std::string::npos) << outcome.out;
   EXPECT_EQ(snapshot(directory.path()).size(), 1U) << "nothing is written unless it is asked for";
 }
 
@@ -36,7 +36,8 @@ TEST(SceneCommand, WritesThePlan) {
   const std::string file = directory.file("a.mtl", two_materials);
   const Outcome outcome = run_command_line({"scene", file, "--out", directory / "plan", "--lights", "4"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.ends_with("\nPlan: " + (directory / "plan") + "/scene.md, scene.csv, scene.json\n"))
+  EXPECT_TRUE(outcome.out.ends_with("\nPlan: " + (directory / "plan") +
+                                    ": scene.md, scene.csv, scene.json, scene.glsl, scene.hlsl, scene.hpp\n"))
       << outcome.out;
   const auto written = nlohmann::json::parse(read_file(directory / "plan/scene.json"));
   EXPECT_EQ(written.at("lights"), 4);
@@ -44,10 +45,42 @@ TEST(SceneCommand, WritesThePlan) {
   EXPECT_EQ(written.at("materials").at(0).at("lobe"), false);
   EXPECT_LE(written.at("error").get<double>(), written.at("tolerance").get<double>());
   EXPECT_TRUE(read_file(directory / "plan/scene.csv")
-                  .starts_with("term,verdict,form,error,reason\nspecular,replace,"));
+                  .starts_with("term,verdict,form,error,reason\nspecular lobe,replace,"));
   EXPECT_TRUE(read_file(directory / "plan/scene.md").starts_with("# What this scene needs\n"));
   const Outcome printed = run_command_line({"scene", file, "--json", "--lights", "4"});
   EXPECT_EQ(printed.out, read_file(directory / "plan/scene.json"));
+  const Outcome code = run_command_line({"scene", file, "--lights", "4", "--lang", "hlsl"});
+  EXPECT_EQ(code.out, read_file(directory / "plan/scene.hlsl"));
+  // C++ has no half
+  run_command_line({"scene", file, "--out", directory / "half", "--precision", "half"});
+  EXPECT_FALSE(snapshot(directory.path()).contains("half/scene.hpp"));
+  EXPECT_TRUE(snapshot(directory.path()).contains("half/scene.hlsl"));
+}
+
+TEST(SceneCommand, CodeIsHeldAgainstItsScene) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a scene.mtl", two_materials);
+  const Outcome outcome = run_command_line({"scene", file, "--out", directory / "plan", "--codes", "0.5"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const std::string code = directory / "plan/scene.glsl";
+  EXPECT_NE(read_file(code).find("\n// shadefit scene '" + file + "' --codes 0.5 --lang glsl\n"),
+            std::string::npos)
+      << read_file(code);
+  const Outcome same = run_command_line({"emit", "--check", code});
+  EXPECT_EQ(same.out, code + " is what would be generated now\n") << same.err;
+  EXPECT_EQ(same.exit_code, 0);
+  directory.file("a scene.mtl", "newmtl floor\nNs 2\nKs 0.5 0.5 0.5\nillum 2\n");
+  const Outcome other = run_command_line({"emit", "--check", code});
+  EXPECT_EQ(other.exit_code, 1);
+  EXPECT_NE(other.err.find(" is out of date: line "), std::string::npos) << other.err;
+}
+
+TEST(SceneCommand, ExitsOneBeyondTheTolerance) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.mtl", "newmtl mirror\nNs 1000000\nKs 1 1 1\nillum 2\n");
+  const Outcome outcome = run_command_line({"scene", file, "--precision", "half"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find(" of 0.003922: NOT within the tolerance.\n"), std::string::npos) << outcome.out;
 }
 
 TEST(SceneCommand, BadInput) {
@@ -60,6 +93,13 @@ TEST(SceneCommand, BadInput) {
   expect_refusal({"scene", file, "--lights", "0"}, "--lights '0' must be a whole number from 1 to 1000000");
   expect_refusal({"scene", file, "--lights", "1.5"},
                  "--lights '1.5' must be a whole number from 1 to 1000000");
+  expect_refusal({"scene", file, "--codes", "256"}, "--codes '256' must be greater than 0 and at most 255");
+  expect_refusal({"scene", file, "--precision", "double"},
+                 "--precision 'double' is unknown: it must be float or half");
+  expect_refusal({"scene", file, "--lang", "cg"},
+                 "--lang 'cg' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl");
+  expect_refusal({"scene", file, "--precision", "half", "--lang", "c"},
+                 "--precision 'half' does not apply to --lang 'c': it has no half");
   expect_refusal({"scene", file, "--alpha", "cubed"},
                  "--alpha 'cubed' is unknown: it must be roughness or roughness-squared");
   const std::string empty = directory.file("empty.mtl", "");

@@ -11,11 +11,14 @@
 #include "fit/fit.hpp"
 #include "fit/user_error.hpp"
 #include "reports/files.hpp"
+#include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
+using testing::is_shader;
+using testing::runs;
 using testing::TemporaryDirectory;
 
 Symbolic variable(const char* name) {
@@ -117,11 +120,6 @@ TEST(ShaderCode, NamesWhatALanguageLacks) {
             "\n#include <math.h>\n\nstatic inline float f(float c) {\n  return log1pf(c);\n}\n");
 }
 
-/// Runs a tool; what it says stands in the file `said`.
-bool runs(const std::string& command, const TemporaryDirectory& directory) {
-  return std::system((command + " >'" + directory / "said" + "' 2>&1").c_str()) == 0;
-}
-
 /// A whole shader around functions, which calls `of_everything`.
 std::string fragment_shader(const std::string& code) {
   return "#version 450\nprecision highp float;\nlayout(location = 0) in vec2 at;\n"
@@ -137,17 +135,10 @@ TEST(GeneratedShader, CompilesAsGlslAndHlsl) {
   const TemporaryDirectory directory;
   for (const ShaderPrecision precision : shader_precisions) {
     directory.file("a.frag", fragment_shader(code_of(of_everything(), Language::glsl, precision)));
-    EXPECT_TRUE(runs("glslangValidator -V -o '" + directory / "a.spv" + "' '" + directory / "a.frag" + "'",
-                     directory))
-        << read_file(directory / "said");
-    EXPECT_TRUE(runs("spirv-val '" + directory / "a.spv" + "'", directory)) << read_file(directory / "said");
+    EXPECT_TRUE(is_shader(directory / "a.frag", false, directory)) << read_file(directory / "said");
     const std::string type = precision == ShaderPrecision::float32 ? "float" : "min16float";
     directory.file("b.frag", pixel_shader(code_of(of_everything(), Language::hlsl, precision), type));
-    EXPECT_TRUE(
-        runs("glslangValidator -D -e main -V -o '" + directory / "b.spv" + "' '" + directory / "b.frag" + "'",
-             directory))
-        << read_file(directory / "said");
-    EXPECT_TRUE(runs("spirv-val '" + directory / "b.spv" + "'", directory)) << read_file(directory / "said");
+    EXPECT_TRUE(is_shader(directory / "b.frag", true, directory)) << read_file(directory / "said");
   }
 }
 
