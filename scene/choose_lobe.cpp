@@ -18,7 +18,7 @@ constexpr int most_multiplications = 9;
 
 int multiplications(int n) {
   const auto bits = static_cast<unsigned>(n);
-  return std::bit_width(bits) + std::popcount(bits) - 2;
+  return static_cast<int>(std::bit_width(bits)) + std::popcount(bits) - 2;
 }
 
 /// A form is taken within this share of what is allowed: the rest is for exp2 by a polynomial.

@@ -21,11 +21,6 @@ constexpr double neighbours = 1.1;
 constexpr int places = 140;
 constexpr double first_t = 0.05, next_t = 1.05;
 
-/// y = 1 - c at one of them.
-double place(int i, double power) {
-  return std::min(1.0, first_t * std::pow(next_t, i) / power);
-}
-
 std::vector<WeightedPower> thinned(std::span<const WeightedPower> lobes) {
   std::vector<WeightedPower> all(lobes.begin(), lobes.end()), kept;
   std::sort(all.begin(), all.end(),
@@ -42,9 +37,9 @@ std::vector<WeightedPower> thinned(std::span<const WeightedPower> lobes) {
   return kept;
 }
 
-/// The largest value shown of a lobe at y.
-double largest_shown(const WeightedPower& lobe, double y, double log_larger) {
-  return lobe.factor * std::min(1.0, 2 * (1 - y)) * std::exp(log_larger);
+/// The most that a lobe is multiplied by at y: its factor, and the light that reaches it there.
+double brightest_at(const WeightedPower& lobe, double y) {
+  return lobe.factor * std::min(1.0, 2 * (1 - y));
 }
 
 /// A place of Lawson's iteration: of all lobes what an error of the logarithm is worth there.
@@ -59,7 +54,7 @@ std::vector<WeightedPlace> weighted_places(std::span<const WeightedPower> lobes,
   for (double y = least; y < 1; y *= next_t) {
     double worth = 0;
     for (const WeightedPower& lobe : lobes) {
-      const double shown = largest_shown(lobe, y, lobe.power * std::log1p(-y));
+      const double shown = brightest_at(lobe, y) * std::exp(lobe.power * std::log1p(-y));
       constexpr double little = 1e-3;
       worth = std::max(worth, lobe.power / little * apart_by_ratio(scale, shown, little));
     }
@@ -71,19 +66,25 @@ std::vector<WeightedPlace> weighted_places(std::span<const WeightedPower> lobes,
 }  // namespace
 
 LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale)
-    : lobes_(thinned(lobes)), scale_(scale) {}
+    : lobes_(thinned(lobes)), scale_(scale) {
+  double t = first_t;
+  for (int i = 0; i < places; ++i, t *= next_t) {
+    for (const WeightedPower& lobe : lobes_) {
+      const double y = t / lobe.power;
+      if (y < 1) samples_.push_back({lobe.power, y, lobe.power * std::log1p(-y), brightest_at(lobe, y)});
+    }
+  }
+}
 
 double LobeFitter::sampled_error(std::span<const double> slopes, double offset) const {
+  const double white = on_scale(scale_, 1);
   double largest = 0;
-  for (const WeightedPower& lobe : lobes_) {
-    for (int i = 0; i < places; ++i) {
-      const double y = place(i, lobe.power);
-      if (!(y < 1)) break;
-      const double target = lobe.power * std::log1p(-y);
-      const double form = (lobe.power + offset) * std::numbers::ln2 * log2_by_slopes(-y, slopes);
-      const double shown = largest_shown(lobe, y, std::max(target, form));
-      largest = std::max(largest, apart_by_ratio(scale_, shown, form - target));
-    }
+  for (const Sample& sample : samples_) {
+    const double form = (sample.power + offset) * std::numbers::ln2 * log2_by_slopes(-sample.y, slopes);
+    const double log_ratio = form - sample.log_target;
+    if (std::abs(log_ratio) * white <= largest) continue;  // no value moves by more than its share
+    const double shown = sample.brightest * std::exp(std::max(form, sample.log_target));
+    largest = std::max(largest, apart_by_ratio(scale_, shown, log_ratio));
   }
   return largest;
 }

@@ -34,7 +34,14 @@ class LobeFitter {
   double sampled_error(std::span<const double> slopes, double offset) const;
 
  private:
+  /// A lobe at a place.
+  struct Sample {
+    double power, y;
+    double log_target;  ///< of the lobe there
+    double brightest;   ///< what it is multiplied by, at most
+  };
   std::vector<WeightedPower> lobes_;
+  std::vector<Sample> samples_;
   ShownScale scale_;
   int fits_run_ = 0;
 };
