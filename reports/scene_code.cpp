@@ -175,12 +175,14 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
                            ? "The specular term of a light is scene_reflectance(..) scene_light(..)."
                            : "The specular term of a light is F0 scene_light(..).");
   comment.push_back(fmt::format(
-      "Proven: {} clamped to [0, 1], at most {}{} from F (n + 2)/8 (n.h)^n (n.l) in {};",
+      "Proven: {} clamped to [0, 1], at most {}{} from F (n + 2)/8 (n.h)^n (n.l) in {}.",
       plan.wanted.lights == 1 ? "a light" : fmt::format("{} lights together, each", plan.wanted.lights),
-      decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "",
-      plan.wanted.precision == scene::PixelPrecision::float32 ? "float" : "half"));
-  comment.emplace_back(
-      "exp2 and log2 within 2 ulps. Where no exp2 is at hand, a polynomial is near enough: see the plan.");
+      decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "", name(plan.wanted.precision)));
+  if (plan.shading.exp2_degree > 0)
+    comment.push_back(fmt::format(
+        "With exp2 and log2 within 2 ulps; where exp2 is no instruction, a polynomial of degree {} does.",
+        plan.shading.exp2_degree));
+  if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
   comment.emplace_back("");
   comment.emplace_back(fmt::format(
       "With a specular lobe, {} of {}:",
