@@ -53,7 +53,7 @@ Lobes lobes_of(const std::vector<Material>& materials, const std::vector<bool>& 
     for (const PowerShare& share : material.powers)
       lobes.powers.push_back({share.power, largest_factor(material, share.power)});
     const auto& f0 = material.f0;
-    lobes.is_textured = lobes.is_textured || material.is_power_textured();
+    lobes.textures.insert(material.power_texture);
     lobes.has_schlick = lobes.has_schlick || material.fresnel == FresnelTerm::schlick;
     // a range of its own for each channel is one of colours
     lobes.is_coloured = lobes.is_coloured || f0[0] != f0[1] || f0[1] != f0[2];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "scene/lobe_form.hpp"
@@ -20,14 +21,15 @@ Range powers_of(const Material& material);
 /// What the lobes of several materials have in common.
 struct Lobes {
   std::vector<WeightedPower> powers;  ///< each once, with its largest factor, by rising power
-  bool is_textured = false;           ///< a power comes with the pixel
+  std::set<PowerTexture> textures;    ///< that powers are read from; none but `none`: no power is the pixel's
   bool has_schlick = false;           ///< a reflectance rises with the angle
   bool is_coloured = false;           ///< a reflectance differs between the channels
   bool has_metal = false;             ///< one facing the surface is above that of any dielectric
 
+  bool is_textured() const { return textures.size() > textures.count(PowerTexture::none); }
   bool are_none() const { return powers.empty(); }
   Range range() const { return {powers.front().power, powers.back().power}; }
-  bool is_one_power() const { return range().is_constant() && !is_textured; }
+  bool is_one_power() const { return range().is_constant() && !is_textured(); }
   double largest_factor() const;
 };
 

@@ -155,9 +155,9 @@ class Planner {
     plan_.shading.least_exponent = std::log2(error / largest) * (error < largest ? 1 / downwards : downwards);
     left_ -= spent;
     decide("culling", Verdict::keep,
-           lobes_.is_textured ? "where n.h < " + decimal(least, 3) + " or the lobe < 2^" +
-                                    decimal(plan_.shading.least_exponent, 3)
-                              : "where n.h < " + decimal(least, 3) + " or more, by material",
+           lobes_.is_textured() ? "where n.h < " + decimal(least, 3) + " or the lobe < 2^" +
+                                      decimal(plan_.shading.least_exponent, 3)
+                                : "where n.h < " + decimal(least, 3) + " or more, by material",
            "a light adds less there", spent);
   }
 
@@ -223,10 +223,10 @@ class Planner {
     const Range range = lobes_.range();
     const std::string one = "one power for the whole scene: " + decimal(range.least, 6);
     const std::string powers = "powers from " + decimal(range.least, 3) + " to " + decimal(range.most, 3);
-    plan_.shading.is_power_of_pixel = lobes_.is_textured;
-    if (lobes_.is_textured) {
+    plan_.shading.is_power_of_pixel = lobes_.is_textured();
+    if (lobes_.is_textured()) {
       decide("power", Verdict::keep, "for each pixel", powers);
-      decide("gloss decode", Verdict::keep, "n = 2/alpha^2 - 2", "roughness is a texture");
+      decide_decode();
       decide("normalisation", Verdict::keep, "(n + 2)/8", powers);
       decide("mip level", Verdict::keep, "of the pixel's power", powers);
     } else {
@@ -237,6 +237,21 @@ class Planner {
       decide("normalisation", Verdict::replace,
              is_one ? decimal(game_normalisation(range.least), 6) : "a constant of the material", reason);
       decide("mip level", Verdict::replace, "a constant of the material", reason);
+    }
+  }
+
+  /// How a texture's number becomes a power.
+  void decide_decode() {
+    const auto has = [&](PowerTexture texture) { return lobes_.textures.contains(texture); };
+    const bool is_gloss_a_power = has(PowerTexture::gloss) && scene_.conventions.is_gloss_exponential;
+    const bool is_by_alpha = has(PowerTexture::roughness) || (has(PowerTexture::gloss) && !is_gloss_a_power);
+    std::vector<std::string> forms;
+    if (is_by_alpha) forms.emplace_back("n = 2/alpha^2 - 2");
+    if (is_gloss_a_power) forms.emplace_back("n = 2^(10 g + 1)");
+    if (forms.empty()) {
+      decide("gloss decode", Verdict::skip, "", "the textures hold powers");
+    } else {
+      decide("gloss decode", Verdict::keep, enumerated(forms), "a texture holds it");
     }
   }
 

@@ -130,6 +130,20 @@ TEST(Plan, LightsCodesAndHalves) {
   EXPECT_FALSE(make_plan(scene, {.tolerance = 1e-5, .precision = PixelPrecision::float16}).is_within());
 }
 
+TEST(Plan, DecodesWhatTexturesHold) {
+  Scene scene = dull_scene();
+  EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").form, "n = 2/alpha^2 - 2");
+  scene.materials[0].power_texture = PowerTexture::power;
+  EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").verdict, Verdict::skip);
+  EXPECT_TRUE(make_plan(scene, {}).shading.is_power_of_pixel);
+  scene.materials[0].power_texture = PowerTexture::gloss;
+  EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").form, "n = 2/alpha^2 - 2");
+  scene.conventions.is_gloss_exponential = true;
+  EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").form, "n = 2^(10 g + 1)");
+  scene.materials.push_back(dull_scene().materials[0]);
+  EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").form, "n = 2/alpha^2 - 2 and n = 2^(10 g + 1)");
+}
+
 TEST(Plan, KeepsFresnelWhereItRises) {
   Scene scene;
   scene.materials = {material("glass", 0.04, {{16, 1}})};

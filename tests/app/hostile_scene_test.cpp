@@ -1,0 +1,94 @@
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tests/process.hpp"
+#include "tests/scene/samples.hpp"
+#include "tests/temporary_directory.hpp"
+
+/// Scenes that are made to cost: the command refuses them, or reads them, within little memory and time.
+namespace shadefit {
+namespace {
+
+using testing::run_process;
+using testing::TemporaryDirectory;
+
+/// A process with its libraries takes 60 MiB of addresses; a sanitizer reserves terabytes.
+void limit_memory() {
+#if defined(__SANITIZE_ADDRESS__)
+  constexpr bool is_sanitized = true;
+#elif defined(__has_feature)
+  constexpr bool is_sanitized = __has_feature(address_sanitizer);
+#else
+  constexpr bool is_sanitized = false;
+#endif
+  if (is_sanitized) return;
+  const rlimit limit{400 << 20, 400 << 20};
+  ::setrlimit(RLIMIT_AS, &limit);
+}
+
+/// Seconds of processor time, after which the system ends the process: each takes a tenth of a second, under
+/// a sanitizer a few.
+void limit_all() {
+  limit_memory();
+  constexpr rlimit time{20, 20};
+  ::setrlimit(RLIMIT_CPU, &time);
+}
+
+/// What is said of a file that is refused.
+std::string refusal_of(const std::string& file) {
+  const auto finished = run_process({"scene", file}, limit_all);
+  EXPECT_EQ(finished.exit_code, 2) << file;
+  EXPECT_EQ(finished.out, "") << file;
+  EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+  return finished.err;
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += text;
+  return all;
+}
+
+TEST(HostileScene, DepthAndNumber) {
+  const TemporaryDirectory directory;
+  const std::string head = R"({"asset":{"version":"2.0"},"materials":)";
+  const std::string deep = directory.file("deep.gltf", std::string(8 << 20, '['));
+  EXPECT_EQ(refusal_of(deep), "shadefit: '" + deep + "': JSON is deeper than 64 values in each other\n");
+  const std::string many = directory.file("many.gltf", head + "[{}" + repeated(",{}", 70000) + "]}");
+  EXPECT_EQ(refusal_of(many), "shadefit: '" + many + "': /materials: there are 70001, more than 65536\n");
+  const std::string more = directory.file("more.mtl", repeated("newmtl a\n", 70000));
+  EXPECT_NE(refusal_of(more).find("65536"), std::string::npos);
+  const std::string wide = directory.file("wide.gltf", head + "[0" + repeated(",0", 16 << 20) + "]}");
+  EXPECT_NE(refusal_of(wide).find("wide.gltf"), std::string::npos);
+}
+
+// A chunk that goes on for two gigabytes, of which there is nothing; lengths that end nowhere.
+TEST(HostileScene, ChunksPastTheEnd) {
+  const TemporaryDirectory directory;
+  const std::string chunk = testing::word(0x7fffffff) + "JSON";
+  const std::string file = directory.file("a.glb", testing::glb_of(chunk));
+  EXPECT_NE(refusal_of(file).find("byte 12"), std::string::npos) << refusal_of(file);
+  directory.file("a.glb", "glTF" + testing::word(2) + testing::word(0xffffffff) + chunk);
+  EXPECT_NE(refusal_of(file).find("byte 8"), std::string::npos) << refusal_of(file);
+}
+
+// The header of a picture of ten thousand million pixels, and nothing else, is refused by its size. One of 16
+// million is read row by row.
+TEST(HostileScene, Pictures) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.gltf", testing::gltf_of_image(R"("uri":"a.png")"));
+  directory.file("a.png", testing::png_header(100000, 100000));
+  EXPECT_NE(refusal_of(file).find("100000 x 100000"), std::string::npos) << refusal_of(file);
+  constexpr std::uint32_t side = 4096;
+  directory.file("a.png", testing::png_of({side, side, PNG_COLOR_TYPE_GRAY,
+                                           std::vector<std::uint8_t>(std::size_t{side} * side, 128)}));
+  EXPECT_EQ(run_process({"scene", file}, limit_all).exit_code, 0);
+}
+
+}  // namespace
+}  // namespace shadefit
