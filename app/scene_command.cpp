@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "app/metric_options.hpp"
 #include "app/parse_name.hpp"
 #include "app/scene_options.hpp"
+#include "app/shade_scene.hpp"
 #include "fit/user_error.hpp"
 #include "reports/files.hpp"
 #include "reports/scene_code.hpp"
@@ -125,17 +127,24 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
   if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
   if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
   const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
-  const int exit_code = plan.is_within() ? 0 : 1;
+  int exit_code = plan.is_within() ? 0 : 1;
   if (options.language)
     return {exit_code, scene_code(scene, plan, language(), code_command(options, language())), ""};
   if (options.json) return {exit_code, plan_json(scene, plan), ""};
   std::string out = plan_text(scene, plan);
-  if (options.out) {
-    const std::vector<File> files = files_of(options, scene, plan);
-    write_files(*options.out, files, checkpoint);
-    out += written(*options.out, files);
+  ShadedScene shaded;
+  if (options.shade) {
+    shaded = shade_scene(scene, plan, options.out, checkpoint);
+    out += "\n" + shaded.out;
+    exit_code = std::max(exit_code, shaded.err.empty() ? 0 : 1);
   }
-  return {exit_code, out, ""};
+  if (options.out) {
+    std::vector<File> files = files_of(options, scene, plan);
+    out += written(*options.out, files);
+    files.insert(files.end(), shaded.files.begin(), shaded.files.end());
+    write_files(*options.out, files, checkpoint, shaded.missing);
+  }
+  return {exit_code, out, shaded.err};
 }
 
 }  // namespace shadefit

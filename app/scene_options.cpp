@@ -50,6 +50,12 @@ CLI::App* add_scene_options(CLI::App& app, SceneOptions& options) {
                                      "print the code in glsl, hlsl, c, cpp, wgsl or msl, and nothing else");
   language->type_name("NAME")->excludes(json);
   scene
+      ->add_flag(
+          "--shade", options.shade,
+          "shade the materials by the reference, by published constants and as planned: times and errors")
+      ->excludes(json)
+      ->excludes(language);
+  scene
       ->add_option(
           "--out", options.out,
           "directory to write the plan to, scene.md, .csv and .json, and its code, scene.glsl, .hlsl "

@@ -23,6 +23,7 @@ struct SceneOptions {
   std::optional<std::string> language;  ///< prints the code in it alone
   std::optional<std::string> out;       ///< a directory; empty: printed alone
   bool json = false;
+  bool shade = false;  ///< the plan against the reference and the published constants
 };
 
 /// Declares the subcommand.

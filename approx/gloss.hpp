@@ -29,10 +29,16 @@ T base_two_first(const T& first) {
   return first + log2(integer<T>(1) / ln2<T>());
 }
 
+/// The exponent of `gaussian_lobe_base_two`, M c - M: 0 at c = 1.
+template <class T>
+T gaussian_exponent_base_two(const T& cos_theta, const T& base_two) {
+  return base_two * cos_theta - base_two;
+}
+
 /// The spherical Gaussian with M given: exp2(M c - M), c in [0, 1].
 template <class T>
 T gaussian_lobe_base_two(const T& cos_theta, const T& base_two) {
-  return exp2(base_two * cos_theta - base_two);
+  return exp2(gaussian_exponent_base_two(cos_theta, base_two));
 }
 
 /// ln 2/8, the factor of M in a normalisation.

@@ -15,11 +15,28 @@ std::string decimal(double value, int digits) {
   return {text.data(), end.ptr};
 }
 
+namespace {
+
+/// A unit of the last place of so many digits, or less.
+double last_place(double value, int digits) {
+  for (int i = 0; i < digits; ++i) value /= 10;
+  return value;
+}
+
+}  // namespace
+
 std::string decimal_above(double value, int digits) {
-  double step = value;  // no more than a unit of the last place
-  for (int i = 0; i < digits; ++i) step /= 10;
+  const double step = last_place(value, digits);
   std::string text = decimal(value, digits);
   for (double more = value + step; constant<double>(text) < value; more += step) text = decimal(more, digits);
+  return text;
+}
+
+std::string decimal_below(double value, int digits) {
+  const double step = last_place(value, digits);
+  std::string text = decimal(value, digits);
+  for (double fewer = value - step; constant<double>(text) > value; fewer -= step)
+    text = decimal(fewer, digits);
   return text;
 }
 

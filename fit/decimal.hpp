@@ -14,6 +14,10 @@ std::string decimal(double value, int digits);
 /// bounds.
 std::string decimal_above(double value, int digits);
 
+/// The largest decimal of that many significant digits that is not above `value`, which is positive: for
+/// bounds from below.
+std::string decimal_below(double value, int digits);
+
 /// "1 fit", "2 fits".
 std::string counted(long count, std::string_view noun);
 

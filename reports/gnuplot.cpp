@@ -109,13 +109,25 @@ struct SpawnSettings {
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 };
 
+bool is_png(const std::string& name) {
+  return name.ends_with(".png");
+}
+
+/// What a plot of that name writes, and what it is drawn by.
+std::string picture_file(const std::string& name) {
+  return is_png(name) ? name : name + ".svg";
+}
+std::string script_file(const std::string& name) {
+  return fs::path(picture_file(name)).replace_extension(".gnuplot").string();
+}
+
 /// gnuplot at work on one script. Ends with `finish`; otherwise the destructor ends it.
 class Drawing {
  public:
   Drawing(const fs::path& gnuplot, const fs::path& directory, const std::string& name)
       : name_(name),
-        place_(directory / (name + ".svg")),
-        partial_(directory / fmt::format(".{}.svg.{}.partial", name, ::getpid())),
+        place_(directory / picture_file(name)),
+        partial_(directory / fmt::format(".{}.{}.partial", picture_file(name), ::getpid())),
         transcript_(directory),
         error_(transcript_.error()) {
     remove(partial_);
@@ -158,7 +170,7 @@ class Drawing {
     posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
     // -d: no startup file of the user's.
     std::vector<std::string> arguments{"gnuplot", "-d", "-e",
-                                       "output = '" + partial_.filename().string() + "'", name_ + ".gnuplot"};
+                                       "output = '" + partial_.filename().string() + "'", script_file(name_)};
     auto environment = environment_of_gnuplot();
     const int error = ::posix_spawn(&process_, gnuplot.c_str(), actions, &settings.attributes,
                                     pointers_to(arguments).data(), pointers_to(environment).data());
@@ -214,7 +226,7 @@ class Drawing {
 
   /// gnuplot ends in success where the disk was full.
   bool is_whole_picture() const {
-    constexpr std::string_view end = "</svg>";
+    const std::string_view end = is_png(name_) ? "IEND" : "</svg>";
     std::array<char, 64> tail{};
     std::FILE* file = std::fopen(partial_.c_str(), "rb");
     if (file == nullptr) return false;
@@ -282,7 +294,7 @@ Pictures draw_pictures(const fs::path& gnuplot, const std::vector<File>& files,
     const bool has_failed = std::any_of(pictures.failed.begin(), pictures.failed.end(),
                                         [&](const FailedPlot& plot) { return plot.name == name; });
     if (has_failed) continue;
-    const std::string file = "plots/" + name + ".svg";
+    const std::string file = "plots/" + picture_file(name);
     pictures.files.push_back({file, read_file(scratch.path() / file)});
   }
   return pictures;

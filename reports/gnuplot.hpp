@@ -25,7 +25,8 @@ struct FailedPlot {
 /// a hundred times slower draws it, while one that hangs does not hold a run up for ever.
 inline constexpr std::chrono::seconds longest_drawing{60};
 
-/// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg, beside its place first
+/// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg (a name that ends with
+/// .png is the picture's own: "scene.png" is drawn by scene.gnuplot), beside its place first
 /// and renamed once whole. Returns the plots that failed, gnuplot's words as it put them: of those there is
 /// no NAME.svg in `directory` then, neither a part nor an older one. (Where results go, older pictures are
 /// for `write_files` to remove.) The checkpoint is called before each and again and again while gnuplot
@@ -38,7 +39,7 @@ std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
 
 /// Pictures, and the plots that there is none of.
 struct Pictures {
-  std::vector<File> files;  ///< "plots/NAME.svg"
+  std::vector<File> files;  ///< "plots/NAME.svg", or "plots/NAME" of a name that ends with .png
   std::vector<FailedPlot> failed;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "approx/fresnel.hpp"
@@ -78,35 +79,34 @@ ShaderFunction exponent_of_gloss(const Scene& scene, const Plan& plan) {
   return function;
 }
 
-/// The lobe of c by slopes, of a number or a variable for the power.
-Symbolic sloped(const LobeForm& lobe, const Symbolic& c, const std::optional<double>& power) {
-  std::vector<Symbolic> slopes;
+/// A cosine whose logarithm is a number, where a power may be 0 and -infinity times it would be none: at
+/// least the least normal number. Nothing is lost: n.l <= 2 n.h is as small.
+Symbolic above_zero(const Plan& plan, const Symbolic& c) {
+  const bool has_power_of_zero =
+      std::any_of(plan.materials.begin(), plan.materials.end(),
+                  [](const auto& material) { return material.has_lobe && material.power.least == 0; });
+  if (!has_power_of_zero) return c;
+  const bool is_float = plan.wanted.precision == scene::PixelPrecision::float32;
+  return max(c, number_of(is_float ? std::numeric_limits<float>::min() : 0x1p-14));
+}
+
+/// What the lobe knows: numbers of one power, the material's sharpness, or slopes and the exponent.
+scene::LobeConstants<Symbolic> constants_of(const Plan& plan) {
+  const LobeForm& lobe = plan.shading.lobe;
+  const std::optional<double> power = one_power(plan);
+  const Symbolic exponent = Symbolic::variable("exponent");
+  if (lobe.kind == LobeKind::power) return {{}, power ? number_of(*power) : exponent};
+  if (has_sharpness(plan)) return {{Symbolic::variable("sharpness")}, {}};
+  scene::LobeConstants<Symbolic> constants;
   for (const double slope : lobe.slopes)
-    slopes.push_back(number_of(power ? (*power + lobe.offset) * slope : slope));
-  if (power && lobe.is_fused) return gaussian_lobe_base_two(c, slopes[0]);
-  if (power) return sloped_lobe(c, slopes);
-  const Symbolic n = Symbolic::variable("exponent");
-  const Symbolic exponent = lobe.offset == 0 ? n : n + number_of(lobe.offset);
-  return sloped_lobe(c, exponent, slopes);
+    constants.slopes.push_back(number_of(power ? (*power + lobe.offset) * slope : slope));
+  if (!power) constants.exponent = lobe.offset == 0 ? exponent : exponent + number_of(lobe.offset);
+  return constants;
 }
 
 Symbolic lobe_of(const Plan& plan, const Symbolic& c) {
   const LobeForm& lobe = plan.shading.lobe;
-  const std::optional<double> power = one_power(plan);
-  switch (lobe.kind) {
-    case LobeKind::constant:
-      return integer<Symbolic>(1);
-    case LobeKind::multiplied:
-      return shadefit::power(c, lobe.whole);
-    case LobeKind::power:
-      return exp2((power ? number_of(*power) : Symbolic::variable("exponent")) * log2(c));
-    case LobeKind::exponential:
-      break;
-  }
-  if (!has_sharpness(plan)) return sloped(lobe, c, power);
-  const Symbolic sharpness = Symbolic::variable("sharpness");
-  if (lobe.is_fused) return gaussian_lobe_base_two(c, sharpness);
-  return sloped_lobe(c, std::array{sharpness});
+  return planned_lobe(lobe, lobe.kind == LobeKind::power ? above_zero(plan, c) : c, constants_of(plan));
 }
 
 ShaderFunction light(const Plan& plan) {
@@ -156,7 +156,7 @@ std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
     } else {
       line += "exponent " + decimal(material.power.least, digits);
     }
-    if (material.cutoff > 0) line += ", dark where n_dot_h < " + decimal(material.cutoff, 4);
+    if (material.cutoff > 0) line += ", dark where n_dot_h < " + decimal_below(material.cutoff, digits);
     lines.push_back(line);
   }
   return lines;
@@ -180,7 +180,8 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
       decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "", name(plan.wanted.precision)));
   if (plan.shading.exp2_degree > 0)
     comment.push_back(fmt::format(
-        "With exp2 and log2 within 2 ulps; where exp2 is no instruction, a polynomial of degree {} does.",
+        "With exp2 and log2 {}; where exp2 is no instruction, a polynomial of degree {} does.",
+        plan.wanted.precision == scene::PixelPrecision::float32 ? "within 2 ulps" : "rounded once",
         plan.shading.exp2_degree));
   if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
   comment.emplace_back("");

@@ -75,7 +75,7 @@ Table materials_table(const Scene& scene, const Plan& plan) {
     const bool is_textured = scene.materials[i].is_power_textured();
     table.rows.push_back({printable(m.name), std::string(m.has_lobe ? "yes" : "no"),
                           range_text(m.power) + (is_textured ? ", textured" : ""), bound(m.factor),
-                          m.has_lobe ? bound(m.cutoff) : Cell(), m.reason});
+                          m.has_lobe ? Cell(decimal_below(m.cutoff, 6)) : Cell(), m.reason});
   }
   return table;
 }

@@ -30,14 +30,14 @@ constexpr double next_to_nothing = 0.02;
 class Choice {
  public:
   Choice(const Lobes& lobes, const LobeBudget& budget, const Checkpoint& checkpoint)
-      : lobes_(lobes), budget_(budget), checkpoint_(checkpoint), shaped_(shaped(lobes)) {}
+      : lobes_(lobes), budget_(budget), checkpoint_(checkpoint) {}
 
   ChosenLobe cheapest() {
     const Range range = lobes_.range();
     if (range.most == 0) return measured({.kind = LobeKind::constant});
     if (const auto whole = one_whole_power())
       return measured({.kind = LobeKind::multiplied, .whole = *whole});
-    LobeFitter fitter(shaped_, budget_.scale);
+    LobeFitter fitter(lobes_.all, budget_.scale);
     const auto done = [&](ChosenLobe found) {
       found.fits_run = fitter.fits_run();
       found.cheaper = cheaper_;
@@ -53,13 +53,6 @@ class Choice {
 
  private:
   static constexpr int most_slopes = 4;
-
-  /// Those that have a shape: a power of 0 is 1.
-  static std::vector<WeightedPower> shaped(const Lobes& lobes) {
-    std::vector<WeightedPower> result = lobes.powers;
-    std::erase_if(result, [](const WeightedPower& lobe) { return lobe.power == 0; });
-    return result;
-  }
 
   std::optional<int> one_whole_power() const {
     const Range range = lobes_.range();
@@ -83,18 +76,16 @@ class Choice {
 
   /// The form with its errors where they are within the budget.
   std::optional<ChosenLobe> within(const LobeFitter& fitter, LobeForm form) const {
-    // A power of 0 is 1, and with an offset its Gaussian is not.
-    if (shaped_.size() < lobes_.powers.size() && form.offset != 0) return {};
     const double allowed = share_of_form * budget_.allowed;
     if (fitter.sampled_error(form.slopes, form.offset) > allowed) return {};
     double error = 0;
-    const LobeCells cells(form.slopes, shaped_.back().power);
-    for (const WeightedPower& lobe : shaped_) {
+    const LobeCells cells(form.slopes, std::max(1.0, lobes_.range().most));
+    for (const WeightedPower& lobe : lobes_.all) {
       checkpoint_();
       error = std::max(error, cells.largest_error(lobe, form.offset, budget_.scale, error));
       if (error > allowed) return {};
     }
-    form.is_fused = form.slopes.size() == 1;
+    form.is_fused = form.slopes.size() == 1 && !lobes_.is_textured();
     form.is_fused = form.is_fused && rounding(form) <= next_to_nothing * budget_.allowed;
     const double added = rounding(form);
     if (error + added > budget_.allowed) return {};
@@ -106,16 +97,13 @@ class Choice {
   }
 
   double rounding(const LobeForm& form) const {
-    if (budget_.precision == PixelPrecision::float16)
-      return half_rounding(form, lobes_.powers, budget_.scale);
-    const double sharpness = (lobes_.range().most + form.offset) * natural_slope;
-    return float_rounding(form, lobes_.largest_factor(), sharpness, budget_.scale);
+    return rounding_error({form, lobes_, budget_.has_fresnel, budget_.is_gloss_exponential},
+                          budget_.precision, budget_.scale);
   }
 
   const Lobes& lobes_;
   const LobeBudget& budget_;
   const Checkpoint& checkpoint_;
-  std::vector<WeightedPower> shaped_;
   std::string cheaper_;
 };
 

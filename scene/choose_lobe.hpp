@@ -15,6 +15,8 @@ struct LobeBudget {
   double allowed;  ///< on the scale, of one light, rounding included
   ShownScale scale;
   PixelPrecision precision;
+  bool has_fresnel;           ///< of what is rounded beside the lobe
+  bool is_gloss_exponential;  ///< of a texture of gloss
 };
 
 struct ChosenLobe {

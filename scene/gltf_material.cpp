@@ -31,6 +31,10 @@ struct TextureNotes {
     material.unknowns.push_back(fmt::format("{} {}", what, reading.unknown));
     return std::vector<Histogram>(channels.size(), unknown_texture());
   }
+  void note_unread_colours(std::string_view texture, std::string_view reflectances) {
+    material.has_unread_colours = true;
+    note_unread(texture, reflectances);
+  }
   void note_unread(std::string_view texture, std::string_view reflectances) {
     material.unknowns.push_back(
         fmt::format("{} not read: {} taken from 0 to the factor", texture, reflectances));
@@ -76,7 +80,8 @@ Dielectric read_dielectric(const JsonPlace& material, TextureNotes& textures) {
     dielectric.colour =
         scaled_colour(colour_or_white(*object, "specularColorFactor", 3, endless), is_colour_textured);
     if (is_textured) textures.note_unread("specular texture is", "F0 and F90 of dielectrics are");
-    if (is_colour_textured) textures.note_unread("specular colour texture is", "F0 of dielectrics is");
+    if (is_colour_textured)
+      textures.note_unread_colours("specular colour texture is", "F0 of dielectrics is");
   }
   return dielectric;
 }
@@ -92,9 +97,10 @@ void read_metallic_workflow(const JsonPlace& place, bool has_vertex_colours, Tex
   const bool is_textured = member(object, "baseColorTexture").has_value();
   const ColourRange base =
       scaled_colour(colour_or_white(object, "baseColorFactor", 4, 1), is_textured || has_vertex_colours);
-  if (is_textured && metallic.most > 0) textures.note_unread("base colour texture is", "F0 of metal is");
+  if (is_textured && metallic.most > 0)
+    textures.note_unread_colours("base colour texture is", "F0 of metal is");
   if (has_vertex_colours && metallic.most > 0)
-    textures.note_unread("colours of vertices are", "F0 of metal is");
+    textures.note_unread_colours("colours of vertices are", "F0 of metal is");
   const Dielectric dielectric = read_dielectric(place, textures);
   for (std::size_t i = 0; i < base.size(); ++i) {
     const Range f0 = dielectric_range(dielectric.ior, dielectric.colour[i], dielectric.specular);
@@ -118,7 +124,7 @@ void read_specular_glossiness(const JsonPlace& object, TextureNotes& textures,
   }
   const auto channels = textures.read(*info, "specular-glossiness texture", {Channel::alpha});
   material.powers = power_shares(channels[0], gloss, power);
-  textures.note_unread("colour of the specular-glossiness texture is", "F0 is");
+  textures.note_unread_colours("colour of the specular-glossiness texture is", "F0 is");
 }
 
 void note_other_lobes(const JsonPlace& place, Material& material) {

@@ -69,9 +69,8 @@ LobeCell make_cell(std::span<const double> slopes, const std::vector<Interval>& 
   cell.log_target = is_near_peak ? std::log1p(-y_low) / rounding_up : std::log(c_high) / rounding_up;
   cell.log_form = upper_end(form) + half_width * largest_magnitude(slope);
   const double reach = half_width * largest_magnitude(bend_slope);
-  cell.bend_low = c_low > 0 ? lower_end(bend) - reach : -HUGE_VAL;
+  cell.bend_low = lower_end(bend) - reach;
   cell.bend_high = upper_end(bend) + reach;
-  if (!(c_low > 0)) cell.bend_high = HUGE_VAL;
   return cell;
 }
 
@@ -99,17 +98,23 @@ LobeCells::LobeCells(std::span<const double> slopes, double largest_power) {
   add(0, c, 1 - c, 1);
 }
 
-double LobeCells::largest_error(const WeightedPower& lobe, double offset, ShownScale scale,
+double LobeCells::largest_error(const WeightedPower& lobes, double offset, ShownScale scale,
                                 double enough) const {
-  const double n = lobe.power, most_shown = on_scale(scale, 1);
+  const double least = lobes.power.least, most = lobes.power.most;
+  // of a power times x; no power times an endless bend is nothing
+  const auto times = [](double power, double x) { return power > 0 ? power * x : 0; };
+  const auto highest = [&](double x) { return times(x > 0 ? most : least, x); };
+  const auto lowest = [&](double x) { return times(x > 0 ? least : most, x); };
+  const double most_shown = on_scale(scale, 1);
   double largest = enough;
   for (const LobeCell& cell : cells_) {
-    const double ratio = std::max(std::abs(n * cell.bend_low - offset * cell.y_high),
-                                  std::abs(n * cell.bend_high - offset * cell.y_low));
+    const double ratio = std::max(std::abs(lowest(cell.bend_low) - offset * cell.y_high),
+                                  std::abs(highest(cell.bend_high) - offset * cell.y_low));
     // v S'(v) <= S(1), so that a ratio of e^r moves nothing by more than |r| S(1)
     if (ratio * most_shown <= largest) continue;
-    const double log_larger = std::max(n * cell.log_target, n * cell.log_form - offset * cell.y_low);
-    const double shown = lobe.factor * cell.weight * std::exp(log_larger) * rounding_up;
+    const double log_larger =
+        std::max(highest(cell.log_target), highest(cell.log_form) - offset * cell.y_low);
+    const double shown = lobes.factor * cell.weight * std::exp(log_larger) * rounding_up;
     if (on_scale(scale, shown) <= largest) continue;
     largest = std::max(largest, apart_by_ratio(scale, shown, ratio) * rounding_up);
   }

@@ -14,9 +14,10 @@
 /// larger of both shown values is at most v = min(1, g min(1, 2c) max(f, t)), and they are apart by no more
 /// than v (1 - e^-|r|), or by the same of encoded values.
 ///
-/// For all forms by slopes ln f = (n + x)(ln t/n + d(c)) with a `bend` d that no power enters. So the cosines
-/// are cut into cells once, d is enclosed on each by intervals of 50 digits, and a bound for one more power
-/// is a walk over the cells in doubles. Cells are 2 % wide, and so are the bounds.
+/// For all forms by slopes ln f = ln t + n d(c) with a `bend` d that no power enters, and of a Gaussian with
+/// an offset - x y besides. So the cosines are cut into cells once, d is enclosed on each by intervals of 50
+/// digits, and a bound for one more power, or all powers between two, is a walk over the cells in doubles.
+/// Cells are 2 % wide, and so are the bounds.
 namespace shadefit::scene {
 
 /// A part of the cosines, and what of a form is there the same for every power.
@@ -31,13 +32,13 @@ struct LobeCell {
 /// A form by slopes on all cosines.
 class LobeCells {
  public:
-  /// For powers up to `largest_power`, above 0. At least one slope.
+  /// For powers up to `largest_power`, at least 1. At least one slope.
   LobeCells(std::span<const double> slopes, double largest_power);
 
-  /// The largest difference between what is shown of a lobe of a power above 0, and of the form with an
-  /// offset >= 0: not exceeded, in exact arithmetic. `enough`: where it is no more, it is only proven to be
-  /// no more.
-  double largest_error(const WeightedPower& lobe, double offset, ShownScale scale, double enough) const;
+  /// The largest difference between what is shown of any of the lobes, and of the form: not exceeded, in
+  /// exact arithmetic. An offset >= 0 is that of the one slope `natural_slope`, else it is 0. `enough`: where
+  /// it is no more, it is only proven to be no more.
+  double largest_error(const WeightedPower& lobes, double offset, ShownScale scale, double enough) const;
 
  private:
   std::vector<LobeCell> cells_;

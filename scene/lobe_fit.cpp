@@ -16,17 +16,21 @@ constexpr double golden = std::numbers::phi - 1;
 /// Neighbouring powers want the same constants.
 constexpr double neighbours = 1.1;
 
-/// Where the error of a lobe is looked at: t = n y from 0.05 in steps of a twentieth up to 44, where e^-44
-/// leaves nothing of the largest factor, 1e8; so many see an error to a percent.
-constexpr int places = 140;
-constexpr double first_t = 0.05, next_t = 1.05;
+/// Where the error of a lobe is looked at. Near its peak at t = n y from 0.05 in steps of a twentieth up to
+/// 44, where e^-44 leaves nothing of the largest factor, 1e8; so many see an error to a percent. What is left
+/// of it towards the horizon, at c from 1/2 in such steps down to 1/2000, where hardly any light is.
+constexpr double first_t = 0.05, last_t = 44, step = 1.05;
+constexpr double last_cosine = 1.0 / 2000;
 
-std::vector<WeightedPower> thinned(std::span<const WeightedPower> lobes) {
-  std::vector<WeightedPower> all(lobes.begin(), lobes.end()), kept;
+std::vector<LobeFitter::Lobe> thinned(std::span<const WeightedPower> lobes) {
+  std::vector<LobeFitter::Lobe> all, kept;
+  for (const WeightedPower& lobe : lobes) {
+    if (lobe.power.most > 0) all.push_back({lobe.power.most, lobe.factor});
+  }
   std::sort(all.begin(), all.end(),
-            [](const WeightedPower& a, const WeightedPower& b) { return a.power < b.power; });
+            [](const LobeFitter::Lobe& a, const LobeFitter::Lobe& b) { return a.power < b.power; });
   double first = 0;
-  for (const WeightedPower& lobe : all) {
+  for (const LobeFitter::Lobe& lobe : all) {
     if (kept.empty() || lobe.power > neighbours * first) {
       first = lobe.power;
       kept.push_back(lobe);
@@ -37,29 +41,31 @@ std::vector<WeightedPower> thinned(std::span<const WeightedPower> lobes) {
   return kept;
 }
 
-/// The most that a lobe is multiplied by at y: its factor, and the light that reaches it there.
-double brightest_at(const WeightedPower& lobe, double y) {
+/// What a lobe is multiplied by at y, at most: its factor, and the light that reaches it there.
+double brightest_at(const LobeFitter::Lobe& lobe, double y) {
   return lobe.factor * std::min(1.0, 2 * (1 - y));
 }
 
-/// A place of Lawson's iteration: of all lobes what an error of the logarithm is worth there.
+/// A place of Lawson's iteration: what an error of the logarithm is worth there to the lobe that it is worth
+/// most to.
 struct WeightedPlace {
-  double y, worth;
+  double y, log_cosine, worth;
 };
 
-/// The lobes' places together, each with the most that it is worth to any lobe.
-std::vector<WeightedPlace> weighted_places(std::span<const WeightedPower> lobes, ShownScale scale) {
-  const double least = first_t / lobes.back().power;
+std::vector<WeightedPlace> weighted_places(std::span<const LobeFitter::Lobe> lobes, ShownScale scale) {
   std::vector<WeightedPlace> all;
-  for (double y = least; y < 1; y *= next_t) {
+  const auto add = [&](double y, double log_cosine) {
     double worth = 0;
-    for (const WeightedPower& lobe : lobes) {
-      const double shown = brightest_at(lobe, y) * std::exp(lobe.power * std::log1p(-y));
-      constexpr double little = 1e-3;
+    for (const LobeFitter::Lobe& lobe : lobes) {
+      const double shown = brightest_at(lobe, y) * std::exp(lobe.power * log_cosine);
+      constexpr double little = 1e-3;  // an error, and with it the slope of what is shown
       worth = std::max(worth, lobe.power / little * apart_by_ratio(scale, shown, little));
     }
-    if (worth > 0) all.push_back({y, worth});
-  }
+    all.push_back({y, log_cosine, worth});
+  };
+  double y = first_t / std::max(1.0, lobes.back().power);
+  for (; y < 0.5; y *= step) add(y, std::log1p(-y));
+  for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c));
   return all;
 }
 
@@ -67,12 +73,13 @@ std::vector<WeightedPlace> weighted_places(std::span<const WeightedPower> lobes,
 
 LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale)
     : lobes_(thinned(lobes)), scale_(scale) {
-  double t = first_t;
-  for (int i = 0; i < places; ++i, t *= next_t) {
-    for (const WeightedPower& lobe : lobes_) {
-      const double y = t / lobe.power;
-      if (y < 1) samples_.push_back({lobe.power, y, lobe.power * std::log1p(-y), brightest_at(lobe, y)});
-    }
+  for (const Lobe& lobe : lobes_) {
+    const auto add = [&](double y, double log_cosine) {
+      samples_.push_back({lobe.power, y, log_cosine, brightest_at(lobe, y)});
+    };
+    for (double t = first_t; t < last_t && t < lobe.power / 2; t *= step)
+      add(t / lobe.power, std::log1p(-t / lobe.power));
+    for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c));
   }
 }
 
@@ -80,11 +87,11 @@ double LobeFitter::sampled_error(std::span<const double> slopes, double offset) 
   const double white = on_scale(scale_, 1);
   double largest = 0;
   for (const Sample& sample : samples_) {
+    const double target = sample.power * sample.log_cosine;
     const double form = (sample.power + offset) * std::numbers::ln2 * log2_by_slopes(-sample.y, slopes);
-    const double log_ratio = form - sample.log_target;
-    if (std::abs(log_ratio) * white <= largest) continue;  // no value moves by more than its share
-    const double shown = sample.brightest * std::exp(std::max(form, sample.log_target));
-    largest = std::max(largest, apart_by_ratio(scale_, shown, log_ratio));
+    if (std::abs(form - target) * white <= largest) continue;  // no value moves by more than its share
+    const double shown = sample.brightest * std::exp(std::max(form, target));
+    largest = std::max(largest, apart_by_ratio(scale_, shown, form - target));
   }
   return largest;
 }
@@ -123,14 +130,14 @@ std::vector<double> LobeFitter::best_slopes(int count) {
   Eigen::MatrixXd powers(rows, count);
   Eigen::VectorXd target(rows), worth(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const auto [y, value] = all[static_cast<std::size_t>(i)];
-    worth[i] = value;
-    for (Eigen::Index j = 0; j < count; ++j) powers(i, j) = std::pow(-y, static_cast<double>(j + 1));
-    target[i] = std::log1p(-y) / std::numbers::ln2;
+    const WeightedPlace& place = all[static_cast<std::size_t>(i)];
+    worth[i] = place.worth;
+    for (Eigen::Index j = 0; j < count; ++j) powers(i, j) = std::pow(-place.y, static_cast<double>(j + 1));
+    target[i] = place.log_cosine / std::numbers::ln2;
   }
   // |error|, weighed by what it is worth, becomes level where it is largest.
   Eigen::VectorXd level = Eigen::VectorXd::Constant(rows, 1.0 / static_cast<double>(rows));
-  Eigen::VectorXd best(count);
+  Eigen::VectorXd best = Eigen::VectorXd::Zero(count);
   double least = HUGE_VAL;
   constexpr int iterations = 60;
   for (int i = 0; i < iterations; ++i) {

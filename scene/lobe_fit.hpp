@@ -13,7 +13,12 @@ namespace shadefit::scene {
 /// Solves for constants, and counts how often.
 class LobeFitter {
  public:
-  /// `lobes` with powers above 0, at least one. Many are thinned out: of neighbours within a tenth the one
+  /// What is fitted.
+  struct Lobe {
+    double power, factor;
+  };
+
+  /// `lobes` of which one has a power above 0. Many are thinned out: of neighbours within a tenth the one
   /// with the largest factor stands for all.
   LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale);
 
@@ -36,11 +41,12 @@ class LobeFitter {
  private:
   /// A lobe at a place.
   struct Sample {
-    double power, y;
-    double log_target;  ///< of the lobe there
-    double brightest;   ///< what it is multiplied by, at most
+    double power;
+    double y;           ///< 1 - c
+    double log_cosine;  ///< log c
+    double brightest;   ///< what the lobe is multiplied by there, at most
   };
-  std::vector<WeightedPower> lobes_;
+  std::vector<Lobe> lobes_;  ///< one of the powers of each, above 0, by rising power
   std::vector<Sample> samples_;
   ShownScale scale_;
   int fits_run_ = 0;

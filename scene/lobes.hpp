@@ -18,17 +18,21 @@ double largest_factor(const Material& material, double power);
 /// The least and the largest power of a material.
 Range powers_of(const Material& material);
 
+/// The lobes of one material: its power, or of a texture all powers between the least and the largest in
+/// steps of 3 %. Texels are filtered, and mip levels are made: between two of them anything may be met.
+std::vector<WeightedPower> lobes_of(const Material& material);
+
 /// What the lobes of several materials have in common.
 struct Lobes {
-  std::vector<WeightedPower> powers;  ///< each once, with its largest factor, by rising power
-  std::set<PowerTexture> textures;    ///< that powers are read from; none but `none`: no power is the pixel's
-  bool has_schlick = false;           ///< a reflectance rises with the angle
-  bool is_coloured = false;           ///< a reflectance differs between the channels
-  bool has_metal = false;             ///< one facing the surface is above that of any dielectric
+  std::vector<WeightedPower> all;   ///< each power once, with its largest factor, by rising power
+  std::set<PowerTexture> textures;  ///< that powers are read from; none but `none`: no power is the pixel's
+  bool has_schlick = false;         ///< a reflectance rises with the angle
+  bool is_coloured = false;         ///< a reflectance may differ between the channels
+  bool has_metal = false;           ///< one facing the surface is above that of any dielectric
 
   bool is_textured() const { return textures.size() > textures.count(PowerTexture::none); }
-  bool are_none() const { return powers.empty(); }
-  Range range() const { return {powers.front().power, powers.back().power}; }
+  bool are_none() const { return all.empty(); }
+  Range range() const;
   bool is_one_power() const { return range().is_constant() && !is_textured(); }
   double largest_factor() const;
 };

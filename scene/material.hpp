@@ -40,6 +40,9 @@ struct Material {
   std::array<Range, 3>
       f0;  ///< red, green, blue: linear reflectances facing the surface; of `none`, the factor
   Range f90{1, 1};
+  /// A texture of colours, which is not read, is within the ranges of `f0`: a pixel's channels may differ
+  /// even where the ranges do not.
+  bool has_unread_colours = false;
 
   /// By rising power, at least one. A power that is the same everywhere is one share.
   std::vector<PowerShare> powers;
@@ -67,6 +70,10 @@ struct Conventions {
 
 /// Beyond this a lobe is narrower than any light: larger powers are taken for it, and that is said.
 inline constexpr double most_power = 1e9;
+
+/// The largest Ks, which is a colour and should be at most 1: with the largest power a float still holds its
+/// normalised lobe.
+inline constexpr double most_factor = 1e6;
 
 /// What the files hold together.
 struct Scene {

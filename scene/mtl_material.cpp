@@ -69,7 +69,7 @@ void read_phong(MtlReading& reading) {
   const bool is_specular = reading.numbers.illumination.value_or(2) > 1;
   const bool is_textured = reading.maps.has_specular;
   const double unsaid = is_textured ? 1 : 0;  // a map alone is the colour itself
-  const auto colour = reading.numbers.specular.value_or(std::array{unsaid, unsaid, unsaid});
+  auto colour = reading.numbers.specular.value_or(std::array{unsaid, unsaid, unsaid});
   const bool is_black =
       std::all_of(colour.begin(), colour.end(), [](double channel) { return channel == 0; });
   if (!is_specular || is_black) {
@@ -77,7 +77,12 @@ void read_phong(MtlReading& reading) {
     limit_powers(material, "Ns");
     return;
   }
+  if (*std::max_element(colour.begin(), colour.end()) > most_factor) {
+    material.remarks.push_back(fmt::format("Ks above {} is taken for that", most_factor));
+    for (double& channel : colour) channel = std::min(channel, most_factor);
+  }
   material.f0 = scaled_colour(colour, is_textured);
+  material.has_unread_colours = is_textured;
   if (is_textured)
     material.unknowns.push_back("specular texture is not read: Ks is taken from 0 to its value");
   read_shininess(reading);
@@ -122,7 +127,8 @@ void read_metallic_roughness(MtlReading& reading) {
   const double ior = reading.numbers.index_of_refraction.value_or(1.5);
   const double dielectric = reflectance_at_normal(ior);
   const ColourRange colours = scaled_colour(base, reading.maps.has_diffuse);
-  if (reading.maps.has_diffuse && metallic.most > 0)
+  material.has_unread_colours = reading.maps.has_diffuse && metallic.most > 0;
+  if (material.has_unread_colours)
     material.unknowns.push_back("base colour texture is not read: F0 of metal is taken from 0 to Kd");
   for (std::size_t i = 0; i < colours.size(); ++i)
     material.f0[i] = metallic_range({dielectric, dielectric}, colours[i], metallic);

@@ -145,25 +145,28 @@ class Planner {
       MaterialPlan& material = plan_.materials[i];
       if (!material.has_lobe) continue;
       material.cutoff = 1;
-      for (const PowerShare& share : scene_.materials[i].powers) {
-        const double factor = largest_factor(scene_.materials[i], share.power);
-        material.cutoff = std::min(material.cutoff, cutoff_of(error, factor, share.power));
-      }
+      for (const WeightedPower& lobe : lobes_of(scene_.materials[i]))
+        material.cutoff = std::min(material.cutoff, cutoff_of(error, lobe.factor, lobe.power.least));
       least = std::min(least, material.cutoff);
       largest = std::max(largest, material.factor);
     }
     plan_.shading.least_exponent = std::log2(error / largest) * (error < largest ? 1 / downwards : downwards);
     left_ -= spent;
     decide("culling", Verdict::keep,
-           lobes_.is_textured() ? "where n.h < " + decimal(least, 3) + " or the lobe < 2^" +
+           lobes_.is_textured() ? "where n.h < " + decimal_below(least, 3) + " or the lobe < 2^" +
                                       decimal(plan_.shading.least_exponent, 3)
-                                : "where n.h < " + decimal(least, 3) + " or more, by material",
+                                : "where n.h < " + decimal_below(least, 3) + " or more, by material",
            "a light adds less there", spent);
   }
 
   void decide_lobe() {
-    const ChosenLobe chosen = choose_lobe(
-        lobes_, {.allowed = left_, .scale = scale(), .precision = plan_.wanted.precision}, checkpoint_);
+    const LobeBudget budget{.allowed = left_,
+                            .scale = scale(),
+                            .precision = plan_.wanted.precision,
+                            .has_fresnel = plan_.shading.has_fresnel,
+                            .is_gloss_exponential = lobes_.textures.contains(PowerTexture::gloss) &&
+                                                    scene_.conventions.is_gloss_exponential};
+    const ChosenLobe chosen = choose_lobe(lobes_, budget, checkpoint_);
     plan_.shading.lobe = chosen.form;
     plan_.fits_run = chosen.fits_run;
     const bool is_kept = chosen.form.kind == LobeKind::power;
@@ -180,25 +183,20 @@ class Planner {
            : chosen.form.slopes.size() > 1             ? "the slopes do its work"
                                                        : "0 is near enough");
     decide_exp2(chosen.form, left_ - chosen.error - chosen.rounding);
+    const bool is_float = plan_.wanted.precision == PixelPrecision::float32;
     decide("rounding", Verdict::keep, std::string(name(plan_.wanted.precision)),
-           plan_.wanted.precision == PixelPrecision::float32
-               ? "each operation by 2^-24, exp2 and log2 by four times that"
-               : "every half n.h of every power was tried",
+           is_float ? "each operation by 2^-24, exp2 and log2 by four times that"
+                    : "each operation by 2^-11, exp2 and log2 too; powers up to 65504",
            chosen.rounding);
   }
 
-  static std::string reason_of(const ChosenLobe& chosen) {
-    switch (chosen.form.kind) {
-      case LobeKind::constant:
-        return "every power is 0";
-      case LobeKind::multiplied:
-        return "one whole power: exact";
-      case LobeKind::exponential:
-      case LobeKind::power:
-        break;
-    }
-    return chosen.cheaper.empty() ? "the cheapest, and near enough"
-                                  : chosen.cheaper + ": (n + 2)/8 takes back what it errs less for large n";
+  std::string reason_of(const ChosenLobe& chosen) const {
+    if (chosen.form.kind == LobeKind::constant) return "every power is 0";
+    if (chosen.form.kind == LobeKind::multiplied) return "one whole power: exact";
+    if (chosen.cheaper.empty()) return "the cheapest, and near enough";
+    constexpr double large = 100;
+    const bool is_bright = lobes_.range().most > large;
+    return chosen.cheaper + (is_bright ? ": (n + 2)/8 takes back what it errs less for large n" : "");
   }
 
   /// exp2 by a polynomial is off by a factor 1 + bound, which moves no value by more than the bound.
@@ -212,7 +210,7 @@ class Planner {
       double bound = 0;
       std::from_chars(record.bound.data(), record.bound.data() + record.bound.size(), bound);
       plan_.shading.exp2_degree = record.degree;
-      error = apart_by_ratio(scale(), 1, std::log1p(bound) / downwards);
+      error = apart_by_ratio(scale(), 1, std::log1p(-bound) / downwards);
       if (error <= left) break;
     }
     decide("exp2", Verdict::replace, "of degree " + std::to_string(plan_.shading.exp2_degree),

@@ -1,74 +1,108 @@
 #include "scene/rounding_error.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
+#include <span>
 
 #include "approx/gloss.hpp"
-#include "approx/lobe.hpp"
-#include "approx/shading.hpp"
-#include "fit/half.hpp"
 
 namespace shadefit::scene {
 namespace {
 
-constexpr double unit = 0x1p-24;
-
-/// v S'(v) is at most so much of white on either scale: 1, and 1.055/2.4 for the encoding.
-double of_white(ShownScale scale) {
-  constexpr double encoding = 1.055 / 2.4;
-  return scale == ShownScale::linear ? 1 : encoding * on_scale(scale, 1);
-}
-
-/// The lobe in the scalar T, its constants computed in double and rounded to T.
-template <class T>
-class RoundedLobe {
- public:
-  RoundedLobe(const LobeForm& form, double power) : form_(form), power_(static_cast<T>(power)) {
-    for (const double slope : form.slopes) slopes_.push_back(static_cast<T>((power + form.offset) * slope));
-  }
-  T operator()(const T& c) const {
-    switch (form_.kind) {
-      case LobeKind::constant:
-        return integer<T>(1);
-      case LobeKind::multiplied:
-        return shadefit::power(c, form_.whole);
-      case LobeKind::exponential:
-        return form_.is_fused ? gaussian_lobe_base_two(c, slopes_[0]) : sloped_lobe(c, slopes_);
-      case LobeKind::power:
-        return exp2(power_ * log2(c));
-    }
-    return integer<T>(0);
-  }
-
- private:
-  const LobeForm& form_;
-  T power_;
-  std::vector<T> slopes_;
+struct Format {
+  double unit;      ///< u
+  double function;  ///< roundings of exp2 and log2
+  double largest;   ///< number
+  double smallest;  ///< step below the normal numbers
 };
 
-double half_rounding(const LobeForm& form, const WeightedPower& lobe, ShownScale scale) {
-  using Half = Eigen::half;
-  const RoundedLobe<Half> rounded(form, lobe.power);
-  const RoundedLobe<double> exact(form, lobe.power);
-  const double normalisation = game_normalisation(lobe.power), reflectance = lobe.factor / normalisation;
-  const Half half_normalisation(static_cast<float>(normalisation));
-  const Half half_reflectance(static_cast<float>(reflectance));
+Format format_of(PixelPrecision precision) {
+  if (precision == PixelPrecision::float32) return {0x1p-24, 4, 0x1.fffffep127, 0x1p-149};
+  return {0x1p-11, 1, 65504, 0x1p-24};
+}
+
+/// By how much a sum of slopes cancels: sum |s_i| y^(i-1) over |sum s_i (-y)^(i-1)|, at most.
+double cancellation(std::span<const double> slopes) {
+  double most = 1;
+  constexpr int places = 256;
+  for (int i = 0; i <= places; ++i) {
+    const double y = static_cast<double>(i) / places;
+    double sum = 0, size = 0, power = 1;
+    for (const double slope : slopes) {
+      sum += slope * power;
+      size += std::abs(slope * power);
+      power *= -y;
+    }
+    most = std::max(most, size / std::abs(sum));
+  }
+  constexpr double between_places = 1.1;
+  return most > 1 ? most * between_places : 1;
+}
+
+/// Roundings of a pixel's power: relative to n + 2, which is at most 3 n from n = 1 on, or to n.
+double roundings_of_power(const RoundedShading& shading) {
+  if (!shading.lobes.is_textured()) return 0;
+  return shading.is_gloss_exponential ? 20 : 5;
+}
+
+/// Of the exponent, relative to it, where the power is at least 1.
+double roundings_of_exponent(const RoundedShading& shading, const Format& format) {
+  const double of_power = 3 * roundings_of_power(shading);
+  const LobeForm& form = shading.form;
+  switch (form.kind) {
+    case LobeKind::constant:
+    case LobeKind::multiplied:
+      return 0;
+    case LobeKind::exponential:
+      return static_cast<double>(2 * form.slopes.size() + 3) * cancellation(form.slopes) + of_power;
+    case LobeKind::power:
+      return format.function + 2 + of_power;
+  }
+  return 0;
+}
+
+/// What a relative error of a value moves on the scale: size times v^power times it, at most. The encoding's
+/// v S'(v) is 255 (1.055/2.4) v^(1/2.4), and up to 1.7 % more where it is straight.
+struct Elasticity {
+  double size, power;
+};
+
+Elasticity elasticity_of(ShownScale scale) {
+  if (scale == ShownScale::linear) return {1, 1};
+  constexpr double straight = 1.018;
+  return {on_scale(scale, 1) * straight * 1.055 / 2.4, 1 / 2.4};
+}
+
+/// The largest |a| min(1, g 2^-|a|)^p: at |a| = log2 g, or beyond at 1/(p ln 2).
+double largest_exponent(double factor, double p) {
+  const double beyond = 1 / (p * std::numbers::ln2), at_white = std::log2(factor);
+  return at_white >= beyond ? at_white : std::pow(factor, p) * beyond / std::numbers::e;
+}
+
+/// The largest factor of powers below 1.
+double largest_dull_factor(const Lobes& lobes) {
   double largest = 0;
-  constexpr int one_bits = 0x3c00;
-  for (int bits = 1; bits <= one_bits; ++bits) {
-    const Half c = Eigen::numext::bit_cast<Half>(static_cast<std::uint16_t>(bits));
-    const auto wide = static_cast<double>(c);
-    const double light = std::min(1.0, 2 * wide);
-    const auto shown = static_cast<double>(
-        shown_specular(half_reflectance, half_normalisation, rounded(c), Half(static_cast<float>(light))));
-    const double truth = shown_specular(reflectance, normalisation, exact(wide), light);
-    if (!(shown >= 0)) return on_scale(scale, 1);  // no number
-    largest = std::max(largest, std::abs(on_scale(scale, shown) - on_scale(scale, truth)));
+  for (const WeightedPower& lobe : lobes.all) {
+    if (lobe.power.least < 1) largest = std::max(largest, lobe.factor);
   }
   return largest;
+}
+
+/// All roundings of a light, each as much as it moves.
+double weighted_roundings(const RoundedShading& shading, const Format& format, double sharpness, double p) {
+  constexpr double of_fresnel = 12, of_constant = 1, of_normalisation = 3, of_products = 3;
+  constexpr double ln2 = std::numbers::ln2;
+  const double factor = shading.lobes.largest_factor(), of_power = roundings_of_power(shading);
+  double of_value = (shading.has_fresnel ? of_fresnel : of_constant) + of_normalisation + of_products +
+                    format.function + of_power;
+  if (shading.form.is_fused) of_value += ln2 * sharpness;
+  if (shading.form.kind == LobeKind::multiplied) of_value += shading.form.whole;
+  // (2 c)^p |log2 c| (n + 2) of a power below 1
+  const double dull = 3 * std::pow(2, p) / (p * std::numbers::e * ln2);
+  return std::pow(std::min(1.0, factor), p) * of_value +
+         ln2 * largest_exponent(factor, p) * roundings_of_exponent(shading, format) +
+         ln2 * std::pow(largest_dull_factor(shading.lobes), p) * dull * of_power;
 }
 
 }  // namespace
@@ -77,34 +111,19 @@ std::string_view name(PixelPrecision precision) {
   return precision == PixelPrecision::float32 ? "float" : "half";
 }
 
-double float_rounding(const LobeForm& form, double factor, double sharpness, ShownScale scale) {
-  constexpr double rest = 14;
-  double of_lobe = 0;
-  const double exponent = std::max(std::log2(factor), 1 / std::numbers::ln2);
-  switch (form.kind) {
-    case LobeKind::constant:
-      break;
-    case LobeKind::multiplied:
-      of_lobe = form.whole;
-      break;
-    case LobeKind::exponential: {
-      const auto roundings = static_cast<double>(2 * form.slopes.size() + 5);
-      of_lobe = std::numbers::ln2 * (exponent * roundings + (form.is_fused ? sharpness : 0));
-      break;
-    }
-    case LobeKind::power: {
-      constexpr double roundings = 4 + 2 + 1;  // log2, the power, the product
-      of_lobe = std::numbers::ln2 * exponent * roundings;
-      break;
-    }
-  }
-  return of_white(scale) * (of_lobe + rest) * unit;
-}
-
-double half_rounding(const LobeForm& form, std::span<const WeightedPower> lobes, ShownScale scale) {
-  double largest = 0;
-  for (const WeightedPower& lobe : lobes) largest = std::max(largest, half_rounding(form, lobe, scale));
-  return largest;
+double rounding_error(const RoundedShading& shading, PixelPrecision precision, ShownScale scale) {
+  const Format format = format_of(precision);
+  const Elasticity elasticity = elasticity_of(scale);
+  const double white = on_scale(scale, 1);
+  const double factor = shading.lobes.largest_factor(), power = shading.lobes.range().most;
+  const double sharpness = (power + shading.form.offset) * natural_slope;
+  if (std::max({power, factor, game_normalisation(power), sharpness}) > format.largest) return white;
+  const double relative = weighted_roundings(shading, format, sharpness, elasticity.power) * format.unit;
+  // Products of roundings are left out of the count: a fiftieth, as long as all are a fiftieth.
+  constexpr double products = 1.02;
+  if (relative > products - 1) return white;
+  // a lobe below the normal numbers is off by a step
+  return std::min(white, elasticity.size * relative * products + on_scale(scale, factor * format.smallest));
 }
 
 }  // namespace shadefit::scene

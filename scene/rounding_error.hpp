@@ -1,12 +1,26 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 
-#include "scene/lobe_form.hpp"
+#include "scene/lobes.hpp"
 #include "scene/shown_scale.hpp"
 
-/// What a processor's rounding adds to the error of a scene's shading.
+/// What a processor's rounding adds to the error of a scene's shading: bounds, by counting roundings.
+///
+/// An operation is off by a factor 1 + u at most, u = 2^-24 or 2^-11; exp2 and log2 by 2 ulps, 4 u, in float,
+/// and in half, where a processor computes them in float, by one rounding. What is shown of a light is v =
+/// min(1, g w 2^-|a|), a the exponent of the lobe.
+///
+/// - The exponent of d slopes has 2 d + 3 roundings, with n + x and the constants; A c - A rounds A c, |A| u
+///   more; where slopes differ in sign and cancel, all times by how much. 2^a is off by ln 2 |a| times that,
+///   and v |a| is largest at |a| = log2 g, or at 1/ln 2 where g is below 2.
+/// - n of a pixel: 2/alpha^2 - 2 of alpha = r^2 is off by 5 u (n + 2), 2^(10 g + 1) by 20 u n, in the
+/// exponent
+///   and in (n + 2)/8. Of a power below 1 the exponent is |log2 c| times that, with w <= 2 c before it.
+/// - F0 + (F90 - F0) (1 - l.h)^5 has 12 roundings at most (1 - l.h, four products, of which the power makes
+/// 8,
+///   a difference, a product, a sum), F0 alone 1; the normalisation 3, the products with it, n.l and the
+///   exp2 7.
 namespace shadefit::scene {
 
 enum class PixelPrecision { float32, float16 };
@@ -14,17 +28,16 @@ enum class PixelPrecision { float32, float16 };
 /// "float" or "half".
 std::string_view name(PixelPrecision precision);
 
-/// An upper bound for floats of what rounding moves on the scale, for lobes with factors up to `factor` and a
-/// sharpness A = (n + x)/ln 2 up to `sharpness`.
-///
-/// Each operation is off by a factor 1 + u, u = 2^-24, exp2 and log2 by 2 ulps, 4 u. The exponent is
-/// a = A y (s1 + y ..) with 2 d + 3 roundings, of the pixel's power two more; 2^a is off by ln 2 |a| times
-/// that, and what is shown by v ln 2 |a| (2 d + 5) u, v = min(1, g 2^-|a|): most at |a| = log2 g or 1/ln 2.
-/// The rest, F, the normalisation and the products, has 14 roundings. A c - A rounds A c: |A| u ln 2 more.
-double float_rounding(const LobeForm& form, double factor, double sharpness, ShownScale scale);
+/// What is rounded.
+struct RoundedShading {
+  const LobeForm& form;
+  const Lobes& lobes;
+  bool has_fresnel;
+  bool is_gloss_exponential;  ///< of a texture of gloss
+};
 
-/// For halves: every half c in [0, 1] and every lobe is tried, in Eigen::half with functions rounded once, in
-/// the order of the generated code, its constants rounded to halves.
-double half_rounding(const LobeForm& form, std::span<const WeightedPower> lobes, ShownScale scale);
+/// The most that rounding moves a light's result on the scale. All of white where a format has no such
+/// numbers: a power or a normalisation above the largest half.
+double rounding_error(const RoundedShading& shading, PixelPrecision precision, ShownScale scale);
 
 }  // namespace shadefit::scene

@@ -51,6 +51,20 @@ TEST(Gnuplot, DrawsEachPlotInItsDirectoryAndLeavesNothingBeside) {
   EXPECT_EQ(count_entries(directory / "plots"), 3U);
 }
 
+TEST(Gnuplot, NamesOnesThatEndWithPngAsTheyAre) {
+  const TemporaryDirectory directory;
+  const std::string program = fake_gnuplot(
+      directory, "[ $script = a.gnuplot ] || exit 1\necho 'IEND, and four bytes' > \"$picture\"");
+  std::filesystem::create_directory(directory.path() / "plots");
+  EXPECT_TRUE(draw_plots(program, directory / "plots", {"a.png"}).empty());
+  EXPECT_EQ(snapshot(directory.path() / "plots").count("a.png"), 1U);
+  EXPECT_EQ(
+      draw_plots(fake_gnuplot(directory, "echo '</svg>' > \"$picture\""), directory / "plots", {"a.png"})
+          .at(0)
+          .complaint,
+      "gnuplot left no whole picture");
+}
+
 TEST(Gnuplot, AFailureIsToldAndLeavesNoPicture) {
   const TemporaryDirectory directory;
   const std::string program = fake_gnuplot(

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "approx/encoding.hpp"
+#include "fit/half.hpp"
 #include "scene/lobe_fit.hpp"
 #include "scene/rounding_error.hpp"
 
@@ -27,13 +28,14 @@ double shown_value(ShownScale scale, double linear) {
 double brute_error(const WeightedPower& lobe, const std::vector<double>& slopes, double offset,
                    ShownScale scale) {
   double largest = 0;
+  const double power = lobe.power.most;
   constexpr int steps = 4000, factors = 100;
   for (int i = 0; i <= steps; ++i) {
     // half of the cosines near the peak, where a sharp lobe lives, half everywhere
-    const double y = i % 2 == 0 ? std::min(1.0, i * 0.01 / lobe.power) : static_cast<double>(i) / steps;
+    const double y = i % 2 == 0 ? std::min(1.0, i * 0.01 / power) : static_cast<double>(i) / steps;
     double exponent = 0;
     for (std::size_t j = slopes.size(); j > 0; --j) exponent = -y * (slopes[j - 1] + exponent);
-    const double target = std::pow(1 - y, lobe.power), form = std::exp2((lobe.power + offset) * exponent);
+    const double target = std::pow(1 - y, power), form = std::exp2((power + offset) * exponent);
     for (int j = 1; j <= factors; ++j) {
       const double g = lobe.factor * std::min(1.0, 2 * (1 - y)) * j / factors;
       largest = std::max(largest, std::abs(shown_value(scale, g * form) - shown_value(scale, g * target)));
@@ -42,8 +44,12 @@ double brute_error(const WeightedPower& lobe, const std::vector<double>& slopes,
   return largest;
 }
 
+WeightedPower of_power(double power, double factor) {
+  return {{power, power}, factor};
+}
+
 std::string text_of(const WeightedPower& lobe, double offset) {
-  return std::to_string(lobe.power) + " " + std::to_string(lobe.factor) + " " + std::to_string(offset);
+  return std::to_string(lobe.power.most) + " " + std::to_string(lobe.factor) + " " + std::to_string(offset);
 }
 
 TEST(LobeError, OfAGaussianIsTheLargestThatIsShown) {
@@ -54,7 +60,7 @@ TEST(LobeError, OfAGaussianIsTheLargestThatIsShown) {
       const double factor = reflectance * (power + 2) / 8;
       for (const double offset : {0.0, 0.775}) {
         for (const ShownScale scale : {ShownScale::linear, ShownScale::codes}) {
-          const WeightedPower lobe{power, factor};
+          const WeightedPower lobe = of_power(power, factor);
           const double truth = brute_error(lobe, slope, offset, scale);
           const double proven = cells.largest_error(lobe, offset, scale, 0);
           EXPECT_GE(proven, truth) << text_of(lobe, offset);
@@ -72,7 +78,8 @@ TEST(LobeError, OfSlopesIsTheLargestThatIsShown) {
   const std::vector<std::vector<double>> forms{{1.4418, -1.00729}, {1.44304, -0.592018, 1.24132}};
   for (const auto& slopes : forms) {
     const LobeCells cells(slopes, 1e5);
-    for (const WeightedPower lobe : {WeightedPower{0.5, 0.3}, {4, 0.75}, {64, 8}, {3000, 400}}) {
+    for (const WeightedPower& lobe :
+         {of_power(0.5, 0.3), of_power(4, 0.75), of_power(64, 8), of_power(3000, 400)}) {
       const double truth = brute_error(lobe, slopes, 0, ShownScale::linear);
       const double proven = cells.largest_error(lobe, 0, ShownScale::linear, 0);
       EXPECT_GE(proven, truth) << text_of(lobe, 0);
@@ -83,7 +90,7 @@ TEST(LobeError, OfSlopesIsTheLargestThatIsShown) {
 }
 
 TEST(LobeFit, TheBestOffsetIsBest) {
-  const std::vector<WeightedPower> lobes{{8, 0.5}, {40, 1.5}};
+  const std::vector<WeightedPower> lobes{of_power(8, 0.5), of_power(40, 1.5)};
   LobeFitter fitter(lobes, ShownScale::linear);
   EXPECT_EQ(fitter.fits_run(), 0);
   const double best = fitter.best_offset();
@@ -95,7 +102,7 @@ TEST(LobeFit, TheBestOffsetIsBest) {
 
 // The error of the best is level: it is as large at slopes + 1 places, of alternating sign.
 TEST(LobeFit, TheBestSlopesAreBest) {
-  const std::vector<WeightedPower> lobes{{16, 0.1}};
+  const std::vector<WeightedPower> lobes{of_power(16, 0.1)};
   LobeFitter fitter(lobes, ShownScale::linear);
   double before = fitter.sampled_error(std::vector{natural_slope}, 0);
   for (int count = 2; count <= 4; ++count) {
@@ -119,7 +126,7 @@ TEST(LobeFit, TheBestSlopesAreBest) {
 
 TEST(LobeFit, ThousandsAreThinnedOut) {
   std::vector<WeightedPower> lobes;
-  for (int i = 0; i < 5000; ++i) lobes.push_back({10 + i * 0.001, 1});
+  for (int i = 0; i < 5000; ++i) lobes.push_back(of_power(10 + i * 0.001, 1));
   lobes[2500].factor = 1.5;
   LobeFitter many(lobes, ShownScale::linear), few(std::vector{lobes[2500]}, ShownScale::linear);
   EXPECT_NEAR(many.best_offset(), few.best_offset(), 0.02);
@@ -151,49 +158,111 @@ TEST(ShownScale, ApartByARatio) {
   }
 }
 
-/// What floats make of a Gaussian, written as A c - A or as A (c - 1), beside exact ones of the same A.
-double measured_rounding(const LobeForm& form, const WeightedPower& lobe) {
-  const auto sharpness = static_cast<float>((lobe.power + form.offset) * form.slopes[0]);
-  const auto factor = static_cast<float>(lobe.factor);
-  double largest = 0;
-  for (int i = 0; i <= 20000; ++i) {
-    const auto c = static_cast<float>(1 - i * 0.002 / lobe.power);
-    if (c < 0) break;
-    const float exponent = form.is_fused ? sharpness * c - sharpness : sharpness * (c - 1);
-    const float shown = std::min(1.0F, factor * std::exp2(exponent));
-    const double exact = (lobe.power + form.offset) * form.slopes[0] * (static_cast<double>(c) - 1);
-    largest = std::max(largest, std::abs(shown - std::min(1.0, lobe.factor * std::exp2(exact))));
-  }
-  return largest;
-}
-
-TEST(RoundingError, OfFloatsIsNotExceeded) {
-  for (const bool is_fused : {false, true}) {
-    for (const WeightedPower lobe : {WeightedPower{8, 0.05}, {200, 25}, {1e5, 1e4}}) {
-      const LobeForm form{
-          .kind = LobeKind::exponential, .offset = 0.7, .slopes = {natural_slope}, .is_fused = is_fused};
-      const double sharpness = (lobe.power + form.offset) * natural_slope;
-      const double bound = float_rounding(form, lobe.factor, sharpness, ShownScale::linear);
-      EXPECT_LE(measured_rounding(form, lobe), bound) << is_fused << " " << lobe.power;
-      if (is_fused && lobe.power > 100) {
-        EXPECT_GE(measured_rounding(form, lobe), 0.1 * bound) << "A c - A does cancel";
+// A texture may hold anything between two powers: their bound is above that of each.
+TEST(LobeError, OfAllPowersBetweenTwo) {
+  const std::vector<double> slope{natural_slope};
+  const LobeCells cells(slope, 1e5);
+  for (const Range range : {Range{0, 0.01}, {0.3, 0.31}, {8, 8.2}, {300, 309}}) {
+    const double factor = 0.5 * (range.most + 2) / 8;
+    for (const double offset : {0.0, 0.5}) {
+      const double all = cells.largest_error({range, factor}, offset, ShownScale::linear, 0);
+      for (const double share : {0.0, 0.4, 1.0}) {
+        const double power = range.least + share * (range.most - range.least);
+        const double one = cells.largest_error(of_power(power, factor), offset, ShownScale::linear, 0);
+        EXPECT_GE(all, one) << power;
+        // 3 % of n move t by as much, on both sides
+        EXPECT_LE(all, 1.25 * one + 0.004) << power;
       }
     }
   }
 }
 
-// Halves: 2^-11 of a value is half a code. A fused sharp lobe is noise, and one too bright for a half is
-// lost.
-TEST(RoundingError, OfHalvesIsTried) {
-  LobeForm form{.kind = LobeKind::exponential, .slopes = {natural_slope}};
-  const std::array dull{WeightedPower{8, 0.05}}, sharp{WeightedPower{500, 62.75}},
-      bright{WeightedPower{1e6, 1e5}};
-  EXPECT_LT(half_rounding(form, dull, ShownScale::linear), 0.05 / 256);
-  EXPECT_GT(half_rounding(form, sharp, ShownScale::linear), 1.0 / 1024);
-  const double apart = half_rounding(form, sharp, ShownScale::linear);
-  form.is_fused = true;
-  EXPECT_GT(half_rounding(form, sharp, ShownScale::linear), 20 * apart);
-  EXPECT_EQ(half_rounding(form, bright, ShownScale::linear), 1);
+TEST(LobeFit, OfDullLobesToo) {
+  for (const double power : {1e-3, 0.04, 0.3}) {
+    LobeFitter fitter(std::vector{of_power(0, 0.25), of_power(power, (power + 2) / 8)}, ShownScale::linear);
+    for (int count = 2; count <= 4; ++count) {
+      for (const double slope : fitter.best_slopes(count)) EXPECT_LT(std::abs(slope), 100) << power;
+    }
+    EXPECT_GE(fitter.best_offset(), 0);
+  }
+}
+
+/// A light of what floats or halves make of a lobe, all of it in that format: A c - A or slopes, the constant
+/// reflectance and normalisation, n.l.
+template <class T>
+double measured_rounding(const LobeForm& form, double power, double reflectance) {
+  const auto rounded = [](double x) { return static_cast<T>(x); };
+  LobeConstants<T> constants;
+  LobeConstants<double> exact;
+  for (const double slope : form.slopes) {
+    constants.slopes.push_back(rounded((power + form.offset) * slope));
+    exact.slopes.push_back((power + form.offset) * slope);
+  }
+  const double normalisation = (power + 2) / 8;
+  double largest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const T c = rounded(1 - i * 0.001 / power);
+    if (!(static_cast<double>(c) >= 0)) break;
+    for (const double light : {1.0, 0.71, 0.37}) {
+      const T lobe = planned_lobe(form, c, constants);
+      const auto shown = static_cast<double>(
+          shown_specular(rounded(reflectance), rounded(normalisation), lobe, rounded(light)));
+      const double truth = shown_specular(reflectance, normalisation,
+                                          planned_lobe(form, static_cast<double>(c), exact), light);
+      largest = std::max(largest, std::abs(shown - truth));
+    }
+  }
+  return largest;
+}
+
+Lobes lobes_of_power(double power, double reflectance) {
+  return {.all = {of_power(power, reflectance * (power + 2) / 8)}, .textures = {PowerTexture::none}};
+}
+
+TEST(RoundingError, IsNotExceeded) {
+  for (const bool is_fused : {false, true}) {
+    for (const double power : {8.0, 77.7, 300.5, 1e4}) {
+      for (const double reflectance : {0.04, 0.3, 1.0}) {
+        const LobeForm form{
+            .kind = LobeKind::exponential, .offset = 0.7, .slopes = {natural_slope}, .is_fused = is_fused};
+        const Lobes lobes = lobes_of_power(power, reflectance);
+        const auto bound = [&](PixelPrecision precision) {
+          return rounding_error({form, lobes, false, false}, precision, ShownScale::linear);
+        };
+        const std::string where = std::to_string(power) + " " + std::to_string(reflectance);
+        const double in_float = measured_rounding<float>(form, power, reflectance);
+        EXPECT_LE(in_float, bound(PixelPrecision::float32)) << where;
+        EXPECT_LE(measured_rounding<Eigen::half>(form, power, reflectance), bound(PixelPrecision::float16))
+            << where;
+        EXPECT_GE(in_float, 0.04 * bound(PixelPrecision::float32)) << where << ": and is no idle bound";
+      }
+    }
+  }
+}
+
+TEST(RoundingError, CountsWhatThereIs) {
+  const LobeForm gaussian{.kind = LobeKind::exponential, .slopes = {natural_slope}};
+  const Lobes lobes = lobes_of_power(20, 0.04);
+  const auto in_float = [&](const RoundedShading& shading) {
+    return rounding_error(shading, PixelPrecision::float32, ShownScale::linear);
+  };
+  const double plain = in_float({gaussian, lobes, false, false});
+  EXPECT_GT(in_float({gaussian, lobes, true, false}), plain);
+  Lobes textured = lobes;
+  textured.textures = {PowerTexture::roughness};
+  const double of_roughness = in_float({gaussian, textured, false, false});
+  EXPECT_GT(of_roughness, plain);
+  EXPECT_GT(in_float({gaussian, textured, false, true}), of_roughness);
+  // slopes that cancel, 1.58 - 0.34 y: by 1.55 at y = 1
+  const LobeForm cancelling{.kind = LobeKind::exponential, .slopes = {1.58, 0.34}};
+  const LobeForm alike{.kind = LobeKind::exponential, .slopes = {1.58, -0.34}};
+  EXPECT_GT(in_float({cancelling, lobes, false, false}), in_float({alike, lobes, false, false}));
+  EXPECT_GT(rounding_error({gaussian, lobes, false, false}, PixelPrecision::float32, ShownScale::codes),
+            100 * plain);
+  // no half is 1e5
+  EXPECT_EQ(rounding_error({gaussian, lobes_of_power(1e5, 0.04), false, false}, PixelPrecision::float16,
+                           ShownScale::linear),
+            1);
   EXPECT_EQ(name(PixelPrecision::float16), "half");
 }
 

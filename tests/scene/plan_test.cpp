@@ -100,7 +100,7 @@ TEST(Plan, TakesTheCheapestFormThatIsNearEnough) {
                                    Expected{1.0 / 4096, LobeKind::exponential, 2, false, 2},
                                    Expected{1.0 / 32768, LobeKind::exponential, 3, false, 3},
                                    Expected{1.0 / 262144, LobeKind::exponential, 4, false, 4},
-                                   Expected{2.5e-6, LobeKind::power, 0, false, 4}}) {
+                                   Expected{1e-6, LobeKind::power, 0, false, 4}}) {
     const Plan plan = make_plan(scene, {.tolerance = expected.tolerance});
     EXPECT_EQ(plan.shading.lobe.kind, expected.kind) << expected.tolerance;
     EXPECT_EQ(plan.shading.lobe.slopes.size(), expected.slopes) << expected.tolerance;
@@ -158,6 +158,22 @@ TEST(Plan, KeepsFresnelWhereItRises) {
   EXPECT_TRUE(make_plan(scene, {}).shading.is_coloured);
   EXPECT_EQ(decision(make_plan(scene, {}), "coloured F0").reason,
             "a reflectance is coloured, metals among them");
+  scene.materials[0].f0[2] = scene.materials[0].f0[0];
+  EXPECT_FALSE(make_plan(scene, {}).shading.is_coloured);
+  scene.materials[0].has_unread_colours = true;
+  EXPECT_TRUE(make_plan(scene, {}).shading.is_coloured) << "ranges agree, the channels of a pixel need not";
+}
+
+// What a filter makes of two texels lies between them: of a mask from 0 to 1 every power.
+TEST(Plan, OfFilteredTextures) {
+  Scene scene;
+  Material mask = wavefront("mask", 1, 0);
+  mask.powers = {{0, 0.5}, {1e9, 0.5}};
+  mask.power_texture = PowerTexture::roughness;
+  scene.materials = {mask};
+  const Plan plan = make_plan(scene, {});
+  EXPECT_TRUE(plan.is_within());
+  EXPECT_GT(plan.shading.lobe.slopes.size(), 1U) << "0 and 1e9 alone want a Gaussian, 30 does not";
 }
 
 TEST(Plan, OfAConstantLobe) {

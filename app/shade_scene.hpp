@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/checkpoint.hpp"
+#include "reports/files.hpp"
+#include "scene/plan.hpp"
+
+namespace shadefit {
+
+/// What `scene --shade` says and writes.
+struct ShadedScene {
+  std::string out = {}, err = {};         ///< something on `err`: a plan or a drawing failed
+  std::vector<File> files = {};           ///< none without a directory
+  std::vector<std::string> missing = {};  ///< pictures that were not drawn
+};
+
+/// Shades a scene by the reference, by the published constants and as planned, on the widest registers of
+/// this machine; with pictures where there is a directory `out` for them.
+ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
+                        const std::optional<std::string>& out, const Checkpoint& checkpoint);
+
+}  // namespace shadefit

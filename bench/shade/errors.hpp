@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bench/shade/ways.hpp"
+#include "fit/checkpoint.hpp"
+#include "scene/shown_scale.hpp"
+
+/// How wrong the ways are: each sample's light alone against the reference.
+namespace shadefit::shade {
+
+/// Over all samples and channels.
+struct Errors {
+  double most = 0, mean = 0;              ///< in linear values
+  double most_codes = 0, mean_codes = 0;  ///< in sRGB codes of 8 bits, not rounded
+
+  double most_on(scene::ShownScale scale) const {
+    return scale == scene::ShownScale::linear ? most : most_codes;
+  }
+};
+
+/// Of the published way, then of each planned one.
+std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& reference,
+                              const PublishedWay& published, std::span<const PlannedWay> planned,
+                              const Checkpoint& checkpoint = keep_going);
+
+}  // namespace shadefit::shade

@@ -1,0 +1,164 @@
+#include "bench/shade/measure.hpp"
+
+#include <algorithm>
+
+#include "bench/shade/operations.hpp"
+#include "bench/trade/statistics.hpp"
+
+namespace shadefit::shade {
+namespace {
+
+/// Codes of white: a tolerance on their scale is one of 255.
+double white(scene::ShownScale scale) {
+  return scene::on_scale(scale, 1);
+}
+
+/// What one light may be off by. A plan that says itself that it cannot keep the tolerance has promised its
+/// own error.
+double allowed_of(const scene::Plan& plan) {
+  return std::max(plan.wanted.tolerance, plan.error) / plan.wanted.lights;
+}
+
+std::string form_of(const scene::Plan& plan) {
+  return plan.has_lobes() ? to_text(plan.shading.lobe) : "no lobe";
+}
+
+std::vector<scene::Plan> plans_of_sweep(const scene::Scene& scene, const scene::Plan& plan,
+                                        const Checkpoint& checkpoint) {
+  std::vector<scene::Plan> plans;
+  for (const double tolerance : swept_tolerances) {
+    scene::Wanted wanted = plan.wanted;
+    wanted.tolerance = tolerance * white(wanted.scale);
+    plans.push_back(scene::make_plan(scene, wanted, checkpoint));
+  }
+  return plans;
+}
+
+/// One after the other, the whole workload by each way.
+class Timed {
+ public:
+  Timed(const Workload& workload, const ReferenceWay& reference, const PublishedWay& published,
+        const std::vector<PlannedWay>& planned)
+      : workload_(workload), wide_(workload.tiles()), narrow_(workload.tiles()) {
+    add([&](const Visit& visit) {
+      Block<double> block = workload_.block<double>(visit);
+      block.out = wide_.out();
+      reference.shade(block, visit.material);
+      bench::keep(block.out[0]);
+    });
+    add([&](const Visit& visit) {
+      const Block<float> block = narrow_block(visit);
+      published.shade(block, visit.material);
+      bench::keep(block.out[0]);
+    });
+    for (const PlannedWay& way : planned) {
+      add([&](const Visit& visit) {
+        if (!way.has_lobe(visit.material)) return;
+        const Block<float> block = narrow_block(visit);
+        way.shade(block, visit.material);
+        bench::keep(block.out[0]);
+      });
+    }
+  }
+
+  /// ns a sample: the median of the rounds, of this thread's own time.
+  std::vector<double> times(const bench::Plan& timing, const Checkpoint& checkpoint) const {
+    std::vector<double> times;
+    for (const bench::Samples& samples :
+         bench::time_interleaved(work_, timing, bench::now, [&](double) { checkpoint(); }))
+      times.push_back(bench::spread_of(samples.cpu).median);
+    return times;
+  }
+
+ private:
+  template <class Shade>
+  void add(const Shade& shade) {
+    work_.push_back({.once =
+                         [this, shade] {
+                           for (const Visit& visit : workload_.visits()) shade(visit);
+                         },
+                     .elements = workload_.samples()});
+  }
+  Block<float> narrow_block(const Visit& visit) {
+    Block<float> block = workload_.block<float>(visit);
+    block.out = narrow_.out();
+    return block;
+  }
+
+  const Workload& workload_;
+  Results<double> wide_;
+  Results<float> narrow_;
+  std::vector<bench::Work> work_;
+};
+
+Skipped skipped_by(const scene::Scene& scene, const scene::Plan& plan, const Workload& workload,
+                   const PlannedWay& way) {
+  Results<float> results(workload.tiles());
+  double all = 0, with_lobe = 0, culled = 0, full = 0, planned = 0;
+  for (const Visit& visit : workload.visits()) {
+    const auto samples = static_cast<double>(workload.samples_of_visit());
+    all += samples;
+    const scene::Material& material = scene.materials[visit.material];
+    const auto constants = planned_material(material, plan.materials[visit.material], plan.shading);
+    if (!constants) continue;
+    with_lobe += samples;
+    full += full_operations(material.is_power_textured());
+    planned += planned_operations(*constants);
+    Block<float> block = workload.block<float>(visit);
+    block.out = results.out();
+    culled += static_cast<double>(way.shade(block, visit.material));
+  }
+  Skipped skipped{.by_materials = 1 - with_lobe / all};
+  if (with_lobe > 0) {
+    skipped.by_terms = 1 - planned / full;
+    skipped.by_culling = culled / with_lobe;
+  }
+  return skipped;
+}
+
+}  // namespace
+
+std::vector<MeasuredWay> broken_promises(const Measurement& measurement) {
+  std::vector<MeasuredWay> all{measurement.planned};
+  all.insert(all.end(), measurement.sweep.begin(), measurement.sweep.end());
+  std::erase_if(all,
+                [&](const MeasuredWay& way) { return way.errors.most_on(measurement.scale) <= way.allowed; });
+  return all;
+}
+
+Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
+                    const bench::Plan& timing, const Checkpoint& checkpoint) {
+  std::vector<scene::Plan> plans{plan};
+  for (scene::Plan& swept : plans_of_sweep(scene, plan, checkpoint)) plans.push_back(std::move(swept));
+  const Workload workload(scene, plan.wanted.lights);
+  const ReferenceWay reference(scene, kernels);
+  const PublishedWay published(scene, kernels);
+  std::vector<PlannedWay> planned;
+  for (const scene::Plan& some : plans) planned.emplace_back(scene, some, kernels);
+  const std::vector<Errors> errors = errors_of(workload, reference, published, planned, checkpoint);
+  const std::vector<double> ns = Timed(workload, reference, published, planned).times(timing, checkpoint);
+
+  Measurement result{.width = kernels.width, .scale = plan.wanted.scale};
+  result.samples = workload.samples();
+  result.lights = workload.lights();
+  result.reference = {.name = "reference", .form = "pow, double", .ns = ns[0]};
+  result.published = {
+      .name = "published", .form = "exp2(A c - A), A = (n + 0.775)/ln 2", .ns = ns[1], .errors = errors[0]};
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const MeasuredWay way{.name = "planned",
+                          .tolerance = plans[i].wanted.tolerance,
+                          .form = form_of(plans[i]),
+                          .ns = ns[2 + i],
+                          .errors = errors[1 + i],
+                          .allowed = allowed_of(plans[i])};
+    if (i == 0) {
+      result.planned = way;
+    } else {
+      result.sweep.push_back(way);
+    }
+  }
+  result.skipped = skipped_by(scene, plan, workload, planned.front());
+  return result;
+}
+
+}  // namespace shadefit::shade

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/shade/errors.hpp"
+#include "bench/trade/timing.hpp"
+
+/// The three ways on one workload: how long they take and how wrong they are, and the same of plans for other
+/// tolerances.
+///
+/// What is timed is the specular term alone, its cosines given, on one core with its data in the caches: the
+/// geometry of a pixel is the same for all. The reference and the published way decode a power where it is
+/// textured and take it from the material elsewhere; neither culls or leaves anything out.
+namespace shadefit::shade {
+
+struct MeasuredWay {
+  std::string name;                      ///< "reference", "published" or "planned"
+  std::optional<double> tolerance = {};  ///< of a plan
+  std::string form;                      ///< of the lobe
+  double ns = 0;                         ///< a sample
+  Errors errors = {};                    ///< against the reference, of one light
+  double allowed = 0;                    ///< of a plan: error of one light, on its scale
+};
+
+/// Shares of the work that the plan leaves out, each of what the one before has left.
+struct Skipped {
+  double by_materials = 0;  ///< of the samples: their material has no lobe
+  double by_terms = 0;      ///< of a sample's operations, as `count_operations` has them
+  double by_culling = 0;    ///< of the samples
+};
+
+struct Measurement {
+  forms::Width width;
+  scene::ShownScale scale;
+  std::size_t samples = 0;
+  std::size_t lights = 1;  ///< that were shaded
+  MeasuredWay reference = {}, published = {};
+  MeasuredWay planned = {};             ///< by the plan that is given
+  std::vector<MeasuredWay> sweep = {};  ///< by plans for tolerances of 1/32 .. 1/4096 of white
+  Skipped skipped = {};
+
+  bool is_published_within() const { return published.errors.most_on(scale) <= planned.allowed; }
+  double times_reference() const { return reference.ns / planned.ns; }
+  double times_published() const { return published.ns / planned.ns; }
+};
+
+/// The plans whose errors are not what they promise, which would be an error of ours.
+std::vector<MeasuredWay> broken_promises(const Measurement& measurement);
+
+/// Of white, in the order of the sweep.
+inline constexpr std::array swept_tolerances{1.0 / 32,  1.0 / 64,   1.0 / 128,  1.0 / 255,
+                                             1.0 / 512, 1.0 / 1024, 1.0 / 2048, 1.0 / 4096};
+
+/// How long is measured.
+inline constexpr bench::Plan full_plan{.rounds = 7, .seconds = 0.015};
+/// For tests, which look at no time.
+inline constexpr bench::Plan quick_plan{.rounds = 1, .seconds = 0};
+
+Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
+                    const bench::Plan& timing, const Checkpoint& checkpoint = keep_going);
+
+}  // namespace shadefit::shade

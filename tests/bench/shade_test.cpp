@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "bench/shade/measure.hpp"
+#include "bench/shade/operations.hpp"
+#include "bench/shade/picture.hpp"
+#include "bench/shade/tables.hpp"
+#include "tests/bench/shaded_scenes.hpp"
+
+namespace shadefit::shade {
+namespace {
+
+using testing::one_material;
+using testing::scene_of;
+using testing::shaded_scenes;
+
+TEST(Shade, PlansKeepWhatTheyPromiseOnEveryWidth) {
+  for (const auto& [name, scene] : shaded_scenes()) {
+    for (const scene::ShownScale scale : {scene::ShownScale::linear, scene::ShownScale::codes}) {
+      const scene::Wanted wanted{.tolerance = scale == scene::ShownScale::linear ? 1.0 / 255 : 1,
+                                 .lights = name == "several powers" ? 3 : 1,
+                                 .scale = scale};
+      const scene::Plan plan = scene::make_plan(scene, wanted);
+      std::vector<Measurement> all;
+      for (const Kernels& kernels : kernels_here()) all.push_back(measure(scene, plan, kernels, quick_plan));
+      for (const Measurement& measured : all) {
+        EXPECT_EQ(broken_lines(measured), "") << name << " by " << forms::name(measured.width);
+        EXPECT_EQ(measured.sweep.size(), swept_tolerances.size());
+        // what is culled goes by registers, of whatever width; all else rounds alike
+        EXPECT_NEAR(measured.planned.errors.most, all.front().planned.errors.most, measured.planned.allowed)
+            << name;
+        EXPECT_NEAR(measured.published.errors.most, all.front().published.errors.most, 1e-5) << name;
+      }
+    }
+  }
+}
+
+TEST(Shade, SaysWhatIsSkipped) {
+  const scene::Scene scene = shaded_scenes().at("one of two is black");
+  const scene::Plan plan = scene::make_plan(scene, {});
+  const Measurement measured = measure(scene, plan, kernels_here().front(), quick_plan);
+  EXPECT_DOUBLE_EQ(measured.skipped.by_materials, 0.5);
+  EXPECT_GT(measured.skipped.by_terms, 0);
+  EXPECT_LT(measured.skipped.by_terms, 1);
+  EXPECT_GE(measured.skipped.by_culling, 0);
+  EXPECT_LT(measured.skipped.by_culling, 1);
+  EXPECT_EQ(shade_table(measured).rows.size(), 3 + swept_tolerances.size());
+}
+
+TEST(Shade, CountsTheOperationsOfASample) {
+  // F: 1 - c, three products, and of each channel one multiply-add; (n + 2)/8 at hand; c^n is LOG2, MUL and
+  // EXP2; then three products and a minimum a channel
+  EXPECT_EQ(full_operations(false), 4 + 3 * 2 + 3 + 3 * 4);
+  EXPECT_GT(full_operations(true), full_operations(false));
+  const PlannedMaterial linear{
+      .kind = scene::LobeKind::multiplied, .whole = 1, .has_fresnel = false, .is_coloured = false};
+  EXPECT_EQ(planned_operations(linear), 3);
+}
+
+TEST(Shade, APlanThatIsBrokenIsToldWithBothNumbers) {
+  Measurement measured{.width = forms::Width::sse2, .scale = scene::ShownScale::linear};
+  measured.planned = {.name = "planned", .tolerance = 0.25, .form = "1", .ns = 1, .allowed = 0.125};
+  measured.planned.errors.most = 0.5;
+  EXPECT_EQ(
+      broken_lines(measured),
+      "shadefit: the plan for a tolerance of 0.25 is off by 0.5 of one light, which is above its 0.125\n");
+}
+
+TEST(ShadeWorkload, TakesPowersByTheirShares) {
+  scene::Scene scene = scene_of({one_material(0.04, {{2, 0.75}, {200, 0.25}})});
+  scene.materials.front().power_texture = scene::PowerTexture::roughness;
+  const Workload workload(scene, 1);
+  std::size_t sharp = 0, all = 0;
+  for (const Visit& visit : workload.visits()) {
+    for (std::size_t i = 0; i < visit.alpha.size(); i += tile_pixels, ++all)
+      sharp += visit.alpha[i] < static_cast<float>(alpha_of_power(20)) ? 1U : 0U;
+  }
+  EXPECT_NEAR(static_cast<double>(sharp) / static_cast<double>(all), 0.25, 0.01);
+}
+
+TEST(ShadePicture, HasElevenSpheresAtMostAndNoBlackOnes) {
+  const auto scenes = shaded_scenes();
+  const auto count = [&](const char* name) {
+    const scene::Scene& scene = scenes.at(name);
+    return spheres_of(scene, scene::make_plan(scene, {})).size();
+  };
+  EXPECT_EQ(count("textured"), most_spheres);
+  EXPECT_EQ(count("one of two is black"), 1U);
+  EXPECT_EQ(count("nothing to see"), 2U) << "black, where there is nothing else";
+}
+
+}  // namespace
+}  // namespace shadefit::shade
