@@ -271,7 +271,7 @@ void add_emit(CLI::App& app, Call& call) {
 
 void add_scene(CLI::App& app, Call& call) {
   add_scene_options(app, call.scene)->callback([&call] {
-    call.outcome = scene_command(call.scene, call.checkpoint);
+    call.outcome = scene_command(call.scene, call.checkpoint, call.progress);
   });
 }
 

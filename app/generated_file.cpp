@@ -20,20 +20,25 @@ constexpr std::string_view line_prefix = "// shadefit ";
 /// The commands that print code.
 constexpr std::array<std::string_view, 2> generators{"emit", "scene"};
 
-/// The words of a line; what is in quotes is one.
+/// The words of a line as a shell has them: what is in quotes is one, and \\ before a quote outside of them
+/// is a quote.
 std::vector<std::string> words_of(std::string_view line) {
   std::vector<std::string> words;
   bool is_quoted = false, is_open = false;
-  for (const char c : line) {
-    const bool ends_word = c == ' ' && !is_quoted;
-    if (c == '\'') is_quoted = !is_quoted;
-    if (ends_word) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == ' ' && !is_quoted) {
       is_open = false;
       continue;
     }
     if (!is_open) words.emplace_back();
     is_open = true;
-    if (c != '\'') words.back() += c;
+    const bool is_escape = !is_quoted && line.substr(i).starts_with("\\'");
+    if (is_escape) ++i;
+    if (line[i] == '\'' && !is_escape) {
+      is_quoted = !is_quoted;
+    } else {
+      words.back() += line[i];
+    }
   }
   return words;
 }
@@ -54,6 +59,7 @@ std::optional<std::vector<std::string>> command_of_line(const std::string& line)
 std::vector<std::string> command_in(const std::string& code, const std::string& file) {
   std::istringstream lines(code);
   for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
     if (auto command = command_of_line(line)) return *command;
   }
   throw UserError(fmt::format("--check '{}' names no command '{}emit ..' or '{}scene ..'", file, line_prefix,
@@ -71,14 +77,28 @@ int first_difference(const std::string& a, const std::string& b) {
 std::string command_text(const std::vector<std::string>& words) {
   std::string text = "shadefit";
   for (const std::string& word : words) {
-    const bool has_blank = word.empty() || word.find(' ') != std::string::npos;
-    text += has_blank ? " '" + word + "'" : " " + word;
+    if (printable(word) != word)
+      throw UserError(fmt::format("'{}' cannot stand in a comment of code: it has characters without a shape",
+                                  printable(word)));
+    if (!word.empty() && word.find_first_of(" '") == std::string::npos) {
+      text += " " + word;
+      continue;
+    }
+    text += " '";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += "'";
   }
   return text;
 }
 
+/// A text with the line ends that are ours: a checkout may have made others of them.
+std::string with_plain_ends(std::string text) {
+  for (std::size_t i = 0; (i = text.find("\r\n", i)) != std::string::npos;) text.erase(i, 1);
+  return text;
+}
+
 Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoint) {
-  const std::string code = read_file(file);
+  const std::string code = with_plain_ends(read_file(file));
   const Outcome now = run_command_line(command_in(code, file), checkpoint);
   if (!now.err.empty()) return now;
   if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};

@@ -8,7 +8,8 @@
 /// Generated files that name the command that made them.
 namespace shadefit {
 
-/// A line that names a command: "shadefit scene 'a b.mtl' --lang glsl". A word with blanks is in quotes.
+/// A line that names a command: "shadefit scene 'a b.mtl' --lang glsl". A word with blanks or quotes
+/// is in quotes. Throws UserError for a word that a comment cannot hold: line ends, control characters.
 std::string command_text(const std::vector<std::string>& words);
 
 /// Runs the command that a file of generated code names, in its comment, and compares: exit 1 where it would

@@ -107,6 +107,16 @@ std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scen
   return files;
 }
 
+/// Of another plan, if they are there.
+std::vector<std::string> not_written(const SceneOptions& options, const scene::Plan& plan) {
+  std::vector<std::string> names;
+  if (plan.wanted.precision == scene::PixelPrecision::float16) names.emplace_back("scene.hpp");
+  if (!options.shade)
+    names.insert(names.end(),
+                 {"shade.csv", "scene.png", "plots/shade.csv", "plots/shade.gnuplot", "plots/shade.svg"});
+  return names;
+}
+
 std::string written(const std::string& directory, const std::vector<File>& files) {
   std::vector<std::string> names;
   for (const File& file : files) names.push_back(file.name);
@@ -116,7 +126,7 @@ std::string written(const std::string& directory, const std::vector<File>& files
 
 }  // namespace
 
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint) {
+Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const scene::Conventions conventions = parse_conventions(options);
   scene::Wanted wanted = parse_wanted(options);
   const auto language = [&] { return parse_name("--lang", *options.language, languages); };
@@ -134,7 +144,7 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
   std::string out = plan_text(scene, plan);
   ShadedScene shaded;
   if (options.shade) {
-    shaded = shade_scene(scene, plan, options.out, checkpoint);
+    shaded = shade_scene(scene, plan, options.out, checkpoint, progress);
     out += "\n" + shaded.out;
     exit_code = std::max(exit_code, shaded.err.empty() ? 0 : 1);
   }
@@ -142,7 +152,9 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint)
     std::vector<File> files = files_of(options, scene, plan);
     out += written(*options.out, files);
     files.insert(files.end(), shaded.files.begin(), shaded.files.end());
-    write_files(*options.out, files, checkpoint, shaded.missing);
+    std::vector<std::string> obsolete = not_written(options, plan);
+    obsolete.insert(obsolete.end(), shaded.missing.begin(), shaded.missing.end());
+    write_files(*options.out, files, checkpoint, obsolete);
   }
   return {exit_code, out, shaded.err};
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "app/progress.hpp"
 
 namespace CLI {
 class App;
@@ -29,7 +30,8 @@ struct SceneOptions {
 /// Declares the subcommand.
 CLI::App* add_scene_options(CLI::App& app, SceneOptions& options);
 
-/// Reads the scene and plans its shading. Exit 1 where the plan is not within the tolerance.
-Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint);
+/// Reads the scene and plans its shading; with --shade measures it. Exit 1 where the plan is not within the
+/// tolerance, or what is measured not within the plan.
+Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 }  // namespace shadefit

@@ -37,9 +37,15 @@ void draw_spheres(ShadedScene& shaded, const std::vector<File>& files, const std
 }  // namespace
 
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
-                        const std::optional<std::string>& out, const Checkpoint& checkpoint) {
+                        const std::optional<std::string>& out, const Checkpoint& checkpoint,
+                        const Progress& progress) {
   const shade::Kernels kernels = shade::kernels_here().back();
-  const shade::Measurement measured = shade::measure(scene, plan, kernels, shade::full_plan, checkpoint);
+  progress("plans of the sweep ..");
+  const double start = bench::now().real;
+  const shade::Measurement measured = shade::measure(
+      scene, plan, kernels, shade::full_plan, checkpoint,
+      [&](double share) { progress(progress_line("shade", share, bench::now().real - start)); });
+  progress("");
   ShadedScene shaded{.out = shade::shade_text(measured), .err = shade::broken_lines(measured)};
   if (!out) return shaded;
   shaded.files.push_back({"shade.csv", write_csv(shade::shade_table(measured), Precision::report)});

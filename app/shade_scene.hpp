@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/progress.hpp"
 #include "fit/checkpoint.hpp"
 #include "reports/files.hpp"
 #include "scene/plan.hpp"
@@ -20,6 +21,7 @@ struct ShadedScene {
 /// Shades a scene by the reference, by the published constants and as planned, on the widest registers of
 /// this machine; with pictures where there is a directory `out` for them.
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
-                        const std::optional<std::string>& out, const Checkpoint& checkpoint);
+                        const std::optional<std::string>& out, const Checkpoint& checkpoint,
+                        const Progress& progress);
 
 }  // namespace shadefit

@@ -21,6 +21,9 @@ void register_proofs();
 /// From one fit to 100 000, on one and two threads: time and memory.
 void register_scaling();
 
+/// Plans of scenes with one material and with a thousand.
+void register_scenes();
+
 /// The command as a process: its time and its memory.
 void register_process();
 

@@ -23,13 +23,17 @@ using scene::Plan;
 using scene::PowerTexture;
 using scene::Scene;
 
-Symbolic number_of(double value) {
-  return Symbolic::number(fmt::format("{}", value));
+/// A constant, at most the largest half where that is what computes.
+Symbolic number_of(double value, scene::PixelPrecision precision) {
+  constexpr double largest_half = 65504;
+  const bool is_half = precision == scene::PixelPrecision::float16;
+  return Symbolic::number(
+      fmt::format("{}", is_half ? std::clamp(value, -largest_half, largest_half) : value));
 }
 
 /// The largest power: `most_power`, or what the largest half, 65504, leaves.
 Symbolic largest_power(scene::PixelPrecision precision) {
-  return number_of(precision == scene::PixelPrecision::float32 ? scene::most_power : 65504);
+  return number_of(scene::most_power, precision);
 }
 
 bool has_texture(const Scene& scene, const Plan& plan, PowerTexture texture) {
@@ -87,7 +91,7 @@ Symbolic above_zero(const Plan& plan, const Symbolic& c) {
                   [](const auto& material) { return material.has_lobe && material.power.least == 0; });
   if (!has_power_of_zero) return c;
   const bool is_float = plan.wanted.precision == scene::PixelPrecision::float32;
-  return max(c, number_of(is_float ? std::numeric_limits<float>::min() : 0x1p-14));
+  return max(c, number_of(is_float ? std::numeric_limits<float>::min() : 0x1p-14, plan.wanted.precision));
 }
 
 /// What the lobe knows: numbers of one power, the material's sharpness, or slopes and the exponent.
@@ -95,12 +99,15 @@ scene::LobeConstants<Symbolic> constants_of(const Plan& plan) {
   const LobeForm& lobe = plan.shading.lobe;
   const std::optional<double> power = one_power(plan);
   const Symbolic exponent = Symbolic::variable("exponent");
-  if (lobe.kind == LobeKind::power) return {{}, power ? number_of(*power) : exponent};
+  if (lobe.kind == LobeKind::power) return {{}, power ? number_of(*power, plan.wanted.precision) : exponent};
   if (has_sharpness(plan)) return {{Symbolic::variable("sharpness")}, {}};
   scene::LobeConstants<Symbolic> constants;
   for (const double slope : lobe.slopes)
-    constants.slopes.push_back(number_of(power ? (*power + lobe.offset) * slope : slope));
-  if (!power) constants.exponent = lobe.offset == 0 ? exponent : exponent + number_of(lobe.offset);
+    constants.slopes.push_back(
+        number_of(power ? (*power + lobe.offset) * slope : slope, plan.wanted.precision));
+  if (!power)
+    constants.exponent =
+        lobe.offset == 0 ? exponent : exponent + number_of(lobe.offset, plan.wanted.precision);
   return constants;
 }
 
@@ -117,7 +124,7 @@ ShaderFunction light(const Plan& plan) {
   const std::optional<double> power = one_power(plan);
   Symbolic normalisation = n_dot_l;
   if (power) {
-    normalisation = number_of(game_normalisation(*power));
+    normalisation = number_of(game_normalisation(*power), plan.wanted.precision);
   } else if (has_sharpness(plan)) {
     function.arguments.insert(function.arguments.end(), {"sharpness", "normalisation"});
     normalisation = Symbolic::variable("normalisation");
@@ -138,6 +145,16 @@ ShaderFunction reflectance() {
           {"Schlick's reflectance, for each channel that differs."}};
 }
 
+/// Where the exponent of a pixel comes from.
+std::string exponent_source(const scene::Material& material) {
+  if (material.power_texture == PowerTexture::roughness)
+    return "scene_exponent_of_roughness of the pixel's texel times the factor of the file";
+  if (material.power_texture == PowerTexture::gloss)
+    return "scene_exponent_of_gloss of the pixel's texel times the factor of the file";
+  return "exponent of the pixel, " + decimal(material.powers.back().power, 9) +
+         " at most: Ns times its texel";
+}
+
 /// A line for each material with a lobe, its constants to as many digits as a float has.
 std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
   constexpr int digits = 9;
@@ -147,7 +164,7 @@ std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
     if (!material.has_lobe) continue;
     std::string line = "  " + printable(material.name) + ": ";
     if (scene.materials[i].is_power_textured()) {
-      line += "exponent of the pixel";
+      line += exponent_source(scene.materials[i]);
     } else if (has_sharpness(plan)) {
       const double n = material.power.least;
       line += fmt::format("sharpness {}, normalisation {}",
@@ -184,6 +201,7 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
         plan.wanted.precision == scene::PixelPrecision::float32 ? "within 2 ulps" : "rounded once",
         plan.shading.exp2_degree));
   if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
+  comment.emplace_back("Cosines are in [0, 1]: to clamp them, and the sum of all lights, is the caller's.");
   comment.emplace_back("");
   comment.emplace_back(fmt::format(
       "With a specular lobe, {} of {}:",
@@ -210,8 +228,12 @@ std::vector<ShaderFunction> scene_functions(const Scene& scene, const Plan& plan
 std::string scene_code(const Scene& scene, const Plan& plan, Language language, const std::string& command) {
   const std::vector<ShaderFunction> functions = scene_functions(scene, plan);
   const bool is_half = plan.wanted.precision == scene::PixelPrecision::float16;
-  return shader_code(functions, language, is_half ? ShaderPrecision::float16 : ShaderPrecision::float32,
-                     comment_of(scene, plan, command));
+  std::string code =
+      shader_code(functions, language, is_half ? ShaderPrecision::float16 : ShaderPrecision::float32,
+                  comment_of(scene, plan, command));
+  const std::size_t includes = code.find("\n#include");
+  if (language == Language::cpp && includes != std::string::npos) code.insert(includes, "\n#pragma once\n");
+  return code;
 }
 
 }  // namespace shadefit

@@ -35,8 +35,10 @@ std::string headline(const Scene& scene, const Plan& plan) {
 }
 
 std::string summary(const Plan& plan) {
-  return fmt::format("Error at most {} of {}: {}.\nFits run {}, skipped {}.\n", decimal_above(plan.error, 3),
-                     decimal(plan.wanted.tolerance, 4),
+  const int lights = plan.wanted.lights;
+  return fmt::format("Error at most {} of {}{}: {}.\nFits run {}, skipped {}.\n",
+                     decimal_above(plan.error, 3), decimal(plan.wanted.tolerance, 4),
+                     lights == 1 ? "" : fmt::format(" ({} lights, each by the rows above)", lights),
                      plan.is_within() ? "within the tolerance" : "NOT within the tolerance", plan.fits_run,
                      plan.fits_skipped);
 }
@@ -91,9 +93,9 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
   std::string text =
       "# What this scene needs\n\n" + headline(scene, plan) + ".\n\n" +
       markdown_block(decisions_table(plan)) + summary(plan) +
-      "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven, in "
-      "exact arithmetic, with n.l <= 2 n.h, as it is on every surface that faces the viewer.\n\n# Materials\n\n`largest` is the largest F (n + 2)/8; below `cutoff`, a value "
-      "of n.h, a light need not be asked.\n\n" +
+      "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven, with "
+      "n.l <= 2 n.h, as it is on every surface that faces the viewer.\n\n# Materials\n\n`largest` is the "
+      "largest F (n + 2)/8; below `cutoff`, a value of n.h, a light need not be asked.\n\n" +
       markdown_block(materials_table(scene, plan));
   const std::vector<std::string> lines = notes(scene);
   if (!lines.empty()) text += "# Notes\n\n";

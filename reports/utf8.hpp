@@ -32,15 +32,25 @@ inline std::size_t utf8_length(std::string_view text) {
   return is_four && follows(1) && follows(2) && follows(3) ? 4 : 0;
 }
 
+/// Whether a code point of three bytes ends a line (U+2028, U+2029) or turns the direction of what follows
+/// (U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069).
+inline bool is_invisible(std::string_view point) {
+  if (!point.starts_with('\xE2') || point.size() != 3) return false;
+  const unsigned second = static_cast<unsigned char>(point[1]), third = static_cast<unsigned char>(point[2]);
+  const unsigned code = 0x2000 | (second & 0x3F) << 6 | (third & 0x3F);
+  return code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
 /// The pieces of a text that a terminal can show: code points, and as \xNN each byte of a control character
-/// (C0 and C1) or of what is no UTF-8.
+/// (C0 and C1), of what ends or turns a line unseen, or of what is no UTF-8.
 inline std::vector<std::string> printable_pieces(std::string_view text) {
   std::vector<std::string> pieces;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t length = utf8_length(text.substr(i));
     const auto byte = static_cast<unsigned char>(text[i]);
     const bool is_c1 = byte == 0xC2 && length == 2 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    if (length == 0 || byte < 0x20 || byte == 0x7F || is_c1) {
+    if (length == 0 || byte < 0x20 || byte == 0x7F || is_c1 || is_invisible(text.substr(i, length))) {
       pieces.push_back(fmt::format("\\x{:02x}", byte));
       ++i;
     } else {

@@ -53,8 +53,7 @@ Range read_metallic_roughness(const JsonPlace& object, TextureNotes& textures,
     return {metallic, metallic};
   }
   const auto channels = textures.read(*info, "metallic-roughness texture", {Channel::green, Channel::blue});
-  textures.material.powers = power_shares(channels[0], roughness, power);
-  textures.material.power_texture = PowerTexture::roughness;
+  take_powers(textures.material, power_shares(channels[0], roughness, power), PowerTexture::roughness);
   return range_of_texture(channels[1], metallic);
 }
 
@@ -117,13 +116,12 @@ void read_specular_glossiness(const JsonPlace& object, TextureNotes& textures,
   const PowerOf power = [&](double value) { return power_of_gloss(value, conventions); };
   const auto info = member(object, "specularGlossinessTexture");
   material.f0 = scaled_colour(colour_or_white(object, "specularFactor", 3, 1), info.has_value());
-  if (info) material.power_texture = PowerTexture::gloss;
   if (!info) {
     material.powers = {{power(gloss), 1}};
     return;
   }
   const auto channels = textures.read(*info, "specular-glossiness texture", {Channel::alpha});
-  material.powers = power_shares(channels[0], gloss, power);
+  take_powers(material, power_shares(channels[0], gloss, power), PowerTexture::gloss);
   textures.note_unread_colours("colour of the specular-glossiness texture is", "F0 is");
 }
 

@@ -46,7 +46,7 @@ struct Material {
 
   /// By rising power, at least one. A power that is the same everywhere is one share.
   std::vector<PowerShare> powers;
-  PowerTexture power_texture = PowerTexture::none;  ///< even if all texels agree
+  PowerTexture power_texture = PowerTexture::none;  ///< none where all texels agree
   bool is_power_textured() const { return power_texture != PowerTexture::none; }
 
   /// What the files do not say, taken at its full range: "roughness texture 'a.png' is missing", a line each.

@@ -32,8 +32,10 @@ std::string_view next_word(std::string_view& values) {
 
 double number_in(const MtlLine& line, std::string_view word, double most) {
   double number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error == std::errc::invalid_argument || end != word.data() + word.size())
+  // of C's numbers a sign + is one too
+  const std::string_view digits = word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
     line.refuse(fmt::format("'{}' is no number", word));
   if (error != std::errc() || !std::isfinite(number))
     line.refuse(fmt::format("'{}' is not a finite number of double precision", word));

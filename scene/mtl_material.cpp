@@ -54,11 +54,11 @@ void read_shininess(MtlReading& reading) {
   const bool is_scaled = !reading.conventions.are_maps_pbr && !reading.maps.shininess.name.empty();
   if (is_scaled) {
     const Histogram texels = reading.read(reading.maps.shininess, "shininess texture");
-    material.powers = power_shares(texels, shininess, [](double power) { return power; });
+    take_powers(material, power_shares(texels, shininess, [](double power) { return power; }),
+                PowerTexture::power);
   } else {
     material.powers = {{shininess, 1}};
   }
-  if (is_scaled) material.power_texture = PowerTexture::power;
   limit_powers(material, "Ns");
 }
 
@@ -94,8 +94,8 @@ void read_roughness(MtlReading& reading) {
   const auto roughness = reading.numbers.roughness;
   const PowerOf power = [&](double value) { return power_of_roughness(value, reading.conventions); };
   if (map != nullptr) {
-    material.power_texture = PowerTexture::roughness;
-    material.powers = power_shares(reading.read(*map, "roughness texture"), roughness.value_or(1), power);
+    take_powers(material, power_shares(reading.read(*map, "roughness texture"), roughness.value_or(1), power),
+                PowerTexture::roughness);
   } else if (roughness) {
     material.powers = {{power(*roughness), 1}};
   } else if (reading.numbers.shininess) {

@@ -63,7 +63,8 @@ class Planner {
     } else if (largest_reflectance(material) == 0) {
       plan.reason = "black specular colour";
     } else if (shown <= budget_) {
-      plan.reason = "at most " + decimal_above(plan.factor, 2) + " of a light";
+      plan.reason = "at most " + decimal_above(shown, 2) +
+                    (scale() == ShownScale::linear ? " of a light" : " sRGB codes of a light");
       plan.error = shown;
     } else {
       plan.has_lobe = true;
@@ -97,7 +98,7 @@ class Planner {
     plan_.shading.lobe.kind = LobeKind::constant;
     for (const char* term : {"Fresnel", "culling", "lobe", "offset x", "exp2", "rounding", "power",
                              "gloss decode", "normalisation", "mip level", "coloured F0"})
-      decide(term, Verdict::skip, "", "no material has a specular lobe");
+      decide(term, Verdict::skip, "", "no material needs a specular lobe");
   }
 
   /// What F0 in place of the reflectance would be off by, at most.

@@ -45,6 +45,11 @@ std::vector<PowerShare> power_shares(const Histogram& texels, double factor, con
   return shares;
 }
 
+void take_powers(Material& material, std::vector<PowerShare> powers, PowerTexture texture) {
+  material.power_texture = powers.size() > 1 ? texture : PowerTexture::none;
+  material.powers = std::move(powers);
+}
+
 Histogram unknown_texture() {
   Histogram texels;
   texels.fill(1);

@@ -22,6 +22,10 @@ using PowerOf = std::function<double(double)>;
 /// The powers of a texture: of code/255 times `factor`, by the share of texels with that code.
 std::vector<PowerShare> power_shares(const Histogram& texels, double factor, const PowerOf& power);
 
+/// Gives a material the powers of a texture. Where all texels agree it is one of the material's own: no
+/// filter makes another of them.
+void take_powers(Material& material, std::vector<PowerShare> powers, PowerTexture texture);
+
 /// A texture of which nothing is known: each code as often as another.
 Histogram unknown_texture();
 

@@ -10,6 +10,7 @@
 #include "scene/limits.hpp"
 #include "scene/mtl_material.hpp"
 #include "scene/uri.hpp"
+#include "scene/words.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -38,7 +39,8 @@ Scene read_mtl(const std::filesystem::path& file, const Conventions& conventions
   return read_mtl(read_bounded(file, most_mtl_bytes), file, conventions);
 }
 
-Scene read_mtl(std::string_view text, const std::filesystem::path& file, const Conventions& conventions) {
+Scene read_mtl(std::string_view content, const std::filesystem::path& file, const Conventions& conventions) {
+  const std::string_view text = without_mark(content);
   const std::vector<MtlNumbers> numbers = checked_lines(text, file.string(), most_materials);
   Scene scene;
   if (numbers.empty()) return scene;  // the loader would make one without a name

@@ -63,7 +63,8 @@ Scene read_obj(const std::filesystem::path& file, const Conventions& conventions
   std::set<std::string, std::less<>> lines;
   const std::filesystem::path folder = folder_of(file);
   read_lines(file, [&](std::size_t number, std::string_view line) {
-    const Words words = words_of_line(next_line(line));
+    std::string_view text = without_mark(line);
+    const Words words = words_of_line(next_line(text));
     if (words.key != "mtllib" || !lines.emplace(words.values).second) return;
     at_place(fmt::format("'{}', line {}", file.string(), number), [&] {
       if (lines.size() > most_library_lines)

@@ -31,4 +31,10 @@ inline Words words_of_line(std::string_view line) {
   return {text.substr(0, end), trimmed(text.substr(end))};
 }
 
+/// A text without the byte order mark of UTF-8 that some editors put before it.
+inline std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 }  // namespace shadefit::scene

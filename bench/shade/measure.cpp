@@ -62,10 +62,9 @@ class Timed {
   }
 
   /// ns a sample: the median of the rounds, of this thread's own time.
-  std::vector<double> times(const bench::Plan& timing, const Checkpoint& checkpoint) const {
+  std::vector<double> times(const bench::Plan& timing, const std::function<void(double)>& between) const {
     std::vector<double> times;
-    for (const bench::Samples& samples :
-         bench::time_interleaved(work_, timing, bench::now, [&](double) { checkpoint(); }))
+    for (const bench::Samples& samples : bench::time_interleaved(work_, timing, bench::now, between))
       times.push_back(bench::spread_of(samples.cpu).median);
     return times;
   }
@@ -127,7 +126,8 @@ std::vector<MeasuredWay> broken_promises(const Measurement& measurement) {
 }
 
 Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
-                    const bench::Plan& timing, const Checkpoint& checkpoint) {
+                    const bench::Plan& timing, const Checkpoint& checkpoint,
+                    const std::function<void(double)>& watch) {
   std::vector<scene::Plan> plans{plan};
   for (scene::Plan& swept : plans_of_sweep(scene, plan, checkpoint)) plans.push_back(std::move(swept));
   const Workload workload(scene, plan.wanted.lights);
@@ -136,11 +136,16 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
   std::vector<PlannedWay> planned;
   for (const scene::Plan& some : plans) planned.emplace_back(scene, some, kernels);
   const std::vector<Errors> errors = errors_of(workload, reference, published, planned, checkpoint);
-  const std::vector<double> ns = Timed(workload, reference, published, planned).times(timing, checkpoint);
+  const auto between = [&](double share) {
+    checkpoint();
+    watch(share);
+  };
+  const std::vector<double> ns = Timed(workload, reference, published, planned).times(timing, between);
 
   Measurement result{.width = kernels.width, .scale = plan.wanted.scale};
   result.samples = workload.samples();
   result.lights = workload.lights();
+  result.is_half = plan.wanted.precision == scene::PixelPrecision::float16;
   result.reference = {.name = "reference", .form = "pow, double", .ns = ns[0]};
   result.published = {
       .name = "published", .form = "exp2(A c - A), A = (n + 0.775)/ln 2", .ns = ns[1], .errors = errors[0]};

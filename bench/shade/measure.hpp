@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ struct Measurement {
   scene::ShownScale scale;
   std::size_t samples = 0;
   std::size_t lights = 1;  ///< that were shaded
+  bool is_half = false;    ///< the plan is for half; all of this is float
   MeasuredWay reference = {}, published = {};
   MeasuredWay planned = {};             ///< by the plan that is given
   std::vector<MeasuredWay> sweep = {};  ///< by plans for tolerances of 1/32 .. 1/4096 of white
@@ -59,7 +61,9 @@ inline constexpr bench::Plan full_plan{.rounds = 7, .seconds = 0.015};
 /// For tests, which look at no time.
 inline constexpr bench::Plan quick_plan{.rounds = 1, .seconds = 0};
 
-Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
-                    const bench::Plan& timing, const Checkpoint& checkpoint = keep_going);
+/// `watch` is told the share of the timing that is done, from 0 to 1.
+Measurement measure(
+    const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels, const bench::Plan& timing,
+    const Checkpoint& checkpoint = keep_going, const std::function<void(double)>& watch = [](double) {});
 
 }  // namespace shadefit::shade

@@ -60,10 +60,13 @@ std::string verdict_line(const Measurement& m) {
 
 std::string skipped_line(const Measurement& m) {
   if (m.skipped.by_materials == 1) return "";
+  const double terms = m.skipped.by_terms;
   return fmt::format(
       "Skipped: {} of the samples by their materials; of the others, {} of the operations by terms and {} of "
       "the samples by culling.\n",
-      percent(m.skipped.by_materials), percent(m.skipped.by_terms), percent(m.skipped.by_culling));
+      percent(m.skipped.by_materials),
+      terms < 0 ? "none (" + percent(-terms) + " more are wanted)" : percent(terms),
+      percent(m.skipped.by_culling));
 }
 
 }  // namespace
@@ -89,7 +92,10 @@ std::string shade_text(const Measurement& measurement) {
          fmt::format(
              "Timed: the specular term, its cosines given, of {} samples on one core, {}; a sample is a pixel "
              "under one light, and an error is one of that.\n",
-             measurement.samples, forms::name(measurement.width));
+             measurement.samples, forms::name(measurement.width)) +
+         (measurement.is_half
+              ? "The plan is for half, and was shaded in float: what half rounds is in the plan alone.\n"
+              : "");
 }
 
 std::string broken_lines(const Measurement& measurement) {

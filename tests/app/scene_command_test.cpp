@@ -75,6 +75,42 @@ TEST(SceneCommand, CodeIsHeldAgainstItsScene) {
   EXPECT_NE(other.err.find(" is out of date: line "), std::string::npos) << other.err;
 }
 
+// Names that could leave the comment, or the command that is read from it.
+TEST(SceneCommand, NamesStayInTheirComment) {
+  const TemporaryDirectory directory;
+  for (const std::string name : {"q'uote.mtl", "a' --out 'b.mtl", "back\\slash.mtl"}) {
+    const std::string file = directory.file(name, two_materials);
+    const Outcome code = run_command_line({"scene", file, "--lang", "glsl"});
+    EXPECT_EQ(code.exit_code, 0) << code.err;
+    const std::string written = directory.file("out.glsl", code.out);
+    const Outcome same = run_command_line({"emit", "--check", written});
+    EXPECT_EQ(same.exit_code, 0) << name << same.err;
+    std::string windows;
+    for (const char c : code.out) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    directory.file("out.glsl", windows);
+    EXPECT_EQ(run_command_line({"emit", "--check", written}).exit_code, 0) << name;
+  }
+  for (const std::string name :
+       {"a\nint evil;\n.mtl", "cr\rx.mtl", "bidi\xE2\x80\xAE.mtl", "ls\xE2\x80\xA8.mtl"}) {
+    const Outcome outcome = run_command_line({"scene", directory.file(name, two_materials), "--lang", "c"});
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_NE(outcome.err.find("cannot stand in a comment of code"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST(SceneCommand, LeavesNothingOfAnotherPlan) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("a.mtl", two_materials);
+  run_command_line({"scene", file, "--out", directory / "plan"});
+  directory.file("plan/shade.csv", "of another plan\n");
+  directory.file("plan/mine", "of the user\n");
+  run_command_line({"scene", file, "--out", directory / "plan", "--precision", "half"});
+  const auto left = snapshot(directory / "plan");
+  EXPECT_FALSE(left.contains("scene.hpp"));
+  EXPECT_FALSE(left.contains("shade.csv"));
+  EXPECT_TRUE(left.contains("mine"));
+}
+
 TEST(SceneCommand, ExitsOneBeyondTheTolerance) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("a.mtl", "newmtl mirror\nNs 1000000\nKs 1 1 1\nillum 2\n");

@@ -25,6 +25,7 @@
 #include "tests/approx/formulas/normalisation.hpp"
 #include "tests/approx/formulas/phong_blinn.hpp"
 #include "tests/approx/formulas/reflectance.hpp"
+#include "tests/approx/formulas/shading.hpp"
 #include "tests/intervals.hpp"
 
 namespace shadefit {
@@ -46,6 +47,7 @@ void every_formula(const Visit& visit) {
   testing::fresnel_formulas(visit);
   testing::normalisation_formulas(visit);
   testing::reflectance_formulas(visit);
+  testing::shading_formulas(visit);
   testing::microfacet_formulas(visit);
   testing::cost_formulas(visit);
   testing::environment_map_formulas(visit);

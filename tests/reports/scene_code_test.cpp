@@ -202,11 +202,12 @@ std::pair<std::string, std::string> program_and_bits(const Case& c, const Plan& 
     }
   }
   return {
-      "#include <cstdio>\n#include <cstring>\nstatic void print(float x) {\n  unsigned bits;\n"
+      "#include <cstdio>\n#include <cstring>\n#include \"scene.hpp\"\n#include \"scene.hpp\"\n"
+      "static void print(float x) {\n  unsigned bits;\n"
       "  std::memcpy(&bits, &x, sizeof bits);\n  std::printf(\"%08x\\n\", bits);\n}\n"
       // or the compiler computes exp2 itself, and rounds it better than the library
-      "static float given(volatile float x) { return x; }\n" +
-          scene_code(c.scene, plan, Language::cpp, "") + "int main() {\n" + program + "  return 0;\n}\n",
+      "static float given(volatile float x) { return x; }\nint main() {\n" +
+          program + "  return 0;\n}\n",
       bits};
 }
 
@@ -217,6 +218,7 @@ TEST(SceneCode, ComputesTheBitsThatAreEvaluatedHere) {
   for (const Case& c : cases()) {
     const auto [program, bits] = program_and_bits(c, make_plan(c.scene, c.wanted));
     const std::string source = directory.file("a.cpp", program), binary = directory / "program";
+    directory.file("scene.hpp", scene_code(c.scene, make_plan(c.scene, c.wanted), Language::cpp, ""));
     for (const std::string& compiler : testing::cpp_compilers()) {
       ASSERT_TRUE(testing::runs(compiler + " -std=c++17 -O1 -Wall -Wextra -Werror -ffp-contract=off -o '" +
                                     binary + "' '" + source + "' -lm",
@@ -288,6 +290,17 @@ TEST(SceneCode, IsANumberWhereAPowerMayBeZero) {
   const auto functions = scene_functions(rough, plan);
   const float value = computed(functions.back(), {{"n_dot_h", 0.0F}, {"n_dot_l", 0.0F}, {"exponent", 0.0F}});
   EXPECT_EQ(value, 0);
+}
+
+// A half is 65504 at most: the plan is not kept then, and its code compiles all the same.
+TEST(SceneCode, OfAPowerThatNoHalfIs) {
+  Scene mirror;
+  mirror.materials = {shiny("mirror", 1, {{1e9, 1}}, FresnelTerm::none)};
+  const Plan plan = make_plan(mirror, {.precision = scene::PixelPrecision::float16});
+  EXPECT_FALSE(plan.is_within());
+  const std::string code = scene_code(mirror, plan, Language::hlsl, "");
+  EXPECT_EQ(code.find("inf"), std::string::npos) << code;
+  EXPECT_NE(code.find("NOT within the tolerance"), std::string::npos) << code;
 }
 
 TEST(SceneCode, HalfIsNotForC) {

@@ -44,6 +44,21 @@ TEST(Mtl, BlackOrUnsaidOrByIlluminationThereIsNoSpecular) {
   EXPECT_EQ(mtl("Ks 1\nNs 5\nillum 3").f0[2], (Range{1, 1}));
 }
 
+// As editors and exporters write them.
+TEST(Mtl, AMarkAndAPlusAreTaken) {
+  const Scene scene = read_mtl("\xEF\xBB\xBFnewmtl a\nKs +0.5\nNs +3\nnewmtl b\n", "a.mtl", {});
+  ASSERT_EQ(scene.materials.size(), 2U);
+  EXPECT_EQ(scene.materials[0].name, "a");
+  EXPECT_EQ(scene.materials[0].powers, (std::vector<PowerShare>{{3, 1}}));
+  EXPECT_EQ(scene.materials[0].f0[0], (Range{0.5, 0.5}));
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nNs +-3"), "'a.mtl', line 2: Ns: '+-3' is no number");
+}
+
+TEST(Mtl, AColourTooBrightIsLimited) {
+  EXPECT_EQ(mtl("Ks 1e300\nNs 3").f0[0], (Range{most_factor, most_factor}));
+  EXPECT_EQ(mtl("Ks 1e300\nNs 3").remarks, std::vector<std::string>{"Ks above 1000000 is taken for that"});
+}
+
 TEST(Mtl, UnsaidPowerIsOneWithARemark) {
   EXPECT_EQ(mtl("Ks 1 1 1").powers, (std::vector<PowerShare>{{1, 1}}));
   EXPECT_EQ(mtl("Ks 1 1 1").remarks, std::vector<std::string>{"Ns is not said and is taken for 1"});
