@@ -106,7 +106,11 @@ double LobeCells::largest_error(const WeightedPower& lobes, double offset, Shown
   const auto highest = [&](double x) { return times(x > 0 ? most : least, x); };
   const auto lowest = [&](double x) { return times(x > 0 ? least : most, x); };
   const double most_shown = on_scale(scale, 1);
-  double largest = enough;
+  // Most cells are ruled out by a logarithm, before any exponential: by more than all of it rounds.
+  constexpr double clearly = 1e-9;
+  const double log_factor = std::log(lobes.factor);
+  const auto log_of = [&](double shown) { return std::log(from_scale(scale, shown)) - clearly; };
+  double largest = enough, log_largest = log_of(largest);
   for (const LobeCell& cell : cells_) {
     const double ratio = std::max(std::abs(lowest(cell.bend_low) - offset * cell.y_high),
                                   std::abs(highest(cell.bend_high) - offset * cell.y_low));
@@ -114,9 +118,11 @@ double LobeCells::largest_error(const WeightedPower& lobes, double offset, Shown
     if (ratio * most_shown <= largest) continue;
     const double log_larger =
         std::max(highest(cell.log_target), highest(cell.log_form) - offset * cell.y_low);
+    if (log_larger + log_factor < log_largest) continue;
     const double shown = lobes.factor * cell.weight * std::exp(log_larger) * rounding_up;
     if (on_scale(scale, shown) <= largest) continue;
     largest = std::max(largest, apart_by_ratio(scale, shown, ratio) * rounding_up);
+    log_largest = log_of(largest);
   }
   return largest;
 }
