@@ -61,12 +61,12 @@ std::string verdict_line(const Measurement& m) {
 std::string skipped_line(const Measurement& m) {
   if (m.skipped.by_materials == 1) return "";
   const double terms = m.skipped.by_terms;
+  // slopes and three channels may take more operations than the power that they stand for
+  const std::string by_terms =
+      terms < 0 ? percent(-terms) + " more operations" : percent(terms) + " of the operations skipped";
   return fmt::format(
-      "Skipped: {} of the samples by their materials; of the others, {} of the operations by terms and {} of "
-      "the samples by culling.\n",
-      percent(m.skipped.by_materials),
-      terms < 0 ? "none (" + percent(-terms) + " more are wanted)" : percent(terms),
-      percent(m.skipped.by_culling));
+      "Skipped: {} of the samples by their materials, {} of the others by culling. Terms of a sample: {}.\n",
+      percent(m.skipped.by_materials), percent(m.skipped.by_culling), by_terms);
 }
 
 }  // namespace

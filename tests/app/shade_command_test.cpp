@@ -31,7 +31,7 @@ TEST(ShadeCommand, ComparesThreeWays) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* part : {"\nway  ", "\nreference  ", "\npublished  ", "\nplanned  ", "\nPlanned: ",
                            " x as fast as the reference, ", " x as the published constants, which are",
-                           "\nSkipped: 50 % of the samples by their materials; ", "\nTimed: "})
+                           "\nSkipped: 50 % of the samples by their materials, ", "\nTimed: "})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << outcome.out;
   EXPECT_EQ(snapshot(directory.path()).size(), 1U) << "nothing is written unless it is asked for";
 }
