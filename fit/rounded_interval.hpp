@@ -44,8 +44,8 @@ struct CorrectArithmetic {
 };
 
 /// Real arithmetic, enclosed in doubles: + - * / and sqrt are within half an ulp, the functions of the GNU C
-/// library within one (its manual, "Errors in Math Functions", x86_64). An ulp is at most 2^-52 of a number,
-/// or the least subnormal.
+/// library within one, log1p within two (its manual, "Errors in Math Functions", x86_64). An ulp is at most
+/// 2^-52 of a number, or the least subnormal.
 struct OutwardArithmetic {
   static constexpr bool contracts = false;
   static Ends operand(Ends x) { return x; }
@@ -55,6 +55,7 @@ struct OutwardArithmetic {
   static Ends exp2(Ends x) { return widened({std::exp2(x.lower), std::exp2(x.upper)}, 2); }
   static Ends log(Ends x) { return widened({std::log(x.lower), std::log(x.upper)}, 2); }
   static Ends log2(Ends x) { return widened({std::log2(x.lower), std::log2(x.upper)}, 2); }
+  static Ends log1p(Ends x) { return widened({std::log1p(x.lower), std::log1p(x.upper)}, 4); }
   static Ends sqrt(Ends x) { return widened({std::sqrt(x.lower), std::sqrt(x.upper)}, 1); }
   static Ends power(Ends corners) { return widened(corners, 2); }
 
@@ -246,6 +247,9 @@ struct Scalar<RoundedInterval<Arithmetic>> {
   }
   static T log2(const T& x) {
     return T::rising(x, [](Ends e) { return Arithmetic::log2(e); });
+  }
+  static T log1p(const T& x) {
+    return T::rising(x, [](Ends e) { return Arithmetic::log1p(e); });
   }
   static T sqrt(const T& x) {
     return T::rising(x, [](Ends e) { return Arithmetic::sqrt(e); });

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numbers>
+#include <ranges>
 
 #include "approx/shading.hpp"
-#include "fit/interval.hpp"
-#include "fit/interval_ends.hpp"
+#include "fit/rounded_interval.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -22,9 +22,13 @@ constexpr double least_t = 0.01, least_cosine = 1e-4;
 constexpr double rounding_up = 1 + 1e-12;
 constexpr double derivative_rounding = 1e-13;
 
+/// Doubles are enough: what they round is next to nothing beside the width of a cell.
+using Enclosure = RoundedInterval<OutwardArithmetic>;
+
 /// Of a form by slopes: log f/n at y = 1 - c, natural.
-Interval form_log(const std::vector<Interval>& slopes, const Interval& y) {
-  return ln2<Interval>() * log2_by_slopes(Interval(-y), slopes);
+Enclosure form_log(const std::vector<Enclosure>& slopes, const Enclosure& y) {
+  static constexpr double ln2 = std::numbers::ln2;  // to half an ulp, of at most 2^-53
+  return Enclosure(ln2 - 0x1p-53, ln2 + 0x1p-53) * log2_by_slopes(Enclosure(-y), slopes);
 }
 
 /// The ends of d/dc (log f/n) over a cell, in doubles: ln 2 (s1 + 2 s2 z + 3 s3 z^2 ..), z = -y.
@@ -49,16 +53,15 @@ double largest_magnitude(const Range& range) {
 
 /// A cell of cosines [c_low, c_high], given with y = 1 - c of both: one of each pair is rounded, and by less
 /// than what everything is rounded up by.
-LobeCell make_cell(std::span<const double> slopes, const std::vector<Interval>& wide, double c_low,
+LobeCell make_cell(std::span<const double> slopes, const std::vector<Enclosure>& wide, double c_low,
                    double c_high, double y_low, double y_high) {
   const bool is_near_peak = y_high <= 0.5;
   const double middle = is_near_peak ? y_low + (y_high - y_low) / 2 : c_low + (c_high - c_low) / 2;
   const double half_width = (is_near_peak ? y_high - y_low : c_high - c_low) / 2 * rounding_up;
-  const Interval c = is_near_peak ? Interval(integer<Interval>(1) - Interval(middle)) : Interval(middle);
-  const Interval y = is_near_peak ? Interval(middle) : Interval(integer<Interval>(1) - Interval(middle));
-  const Interval form = form_log(wide, y);
-  const Interval target = is_near_peak ? log1p(Interval(-y)) : log(c);
-  const Interval bend = form - target;
+  const Enclosure at(middle);
+  const Enclosure form = form_log(wide, is_near_peak ? at : Enclosure(1) - at);
+  const Enclosure target = is_near_peak ? log1p(Enclosure(-at)) : log(at);
+  const Enclosure bend = form - target;
   const Range slope = slope_range(slopes, y_low, y_high);
   const Range bend_slope{slope.least - (c_low > 0 ? rounding_up / c_low : HUGE_VAL),
                          slope.most - 1 / (c_high * rounding_up)};
@@ -67,17 +70,17 @@ LobeCell make_cell(std::span<const double> slopes, const std::vector<Interval>& 
   cell.y_low = y_low / rounding_up;
   cell.y_high = std::min(1.0, y_high * rounding_up);
   cell.log_target = is_near_peak ? std::log1p(-y_low) / rounding_up : std::log(c_high) / rounding_up;
-  cell.log_form = upper_end(form) + half_width * largest_magnitude(slope);
+  cell.log_form = form.upper() + half_width * largest_magnitude(slope);
   const double reach = half_width * largest_magnitude(bend_slope);
-  cell.bend_low = lower_end(bend) - reach;
-  cell.bend_high = upper_end(bend) + reach;
+  cell.bend_low = bend.lower() - reach;
+  cell.bend_high = bend.upper() + reach;
   return cell;
 }
 
 }  // namespace
 
 LobeCells::LobeCells(std::span<const double> slopes, double largest_power) {
-  std::vector<Interval> wide;
+  std::vector<Enclosure> wide;
   for (const double slope : slopes) wide.emplace_back(slope);
   const auto add = [&](double c_low, double c_high, double y_low, double y_high) {
     cells_.push_back(make_cell(slopes, wide, c_low, c_high, y_low, y_high));
@@ -96,6 +99,11 @@ LobeCells::LobeCells(std::span<const double> slopes, double largest_power) {
     c = next;
   }
   add(0, c, 1 - c, 1);
+  double bend = 0, log_from_here = -HUGE_VAL;
+  for (LobeCell& cell : cells_)
+    cell.bend_so_far = bend = std::max({bend, std::abs(cell.bend_low), std::abs(cell.bend_high)});
+  for (LobeCell& cell : cells_ | std::views::reverse)
+    cell.log_from_here = log_from_here = std::max({log_from_here, cell.log_target, cell.log_form});
 }
 
 double LobeCells::largest_error(const WeightedPower& lobes, double offset, ShownScale scale,
@@ -111,7 +119,12 @@ double LobeCells::largest_error(const WeightedPower& lobes, double offset, Shown
   const double log_factor = std::log(lobes.factor);
   const auto log_of = [&](double shown) { return std::log(from_scale(scale, shown)) - clearly; };
   double largest = enough, log_largest = log_of(largest);
-  for (const LobeCell& cell : cells_) {
+  // Near the peak no form is far from the lobe, and from some cell on little is left of either.
+  const auto first = std::ranges::partition_point(cells_, [&](const LobeCell& cell) {
+    return (times(most, cell.bend_so_far) + offset * cell.y_high) * most_shown <= largest;
+  });
+  for (const LobeCell& cell : std::ranges::subrange(first, cells_.end())) {
+    if (highest(cell.log_from_here) + log_factor < log_largest) break;
     const double ratio = std::max(std::abs(lowest(cell.bend_low) - offset * cell.y_high),
                                   std::abs(highest(cell.bend_high) - offset * cell.y_low));
     // v S'(v) <= S(1), so that a ratio of e^r moves nothing by more than |r| S(1)

@@ -15,9 +15,9 @@
 /// than v (1 - e^-|r|), or by the same of encoded values.
 ///
 /// For all forms by slopes ln f = ln t + n d(c) with a `bend` d that no power enters, and of a Gaussian with
-/// an offset - x y besides. So the cosines are cut into cells once, d is enclosed on each by intervals of 50
-/// digits, and a bound for one more power, or all powers between two, is a walk over the cells in doubles.
-/// Cells are 2 % wide, and so are the bounds.
+/// an offset - x y besides. So the cosines are cut into cells once, d is enclosed on each by intervals, and a
+/// bound for one more power, or all powers between two, is a walk over the cells. Cells are 2 % wide, and so
+/// are the bounds.
 namespace shadefit::scene {
 
 /// A part of the cosines, and what of a form is there the same for every power.
@@ -27,6 +27,8 @@ struct LobeCell {
   double log_form;             ///< the form's in its place, at most
   double y_low, y_high;        ///< 1 - c
   double bend_low, bend_high;  ///< the form's logarithm minus log c; the highest may be infinite
+  double bend_so_far = 0;      ///< the largest magnitude of one here and nearer to the peak
+  double log_from_here = 0;    ///< the largest logarithm here and farther from it
 };
 
 /// A form by slopes on all cosines.

@@ -46,36 +46,13 @@ double brightest_at(const LobeFitter::Lobe& lobe, double y) {
   return lobe.factor * std::min(1.0, 2 * (1 - y));
 }
 
-/// A place of Lawson's iteration: what an error of the logarithm is worth there to the lobe that it is worth
-/// most to.
-struct WeightedPlace {
-  double y, log_cosine, worth;
-};
-
-std::vector<WeightedPlace> weighted_places(std::span<const LobeFitter::Lobe> lobes, ShownScale scale) {
-  std::vector<WeightedPlace> all;
-  const auto add = [&](double y, double log_cosine) {
-    double worth = 0;
-    for (const LobeFitter::Lobe& lobe : lobes) {
-      const double shown = brightest_at(lobe, y) * std::exp(lobe.power * log_cosine);
-      constexpr double little = 1e-3;  // an error, and with it the slope of what is shown
-      worth = std::max(worth, lobe.power / little * apart_by_ratio(scale, shown, little));
-    }
-    all.push_back({y, log_cosine, worth});
-  };
-  double y = first_t / std::max(1.0, lobes.back().power);
-  for (; y < 0.5; y *= step) add(y, std::log1p(-y));
-  for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c));
-  return all;
-}
-
 }  // namespace
 
 LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale)
     : lobes_(thinned(lobes)), scale_(scale) {
   for (const Lobe& lobe : lobes_) {
     const auto add = [&](double y, double log_cosine) {
-      samples_.push_back({lobe.power, y, log_cosine, brightest_at(lobe, y)});
+      samples_.push_back({lobe.power, y, log_cosine, std::log(brightest_at(lobe, y))});
     };
     for (double t = first_t; t < last_t && t < lobe.power / 2; t *= step)
       add(t / lobe.power, std::log1p(-t / lobe.power));
@@ -83,15 +60,37 @@ LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale)
   }
 }
 
-double LobeFitter::sampled_error(std::span<const double> slopes, double offset) const {
+std::vector<LobeFitter::WeightedPlace> LobeFitter::weighted_places() const {
+  std::vector<WeightedPlace> all;
+  const auto add = [&](double y, double log_cosine) {
+    double worth = 0;
+    for (const Lobe& lobe : lobes_) {
+      const double shown = brightest_at(lobe, y) * std::exp(lobe.power * log_cosine);
+      constexpr double little = 1e-3;  // an error, and with it the slope of what is shown
+      worth = std::max(worth, lobe.power / little * apart_by_ratio(scale_, shown, little));
+    }
+    all.push_back({y, log_cosine, worth});
+  };
+  double y = first_t / std::max(1.0, lobes_.back().power);
+  for (; y < 0.5; y *= step) add(y, std::log1p(-y));
+  for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c));
+  return all;
+}
+
+double LobeFitter::sampled_error(std::span<const double> slopes, double offset, double enough) const {
   const double white = on_scale(scale_, 1);
-  double largest = 0;
+  double largest = 0, log_largest = -HUGE_VAL;
   for (const Sample& sample : samples_) {
     const double target = sample.power * sample.log_cosine;
     const double form = (sample.power + offset) * std::numbers::ln2 * log2_by_slopes(-sample.y, slopes);
     if (std::abs(form - target) * white <= largest) continue;  // no value moves by more than its share
-    const double shown = sample.brightest * std::exp(std::max(form, target));
-    largest = std::max(largest, apart_by_ratio(scale_, shown, form - target));
+    const double log_shown = sample.log_brightest + std::max(form, target);
+    if (log_shown < log_largest) continue;  // nor by more than all of it
+    const double error = apart_by_ratio(scale_, std::exp(log_shown), form - target);
+    if (error <= largest) continue;
+    if (error > enough) return error;
+    largest = error;
+    log_largest = std::log(from_scale(scale_, largest));
   }
   return largest;
 }
@@ -99,11 +98,12 @@ double LobeFitter::sampled_error(std::span<const double> slopes, double offset) 
 double LobeFitter::best_offset() {
   ++fits_run_;
   const std::array slope{natural_slope};
-  const auto error = [&](double offset) { return sampled_error(slope, offset); };
-  // The largest of functions that fall and then rise does so too.
+  // The largest of functions that fall and then rise does so too. Of the larger of two errors it does not
+  // matter how large it is: it is never looked at again.
+  const auto error = [&](double offset, double other) { return sampled_error(slope, offset, other); };
   double low = 0, high = 16;
   double a = high - golden * (high - low), b = low + golden * (high - low);
-  double error_at_a = error(a), error_at_b = error(b);
+  double error_at_a = error(a, HUGE_VAL), error_at_b = error(b, error_at_a);
   constexpr double near = 1e-4;
   while (high - low > near) {
     if (error_at_a <= error_at_b) {
@@ -111,13 +111,13 @@ double LobeFitter::best_offset() {
       b = a;
       error_at_b = error_at_a;
       a = high - golden * (high - low);
-      error_at_a = error(a);
+      error_at_a = error(a, error_at_b);
     } else {
       low = a;
       a = b;
       error_at_a = error_at_b;
       b = low + golden * (high - low);
-      error_at_b = error(b);
+      error_at_b = error(b, error_at_a);
     }
   }
   return low + (high - low) / 2;
@@ -125,12 +125,12 @@ double LobeFitter::best_offset() {
 
 std::vector<double> LobeFitter::best_slopes(int count) {
   ++fits_run_;
-  const std::vector<WeightedPlace> all = weighted_places(lobes_, scale_);
-  const auto rows = static_cast<Eigen::Index>(all.size());
+  if (places_.empty()) places_ = weighted_places();
+  const auto rows = static_cast<Eigen::Index>(places_.size());
   Eigen::MatrixXd powers(rows, count);
   Eigen::VectorXd target(rows), worth(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const WeightedPlace& place = all[static_cast<std::size_t>(i)];
+    const WeightedPlace& place = places_[static_cast<std::size_t>(i)];
     worth[i] = place.worth;
     for (Eigen::Index j = 0; j < count; ++j) powers(i, j) = std::pow(-place.y, static_cast<double>(j + 1));
     target[i] = place.log_cosine / std::numbers::ln2;

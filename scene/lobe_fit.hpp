@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -35,19 +36,29 @@ class LobeFitter {
   /// How many times one of the above was asked for.
   int fits_run() const { return fits_run_; }
 
-  /// The largest error that is shown of a form by slopes, sampled: from below.
-  double sampled_error(std::span<const double> slopes, double offset) const;
+  /// The largest error that is shown of a form by slopes, sampled: from below. Once it is above `enough`, it
+  /// is looked for no further.
+  double sampled_error(std::span<const double> slopes, double offset, double enough = HUGE_VAL) const;
 
  private:
   /// A lobe at a place.
   struct Sample {
     double power;
-    double y;           ///< 1 - c
-    double log_cosine;  ///< log c
-    double brightest;   ///< what the lobe is multiplied by there, at most
+    double y;              ///< 1 - c
+    double log_cosine;     ///< log c
+    double log_brightest;  ///< of what the lobe is multiplied by there, at most
   };
+  /// A place of Lawson's iteration: what an error of the logarithm is worth there to the lobe that it is
+  /// worth most to.
+  struct WeightedPlace {
+    double y, log_cosine, worth;
+  };
+
+  std::vector<WeightedPlace> weighted_places() const;
+
   std::vector<Lobe> lobes_;  ///< one of the powers of each, above 0, by rising power
   std::vector<Sample> samples_;
+  std::vector<WeightedPlace> places_;  ///< made by the first fit of slopes
   ShownScale scale_;
   int fits_run_ = 0;
 };

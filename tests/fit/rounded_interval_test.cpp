@@ -115,6 +115,13 @@ TEST(OutwardArithmetic, EnclosesRealResults) {
       }
     }
   }
+  for (const double x : {-0.999, -0.5, -1e-3, -1e-17, -1e-310, 0.0, 1e-9, 3.0, 1e300}) {
+    const I enclosed = log1p(I(x));
+    const Decimal50 truth = boost::math::log1p(Decimal50(x));
+    EXPECT_LE(Decimal50(enclosed.lower()), truth) << x;
+    EXPECT_LE(truth, Decimal50(enclosed.upper())) << x;
+    EXPECT_LE(enclosed.upper() - enclosed.lower(), 0x1p-48 * std::abs(std::log1p(x)) + 1e-322) << x;
+  }
   // what has overflowed is large, not infinite
   const I large = exp2(I(2000));
   EXPECT_EQ(large.lower(), std::numeric_limits<double>::max());
