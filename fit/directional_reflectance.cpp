@@ -182,7 +182,7 @@ LobeIntegrand<Integral> blinn_phong_by_longitude(double alpha, const View& view,
     const auto value = blinn_phong_plane(alpha, view, gauss_nodes<double>(size),
                                          gauss_nodes<double>(std::min(size, sizes[1])));
     const auto step = [](const Integral& before, double now) {
-      return Integral{now, std::abs(now - before.value) + detail::rounding_of(now)};
+      return Integral{now, std::abs(now - before.value) + rounding_of(now)};
     };
     result = {step(result.plain, value.plain), step(result.with_cosine, value.with_cosine)};
     const auto is_done = [&](const Integral& i) { return i.error <= tolerance * i.value; };

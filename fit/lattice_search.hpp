@@ -4,9 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <vector>
+
+#include "fit/checkpoint.hpp"
 
 /// The best point of a lattice, by branch and bound.
 namespace shadefit {
@@ -44,13 +47,27 @@ struct LatticeOptimum {
   bool is_proven = false;  ///< no other point of the box is better
 };
 
+/// A problem behind plain functions: the search is compiled once for as many coordinates.
+template <std::size_t N>
+struct LatticeProblem {
+  /// At most the error of every point of the box; may stop at anything from `best` up.
+  std::function<double(const LatticeBox<N>& box, double best)> bound;
+  /// The error of a point, or anything from `best` up where it is no better.
+  std::function<double(const LatticePoint<N>& point, double best)> error;
+};
+
+/// What a problem's own members `bound` and `error` say; it has to stay where it is.
+template <std::size_t N, class Problem>
+LatticeProblem<N> lattice_problem(Problem& problem) {
+  return {[&problem](const LatticeBox<N>& box, double best) { return problem.bound(box, best); },
+          [&problem](const LatticePoint<N>& point, double best) { return problem.error(point, best); }};
+}
+
 /// Best first: of all boxes the one whose bound is lowest is cut at its widest side, and its centre tried,
-/// which gives a good error to prune by early. `problem.bound(box, best)` is at most the error of every point
-/// of the box, and may stop at anything from `best` up; `problem.error(point, best)` is the error of a point,
-/// or anything from `best` up where it is no better. Of points with equal errors the first met stays. Gives
-/// up after `limit` boxes, calls `checkpoint` now and then.
-template <std::size_t N, class Problem, class Checkpoint>
-LatticeOptimum<N> search_lattice(Problem& problem, const LatticeBox<N>& all,
+/// which gives a good error to prune by early. Of points with equal errors the first met stays. Gives up
+/// after `limit` boxes, calls `checkpoint` now and then.
+template <std::size_t N>
+LatticeOptimum<N> search_lattice(const LatticeProblem<N>& problem, const LatticeBox<N>& all,
                                  const std::vector<LatticePoint<N>>& starts, long limit,
                                  const Checkpoint& checkpoint) {
   struct Open {

@@ -175,13 +175,11 @@ constexpr int most_moves = 100;
 template <std::size_t N>
 using GivenPlaces = std::array<bool, N>;
 
-/// All of the lattice, or else neighbourhoods until the best of one is its centre.
-template <class Problem>
-LatticeOptimum<Problem::N> search(Problem& problem, const std::vector<LatticePoint<Problem::N>>& starts,
-                                  const GivenPlaces<Problem::N>& given, long limit,
-                                  const Checkpoint& checkpoint, Rounded& rounded) {
-  constexpr std::size_t N = Problem::N;
-  const std::int64_t last = problem.lattice().last();
+/// All of the lattice up to `last`, or else neighbourhoods until the best of one is its centre.
+template <std::size_t N>
+LatticeOptimum<N> search(const LatticeProblem<N>& problem, std::int64_t last,
+                         const std::vector<LatticePoint<N>>& starts, const GivenPlaces<N>& given, long limit,
+                         const Checkpoint& checkpoint, Rounded& rounded) {
   LatticeOptimum<N> best;
   if constexpr (N <= most_dimensions) {
     LatticeBox<N> all;
@@ -236,7 +234,8 @@ void round_with(const Fit& fit, Problem& problem, const std::vector<double>& pub
   for (const Held& held : fit.metric.constraints.held) given[parameter_index(family, held.parameter)] = true;
   const bool is_free = std::find(given.begin(), given.end(), true) == given.end();
   if (!published.empty() && is_free) starts.push_back(point(published));
-  const auto best = search(problem, starts, given, limit, checkpoint, rounded);
+  const auto best = search(lattice_problem<N>(problem), problem.lattice().last(), starts, given, limit,
+                           checkpoint, rounded);
   if (!is_free) rounded.searched += ", for the parameters that are not given";
   rounded.naive = assess(starts.front());
   if (!published.empty()) rounded.published = assess(point(published));

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+
 namespace shadefit {
 namespace {
 

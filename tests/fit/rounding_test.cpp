@@ -92,7 +92,7 @@ TEST(Rounding, SearchOfABoxIsBruteForce) {
   for (const auto& [a, b] : {std::pair{-5.55473, -6.98316}, {-5.49, -7.01}, {-4.0, -7.5}}) {
     const LatticePoint<2> centre{lattice.nearest(a), lattice.nearest(b)};
     const LatticeBox<2> box{{centre[0] - 9, centre[1] - 9}, {centre[0] + 9, centre[1] + 9}};
-    const auto found = search_lattice<2>(problem, box, {centre}, 100000, keep_going);
+    const auto found = search_lattice<2>(lattice_problem<2>(problem), box, {centre}, 100000, keep_going);
     double best = 1;
     for (std::int64_t i = box.lower[0]; i <= box.upper[0]; ++i) {
       for (std::int64_t j = box.lower[1]; j <= box.upper[1]; ++j)
