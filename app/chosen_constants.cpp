@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "approx/catalogue.hpp"
+#include "fit/refit.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 

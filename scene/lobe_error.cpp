@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 #include "approx/shading.hpp"
 #include "fit/rounded_interval.hpp"
@@ -102,8 +101,8 @@ LobeCells::LobeCells(std::span<const double> slopes, double largest_power) {
   double bend = 0, log_from_here = -HUGE_VAL;
   for (LobeCell& cell : cells_)
     cell.bend_so_far = bend = std::max({bend, std::abs(cell.bend_low), std::abs(cell.bend_high)});
-  for (LobeCell& cell : cells_ | std::views::reverse)
-    cell.log_from_here = log_from_here = std::max({log_from_here, cell.log_target, cell.log_form});
+  for (auto cell = cells_.rbegin(); cell != cells_.rend(); ++cell)
+    cell->log_from_here = log_from_here = std::max({log_from_here, cell->log_target, cell->log_form});
 }
 
 double LobeCells::largest_error(const WeightedPower& lobes, double offset, ShownScale scale,
@@ -120,10 +119,10 @@ double LobeCells::largest_error(const WeightedPower& lobes, double offset, Shown
   const auto log_of = [&](double shown) { return std::log(from_scale(scale, shown)) - clearly; };
   double largest = enough, log_largest = log_of(largest);
   // Near the peak no form is far from the lobe, and from some cell on little is left of either.
-  const auto first = std::ranges::partition_point(cells_, [&](const LobeCell& cell) {
+  const auto first = std::partition_point(cells_.begin(), cells_.end(), [&](const LobeCell& cell) {
     return (times(most, cell.bend_so_far) + offset * cell.y_high) * most_shown <= largest;
   });
-  for (const LobeCell& cell : std::ranges::subrange(first, cells_.end())) {
+  for (const LobeCell& cell : std::span(first, cells_.end())) {
     if (highest(cell.log_from_here) + log_factor < log_largest) break;
     const double ratio = std::max(std::abs(lowest(cell.bend_low) - offset * cell.y_high),
                                   std::abs(highest(cell.bend_high) - offset * cell.y_low));
