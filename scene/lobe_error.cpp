@@ -22,12 +22,12 @@ constexpr double rounding_up = 1 + 1e-12;
 constexpr double derivative_rounding = 1e-13;
 
 /// Doubles are enough: what they round is next to nothing beside the width of a cell.
-using Enclosure = RoundedInterval<OutwardArithmetic>;
+using Outward = RoundedInterval<OutwardArithmetic>;
 
 /// Of a form by slopes: log f/n at y = 1 - c, natural.
-Enclosure form_log(const std::vector<Enclosure>& slopes, const Enclosure& y) {
+Outward form_log(const std::vector<Outward>& slopes, const Outward& y) {
   static constexpr double ln2 = std::numbers::ln2;  // to half an ulp, of at most 2^-53
-  return Enclosure(ln2 - 0x1p-53, ln2 + 0x1p-53) * log2_by_slopes(Enclosure(-y), slopes);
+  return Outward(ln2 - 0x1p-53, ln2 + 0x1p-53) * log2_by_slopes(Outward(-y), slopes);
 }
 
 /// The ends of d/dc (log f/n) over a cell, in doubles: ln 2 (s1 + 2 s2 z + 3 s3 z^2 ..), z = -y.
@@ -52,15 +52,15 @@ double largest_magnitude(const Range& range) {
 
 /// A cell of cosines [c_low, c_high], given with y = 1 - c of both: one of each pair is rounded, and by less
 /// than what everything is rounded up by.
-LobeCell make_cell(std::span<const double> slopes, const std::vector<Enclosure>& wide, double c_low,
+LobeCell make_cell(std::span<const double> slopes, const std::vector<Outward>& wide, double c_low,
                    double c_high, double y_low, double y_high) {
   const bool is_near_peak = y_high <= 0.5;
   const double middle = is_near_peak ? y_low + (y_high - y_low) / 2 : c_low + (c_high - c_low) / 2;
   const double half_width = (is_near_peak ? y_high - y_low : c_high - c_low) / 2 * rounding_up;
-  const Enclosure at(middle);
-  const Enclosure form = form_log(wide, is_near_peak ? at : Enclosure(1) - at);
-  const Enclosure target = is_near_peak ? log1p(Enclosure(-at)) : log(at);
-  const Enclosure bend = form - target;
+  const Outward at(middle);
+  const Outward form = form_log(wide, is_near_peak ? at : Outward(1) - at);
+  const Outward target = is_near_peak ? log1p(Outward(-at)) : log(at);
+  const Outward bend = form - target;
   const Range slope = slope_range(slopes, y_low, y_high);
   const Range bend_slope{slope.least - (c_low > 0 ? rounding_up / c_low : HUGE_VAL),
                          slope.most - 1 / (c_high * rounding_up)};
@@ -79,7 +79,7 @@ LobeCell make_cell(std::span<const double> slopes, const std::vector<Enclosure>&
 }  // namespace
 
 LobeCells::LobeCells(std::span<const double> slopes, double largest_power) {
-  std::vector<Enclosure> wide;
+  std::vector<Outward> wide;
   for (const double slope : slopes) wide.emplace_back(slope);
   const auto add = [&](double c_low, double c_high, double y_low, double y_high) {
     cells_.push_back(make_cell(slopes, wide, c_low, c_high, y_low, y_high));
