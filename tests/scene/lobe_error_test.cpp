@@ -68,6 +68,9 @@ TEST(LobeError, OfAGaussianIsTheLargestThatIsShown) {
           // factors miss the worst by a percent
           EXPECT_LE(proven, 1.15 * truth) << text_of(lobe, offset);
           EXPECT_EQ(cells.largest_error(lobe, offset, scale, 2 * proven), 2 * proven) << "enough is enough";
+          for (const double share : {0.5, 0.9, 0.999})
+            EXPECT_EQ(cells.largest_error(lobe, offset, scale, share * proven), proven)
+                << text_of(lobe, offset) << ": what is left out for " << share << " of it cannot matter";
         }
       }
     }
@@ -96,8 +99,24 @@ TEST(LobeFit, TheBestOffsetIsBest) {
   const double best = fitter.best_offset();
   EXPECT_EQ(fitter.fits_run(), 1);
   const std::vector<double> slope{natural_slope};
-  for (const double other : {best - 0.02, best + 0.02})
+  // found to 1e-4
+  for (const double other : {best - 2e-4, best + 2e-4})
     EXPECT_LT(fitter.sampled_error(slope, best), fitter.sampled_error(slope, other));
+}
+
+TEST(LobeFit, AnErrorIsLookedForNoFurtherThanAsked) {
+  const LobeFitter fitter(std::vector{of_power(8, 0.5), of_power(40, 1.5), of_power(900, 100)},
+                          ShownScale::linear);
+  const std::vector<double> slope{natural_slope};
+  for (const double offset : {0.0, 0.7, 5.0}) {
+    const double whole = fitter.sampled_error(slope, offset);
+    EXPECT_EQ(fitter.sampled_error(slope, offset, whole), whole) << offset;
+    for (const double share : {0.1, 0.5, 0.99}) {
+      const double some = fitter.sampled_error(slope, offset, share * whole);
+      EXPECT_GT(some, share * whole) << offset;
+      EXPECT_LE(some, whole) << offset;
+    }
+  }
 }
 
 // The error of the best is level: it is as large at slopes + 1 places, of alternating sign.
