@@ -133,11 +133,14 @@ struct Select {
 };
 
 struct Choose {
+  /// A scalar whose conditions may be plainly true or false brings its own `choose`.
   template <class Condition, class A, class B>
   auto operator()(const Condition& condition, const A& a, const B& b) const {
     using T = decltype(a());
     if constexpr (std::same_as<Condition, bool>) {
       return condition ? a() : b();
+    } else if constexpr (requires { Scalar<T>::choose(condition, a, b); }) {
+      return Scalar<T>::choose(condition, a, b);
     } else {
       return T(Scalar<T>::select(condition, a(), b()));
     }
@@ -265,6 +268,24 @@ inline constexpr auto reciprocals_of_odd = [] {
 template <std::floating_point T>
 using RemainderTail = std::conditional_t<std::numeric_limits<T>::digits == 64, double, T>;
 
+/// r (2 r^2 (1/3 + r^2/5 + ..) - x), see `log1p_remainder`, as exact as an R; T may be several R at once, the
+/// largest r^2 among which is `largest`.
+template <std::floating_point R, class T, class Tail>
+T remainder_by_series(const T& x, const T& r, const T& r2, R largest) {
+  const int bits = largest * 65536 < 1 ? 16 : largest * 256 < 1 ? 8 : 3;
+  // Even and odd terms are summed side by side: two chains of half the length.
+  constexpr auto& reciprocals = reciprocals_of_odd<R, std::conditional_t<std::same_as<T, R>, Tail, R>>;
+  const auto t2 = static_cast<Tail>(r2);
+  const Tail t4 = t2 * t2;
+  Tail even = 0, odd = 0;
+  for (auto i = remainder_terms<R>(bits); i > 2; i -= 2) {
+    odd = odd * t4 + reciprocals[i - 1];
+    even = even * t4 + reciprocals[i - 2];
+  }
+  const T sum = T(1) / 3 + r2 * (T(1) / 5 + r2 * (even + t2 * odd));
+  return r * (2 * r2 * sum - x);
+}
+
 }  // namespace detail
 
 /// The adapter of float, double and long double: the C++ standard library.
@@ -298,20 +319,7 @@ struct Scalar<T> {
   static T log1p_remainder(T x) {
     if (!(std::abs(x) <= T(1) / 2)) return std::log1p(x) - x;
     const T r = x / (2 + x);
-    const T r2 = r * r;
-    const int bits = r2 * 65536 < 1 ? 16 : r2 * 256 < 1 ? 8 : 3;
-    // Even and odd terms are summed side by side: two chains of half the length.
-    using Tail = detail::RemainderTail<T>;
-    constexpr auto& reciprocals = detail::reciprocals_of_odd<T, Tail>;
-    const auto t2 = static_cast<Tail>(r2);
-    const Tail t4 = t2 * t2;
-    Tail even = 0, odd = 0;
-    for (auto i = detail::remainder_terms<T>(bits); i > 2; i -= 2) {
-      odd = odd * t4 + reciprocals[i - 1];
-      even = even * t4 + reciprocals[i - 2];
-    }
-    const T sum = T(1) / 3 + r2 * (T(1) / 5 + r2 * (even + t2 * odd));
-    return r * (2 * r2 * sum - x);
+    return detail::remainder_by_series<T, T, detail::RemainderTail<T>>(x, r, r * r, r * r);
   }
 
   static T from_decimal(std::string_view decimal) {

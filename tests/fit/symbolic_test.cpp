@@ -6,7 +6,8 @@
 #include "approx/lobe.hpp"
 #include "approx/phong_blinn.hpp"
 
-namespace shadefit {
+// A namespace of its own: the letters below would hide those of the files that are compiled with this one.
+namespace shadefit::symbolic_test {
 namespace {
 
 Symbolic v(const char* name) {
@@ -146,4 +147,4 @@ TEST(Symbolic, EvaluatesWithItsVariables) {
 }
 
 }  // namespace
-}  // namespace shadefit
+}  // namespace shadefit::symbolic_test
