@@ -78,10 +78,13 @@ double Lobes::largest_factor() const {
 
 Lobes lobes_of(const std::vector<Material>& materials, const std::vector<bool>& has_lobe) {
   Lobes lobes;
+  const auto count = static_cast<double>(std::count(has_lobe.begin(), has_lobe.end(), true));
   for (std::size_t i = 0; i < materials.size(); ++i) {
     if (!has_lobe[i]) continue;
     const Material& material = materials[i];
     for (const WeightedPower& lobe : lobes_of(material)) lobes.all.push_back(lobe);
+    for (const PowerShare& used : material.powers)
+      lobes.used.push_back({used.power, largest_factor(material, used.power), used.share / count});
     const auto& f0 = material.f0;
     lobes.textures.insert(material.power_texture);
     lobes.has_schlick = lobes.has_schlick || material.fresnel == FresnelTerm::schlick;

@@ -22,9 +22,17 @@ Range powers_of(const Material& material);
 /// steps of 3 %. Texels are filtered, and mip levels are made: between two of them anything may be met.
 std::vector<WeightedPower> lobes_of(const Material& material);
 
+/// A power that is used, and by how much of what is shaded.
+struct UsedPower {
+  double power;
+  double factor;  ///< the largest F (n + 2)/8
+  double share;   ///< those of a scene's lobes sum to 1
+};
+
 /// What the lobes of several materials have in common.
 struct Lobes {
   std::vector<WeightedPower> all;   ///< each power once, with its largest factor, by rising power
+  std::vector<UsedPower> used;      ///< those of materials and of texels, each material as often as another
   std::set<PowerTexture> textures;  ///< that powers are read from; none but `none`: no power is the pixel's
   bool has_schlick = false;         ///< a reflectance rises with the angle
   bool is_coloured = false;         ///< a reflectance may differ between the channels

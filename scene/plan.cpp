@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
-#include "approx/exp2_polynomial.hpp"
 #include "approx/gloss.hpp"
 #include "fit/decimal.hpp"
 #include "fit/fit.hpp"
+#include "scene/choose_exp2.hpp"
 #include "scene/choose_lobe.hpp"
 #include "scene/lobes.hpp"
 
@@ -179,7 +178,7 @@ class Planner {
     const bool has_offset = chosen.form.offset != 0;
     decide("offset x", has_offset ? Verdict::keep : Verdict::skip,
            has_offset ? "x = " + decimal(chosen.form.offset, 6) : "",
-           has_offset ? "best for this scene's powers; its ADD is the material's"
+           has_offset ? "best for this scene's powers, by how often each is used; its ADD is the material's"
            : chosen.form.kind != LobeKind::exponential ? "no Gaussian"
            : chosen.form.slopes.size() > 1             ? "the slopes do its work"
                                                        : "0 is near enough");
@@ -194,28 +193,26 @@ class Planner {
   std::string reason_of(const ChosenLobe& chosen) const {
     if (chosen.form.kind == LobeKind::constant) return "every power is 0";
     if (chosen.form.kind == LobeKind::multiplied) return "one whole power: exact";
-    if (chosen.cheaper.empty()) return "the cheapest, and near enough";
     constexpr double large = 100;
     const bool is_bright = lobes_.range().most > large;
-    return chosen.cheaper + (is_bright ? ": (n + 2)/8 takes back what it errs less for large n" : "");
+    const std::string why = chosen.cheaper.empty() ? "the cheapest, and near enough"
+                            : is_bright
+                                ? chosen.cheaper + ": (n + 2)/8 takes back what it errs less for large n"
+                                : chosen.cheaper;
+    if (chosen.mean_error == 0) return why;
+    return why + "; constants by how often each power is used: " + decimal(chosen.mean_error, 2) +
+           " on the mean, where the least largest error has " + decimal(chosen.mean_error_of_level, 2);
   }
 
-  /// exp2 by a polynomial is off by a factor 1 + bound, which moves no value by more than the bound.
   void decide_exp2(const LobeForm& form, double left) {
     if (form.kind == LobeKind::constant || form.kind == LobeKind::multiplied) {
       decide("exp2", Verdict::skip, "", "none is computed");
       return;
     }
-    double error = 0;
-    for (const Exp2Coefficients& record : exp2_for_float) {
-      double bound = 0;
-      std::from_chars(record.bound.data(), record.bound.data() + record.bound.size(), bound);
-      plan_.shading.exp2_degree = record.degree;
-      error = apart_by_ratio(scale(), 1, std::log1p(-bound) / downwards);
-      if (error <= left) break;
-    }
-    decide("exp2", Verdict::replace, "of degree " + std::to_string(plan_.shading.exp2_degree),
-           "where it is no instruction: the least that is near enough", error);
+    const ChosenExp2 chosen = choose_exp2(left, scale());
+    plan_.shading.exp2_degree = chosen.degree;
+    decide("exp2", Verdict::replace, "of degree " + std::to_string(chosen.degree),
+           "where it is no instruction: the least that is near enough", chosen.error);
   }
 
   void decide_power() {

@@ -27,7 +27,7 @@ TEST(SceneCommand, SaysWhatIsNeeded) {
   EXPECT_TRUE(outcome.out.starts_with("2 materials, 1 light, tolerance 0.003922 in linear values\n\nterm "))
       << outcome.out;
   EXPECT_NE(outcome.out.find("skipped for 1 of 2 materials"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\nFits run 0, skipped 14.\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nFits run 0, skipped 15.\n"), std::string::npos) << outcome.out;
   EXPECT_EQ(snapshot(directory.path()).size(), 1U) << "nothing is written unless it is asked for";
 }
 

@@ -96,10 +96,10 @@ TEST(Plan, TakesTheCheapestFormThatIsNearEnough) {
   };
   const Scene scene = dull_scene();
   for (const Expected& expected : {Expected{1.0 / 64, LobeKind::exponential, 1, false, 0},
-                                   Expected{1.0 / 512, LobeKind::exponential, 1, true, 1},
-                                   Expected{1.0 / 4096, LobeKind::exponential, 2, false, 2},
-                                   Expected{1.0 / 32768, LobeKind::exponential, 3, false, 3},
-                                   Expected{1.0 / 262144, LobeKind::exponential, 4, false, 4},
+                                   Expected{1.0 / 512, LobeKind::exponential, 1, true, 2},
+                                   Expected{1.0 / 4096, LobeKind::exponential, 2, false, 3},
+                                   Expected{1.0 / 32768, LobeKind::exponential, 3, false, 4},
+                                   Expected{1.0 / 262144, LobeKind::exponential, 4, false, 5},
                                    Expected{1e-6, LobeKind::power, 0, false, 4}}) {
     const Plan plan = make_plan(scene, {.tolerance = expected.tolerance});
     EXPECT_EQ(plan.shading.lobe.kind, expected.kind) << expected.tolerance;
@@ -110,6 +110,39 @@ TEST(Plan, TakesTheCheapestFormThatIsNearEnough) {
               make_plan(scene, {}).fits_run + make_plan(scene, {}).fits_skipped);
     EXPECT_TRUE(plan.is_within()) << expected.tolerance << " " << plan.error;
     EXPECT_EQ(decision(plan, "offset x").verdict, expected.has_offset ? Verdict::keep : Verdict::skip);
+  }
+}
+
+// Two textures between the same powers: the form is the same, its constants are those of the texels.
+TEST(Plan, WhatIsUsedDrivesTheConstants) {
+  struct Made {
+    LobeForm lobe;
+    std::string reason;
+  };
+  for (const double tolerance : {1.0 / 512, 1.0 / 4096, 1.0 / 32768}) {
+    std::vector<Made> made;
+    for (const double blunt : {0.999, 0.001}) {
+      Scene scene = dull_scene();
+      scene.materials[0].powers[0].share = blunt;
+      scene.materials[0].powers[1].share = 1 - blunt;
+      const Plan plan = make_plan(scene, {.tolerance = tolerance});
+      EXPECT_TRUE(plan.is_within()) << tolerance << " " << plan.error;
+      made.push_back({plan.shading.lobe, decision(plan, "lobe").reason});
+      EXPECT_NE(made.back().reason.find("constants by how often each power is used: "), std::string::npos)
+          << made.back().reason;
+    }
+    EXPECT_EQ(made[0].lobe.slopes.size(), made[1].lobe.slopes.size()) << tolerance;
+    EXPECT_NE(made[0].lobe, made[1].lobe) << tolerance;
+  }
+}
+
+// A dearer exp2 is no price for a smaller mean error.
+TEST(Plan, ConstantsOfUseCostNoInstruction) {
+  for (double tolerance = 1.0 / 64; tolerance > 1e-6; tolerance /= 1.5) {
+    const Plan plan = make_plan(dull_scene(), {.tolerance = tolerance});
+    EXPECT_TRUE(plan.is_within()) << tolerance << " " << plan.error;
+    // what exp2 and the roundings may spend beside a form of 9/10 of what the cut-off leaves
+    EXPECT_LE(decision(plan, "lobe").error, 0.9 * 0.9 * tolerance) << tolerance;
   }
 }
 
