@@ -16,8 +16,8 @@
 /// A formula is a function template over its scalar and says nothing but `+ - * /` and the names of this
 /// file. It then runs unchanged as float, double, long double, half precision, an automatic derivative, a
 /// 50-digit number or an interval: each scalar brings one specialisation of `Scalar`, its adapter. The
-/// standard types have theirs here; the others live in fit/ (jet, multiprecision, interval, half). A symbolic
-/// scalar is one more such specialisation.
+/// standard types have theirs here; the others live in fit/ (jet, two lanes, multiprecision, interval, half).
+/// A symbolic scalar is one more such specialisation.
 ///
 /// The names are function objects, not functions: an object found by name lookup switches argument-dependent
 /// lookup off, so `exp(x)` in a formula can never reach an `exp` of another library that would leave the
