@@ -126,8 +126,14 @@ T exp2_near_zero(const T& r, const std::array<T, N>& c) {
 /// least normal number nor above the largest; there see `ExponentBits`. Exact at whole numbers.
 template <class P, class T>
 T exp2_polynomial(const T& x) {
-  const auto parts = split_exponent(x);
-  return times_exp2(exp2_near_zero(parts.rest, exp2_coefficients<P, T>()), parts.whole);
+  const auto of_parts = []<class R, class Whole>(const SplitExponent<R, Whole>& parts) {
+    return times_exp2(exp2_near_zero(parts.rest, exp2_coefficients<P, R>()), parts.whole);
+  };
+  if constexpr (requires { ExponentBits<T>::joined(x, of_parts); }) {
+    return ExponentBits<T>::joined(x, of_parts);
+  } else {
+    return of_parts(split_exponent(x));
+  }
 }
 
 /// A scalar that is another one but for its exp2 and exp: these are by a polynomial. Any formula runs on it.

@@ -15,7 +15,8 @@ namespace shadefit {
 /// The customisation point: what a scalar must offer beside `Scalar`.
 /// - `split(x)`: x within the exponents of the format, as a whole number and the rest beside it, |rest| <=
 /// 1/2;
-/// - `times_exp2(p, whole)`: p 2^whole, where `whole` is that of `split`, in the form in which it is at hand.
+/// - `times_exp2(p, whole)`: p 2^whole, where `whole` is that of `split`, in the form in which it is at hand;
+/// - `joined(x, f)`, of a scalar with more than one whole number: all that f makes of the parts, in one.
 template <class T>
 struct ExponentBits;
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
+#include <utility>
 
 #include "approx/exponent_bits.hpp"
 #include "fit/half.hpp"
@@ -43,6 +45,45 @@ struct ExponentBits<boost::multiprecision::number<boost::multiprecision::cpp_bin
   static T times_exp2(const T& p, int whole) { return ldexp(p, whole); }
 };
 
+/// An interval may have more than one whole number, and then its rest is all of [-1/2, 1/2] and a little
+/// more: next to the middle between two both are taken, so that what holds of an interval holds of an
+/// exponent in it that a float arithmetic has rounded to the other side.
+template <>
+struct ExponentBits<Interval> {
+  /// More than floats of up to 32 are off by after some ten roundings of half a step of 2^-19 each.
+  static constexpr double overlap = 0x1p-14;
+
+  struct Whole {
+    double lower, upper;
+    bool is_cut() const { return lower != upper; }
+  };
+  static Whole whole_of(const Interval& x) {
+    constexpr double reach = 0.5 + overlap;
+    return {std::ceil(lower_end(Interval(x - Interval(reach)))),
+            std::floor(upper_end(Interval(x + Interval(reach))))};
+  }
+  static SplitExponent<Interval, Whole> split(const Interval& x) {
+    const Whole whole = whole_of(x);
+    if (whole.is_cut()) return {span_of(-0.5 - overlap, 0.5 + overlap), whole};
+    return {x - Interval(whole.lower), whole};
+  }
+  static Interval times_exp2(const Interval& p, const Whole& whole) {
+    return p * Scalar<Interval>::hull(exp2(Interval(whole.lower)), exp2(Interval(whole.upper)));
+  }
+  /// Between two neighbours each has its own rest, next to the cut.
+  template <class F>
+  static Interval joined(const Interval& x, const F& f) {
+    const Whole whole = whole_of(x);
+    if (whole.upper - whole.lower != 1) return f(split(x));
+    const double cut = whole.lower + 0.5, lower = lower_end(x), upper = upper_end(x);
+    const auto part = [](double from, double to, double n) {
+      return SplitExponent<Interval, Whole>{span_of(from, to) - Interval(n), {n, n}};
+    };
+    return Scalar<Interval>::hull(f(part(lower, std::fmin(upper, cut + overlap), whole.lower)),
+                                  f(part(std::fmax(lower, cut - overlap), upper, whole.upper)));
+  }
+};
+
 /// The whole number does not vary: the derivative is that of the polynomial, as it is between two jumps.
 template <class T, int N>
 struct ExponentBits<ceres::Jet<T, N>> {
@@ -59,21 +100,13 @@ struct ExponentBits<ceres::Jet<T, N>> {
     for (int i = 0; i < N; ++i) result.v[i] = p.v[i] * shadefit::times_exp2(integer<T>(1), whole);
     return result;
   }
-};
-
-/// An interval that a rounding cuts has more than one whole number, and its rest is all of [-1/2, 1/2].
-template <>
-struct ExponentBits<Interval> {
-  struct Whole {
-    double lower, upper;
-  };
-  static SplitExponent<Interval, Whole> split(const Interval& x) {
-    const Whole whole{std::nearbyint(lower_end(x)), std::nearbyint(upper_end(x))};
-    if (whole.lower == whole.upper) return {x - Interval(whole.lower), whole};
-    return {span_of(-0.5, 0.5), whole};
-  }
-  static Interval times_exp2(const Interval& p, const Whole& whole) {
-    return p * Scalar<Interval>::hull(exp2(Interval(whole.lower)), exp2(Interval(whole.upper)));
+  /// What jumps has no slope: it may be any number.
+  template <class F>
+  static Jet joined(const Jet& x, const F& f) requires std::same_as<T, Interval> {
+    if (!ExponentBits<T>::whole_of(x.a).is_cut()) return f(split(x));
+    Jet result(ExponentBits<T>::joined(x.a, f));
+    for (int i = 0; i < N; ++i) result.v[i] = any_number();
+    return result;
   }
 };
 

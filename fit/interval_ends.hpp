@@ -20,6 +20,11 @@ inline Interval span_of(double lower, double upper) {
   return result;
 }
 
+/// The interval of all numbers.
+inline Interval any_number() {
+  return span_of(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
+}
+
 /// The largest double that is at most every number of x; NaN where x is not a number.
 inline double lower_end(const Interval& x) {
   return mpfr_get_d(&x.backend().data()->left, MPFR_RNDD);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fit/fit.hpp"
+#include "fit/pair_for_exp2.hpp"
 #include "fit/published_curve.hpp"
 
 namespace shadefit::forms {
@@ -70,6 +71,16 @@ std::vector<Constants> constants_of(std::string_view id) {
     all.push_back(std::move(found));
   }
   return all;
+}
+
+/// The pair that is best with the cheapest exp2 in place of an exact one.
+void append_pair_for_exp2(std::vector<Constants>& all) {
+  const std::string degree = std::to_string(least_exp2_degree);
+  const PairForExp2 pair = fit_pair_for_exp2(least_exp2_degree);
+  if (pair.status != Status::converged) return;
+  all.push_back({"minimax-exp2-" + degree,
+                 "minimax absolute error with an exp2 of degree " + degree,
+                 {computed_number("a", pair.a), computed_number("b", pair.b)}});
 }
 
 /// The offsets of a lobe that are conventions and not fits.
@@ -144,6 +155,7 @@ void append_schlick(Catalogue& all) {
   };
   append(FresnelOneTermForm());
   append(FresnelQuadraticForm());
+  append_pair_for_exp2(all.forms.back().constants);
   append(FresnelCubicForm());
   append(FresnelQuarticForm());
   append(FresnelFourthForm());

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "approx/exp2_polynomial.hpp"
-#include "fit/enclosure.hpp"
-#include "fit/exp2_proof.hpp"
+#include "bench/forms/form_errors.hpp"
 #include "fit/families.hpp"
 #include "fit/family_visit.hpp"
 #include "fit/interval.hpp"
@@ -16,80 +15,13 @@
 namespace shadefit::forms {
 namespace {
 
-/// Relative to the error: a tenth of what decides.
-constexpr double pairing_width = allowed_addition / 10;
 /// Where it is enough to tell one lobe's error from another's.
 constexpr double rough_width = 0.02;
 /// k and x, their sum, ln 2 and the quotient: what of a constant may be rounded before it is used.
 constexpr double roundings_of_constants = 5;
 
-template <std::size_t N>
-std::array<Interval, N> enclosed(const Constants& constants) {
-  std::array<Interval, N> values;
-  for (std::size_t i = 0; i < N; ++i) values[i] = constant<Interval>(constants.numbers.at(i).printed);
-  return values;
-}
-
 /// Of an 8-bit gloss.
 constexpr int codes = 256;
-
-/// A quantity lies in [lower, upper].
-struct Bounds {
-  double lower, upper;
-};
-
-/// max |f(error, form)| of a family at given constants.
-template <class Family, std::size_t N, class F>
-Enclosure enclose(const Family& family, const std::array<Interval, N>& constants, const F& f,
-                  const EnclosureOptions& options) {
-  const auto of_cosine = [&]<class T>(const Cosine<T>& c) {
-    std::array<T, N> p;
-    for (std::size_t i = 0; i < N; ++i) p[i] = lift<T>(constants[i]);
-    const auto sample = family.sample(c);
-    return T(f(family.error(sample, p), family.form(sample, p)));
-  };
-  return enclose_largest(of_cosine, Domain{}, options);
-}
-
-/// A family's error at given constants.
-template <class Family>
-class FamilyErrors {
- public:
-  static constexpr std::size_t N = Family::parameters.size();
-
-  FamilyErrors(const Family& family, const Constants& constants)
-      : family_(family), constants_(enclosed<N>(constants)) {
-    own_ = enclose(family_, constants_, [](const auto& error, const auto&) { return error; },
-                   {.width = pairing_width});
-    largest_form_ = enclose(family_, constants_, [](const auto&, const auto& form) { return form; },
-                            {.width = pairing_width})
-                        .upper;
-  }
-
-  Bounds own() const { return {own_.lower, own_.upper}; }
-
-  /// max (|error| + relative |form|), from above. Where the second is next to nothing, by the largest of
-  /// each; else of the sum and of the difference, the larger. The form is positive.
-  double upper_with(double relative) const {
-    constexpr double upwards = 1 + 0x1p-50;  // more than what the two operations round
-    const double apart = (own_.upper + relative * largest_form_) * upwards;
-    if (apart <= (1 + pairing_width) * own_.upper) return apart;
-    return std::max(largest_with(relative), largest_with(-relative));
-  }
-
- private:
-  double largest_with(double relative) const {
-    const auto sum = [factor = Interval(relative)]<class T>(const T& error, const T& form) {
-      return T(error + lift<T>(factor) * form);
-    };
-    return enclose(family_, constants_, sum, {.width = pairing_width, .hint = own_.attained}).upper;
-  }
-
-  Family family_;
-  std::array<Interval, N> constants_;
-  Enclosure own_;
-  double largest_form_ = 0;
-};
 
 /// The error of the lobe with a gloss per element, over all codes.
 ///
@@ -115,7 +47,8 @@ class GlossErrors {
 
   /// Beside its own error a lobe has at most (1 + bound) exp(t bound) - 1 times exp(-t), t the exponent it
   /// has fallen by: t exp(-t) is 1/e at most, and of the rest a hundredth is more than enough.
-  double upper_with(double relative) const {
+  double upper_with(int degree) const {
+    const double relative = bound_of(degree);
     constexpr double more_than_both = 1.01 * (1 + 0.37);
     return largest_at({{-relative, relative}, {relative, -relative}}, more_than_both * relative).upper;
   }
@@ -190,6 +123,10 @@ std::array<RunningError, N> rounded_constants(const std::array<Interval, N>& con
   return rounded;
 }
 
+/// How much more than exp2 itself a polynomial changes with its argument, at most: the derivative of the
+/// first degree's is 1.017 times that of exp2 where it is most, of all others less.
+constexpr double slope_of_polynomial = 1.02;
+
 /// A bound of what rounding adds to `evaluate`, a form of one cosine. It has no need to be near: on so many
 /// boxes the values of a form are known to some percent.
 template <class Evaluate>
@@ -209,7 +146,8 @@ template <class Form>
 double float_rounding_of(const std::array<Interval, Form::parameters>& parameters) {
   const Rounding rounding = rounding_with_polynomial();
   const auto p = rounded_constants(Form::template prepared<Interval>(parameters), rounding);
-  return rounding_on(128, rounding, [&](const RunningError& c) { return Form()(c, p); });
+  return slope_of_polynomial *
+         rounding_on(128, rounding, [&](const RunningError& c) { return Form()(c, p); });
 }
 
 /// Over all codes. A rounded A, off by r in relation to itself, moves exp2(A c - A) by r t exp(-t) to first
@@ -228,12 +166,7 @@ double float_rounding_of_gloss(const std::array<Interval, GlossGaussian::paramet
                               return gaussian_lobe_base_two(c, exact);
                             }));
   }
-  return bound;
-}
-
-/// The bounds of the polynomials for float.
-double bound_of(int degree) {
-  return constant<double>(exp2_for_float[static_cast<std::size_t>(degree - least_exp2_degree)].bound);
+  return slope_of_polynomial * bound;
 }
 
 template <class Errors>
@@ -242,7 +175,7 @@ Pairing paired(const Errors& errors) {
   Pairing pairing{.own_lower = own.lower, .own_upper = own.upper};
   pairing.totals[0] = pairing.own_upper;
   for (int degree = largest_exp2_degree; degree >= least_exp2_degree; --degree) {
-    const double total = errors.upper_with(bound_of(degree));
+    const double total = errors.upper_with(degree);
     pairing.totals[static_cast<std::size_t>(degree)] = total;
     if (total <= (1 + allowed_addition) * pairing.own_lower) pairing.degree = degree;
   }
@@ -260,10 +193,11 @@ std::array<Interval, Form::parameters> all_parameters(const Target& target, cons
   return all;
 }
 
-template <class Form, class Family>
+template <class Form, class Curve, class Family>
 Pairing paired(const Family& family, const Target& target, const Constants& constants) {
-  Pairing pairing = paired(FamilyErrors(family, constants));
-  pairing.rounding = float_rounding_of<Form>(all_parameters<Form>(target, constants));
+  const auto parameters = all_parameters<Form>(target, constants);
+  Pairing pairing = paired(FormErrors<Form, Curve, Family>(family, parameters));
+  pairing.rounding = float_rounding_of<Form>(parameters);
   return pairing;
 }
 
@@ -274,11 +208,14 @@ Pairing paired_gloss(const Target& target, const Constants& constants) {
 }
 
 /// Of N lights wherever they are: N times the lobe, which N lights in one direction attain. Behind the
-/// horizon the target is 0 and the form falls, so both of its errors are less than at c = 0.
+/// horizon the target is 0 and the form less than at c = 0, where it is next to nothing.
 Pairing paired_lights(const Target& target, const Constants& constants) {
   constexpr std::size_t power = 1, axes = 3;
   const auto lights = static_cast<double>((target.parameters.size() - power) / axes);
-  Pairing pairing = paired(FamilyErrors(make_family<SgOffset>(Setting(fixed_exponent)), constants));
+  const std::array parameters{constant<Interval>(target.parameters.front().printed),
+                              constant<Interval>(constants.numbers.front().printed)};
+  Pairing pairing = paired(FormErrors<LobeGaussian, LobeSquarings, SgOffset>(
+      make_family<SgOffset>(Setting(fixed_exponent)), parameters));
   pairing.own_lower *= lights;
   pairing.own_upper *= lights;
   for (double& total : pairing.totals) total *= lights;
@@ -289,10 +226,10 @@ Pairing paired_lights(const Target& target, const Constants& constants) {
 
 std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants) {
   const auto lobe = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form>(make_family<Family>(Setting(fixed_exponent)), target, constants);
+    return paired<Form, LobeSquarings>(make_family<Family>(Setting(fixed_exponent)), target, constants);
   };
   const auto fresnel = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form>(Family(), target, constants);
+    return paired<Form, SchlickMultiplied>(Family(), target, constants);
   };
   if (form == LobeGaussian::id) return lobe(LobeGaussian(), std::type_identity<SgOffset>());
   if (form == LobeGaussianOfDifference::id)

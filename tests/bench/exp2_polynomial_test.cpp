@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "fit/exp2_fit.hpp"
 #include "fit/exp2_proof.hpp"
 #include "fit/exponent_bits.hpp"
+#include "fit/pair_for_exp2.hpp"
 
 namespace shadefit {
 namespace {
@@ -71,6 +73,45 @@ TEST(Exp2Fit, IsWhatIsPrinted) {
 TEST(Exp2Fit, RefusesOtherDegrees) {
   EXPECT_THROW(fit_exp2(1), std::logic_error);
   EXPECT_THROW(fit_exp2(7), std::logic_error);
+}
+
+/// max |form - (1-c)^5| of a pair with the polynomial, sampled: every c of a fine grid.
+template <class P>
+double sampled_level(double a, double b) {
+  constexpr int steps = 1 << 16;
+  double largest = 0;
+  for (int i = 0; i <= steps; ++i) {
+    const double c = static_cast<double>(i) / steps;
+    const double form = exp2_polynomial<P>((a * c + b) * c);
+    largest = std::max(largest, std::abs(form - schlick_weight(c)));
+  }
+  return largest;
+}
+
+// Another way to the same level: the formula itself on a grid, jumps and all. And no pair beside it is
+// better.
+TEST(PairForExp2, IsTheBest) {
+  for_each_degree<float>([]<class P>(P) {
+    const PairForExp2 pair = fit_pair_for_exp2(P::record.degree);
+    ASSERT_EQ(pair.status, Status::converged) << pair.why;
+    // A step of the grid changes an error that jumps by its slope, 5 at most, and the level by less.
+    const double step = 5.0 / (1 << 16);
+    EXPECT_NEAR(sampled_level<P>(pair.a, pair.b), pair.level, step) << P::record.degree;
+    EXPECT_LE(sampled_level<P>(pair.a, pair.b), pair.level * (1 + 1e-9)) << P::record.degree;
+    // In the flattest direction the level rises by 3.5e-6.
+    for (const auto& [da, db] : {std::pair{1e-3, 0.0}, {0.0, 1e-3}, {1e-3, -1e-3}, {1e-3, 1e-3}}) {
+      for (const double sign : {-1.0, 1.0})
+        EXPECT_GT(sampled_level<P>(pair.a + sign * da, pair.b + sign * db), pair.level + 2e-6)
+            << P::record.degree;
+    }
+  });
+  // By degree 2 it is better than the published pair is with an exact exp2.
+  EXPECT_LT(fit_pair_for_exp2(2).level, 0.003766);
+}
+
+TEST(PairForExp2, RefusesOtherDegrees) {
+  EXPECT_THROW(fit_pair_for_exp2(1), std::logic_error);
+  EXPECT_THROW(fit_pair_for_exp2(7), std::logic_error);
 }
 
 // The stated bounds are proven, and say no more than they have to: they are the proven ones, rounded up.
@@ -257,7 +298,7 @@ TEST(Exp2Polynomial, RisesButForRounding) {
 // One formula, every arithmetic.
 TEST(Exp2Polynomial, IsTheSameInEveryArithmetic) {
   using P = Exp2Choice<4, double>;
-  for (const double x : {-20.3125, -3.5, -0.75, -0.25, 0.0, 0.4375, 2.5625}) {
+  for (const double x : {-20.3125, -3.375, -0.75, -0.25, 0.0, 0.4375, 2.5625}) {
     const Decimal50 truth = exp2_polynomial<P>(Decimal50(x));
     const auto off = [&](const Decimal50& result) { return static_cast<double>(abs(result / truth - 1)); };
     EXPECT_LE(off(exp2_polynomial<P>(x)), 4 * 0x1p-53);
@@ -289,6 +330,51 @@ TEST(Exp2Polynomial, EnclosesWhatARoundingCuts) {
     EXPECT_GE(upper_end(cut), exp2_polynomial<P>(x)) << x;
   }
   EXPECT_LT(upper_end(cut), 4);
+}
+
+// Next to the middle between two whole numbers a rounded argument may lie on either side: both are enclosed,
+// and little else.
+TEST(Exp2Polynomial, EnclosesBothSidesOfAJump) {
+  using P = Exp2Choice<2, double>;
+  const double below = std::nextafter(-3.5, -4.0), above = std::nextafter(-3.5, -3.0);
+  const double sides[] = {exp2_polynomial<P>(below), exp2_polynomial<P>(above)};
+  const double lower = std::min(sides[0], sides[1]), upper = std::max(sides[0], sides[1]);
+  ASSERT_GT(upper, 1.003 * lower) << "it jumps";
+  for (const double distance : {-0x1p-15, -0x1p-30, 0.0, 0x1p-30, 0x1p-15}) {
+    const Interval x(-3.5 + distance), both = exp2_polynomial<P>(x);
+    // what a step of 2^-14 changes
+    const double slack = 2 * 0x1p-14 * upper;
+    EXPECT_NEAR(lower_end(both), lower, slack) << distance;
+    EXPECT_NEAR(upper_end(both), upper, slack) << distance;
+    using Jet = ceres::Jet<Interval, 1>;
+    const Jet slope = exp2_polynomial<P>(Jet(x, 0));
+    EXPECT_EQ(lower_end(slope.a), lower_end(both)) << distance;
+    EXPECT_EQ(upper_end(slope.a), upper_end(both)) << distance;
+    EXPECT_FALSE(is_bounded(slope.v[0])) << distance << ": what jumps has no slope";
+  }
+  using Jet = ceres::Jet<Interval, 1>;
+  for (const double distance : {-0x1p-13, 0x1p-13}) {
+    const Jet side = exp2_polynomial<P>(Jet(Interval(-3.5 + distance), 0));
+    EXPECT_LE(width_of(side.a), 1e-15) << "one side alone";
+    EXPECT_TRUE(is_bounded(side.v[0]));
+  }
+}
+
+// What rounding adds to a form is that of an exact exp2 and 2 %: bench/forms/pairing.cpp.
+TEST(Exp2Polynomial, ChangesLittleFasterThanExp2) {
+  for_each_degree<float>([]<class P>(P) {
+    using Jet = ceres::Jet<Interval, 1>;
+    double most = 0;
+    constexpr int parts = 512;
+    for (int i = 0; i < parts; ++i) {
+      const double reach = 0.5 + ExponentBits<Interval>::overlap, step = 2 * reach / parts;
+      const Interval r = span_of(-reach + i * step, -reach + (i + 1) * step);
+      const Jet p = exp2_near_zero(Jet(r, 0), exp2_coefficients<P, Jet>());
+      most = std::max(most, upper_end(Interval(p.v[0] / (exp2(r) * ln2<Interval>()))));
+    }
+    EXPECT_LE(most, 1.02) << P::record.degree;
+    EXPECT_GE(most, 1) << P::record.degree;
+  });
 }
 
 // A scalar of its own: the formulas as they stand.

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#include "approx/exp2_polynomial.hpp"
+#include "bench/forms/forms.hpp"
+#include "bench/forms/pairing.hpp"
+#include "fit/enclosure.hpp"
+#include "fit/exponent_bits.hpp"
+#include "fit/interval.hpp"
+
+/// How wrong a form of the cosine is at given constants, with an exact exp2 and with a polynomial: proven.
+namespace shadefit::forms {
+
+/// Relative to the error: a tenth of what decides.
+inline constexpr double pairing_width = allowed_addition / 10;
+
+/// A quantity lies in [lower, upper].
+struct Bounds {
+  double lower, upper;
+};
+
+/// max |f(error, form)| of a family at given constants.
+template <class Family, std::size_t N, class F>
+Enclosure enclose(const Family& family, const std::array<Interval, N>& constants, const F& f,
+                  const EnclosureOptions& options) {
+  const auto of_cosine = [&]<class T>(const Cosine<T>& c) {
+    std::array<T, N> p;
+    for (std::size_t i = 0; i < N; ++i) p[i] = lift<T>(constants[i]);
+    const auto sample = family.sample(c);
+    return T(f(family.error(sample, p), family.form(sample, p)));
+  };
+  return enclose_largest(of_cosine, Domain{}, options);
+}
+
+/// The bound of a polynomial for float.
+inline double bound_of(int degree) {
+  return constant<double>(exp2_for_float[static_cast<std::size_t>(degree - least_exp2_degree)].bound);
+}
+
+/// Relative to a form: what the nine digits of each coefficient leave open of the polynomial: 0.5e-9 |r| of
+/// the first, less of the others, in a sum that is 0.7 at least.
+inline constexpr double digits_of_coefficients = 1e-9;
+
+/// A form that approximates the curve of another. `Family` has their difference without its cancellation.
+template <class Form, class Curve, class Family>
+class FormErrors {
+ public:
+  /// Those of the curve, then the form's own.
+  using Parameters = std::array<Interval, Form::parameters>;
+  static constexpr std::size_t of_curve = Curve::parameters, own_count = Family::parameters.size();
+  static_assert(of_curve + own_count == Form::parameters);
+
+  FormErrors(const Family& family, const Parameters& parameters)
+      : prepared_(Form::template prepared<Interval>(parameters)) {
+    std::array<Interval, own_count> own;
+    for (std::size_t i = 0; i < of_curve; ++i) curve_[i] = parameters[i];
+    for (std::size_t i = 0; i < own_count; ++i) own[i] = parameters[of_curve + i];
+    constexpr EnclosureOptions options{.width = pairing_width};
+    own_ = enclose(
+        family, own, [](const auto& error, const auto&) { return error; }, options);
+    largest_form_ = enclose(
+                        family, own, [](const auto&, const auto& form) { return form; }, options)
+                        .upper;
+  }
+
+  Bounds own() const { return {own_.lower, own_.upper}; }
+
+  /// max |form - curve| with a polynomial for float in place of the exp2, from above. Where the polynomial is
+  /// next to exact, by the largest of each; else of the form with it, as it stands.
+  double upper_with(int degree) const {
+    constexpr double upwards = 1 + 0x1p-50;  // more than what the operations round
+    const double apart = (own_.upper + bound_of(degree) * largest_form_) * upwards;
+    if (apart <= (1 + pairing_width) * own_.upper) return apart;
+    return (upper_by_polynomial(degree) + 2 * digits_of_coefficients * largest_form_) * upwards;
+  }
+
+ private:
+  double upper_by_polynomial(int degree) const {
+    double found = 0;
+    [&]<int... I>(std::integer_sequence<int, I...>) {
+      ((degree == least_exp2_degree + I ? void(found = enclosed_upper<least_exp2_degree + I>()) : void()),
+       ...);
+    }
+    (std::make_integer_sequence<int, largest_exp2_degree - least_exp2_degree + 1>());
+    return found;
+  }
+
+  template <int degree>
+  double enclosed_upper() const {
+    const auto difference = [this]<class T>(const Cosine<T>& c) {
+      using Approximate = WithExp2<T, Exp2Choice<degree, float>>;
+      std::array<Approximate, std::tuple_size_v<Prepared>> p;
+      for (std::size_t i = 0; i < p.size(); ++i) p[i] = {lift<T>(prepared_[i])};
+      std::array<T, of_curve> q;
+      for (std::size_t i = 0; i < of_curve; ++i) q[i] = lift<T>(curve_[i]);
+      return T(Form()(Approximate{c.cos_theta}, p).value - Curve()(c.cos_theta, q));
+    };
+    return enclose_largest(difference, Domain{}, {.width = pairing_width, .hint = own_.attained}).upper;
+  }
+
+  using Prepared = decltype(Form::template prepared<Interval>(Parameters()));
+  Prepared prepared_;
+  std::array<Interval, of_curve> curve_;
+  Enclosure own_;
+  double largest_form_ = 0;  ///< with an exact exp2
+};
+
+}  // namespace shadefit::forms

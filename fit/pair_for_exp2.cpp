@@ -1,0 +1,122 @@
+#include "fit/pair_for_exp2.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <vector>
+
+#include "approx/exp2_polynomial.hpp"
+#include "approx/fresnel.hpp"
+#include "fit/families.hpp"
+#include "fit/jet.hpp"
+#include "fit/minimax.hpp"
+#include "fit/minimax_problem.hpp"
+#include "fit/solve.hpp"
+
+namespace shadefit {
+namespace {
+
+// The error jumps where the exponent x = (a c + b) c passes the middle between two whole numbers, and where
+// that is depends on the pair. With x instead of c as the place, the jumps stand still: the form is 2^n p(x -
+// n) whatever the pair, and what the pair moves is the cosine at which the target is taken. Each whole number
+// is a panel of the search, and a jump is the end of one.
+
+/// The whole numbers that are looked at, from 0 down: beyond 2^-8.5 = 0.0028 the form, and the target with
+/// it, are below any level.
+constexpr int panels = 9;
+
+/// x on a panel: from 0 to -1/2 on the first, on the others from 1/2 above a whole number to 1/2 below it.
+template <class T>
+T exponent_at(std::size_t panel, const T& s) {
+  const T half = integer<T>(1) / integer<T>(2);
+  return panel == 0 ? T(-(half * s)) : T(half - integer<T>(static_cast<int>(panel)) - s);
+}
+
+/// The root of (a c + b) c = x that is 0 with x; a, b < 0.
+template <class T>
+T cosine_of_exponent(const T& x, const T& a, const T& b) {
+  return integer<T>(2) * x / (b - sqrt(T(b * b + integer<T>(4) * a * x)));
+}
+
+/// c1 .. cn of a degree; zeros beyond.
+template <class T>
+std::array<T, largest_exp2_degree> coefficients_of(int degree) {
+  std::array<T, largest_exp2_degree> c;
+  c.fill(integer<T>(0));
+  const Exp2Coefficients& polynomial =
+      exp2_for_float.at(static_cast<std::size_t>(degree - least_exp2_degree));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(degree); ++i)
+    c[i] = constant<T>(polynomial.printed[i]);
+  return c;
+}
+
+/// 2^n p(x - n) - (1-c)^5; P is T or has derivatives by the pair.
+template <class P, class T, class Values>
+P error_at(int degree, std::size_t panel, const T& s, const Values& pair) {
+  const T x = exponent_at(panel, s);
+  const auto n = -static_cast<int>(panel);
+  const T form = exp2_near_zero(T(x - integer<T>(n)), coefficients_of<T>(degree)) * power(integer<T>(2), n);
+  return lift<P>(form) - schlick_weight(cosine_of_exponent(lift<P>(x), lift<P>(pair[0]), lift<P>(pair[1])));
+}
+
+MinimaxCurve error_curve(int degree, const std::vector<SearchPlace>& places) {
+  return {.everywhere =
+              [degree, &places](const MinimaxParameters& p, std::span<double> values) {
+                for (std::size_t i = 0; i < places.size(); ++i)
+                  values[i] = error_at<double>(degree, places[i].panel, places[i].s, p);
+              },
+          .along =
+              [degree](const SearchPlace& place, const MinimaxParameters& p) {
+                using First = ceres::Jet<double, 1>;
+                using Second = ceres::Jet<First, 1>;
+                Second s(First(place.s, 0));
+                s.v[0] = First(1.0);
+                const auto value = error_at<Second>(degree, place.panel, s, p);
+                return Along{value.a.a, value.a.v[0], value.v[0].v[0]};
+              },
+          .across =
+              [degree](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+                using Jet = ceres::Jet<double, 2>;
+                const auto value =
+                    error_at<Jet>(degree, place.panel, place.s, std::array{Jet(p[0], 0), Jet(p[1], 1)});
+                gradient[0] = value.v[0];
+                gradient[1] = value.v[1];
+                return value.a;
+              },
+          .wide =
+              [degree](const SearchPlace& place, const WideParameters& p) {
+                return error_at<long double>(degree, place.panel, static_cast<long double>(place.s), p);
+              },
+          // of constraints alone
+          .slope_across = nullptr,
+          .wide_slope = nullptr};
+}
+
+}  // namespace
+
+PairForExp2 fit_pair_for_exp2(int degree) {
+  if (degree < least_exp2_degree || degree > largest_exp2_degree)
+    throw std::logic_error("no exp2 of degree " + std::to_string(degree));
+  const Solution exact = solve_plain(FresnelQuadratic(), Metric());
+  MinimaxParameters start{};
+  std::copy(exact.parameters.begin(), exact.parameters.end(), start.begin());
+  std::vector<SearchPlace> places;
+  for (std::size_t panel = 0; panel < panels; ++panel) {
+    for (const double s : chebyshev_places()) places.push_back({panel, s});
+  }
+  const MinimaxCurve error = error_curve(degree, places);
+  const MinimaxProblem problem{.size = 2,
+                               .places = places,
+                               .cosine_at =
+                                   [&start](const SearchPlace& at) {
+                                     const double c =
+                                         cosine_of_exponent(exponent_at(at.panel, at.s), start[0], start[1]);
+                                     return Cosine<double>{c, 1 - c};
+                                   },
+                               .error = error,
+                               .form = error};
+  const MinimaxOptimum optimum = solve_minimax(problem, start);
+  return {optimum.parameters[0], optimum.parameters[1], optimum.level, optimum.status, optimum.why};
+}
+
+}  // namespace shadefit
