@@ -8,6 +8,7 @@
 #include <string>
 
 #include "bench/forms/pairing.hpp"
+#include "fit/pair_for_exp2.hpp"
 
 namespace shadefit::forms {
 namespace {
@@ -89,9 +90,9 @@ void expect_what_is_proven() {
     }
     const double rounding = number(row, "rounding_error");
     EXPECT_LE(error, total + rounding) << which;
-    // at the place where |error| + bound |form| is largest the polynomial need not be at its worst, but near
-    // it is
-    EXPECT_GE(error, 0.6 * total - rounding) << which;
+    // A gloss is decoded by exp2 too, and both of its results need not be at their worst together. Else the
+    // bound is that of the form as it stands, and what a grid of 4096 steps misses of a jump, 2.1 % at most.
+    EXPECT_GE(error, (form == "gloss-sg" ? 0.6 : 0.97) * total - rounding) << which;
     EXPECT_LE(rounding, allowed_rounding(form)) << which;
   }
   EXPECT_EQ(proven.size(), 9U) << "all forms with an exp2";
@@ -100,8 +101,7 @@ void expect_what_is_proven() {
   for (const auto& [form, count] : proven) EXPECT_GE(paired[form], count / 6) << form;
 }
 
-// The cheapest: with a degree less it cannot be proven: the bound of the polynomial adds what it adds at the
-// worst place.
+// The cheapest: with a degree less the error is larger.
 TEST(Pairing, TakesTheCheapest) {
   const Catalogue all = catalogue();
   const auto pair = [&](std::string_view target, std::string_view form, const Constants& constants) {
@@ -114,6 +114,13 @@ TEST(Pairing, TakesTheCheapest) {
   EXPECT_NEAR(fresnel->own_upper, 0.00377, 5e-6);
   EXPECT_LE(fresnel->own_lower, fresnel->own_upper);
   EXPECT_LE(fresnel->total(), 1.01 * fresnel->own_lower);
+  EXPECT_GT(fresnel->totals[3], 1.01 * fresnel->own_upper);
+  // The pair that was fitted to the cheapest of all has use for no other.
+  const Constants fitted{"", "", {{"a", "-5.404911418", 0}, {"b", "-7.032870633", 0}}};
+  const auto cheapest = pair("schlick", "fresnel-quadratic", fitted);
+  EXPECT_EQ(cheapest->degree, 2);
+  EXPECT_NEAR(cheapest->total(), fit_pair_for_exp2(2).level, 1e-5);
+  EXPECT_LT(cheapest->total(), fresnel->own_lower);
   EXPECT_FALSE(pair("schlick", "schlick", {}));
   const Constants plain{"", "", {{"x", "0", 0}}};
   const auto lobe = pair("lobe", "sg", plain);
@@ -150,7 +157,7 @@ void expect_the_cheapest_exp2_to_beat_published_constants() {
   const auto& cheap = row("sg", "minimax-absolute", "2", "float");
   EXPECT_LT(number(cheap, "total_error") + number(cheap, "rounding_error"), number(published, "own_error"));
   const auto& pair = row("fresnel-quadratic", "published-fresnel-quadratic-a", "library", "float");
-  const auto& cheap_pair = row("fresnel-quadratic", "minimax-absolute", "3", "float");
+  const auto& cheap_pair = row("fresnel-quadratic", "minimax-exp2-2", "2", "float");
   EXPECT_LT(number(cheap_pair, "total_error") + number(cheap_pair, "rounding_error"),
             number(pair, "own_error"));
 }

@@ -287,6 +287,9 @@ TEST(Catalogue, HasTheConstantsOfTheRecords) {
   EXPECT_EQ(quadratic->constants.at(1).id, "least-squares-cosine");
   EXPECT_EQ(quadratic->constants.at(1).numbers.at(0).printed, "-5.554727813");
   EXPECT_EQ(quadratic->constants.at(1).numbers.at(0).value, -5.554727813);
+  EXPECT_EQ(quadratic->constants.back().id, "minimax-exp2-2");
+  EXPECT_EQ(quadratic->constants.back().numbers.at(0).printed, "-5.404911418");
+  EXPECT_EQ(quadratic->constants.back().numbers.at(1).printed, "-7.032870633");
   EXPECT_EQ(parameters_of(target_of(all(), "phong-16"), {}).size(), 1 + 3 * 16U);
   EXPECT_THROW(target_of(all(), "none"), std::logic_error);
 }
