@@ -126,7 +126,8 @@ std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const 
 
 std::string exponents_text(const std::vector<Setting>& settings) {
   if (settings.size() == 1) return fmt::format(", k = {}", settings.front().exponent);
-  return fmt::format(", k = {} to {}", settings.front().exponent, settings.back().exponent);
+  return fmt::format(", k = {} to {} ({} exponents)", settings.front().exponent, settings.back().exponent,
+                     settings.size());
 }
 
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint) {

@@ -35,7 +35,9 @@ std::vector<double> exponents_for(const FittableFamily& family, const Published*
     if (!text) return {};
     throw UserError(fmt::format("--exponent '{}' does not apply: {} has no exponent", *text, family.info.id));
   }
-  if (!text) return published != nullptr ? exponents_of(*published) : parse_sweep(family.info.sweep);
+  if (!text)
+    return published != nullptr ? exponents_needed_by(*published, family.info)
+                                : parse_sweep(family.info.sweep);
   try {
     return parse_sweep(*text);
   } catch (const UserError& error) {

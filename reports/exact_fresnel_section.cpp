@@ -181,7 +181,7 @@ std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
   return fmt::format(
              "Schlick's formula, which the Fresnel constants were fitted to, is itself off by up to {:.3g} in "
              "reflectance on glass (n = {}): {:.2g} times as far from the truth as {} is from it ({:.3g}). Of the "
-             "published curves the nearest to the truth, in absolute reflectance, is {}, off by {:.3g}:\n\n",
+             "published curves the nearest to the truth there, in absolute reflectance, is {}, off by {:.3g}:\n\n",
              off, glass.ior, off / near, curve_text(*closest), near, curve_text(*truest),
              truest->from_exact.absolute.magnitude) +
          write_markdown(glass_table(chain), Precision::report) +

@@ -118,9 +118,13 @@ void require_known(const std::string& id, const std::vector<std::string>& known,
   });
   // A suggestion that shares less than half of its letters is none.
   const bool is_near = 2 * edit_distance(id, *nearest) <= nearest->size();
-  throw UserError("unknown " + what + " '" + id + "': " +
-                  (is_near ? "did you mean '" + *nearest + "'?"
-                           : "it must be one of " + fmt::format("{}", fmt::join(known, ", "))));
+  constexpr std::size_t most_listed = 30;  // on the one line that says so
+  const auto known_ones = [&] {
+    return known.size() <= most_listed ? "it must be one of " + fmt::format("{}", fmt::join(known, ", "))
+                                       : std::string("'shadefit list' names them");
+  };
+  throw UserError("unknown " + what + " '" + id +
+                  "': " + (is_near ? "did you mean '" + *nearest + "'?" : known_ones()));
 }
 
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {

@@ -197,6 +197,13 @@ Table summary_table(const Results& results) {
         add(assessment, static_cast<long>(report.fit.digits));
     }
   }
+  // The integrals are a part of what a claim of the same id says.
+  const auto judged = [&](const Normalisation& record, Verdict of_integrals) {
+    for (const JudgedClaim& claim : results.claims) {
+      if (claim.claim->id == record.id) return claim.finding.verdict.value_or(of_integrals);
+    }
+    return of_integrals;
+  };
   for (const Normalisation& record : normalisations) {
     long confirmed = 0, all = 0;
     for (const auto& check : results.normalisations) {
@@ -205,14 +212,14 @@ Table summary_table(const Results& results) {
       confirmed += check.verdict == Verdict::confirmed;
     }
     if (all == 0) continue;
-    table.rows.push_back({word(record.id),
-                          word(record.printed),
-                          record.closeness == 0
-                              ? fmt::format("{} of {} integrals agree", confirmed, all)
-                              : fmt::format("{} of {} within {}", confirmed, all, record.closeness),
-                          word(name(confirmed == all ? Verdict::confirmed : Verdict::refuted)),
-                          std::string("v = n"),
-                          {}});
+    table.rows.push_back(
+        {word(record.id),
+         word(record.printed),
+         record.closeness == 0 ? fmt::format("{} of {} integrals agree", confirmed, all)
+                               : fmt::format("{} of {} within {}", confirmed, all, record.closeness),
+         word(name(judged(record, confirmed == all ? Verdict::confirmed : Verdict::refuted))),
+         std::string("v = n"),
+         {}});
   }
   return table;
 }

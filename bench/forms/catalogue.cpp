@@ -108,10 +108,12 @@ FormEntry entry(std::string_view target, std::string_view text, std::vector<Cons
   return {Form::id, target, std::string(text), Form::arguments, Form::function, std::move(constants)};
 }
 
+static_assert(fixed_exponent == 16, "the texts of the targets say so");
+
 void append_lobe(Catalogue& all, const std::vector<Constants>& offsets) {
   const std::string_view id = "lobe";
   all.targets.push_back(
-      {id, "c^k", Arguments::cosine, 0, 1, {printed_number("k", std::to_string(fixed_exponent))}});
+      {id, "c^k, k = 16", Arguments::cosine, 0, 1, {printed_number("k", std::to_string(fixed_exponent))}});
   all.forms.push_back(entry<LobePower>(id, "pow(c, k)", nothing()));
   all.forms.push_back(entry<LobeExp2Log2>(id, "exp2(k log2(c))", nothing()));
   all.forms.push_back(entry<LobeSquarings>(id, "four squarings of c", nothing()));
@@ -180,12 +182,8 @@ void append_phases(Catalogue& all) {
 
 void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
                    const std::vector<Constants>& offsets) {
-  Target target{id,
-                "sum of max(n.l, 0)^k over the lights",
-                Arguments::normal_to_lights,
-                0,
-                1,
-                {printed_number("k", std::to_string(fixed_exponent))}};
+  Target target{id, "sum of max(n.l, 0)^k over the lights, k = 16",       Arguments::normal_to_lights, 0,
+                1,  {printed_number("k", std::to_string(fixed_exponent))}};
   for (std::size_t i = 0; i < lights; ++i) {
     const std::array<double, 3> direction = spread_direction(i);
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -21,7 +21,7 @@ struct NamedNumber {
 /// What is approximated. Its parameters come first among those of every kernel of it.
 struct Target {
   std::string_view id;      ///< "lobe", "lobe-gloss", "schlick", "phong-1" .. "phong-64", "henyey-greenstein"
-  std::string_view text;    ///< "c^k"
+  std::string_view text;    ///< "c^k, k = 16"
   Arguments arguments;      ///< what it reads of each element
   double from = 0, to = 1;  ///< the cosines it is asked for
   std::vector<NamedNumber> parameters;

@@ -123,8 +123,8 @@ std::array<RunningError, N> rounded_constants(const std::array<Interval, N>& con
   return rounded;
 }
 
-/// How much more than exp2 itself a polynomial changes with its argument, at most: the derivative of the
-/// first degree's is 1.017 times that of exp2 where it is most, of all others less.
+/// How much more than exp2 itself a polynomial changes with its argument, at most: that of degree
+/// 2 has 1.0143 times the derivative of exp2 where it is most, the others less.
 constexpr double slope_of_polynomial = 1.02;
 
 /// A bound of what rounding adds to `evaluate`, a form of one cosine. It has no need to be near: on so many

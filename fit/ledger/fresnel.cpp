@@ -334,7 +334,7 @@ Finding roughness_range(const Claim& claim) {
               " of them with g <= f0 the reflectance does not rise at all; in half arithmetic rounding lifts "
               "F above max(g, f0) at " +
               std::to_string(half.pairs) + " pairs, by at most " + decimal(half.ulps, 2) +
-              " ulps of a half float",
+              " in ulps of a half float",
           stays ? "none" : sentence(effect, "F", "beyond its range it")};
 }
 

@@ -43,7 +43,7 @@ TEST(Emit, ThePublishedPair) {
 TEST(Emit, ALobeOfOnePowerOrOfAny) {
   const std::string any = emitted({"sg-offset-mean", "--lang", "hlsl", "--name", "lobe"});
   EXPECT_TRUE(holds(any, "// shadefit emit sg-offset-mean --lang hlsl --name lobe\n")) << any;
-  EXPECT_TRUE(holds(any, ", k = 3 to 15, in exact")) << any;
+  EXPECT_TRUE(holds(any, ", k = 3 to 15 (13 exponents), in exact")) << any;
   EXPECT_TRUE(holds(any, "float lobe(float c, float k) {\n  return exp((k + 0.775f) * (c - 1.0f));\n}\n"))
       << any;
   const std::string one =
@@ -52,6 +52,14 @@ TEST(Emit, ALobeOfOnePowerOrOfAny) {
   EXPECT_TRUE(
       holds(one, "inline float sg_offset(float c) {\n  return std::exp2(24.165142f * (c - 1.0f));\n}\n"))
       << one;
+}
+
+// A number that was published without its exponents is proven at those of its family: at k = 0 every lobe
+// is 1.
+TEST(Emit, ANumberWithoutExponents) {
+  const std::string code = emitted({"phong-blinn-gotanda", "--lang", "glsl"});
+  EXPECT_TRUE(holds(code, ", k = 1 to 2048 (12 exponents), in exact")) << code;
+  EXPECT_FALSE(holds(code, "at most 0 for")) << code;
 }
 
 TEST(Emit, FittedConstantsSayHow) {
