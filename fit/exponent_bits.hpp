@@ -50,7 +50,8 @@ struct ExponentBits<boost::multiprecision::number<boost::multiprecision::cpp_bin
 /// exponent in it that a float arithmetic has rounded to the other side.
 template <>
 struct ExponentBits<Interval> {
-  /// More than floats of up to 32 are off by after some ten roundings of half a step of 2^-19 each.
+  /// Three times what rounding in float moves the exponents A c - A of lobes up to A = 27; whoever rests a
+  /// proof on it has to see that it is enough.
   static constexpr double overlap = 0x1p-14;
 
   struct Whole {

@@ -12,6 +12,7 @@
 #include "bench/forms/compiled.hpp"
 #include "bench/forms/library_kernels.hpp"
 #include "bench/forms/pairing.hpp"
+#include "fit/decimal.hpp"
 #include "fit/effect.hpp"
 #include "fit/half.hpp"
 
@@ -242,8 +243,11 @@ class Accuracy {
                   bool is_of_lights) {
     // A sampled error of computed values is the same everywhere to any digit; these say what one wants to
     // know.
-    constexpr int digits = 6, few = 3;
+    constexpr int digits = 6, few = 3, of_bounds = 4;
     const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
+    const auto bound = [](double value) {
+      return Cell(Number{constant<double>(decimal_above(value, of_bounds)), of_bounds});
+    };
     std::string exp2;
     if (row.form.function == Function::exp2) exp2 = degree == 0 ? "library" : std::to_string(degree);
     const bool is_paired = row.pairing && row.pairing->degree == degree;
@@ -253,9 +257,9 @@ class Accuracy {
          exp2, std::string(arithmetic), number(errors.absolute, digits),
          is_of_lights ? Cell() : number(errors.at, digits), number(errors.relative, digits),
          number(errors.rms, digits), number(errors.ulps, few), number(errors.codes, few),
-         row.pairing ? number(row.pairing->own_upper, few) : Cell(),
-         row.pairing ? number(row.pairing->totals[static_cast<std::size_t>(degree)], few) : Cell(),
-         row.pairing && row.pairing->rounding && is_float ? number(*row.pairing->rounding, few) : Cell(),
+         row.pairing ? bound(row.pairing->own_upper) : Cell(),
+         row.pairing ? bound(row.pairing->totals[static_cast<std::size_t>(degree)]) : Cell(),
+         row.pairing && row.pairing->rounding && is_float ? bound(*row.pairing->rounding) : Cell(),
          row.pairing ? Cell(std::string(is_paired ? "yes" : "no")) : Cell()});
   }
 

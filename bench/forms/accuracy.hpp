@@ -15,7 +15,8 @@ namespace shadefit::forms {
 ///   `max_rel_error` and `max_ulps`, of the arithmetic (both where the target is at least 1/255), `rms_error`
 ///   (uniform in the cosine) and `srgb_codes`: over a dense grid and the edges, against the target in long
 ///   double;
-/// - `own_error`: the proven bound of the form's error with an exact exp2, in exact arithmetic, over all
+/// - bounds, rounded up: `own_error`: the proven bound of the form's error with an exact exp2, in exact
+/// arithmetic, over all
 ///   cosines, codes and places of lights; `total_error`: the same with the polynomial of this row;
 ///   `rounding_error`: what float adds at most, proven (empty for lights, see `Pairing`);
 /// - `paired`: `yes` where the exp2 is the cheapest that keeps the total within 1 % of the form's own error,

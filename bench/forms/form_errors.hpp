@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -41,9 +42,19 @@ inline double bound_of(int degree) {
   return constant<double>(exp2_for_float[static_cast<std::size_t>(degree - least_exp2_degree)].bound);
 }
 
-/// Relative to a form: what the nine digits of each coefficient leave open of the polynomial: 0.5e-9 |r| of
-/// the first, less of the others, in a sum that is 0.7 at least.
-inline constexpr double digits_of_coefficients = 1e-9;
+/// How far other polynomials of a degree are from the printed one for float, relative to it: the floats that
+/// its nine digits stand for, 0.5e-9 from a coefficient at most, and the printed one for double. The terms'
+/// differences are summed for |r| <= 0.51, where the sum of the terms is 0.7 at least.
+inline double polynomials_apart(int degree) {
+  const auto record = static_cast<std::size_t>(degree - least_exp2_degree);
+  double apart = 0, power = 1;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(degree); ++i) {
+    power *= 0.51;
+    const auto in_float = constant<double>(exp2_for_float[record].printed[i]);
+    apart += power * (std::abs(in_float - constant<double>(exp2_for_double[record].printed[i])) + 0.5e-9);
+  }
+  return apart / 0.7;
+}
 
 /// A form that approximates the curve of another. `Family` has their difference without its cancellation.
 template <class Form, class Curve, class Family>
@@ -69,13 +80,15 @@ class FormErrors {
 
   Bounds own() const { return {own_.lower, own_.upper}; }
 
-  /// max |form - curve| with a polynomial for float in place of the exp2, from above. Where the polynomial is
-  /// next to exact, by the largest of each; else of the form with it, as it stands.
+  /// max |form - curve| with a polynomial in place of the exp2, for float or for double, from above. Where
+  /// the polynomial is next to exact, by the largest of each; else of the form with it, as it stands.
   double upper_with(int degree) const {
     constexpr double upwards = 1 + 0x1p-50;  // more than what the operations round
     const double apart = (own_.upper + bound_of(degree) * largest_form_) * upwards;
     if (apart <= (1 + pairing_width) * own_.upper) return apart;
-    return (upper_by_polynomial(degree) + 2 * digits_of_coefficients * largest_form_) * upwards;
+    constexpr double form_at_most =
+        1.01;  // times the largest with an exact exp2: no polynomial is off by more
+    return (upper_by_polynomial(degree) + form_at_most * polynomials_apart(degree) * largest_form_) * upwards;
   }
 
  private:

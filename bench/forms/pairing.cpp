@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "approx/exp2_polynomial.hpp"
 #include "bench/forms/form_errors.hpp"
@@ -123,31 +125,47 @@ std::array<RunningError, N> rounded_constants(const std::array<Interval, N>& con
   return rounded;
 }
 
-/// How much more than exp2 itself a polynomial changes with its argument, at most: that of degree
-/// 2 has 1.0143 times the derivative of exp2 where it is most, the others less.
-constexpr double slope_of_polynomial = 1.02;
+/// What a polynomial in place of an exact exp2 adds to rounding, as a factor. Where the form is proven as it
+/// stands, a rounded exponent changes the result by the polynomial's derivative: that of degree 2 has 1.0143
+/// times the derivative of exp2 where it is most, the others less. Where bounds are added, it is that of
+/// exp2, and then all of it 1 + bound times as large, once or, of a decoded gloss, twice: 1.004.
+constexpr double rounding_by_polynomial = 1.02;
 
-/// A bound of what rounding adds to `evaluate`, a form of one cosine. It has no need to be near: on so many
-/// boxes the values of a form are known to some percent.
+/// A bound of what rounding adds to a form, and of that in relation to the form.
+struct AddedByRounding {
+  double absolute = 0, relative = 0;
+};
+
+/// Of `evaluate`, a form of one cosine. It has no need to be near: on so many boxes the values of a form are
+/// known to some percent.
 template <class Evaluate>
-double rounding_on(int boxes_a_side, const Rounding& rounding, const Evaluate& evaluate) {
-  double bound = 0;
+AddedByRounding rounding_on(int boxes_a_side, const Rounding& rounding, const Evaluate& evaluate) {
+  AddedByRounding bound;
   for (const Box& side : boxes_of(Domain{})) {
     for (int i = 0; i < boxes_a_side; ++i) {
       const double step = half_way / boxes_a_side;
       const auto c = cosine_at(side.side, span_of(i * step, (i + 1) * step));
-      bound = std::max(bound, evaluate(RunningError{c.cos_theta, 0, &rounding}).error);
+      const RunningError result = evaluate(RunningError{c.cos_theta, 0, &rounding});
+      bound.absolute = std::max(bound.absolute, result.error);
+      bound.relative = std::max(bound.relative, result.error / smallest_magnitude_in(result.value));
     }
   }
   return bound;
 }
 
+/// A proof of a form with a polynomial takes both sides of a jump where exponents are off by less than
+/// `ExponentBits<Interval>::overlap`, which changes a result by ln 2 times that: what rounding adds has to be
+/// less.
 template <class Form>
 double float_rounding_of(const std::array<Interval, Form::parameters>& parameters) {
   const Rounding rounding = rounding_with_polynomial();
   const auto p = rounded_constants(Form::template prepared<Interval>(parameters), rounding);
-  return slope_of_polynomial *
-         rounding_on(128, rounding, [&](const RunningError& c) { return Form()(c, p); });
+  const AddedByRounding added =
+      rounding_on(128, rounding, [&](const RunningError& c) { return Form()(c, p); });
+  if (!(added.relative < ln2<double>() * ExponentBits<Interval>::overlap))
+    throw std::logic_error(std::string(Form::id) +
+                           ": rounding moves an exponent beyond what is proven of jumps");
+  return rounding_by_polynomial * added.absolute;
 }
 
 /// Over all codes. A rounded A, off by r in relation to itself, moves exp2(A c - A) by r t exp(-t) to first
@@ -163,10 +181,10 @@ double float_rounding_of_gloss(const std::array<Interval, GlossGaussian::paramet
     const RunningError exact{base_two.value, 0, &rounding};
     const double of_base_two = base_two.error / smallest_magnitude_in(base_two.value);
     bound = std::max(bound, falling * of_base_two + rounding_on(4, rounding, [&](const RunningError& c) {
-                              return gaussian_lobe_base_two(c, exact);
-                            }));
+                                                      return gaussian_lobe_base_two(c, exact);
+                                                    }).absolute);
   }
-  return slope_of_polynomial * bound;
+  return rounding_by_polynomial * bound;
 }
 
 template <class Errors>

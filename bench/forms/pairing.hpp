@@ -18,10 +18,10 @@ inline constexpr double allowed_addition = 0.01;
 struct Pairing {
   double own_lower = 0, own_upper = 0;  ///< with an exact exp2: proven bounds
   int degree = 0;                       ///< of the cheapest polynomial that serves; 0: none does
-  /// By degree, with that polynomial for float in place of the exp2, in exact arithmetic: proven not to be
-  /// exceeded. Of a form of the cosine it is that of the whole as it stands, both sides of each jump taken;
-  /// of a decoded gloss, where two results of the polynomial meet, that of their bounds. At 0, with an exact
-  /// exp2.
+  /// By degree, with that polynomial in place of the exp2, for float or for double, in exact arithmetic:
+  /// proven not to be exceeded. Of a form of the cosine it is that of the whole as it stands, both sides of
+  /// each jump taken; of a decoded gloss, where two results of the polynomial meet, that of their bounds. At
+  /// 0, with an exact exp2.
   std::array<double, largest_exp2_degree + 1> totals{};
   /// What rounding adds at most where all is computed in float, the polynomial too: proven. Empty for lights:
   /// there the cosine is a product of rounded vectors, which move the target as much as the form.

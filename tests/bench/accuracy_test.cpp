@@ -81,7 +81,8 @@ void expect_what_is_proven() {
     const std::string which = form + " " + word(row, "constants") + " " + word(row, "exp2");
     if (word(row, "paired") == "yes") {
       ++paired[form];
-      EXPECT_LE(total, 1.0101 * number(row, "own_error")) << which;
+      // four digits, rounded up
+      EXPECT_LE(total, 1.0111 * number(row, "own_error")) << which;
     }
     if (word(row, "rounding_error").empty()) {
       EXPECT_EQ(form, "phong-sg");
@@ -114,12 +115,14 @@ TEST(Pairing, TakesTheCheapest) {
   EXPECT_NEAR(fresnel->own_upper, 0.00377, 5e-6);
   EXPECT_LE(fresnel->own_lower, fresnel->own_upper);
   EXPECT_LE(fresnel->total(), 1.01 * fresnel->own_lower);
-  EXPECT_GT(fresnel->totals[3], 1.01 * fresnel->own_upper);
+  // bounds are a thousandth above what they bound
+  EXPECT_GT(fresnel->totals[3], 1.01 * 1.002 * fresnel->own_upper) << "degree 3 adds more than a hundredth";
   // The pair that was fitted to the cheapest of all has use for no other.
   const Constants fitted{"", "", {{"a", "-5.404911418", 0}, {"b", "-7.032870633", 0}}};
   const auto cheapest = pair("schlick", "fresnel-quadratic", fitted);
   EXPECT_EQ(cheapest->degree, 2);
-  EXPECT_NEAR(cheapest->total(), fit_pair_for_exp2(2).level, 1e-5);
+  EXPECT_GE(cheapest->total(), fit_pair_for_exp2(2).level);
+  EXPECT_LE(cheapest->total(), 1.002 * fit_pair_for_exp2(2).level);
   EXPECT_LT(cheapest->total(), fresnel->own_lower);
   EXPECT_FALSE(pair("schlick", "schlick", {}));
   const Constants plain{"", "", {{"x", "0", 0}}};
