@@ -58,7 +58,7 @@ std::string origin_of(const Contender& contender) {
 
 Table table_of(const Comparison& comparison, int digits) {
   Table table{{"form", "constants", "from", "max abs error", "at c", "max rel error", "rms error",
-               "operations", "number", "beats"},
+               "operations", "instructions", "beats"},
               {}};
   for (const Contender& contender : comparison.contenders) {
     table.rows.push_back({contender.form, constants_text(contender, Precision::report), origin_of(contender),
