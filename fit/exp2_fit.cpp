@@ -9,6 +9,7 @@
 #include "fit/exp2_error.hpp"
 #include "fit/jet.hpp"
 #include "fit/minimax.hpp"
+#include "fit/minimax_curve.hpp"
 #include "fit/minimax_problem.hpp"
 
 namespace shadefit {
@@ -26,46 +27,6 @@ P relative_error(const T& r, int degree, const std::array<P, N>& d) {
 template <class T>
 T rest_at(const T& s) {
   return s - integer<T>(1) / integer<T>(2);
-}
-
-template <class T, class Values>
-std::array<T, most_parameters> all_as(const Values& values) {
-  std::array<T, most_parameters> d;
-  for (std::size_t i = 0; i < most_parameters; ++i) d[i] = lift<T>(values[i]);
-  return d;
-}
-
-MinimaxCurve error_curve(int degree, const std::vector<SearchPlace>& places) {
-  return {.everywhere =
-              [degree, &places](const MinimaxParameters& d, std::span<double> values) {
-                for (std::size_t i = 0; i < places.size(); ++i)
-                  values[i] = relative_error(rest_at(places[i].s), degree, d);
-              },
-          .along =
-              [degree](const SearchPlace& place, const MinimaxParameters& d) {
-                using First = ceres::Jet<double, 1>;
-                using Second = ceres::Jet<First, 1>;
-                Second s(First(place.s, 0));
-                s.v[0] = First(1.0);
-                const Second value = relative_error(rest_at(s), degree, all_as<Second>(d));
-                return Along{value.a.a, value.a.v[0], value.v[0].v[0]};
-              },
-          .across =
-              [degree](const SearchPlace& place, const MinimaxParameters& d, Unknowns& gradient) {
-                using Jet = ceres::Jet<double, static_cast<int>(most_parameters)>;
-                std::array<Jet, most_parameters> q;
-                for (std::size_t i = 0; i < most_parameters; ++i) q[i] = Jet(d[i], static_cast<int>(i));
-                const Jet value = relative_error(rest_at(place.s), degree, q);
-                for (std::size_t i = 0; i < most_parameters; ++i) gradient[i] = value.v[static_cast<int>(i)];
-                return value.a;
-              },
-          .wide =
-              [degree](const SearchPlace& place, const WideParameters& d) {
-                return relative_error(rest_at(static_cast<long double>(place.s)), degree, d);
-              },
-          // of constraints alone
-          .slope_across = nullptr,
-          .wide_slope = nullptr};
 }
 
 /// Least squares at the places, where the problem is linear: near enough for the exchange.
@@ -92,14 +53,19 @@ Exp2Fit fit_exp2(int degree) {
     throw std::logic_error("no exp2 of degree " + std::to_string(degree));
   std::vector<SearchPlace> places;
   for (const double s : chebyshev_places()) places.push_back({0, s});
-  MinimaxProblem problem{.size = static_cast<std::size_t>(degree),
-                         .places = places,
-                         .cosine_at =
-                             [](const SearchPlace& at) {
-                               return Cosine<double>{at.s, 1 - at.s};
-                             },
-                         .error = error_curve(degree, places),
-                         .form = error_curve(degree, places)};
+  const auto error = [degree]<class T, class P>(std::size_t, const T& s,
+                                                const std::array<P, most_parameters>& d) {
+    return relative_error(rest_at(s), degree, d);
+  };
+  const MinimaxCurve curve = curve_of_error(error, places);
+  const MinimaxProblem problem{.size = static_cast<std::size_t>(degree),
+                               .places = places,
+                               .cosine_at =
+                                   [](const SearchPlace& at) {
+                                     return Cosine<double>{at.s, 1 - at.s};
+                                   },
+                               .error = curve,
+                               .form = curve};  // which no constraint asks for
   const MinimaxOptimum optimum = solve_minimax(problem, start(degree, places));
   Exp2Fit fit{.degree = degree,
               .coefficients = {},

@@ -10,6 +10,7 @@
 #include "fit/families.hpp"
 #include "fit/jet.hpp"
 #include "fit/minimax.hpp"
+#include "fit/minimax_curve.hpp"
 #include "fit/minimax_problem.hpp"
 #include "fit/solve.hpp"
 
@@ -56,45 +57,12 @@ std::array<T, largest_exp2_degree> coefficients_of(int degree) {
 }
 
 /// 2^n p(x - n) - (1-c)^5; P is T or has derivatives by the pair.
-template <class P, class T, class Values>
-P error_at(int degree, std::size_t panel, const T& s, const Values& pair) {
+template <class T, class P>
+P error_at(int degree, std::size_t panel, const T& s, const std::array<P, most_parameters>& pair) {
   const T x = exponent_at(panel, s);
   const auto n = -static_cast<int>(panel);
   const T form = exp2_near_zero(T(x - integer<T>(n)), coefficients_of<T>(degree)) * power(integer<T>(2), n);
-  return lift<P>(form) - schlick_weight(cosine_of_exponent(lift<P>(x), lift<P>(pair[0]), lift<P>(pair[1])));
-}
-
-MinimaxCurve error_curve(int degree, const std::vector<SearchPlace>& places) {
-  return {.everywhere =
-              [degree, &places](const MinimaxParameters& p, std::span<double> values) {
-                for (std::size_t i = 0; i < places.size(); ++i)
-                  values[i] = error_at<double>(degree, places[i].panel, places[i].s, p);
-              },
-          .along =
-              [degree](const SearchPlace& place, const MinimaxParameters& p) {
-                using First = ceres::Jet<double, 1>;
-                using Second = ceres::Jet<First, 1>;
-                Second s(First(place.s, 0));
-                s.v[0] = First(1.0);
-                const auto value = error_at<Second>(degree, place.panel, s, p);
-                return Along{value.a.a, value.a.v[0], value.v[0].v[0]};
-              },
-          .across =
-              [degree](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-                using Jet = ceres::Jet<double, 2>;
-                const auto value =
-                    error_at<Jet>(degree, place.panel, place.s, std::array{Jet(p[0], 0), Jet(p[1], 1)});
-                gradient[0] = value.v[0];
-                gradient[1] = value.v[1];
-                return value.a;
-              },
-          .wide =
-              [degree](const SearchPlace& place, const WideParameters& p) {
-                return error_at<long double>(degree, place.panel, static_cast<long double>(place.s), p);
-              },
-          // of constraints alone
-          .slope_across = nullptr,
-          .wide_slope = nullptr};
+  return lift<P>(form) - schlick_weight(cosine_of_exponent(lift<P>(x), pair[0], pair[1]));
 }
 
 }  // namespace
@@ -109,7 +77,11 @@ PairForExp2 fit_pair_for_exp2(int degree) {
   for (std::size_t panel = 0; panel < panels; ++panel) {
     for (const double s : chebyshev_places()) places.push_back({panel, s});
   }
-  const MinimaxCurve error = error_curve(degree, places);
+  const auto error = [degree]<class T, class P>(std::size_t panel, const T& s,
+                                                const std::array<P, most_parameters>& pair) {
+    return error_at(degree, panel, s, pair);
+  };
+  const MinimaxCurve curve = curve_of_error(error, places);
   const MinimaxProblem problem{.size = 2,
                                .places = places,
                                .cosine_at =
@@ -118,8 +90,8 @@ PairForExp2 fit_pair_for_exp2(int degree) {
                                          cosine_of_exponent(exponent_at(at.panel, at.s), start[0], start[1]);
                                      return Cosine<double>{c, 1 - c};
                                    },
-                               .error = error,
-                               .form = error};  // which no constraint asks for
+                               .error = curve,
+                               .form = curve};  // which no constraint asks for
   const MinimaxOptimum optimum = solve_minimax(problem, start);
   return {optimum.parameters[0], optimum.parameters[1], optimum.level, optimum.status, optimum.why};
 }
