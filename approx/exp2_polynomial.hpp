@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -64,6 +67,13 @@ inline constexpr std::array exp2_for_double{
                                  "0.00961843735744847", "0.00133988744036442", "0.000153533619441048"},
                      .bound = "1.9746e-9"},
 };
+
+/// The record of a degree among those for float or for double. Throws std::logic_error where there is none.
+constexpr const Exp2Coefficients& exp2_of_degree(std::span<const Exp2Coefficients> records, int degree) {
+  if (degree < least_exp2_degree || degree > largest_exp2_degree)
+    throw std::logic_error("no exp2 of degree " + std::to_string(degree));
+  return records[static_cast<std::size_t>(degree - least_exp2_degree)];
+}
 
 /// The polynomial of a degree, for float or for double: a type, to say at compile time which is meant.
 template <int Degree, std::floating_point Format>

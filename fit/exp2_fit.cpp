@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "approx/exp2_polynomial.hpp"
 #include "fit/exp2_error.hpp"
@@ -49,8 +48,7 @@ MinimaxParameters start(int degree, const std::vector<SearchPlace>& places) {
 }  // namespace
 
 Exp2Fit fit_exp2(int degree) {
-  if (degree < least_exp2_degree || degree > largest_exp2_degree)
-    throw std::logic_error("no exp2 of degree " + std::to_string(degree));
+  exp2_of_degree(exp2_for_double, degree);  // throws where there is none
   std::vector<SearchPlace> places;
   for (const double s : chebyshev_places()) places.push_back({0, s});
   const auto error = [degree]<class T, class P>(std::size_t, const T& s,

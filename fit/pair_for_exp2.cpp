@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <vector>
 
 #include "approx/exp2_polynomial.hpp"
@@ -49,8 +48,7 @@ template <class T>
 std::array<T, largest_exp2_degree> coefficients_of(int degree) {
   std::array<T, largest_exp2_degree> c;
   c.fill(integer<T>(0));
-  const Exp2Coefficients& polynomial =
-      exp2_for_float.at(static_cast<std::size_t>(degree - least_exp2_degree));
+  const Exp2Coefficients& polynomial = exp2_of_degree(exp2_for_float, degree);
   for (std::size_t i = 0; i < static_cast<std::size_t>(degree); ++i)
     c[i] = constant<T>(polynomial.printed[i]);
   return c;
@@ -68,8 +66,6 @@ P error_at(int degree, std::size_t panel, const T& s, const std::array<P, most_p
 }  // namespace
 
 PairForExp2 fit_pair_for_exp2(int degree) {
-  if (degree < least_exp2_degree || degree > largest_exp2_degree)
-    throw std::logic_error("no exp2 of degree " + std::to_string(degree));
   const Solution exact = solve_plain(FresnelQuadratic(), Metric());
   MinimaxParameters start{};
   std::copy(exact.parameters.begin(), exact.parameters.end(), start.begin());

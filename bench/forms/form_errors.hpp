@@ -39,19 +39,20 @@ Enclosure enclose(const Family& family, const std::array<Interval, N>& constants
 
 /// The bound of a polynomial for float.
 inline double bound_of(int degree) {
-  return constant<double>(exp2_for_float[static_cast<std::size_t>(degree - least_exp2_degree)].bound);
+  return constant<double>(exp2_of_degree(exp2_for_float, degree).bound);
 }
 
 /// How far other polynomials of a degree are from the printed one for float, relative to it: the floats that
 /// its nine digits stand for, 0.5e-9 from a coefficient at most, and the printed one for double. The terms'
 /// differences are summed for |r| <= 0.51, where the sum of the terms is 0.7 at least.
 inline double polynomials_apart(int degree) {
-  const auto record = static_cast<std::size_t>(degree - least_exp2_degree);
+  const auto &in_float = exp2_of_degree(exp2_for_float, degree),
+             &in_double = exp2_of_degree(exp2_for_double, degree);
   double apart = 0, power = 1;
   for (std::size_t i = 0; i < static_cast<std::size_t>(degree); ++i) {
     power *= 0.51;
-    const auto in_float = constant<double>(exp2_for_float[record].printed[i]);
-    apart += power * (std::abs(in_float - constant<double>(exp2_for_double[record].printed[i])) + 0.5e-9);
+    const double between = constant<double>(in_float.printed[i]) - constant<double>(in_double.printed[i]);
+    apart += power * (std::abs(between) + 0.5e-9);
   }
   return apart / 0.7;
 }
