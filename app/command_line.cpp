@@ -238,13 +238,14 @@ void add_certify(CLI::App& app, Call& call) {
   certify->add_option("--out", call.certify.out, "write the certificate, for 'shadefit verify'")
       ->type_name("FILE");
   certify->add_flag("--json", call.certify.fit.json, "print JSON");
-  certify->callback([&call] { call.outcome = certify_command(call.certify, call.checkpoint); });
+  certify->callback(
+      [&call] { call.outcome = certify_command(call.certify, call.checkpoint, call.progress); });
 }
 
 void add_verify(CLI::App& app, Call& call) {
   auto* verify = app.add_subcommand("verify", "check a certificate again, on its own boxes");
   verify->add_option("file", call.verify.file, "what 'shadefit certify --out' wrote")->required();
-  verify->callback([&call] { call.outcome = verify_command(call.verify); });
+  verify->callback([&call] { call.outcome = verify_command(call.verify, call.checkpoint, call.progress); });
 }
 
 void add_emit(CLI::App& app, Call& call) {

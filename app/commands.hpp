@@ -90,8 +90,9 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
 Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint);
-Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint);
-Outcome verify_command(const VerifyOptions& options);
+Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
+                        const Progress& progress);
+Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint);
 Outcome explain_command(const ExplainOptions& options);
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);

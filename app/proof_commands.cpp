@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 #include "app/chosen_constants.hpp"
@@ -9,6 +10,7 @@
 #include "app/metric_options.hpp"
 #include "app/output_file.hpp"
 #include "approx/catalogue.hpp"
+#include "fit/bounded_file.hpp"
 #include "fit/certificate.hpp"
 #include "fit/enclosure.hpp"
 #include "fit/refit.hpp"
@@ -18,6 +20,7 @@
 #include "reports/files.hpp"
 #include "reports/fit_json.hpp"
 #include "reports/proofs.hpp"
+#include "reports/statement.hpp"
 #include "reports/utf8.hpp"
 #include "reports/writers.hpp"
 
@@ -46,9 +49,33 @@ std::string not_reached(const Certificate& certificate, double width) {
                      certificate.lower, certificate.upper);
 }
 
+/// Work of many small steps: it may end after each, and shows how far it is once it has taken long.
+class LongWork {
+ public:
+  LongWork(const Checkpoint& checkpoint, const Progress& progress)
+      : checkpoint_(checkpoint), progress_(progress) {}
+
+  /// `line` makes a line of the seconds since the work began.
+  template <class Line>
+  void step(const Line& line) const {
+    constexpr double soon = 2;  // nobody wonders before
+    checkpoint_();
+    const std::chrono::duration<double> taken = Clock::now() - start_;
+    if (taken.count() > soon) progress_(line(taken.count()));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const Checkpoint& checkpoint_;
+  const Progress& progress_;
+  Clock::time_point start_ = Clock::now();
+};
+
 }  // namespace
 
-Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint) {
+Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
+                        const Progress& progress) {
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
   const double width = parse_relative_width(options.width);
@@ -63,10 +90,19 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
 
   std::vector<CertifiedForm> forms;
   std::string err;
+  const LongWork work(checkpoint, progress);
+  long evaluations = 0;
+  const auto step = [&] {
+    ++evaluations;
+    work.step([&](double) {
+      return fmt::format("certify: {} of {} forms, {} evaluations", forms.size(), settings.size(),
+                         evaluations);
+    });
+  };
   for (const Setting& setting : settings) {
     checkpoint();
     const ChosenSubject chosen = chosen_constants(options.parameters, named, setting, metric);
-    forms.push_back({certify(chosen.subject, width), chosen.from});
+    forms.push_back({certify(chosen.subject, width, step), chosen.from});
     if (!forms.back().certified.is_reached) err += not_reached(forms.back().certified.certificate, width);
   }
   const Certificate& first = forms.front().certified.certificate;
@@ -86,10 +122,15 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   return {err.empty() ? 0 : 1, out, err};
 }
 
-Outcome verify_command(const VerifyOptions& options) {
-  const ReadCertificate read = read_certificate(read_file(options.file), options.file);
+Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const ReadCertificate read =
+      read_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
   const Certificate& certificate = read.certificate;
-  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate) : read.refused;
+  const LongWork work(checkpoint, progress);
+  const auto done = [&](double share) {
+    work.step([&](double seconds) { return progress_line("verify", share, seconds); });
+  };
+  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
   const std::string file = printable(options.file);
   if (!reason.empty())
     return {1, "", fmt::format("shadefit: certificate '{}' is refused: {}\n", file, one_line(reason))};
@@ -99,7 +140,8 @@ Outcome verify_command(const VerifyOptions& options) {
       0,
       fmt::format("certificate '{}' holds: the largest {} error of {} is in [{}, {}], checked on {} boxes\n",
                   file, name(certificate.subject.error), certificate.form, certificate.lower,
-                  certificate.upper, ends - sides),
+                  certificate.upper, ends - sides) +
+          statement_of(certificate),
       ""};
 }
 

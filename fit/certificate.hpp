@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "approx/record.hpp"
 #include "fit/box.hpp"
+#include "fit/checkpoint.hpp"
 #include "fit/fit.hpp"
 #include "fit/metric.hpp"
 
@@ -25,6 +27,11 @@ struct Subject {
   Domain domain = {};
   bool operator==(const Subject&) const = default;
 };
+
+/// Why a subject is none, a line: an unknown family; a parameter that is missing, unknown, doubled, out of
+/// order or no finite number; an exponent or a surface that the family does not have or that cannot be; a
+/// domain that is not within [0, 1]. Empty where nothing is wrong.
+std::string fault_of(const Subject& subject);
 
 /// What became of one property of a curve.
 enum class Proof {
@@ -86,16 +93,20 @@ struct Certified {
 Domain cosines_of(const Box& box);
 
 /// Proves bounds of the largest error of a subject, `width` apart relative to it, and what the record says of
-/// the form's curve. A relative error is looked for where it has a meaning, which narrows the domain. Throws
-/// UserError where the subject is none: an unknown family, a parameter that is missing, unknown or no finite
-/// number, a width that is not in [least_width, 1), no place where a relative error has a meaning.
-Certified certify(const Subject& subject, double width);
+/// the form's curve. A relative error is looked for where it has a meaning, which narrows the domain. The
+/// checkpoint is called for each evaluation. Throws UserError for a `fault_of` the subject, a width that is
+/// not in [least_width, 1), and where a relative error has no meaning anywhere.
+Certified certify(const Subject& subject, double width, const Checkpoint& checkpoint = keep_going);
 
 /// The subject of a fit, its parameters exact.
 Subject subject_of(const Fit& fit, Error error = Error::absolute);
 
+/// How much of a check is done, from 0 to 1; throws to end it.
+using ShareDone = std::function<void(double share)>;
+
 /// Checks a certificate again, by evaluations of the formula on its boxes alone. Empty where all that it says
-/// holds, else the reason to refuse it, a line.
-std::string reason_to_refuse(const Certificate& certificate);
+/// holds, else the reason to refuse it, a line. `done` is called for each box.
+std::string reason_to_refuse(
+    const Certificate& certificate, const ShareDone& done = [](double) {});
 
 }  // namespace shadefit

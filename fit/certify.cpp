@@ -11,28 +11,6 @@
 namespace shadefit {
 namespace {
 
-/// The parameters in the order of the family's names, each a constant.
-void require_parameters(const FittableFamily& family, const Subject& subject) {
-  const auto& given = subject.parameters;
-  for (const auto& [name, value] : given) {
-    if (std::find(family.parameters.begin(), family.parameters.end(), name) == family.parameters.end())
-      throw UserError("parameter '" + name + "' is unknown: " + subject.family + " has none of that name");
-    if (!enclosed_constant(value))
-      throw UserError("parameter " + name + " '" + value + "' is not a finite number");
-  }
-  for (std::size_t i = 0; i < family.parameters.size(); ++i) {
-    const std::string name(family.parameters[i]);
-    const auto count =
-        std::count_if(given.begin(), given.end(), [&](const auto& p) { return p.first == name; });
-    if (count == 0) throw UserError("parameter '" + name + "' of " + subject.family + " is missing");
-    if (count > 1) throw UserError("parameter '" + name + "' is given twice");
-  }
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    if (given[i].first != family.parameters[i])
-      throw UserError("parameter '" + given[i].first + "' stands out of order");
-  }
-}
-
 /// Where the error has a meaning; of a double end, the double.
 template <class F>
 Domain narrowed(const F& family, const Subject& subject) {
@@ -79,14 +57,13 @@ Domain cosines_of(const Box& box) {
   return {lower_end(one - Interval(box.upper)), upper_end(one - Interval(box.lower))};
 }
 
-Certified certify(const Subject& asked, double width) {
+Certified certify(const Subject& asked, double width, const Checkpoint& checkpoint) {
   if (!(width >= least_width && width < 1)) {
     throw UserError("width '" + decimal(width, 6) + "' cannot be reached: it must be at least " +
                     decimal(least_width, 6) + ", what an enclosure by doubles can say, and less than 1");
   }
+  if (const std::string fault = fault_of(asked); !fault.empty()) throw UserError(fault);
   const FittableFamily* family = find_family(asked.family);
-  if (family == nullptr) throw UserError("'" + asked.family + "' is no family");
-  require_parameters(*family, asked);
   return visit_formula(asked, [&](const auto& error, const auto& form, const auto& formulas) {
     Certified result;
     Certificate& certificate = result.certificate;
@@ -95,8 +72,14 @@ Certified certify(const Subject& asked, double width) {
     certificate.target = target_text(*family, asked.setting);
     certificate.form = to_text(family->form());
     certificate.precision = interval_precision();
+    const auto interruptible = [&](const auto& function) {
+      return [&](const auto& c) {
+        checkpoint();
+        return function(c);
+      };
+    };
     const Enclosure found =
-        enclose_largest(error, certificate.subject.domain,
+        enclose_largest(interruptible(error), certificate.subject.domain,
                         {.width = width, .hint = probable_place(*family, formulas, certificate.subject)});
     certificate.lower = found.lower;
     certificate.upper = found.upper;
@@ -104,7 +87,7 @@ Certified certify(const Subject& asked, double width) {
     certificate.places = found.places;
     std::vector<Box> boxes = found.boxes;
     const CurveShape& curve = family->info.curve;
-    result.curve = prove_curve(form, curve, boxes);
+    result.curve = prove_curve(interruptible(form), curve, boxes);
     certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
                          .is_non_negative = result.curve.non_negative == Proof::proven,
                          .is_at_most_one = result.curve.at_most_one == Proof::proven};

@@ -15,15 +15,16 @@ std::string hex_text(double value) {
 
 std::optional<double> parse_hex(std::string_view text) {
   const bool is_negative = text.starts_with('-');
-  if (is_negative) text.remove_prefix(1);
-  if (!text.starts_with("0x")) return std::nullopt;
-  text.remove_prefix(2);
-  if (text.empty() || text.starts_with('-')) return std::nullopt;
+  const std::string_view magnitude = text.substr(is_negative ? 1 : 0);
+  if (!magnitude.starts_with("0x")) return std::nullopt;
+  const std::string_view digits = magnitude.substr(2);
   double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value, std::chars_format::hex);
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, value, std::chars_format::hex);
   if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return is_negative ? -value : value;
+  if (is_negative) value = -value;
+  // More digits than a double has were rounded; another spelling would be a second text for one number.
+  return hex_text(value) == text ? std::optional(value) : std::nullopt;
 }
 
 }  // namespace shadefit

@@ -10,7 +10,8 @@ namespace shadefit {
 /// The double as C writes it by "%a", the same on every machine; finite numbers.
 std::string hex_text(double value);
 
-/// The double of such a text, whole; empty for anything else, what is not finite too. Free of the locale.
+/// The double whose `hex_text` this is. Empty for anything else: a number that is not finite, more digits
+/// than a double has, other spellings of the same double.
 std::optional<double> parse_hex(std::string_view text);
 
 }  // namespace shadefit

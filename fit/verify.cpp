@@ -18,37 +18,64 @@ std::string text_of(const Box& box) {
          hex_text(box.upper) + "]";
 }
 
-bool is_finite(double x) {
-  return std::isfinite(x);
-}
-
 std::string check_subject(const Certificate& certificate) {
   const Subject& subject = certificate.subject;
-  const FittableFamily* family = find_family(subject.family);
-  if (family == nullptr) return "there is no family '" + subject.family + "'";
-  if (certificate.form != to_text(family->form()))
-    return "the form '" + certificate.form + "' is not the family's " + to_text(family->form());
-  const std::string target = target_text(*family, subject.setting);
-  if (certificate.target != target)
+  if (std::string fault = fault_of(subject); !fault.empty()) return fault;
+  const FittableFamily& family = *find_family(subject.family);
+  if (const std::string form = to_text(family.form()); certificate.form != form)
+    return "the form '" + certificate.form + "' is not the family's " + form;
+  if (const std::string target = target_text(family, subject.setting); certificate.target != target)
     return "the target '" + certificate.target + "' is not the family's " + target;
-  if (subject.parameters.size() != family->parameters.size()) return "a parameter is missing, or too much";
-  for (std::size_t i = 0; i < subject.parameters.size(); ++i) {
-    const auto& [name, value] = subject.parameters[i];
-    if (name != family->parameters[i]) return "the family has no parameter '" + name + "' in that place";
-    if (!enclosed_constant(value)) return "the parameter " + name + " '" + value + "' is no finite number";
-  }
-  if (family->has_exponent() && !(subject.setting.exponent > 0 && is_finite(subject.setting.exponent)))
-    return "the exponent is not greater than 0";
-  const Domain& domain = subject.domain;
-  if (!(0 <= domain.lower && domain.lower < domain.upper && domain.upper <= 1))
-    return "the domain is not within [0, 1]";
-  if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && is_finite(certificate.upper)))
+  if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && std::isfinite(certificate.upper)))
     return "its bounds are no interval";
   // Only a wider arithmetic than was used can hold what was proven with it.
   if (certificate.precision <= 0 || certificate.precision > interval_precision())
     return "it was made with " + std::to_string(certificate.precision) + " bits, here are " +
            std::to_string(interval_precision());
   return "";
+}
+
+/// The places where the largest error may be, by their distances from each side.
+struct Places {
+  std::vector<Box> horizon, peak;
+
+  const std::vector<Box>& of(Origin side) const { return side == Origin::horizon ? horizon : peak; }
+
+  bool holds(const Box& box) const {
+    const auto& places = of(box.side);
+    const auto after =
+        std::upper_bound(places.begin(), places.end(), box.lower,
+                         [](double distance, const Box& place) { return distance < place.lower; });
+    return after != places.begin() && box.upper <= std::prev(after)->upper;
+  }
+};
+
+/// Where the places are parts of the domain by rising cosine, none within another.
+std::string check_places(const Certificate& certificate) {
+  const std::vector<Box> domain = boxes_of(certificate.subject.domain);
+  const auto cosine_rises = [](const Box& a, const Box& b) {
+    if (a.side != b.side) return a.side == Origin::horizon;
+    return a.side == Origin::horizon ? a.upper <= b.lower : b.upper <= a.lower;
+  };
+  const auto& places = certificate.places;
+  if (places.empty()) return "it names no place of the largest error";
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Box& place = places[i];
+    if (!(place.lower <= place.upper) || !is_inside({place.side, place.lower}, domain) ||
+        !is_inside({place.side, place.upper}, domain))
+      return "the place " + text_of(place) + " is not within the domain";
+    if (i > 0 && !cosine_rises(places[i - 1], place))
+      return "the place " + text_of(place) + " is not beyond the one before";
+  }
+  return "";
+}
+
+Places places_of(const Certificate& certificate) {
+  Places places;
+  for (const Box& place : certificate.places)
+    (place.side == Origin::horizon ? places.horizon : places.peak).push_back(place);
+  std::reverse(places.peak.begin(), places.peak.end());
+  return places;
 }
 
 /// The boxes of a side between two distances, where the ends say that they cover it.
@@ -93,63 +120,65 @@ bool is_bounded_by(const Function& error, const Box& box, double bound) {
 }
 
 template <class Function>
-std::string check_bounds(const Certificate& certificate, const std::vector<Box>& boxes,
-                         const Function& error) {
+std::string check_attained(const Certificate& certificate, const Function& error) {
   const ExactPlace& place = certificate.attained;
-  const bool is_in_domain = std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
-    return box.side == place.side && box.lower <= place.distance && place.distance <= box.upper;
-  });
-  if (!is_in_domain) return "the place of its lower bound is outside of the domain";
+  if (!is_inside(place, boxes_of(certificate.subject.domain)))
+    return "the place of its lower bound is outside of the domain";
   const Interval attained = error(cosine_at(place.side, Interval(place.distance)));
-  if (!(smallest_magnitude_in(attained) >= certificate.lower))
-    return "the error does not reach the lower bound at its place: it is at most " +
-           hex_text(largest_magnitude_in(attained));
-  for (const Box& box : boxes) {
-    const auto holds_box = [&](const Box& outer) {
-      return outer.side == box.side && outer.lower <= box.lower && box.upper <= outer.upper;
-    };
-    const bool is_a_place = std::any_of(certificate.places.begin(), certificate.places.end(), holds_box);
+  if (smallest_magnitude_in(attained) >= certificate.lower) return "";
+  return "the error does not reach the lower bound at its place: it is at most " +
+         hex_text(largest_magnitude_in(attained));
+}
+
+template <class Form>
+std::string check_curve(const CurveShape& curve, const Box& box, const Form& form) {
+  const Jet value = form(cosine_at(box.side, Jet(span_of(box.lower, box.upper), 0)));
+  // c falls as the angle rises, 1 - c rises with it.
+  const bool falls_with_distance = (curve.trend == Trend::falls) == (box.side == Origin::peak);
+  const bool goes = falls_with_distance ? is_never_positive(value.v[0]) : is_never_negative(value.v[0]);
+  if (curve.trend != Trend::none && !goes) return "the form may turn at " + text_of(box);
+  if (curve.is_non_negative && !is_never_negative(value.a))
+    return "the form may be negative at " + text_of(box);
+  if (curve.is_at_most_one && !(upper_end(value.a) <= 1)) return "the form may exceed 1 at " + text_of(box);
+  return "";
+}
+
+std::string check_cover(const Certificate& certificate) {
+  const Domain& domain = certificate.subject.domain;
+  std::string reason =
+      check_cover(certificate.horizon, Origin::horizon, domain.lower, std::min(domain.upper, half_way));
+  if (!reason.empty()) return reason;
+  return check_cover(certificate.peak, Origin::peak, 1 - domain.upper, std::min(1 - domain.lower, half_way));
+}
+
+template <class Function, class Form>
+std::string check_boxes(const Certificate& certificate, const Function& error, const Form& form,
+                        const ShareDone& done) {
+  const std::vector<Box> boxes = boxes_in(certificate);
+  const Places places = places_of(certificate);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    done(static_cast<double>(i) / static_cast<double>(boxes.size()));
+    const Box& box = boxes[i];
+    const bool is_a_place = places.holds(box);
     if (!is_bounded_by(error, box, is_a_place ? certificate.upper : certificate.lower))
       return "the error may exceed the " +
              std::string(is_a_place ? "upper bound" : "lower bound outside of its places") + " at " +
              text_of(box);
-  }
-  return "";
-}
-
-template <class Form>
-std::string check_curve(const CurveShape& curve, const std::vector<Box>& boxes, const Form& form) {
-  for (const Box& box : boxes) {
-    const Jet value = form(cosine_at(box.side, Jet(span_of(box.lower, box.upper), 0)));
-    // c falls as the angle rises, 1 - c rises with it.
-    const bool falls_with_distance = (curve.trend == Trend::falls) == (box.side == Origin::peak);
-    const bool goes = falls_with_distance ? is_never_positive(value.v[0]) : is_never_negative(value.v[0]);
-    if (curve.trend != Trend::none && !goes) return "the form may turn at " + text_of(box);
-    if (curve.is_non_negative && !is_never_negative(value.a))
-      return "the form may be negative at " + text_of(box);
-    if (curve.is_at_most_one && !(upper_end(value.a) <= 1)) return "the form may exceed 1 at " + text_of(box);
+    if (std::string reason = check_curve(certificate.curve, box, form); !reason.empty()) return reason;
   }
   return "";
 }
 
 }  // namespace
 
-std::string reason_to_refuse(const Certificate& certificate) {
-  if (const auto reason = check_subject(certificate); !reason.empty()) return reason;
-  const Domain& domain = certificate.subject.domain;
-  const double half = 0.5;
-  if (const auto reason =
-          check_cover(certificate.horizon, Origin::horizon, domain.lower, std::min(domain.upper, half));
-      !reason.empty())
-    return reason;
-  if (const auto reason =
-          check_cover(certificate.peak, Origin::peak, 1 - domain.upper, std::min(1 - domain.lower, half));
-      !reason.empty())
-    return reason;
-  const std::vector<Box> boxes = boxes_in(certificate);
+std::string reason_to_refuse(const Certificate& certificate, const ShareDone& done) {
+  for (const auto check : {check_subject, check_places}) {
+    if (std::string reason = check(certificate); !reason.empty()) return reason;
+  }
+  if (std::string reason = check_cover(certificate); !reason.empty()) return reason;
   return visit_formula(certificate.subject, [&](const auto& error, const auto& form, const auto&) {
-    const std::string reason = check_bounds(certificate, boxes, error);
-    return reason.empty() ? check_curve(certificate.curve, boxes, form) : reason;
+    const std::string reason = check_attained(certificate, error);
+    return reason.empty() ? check_boxes(certificate, error, form, done) : reason;
   });
 }
 

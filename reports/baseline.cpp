@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "fit/bounded_file.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 #include "reports/comparisons.hpp"
@@ -28,6 +29,9 @@ constexpr const char* fits_file = "fits.csv";
 constexpr const char* fresnel_file = "fresnel.csv";
 constexpr const char* normalisation_file = "normalization.csv";
 constexpr const char* reflectance_file = "reflectance.csv";
+
+/// Of a table; the largest that is committed has 70 KB. A cell takes 32 bytes, however short its text.
+constexpr std::uintmax_t most_table_bytes = 4U << 20;
 
 constexpr std::array baseline_files{fits_file,    normalisation_file, reflectance_file,
                                     fresnel_file, claims_file,        better_file};
@@ -151,7 +155,8 @@ Baseline read_baseline(const std::filesystem::path& directory) {
                                 fmt::join(baseline_files, ", ")));
   }
   Baseline baseline{directory, {}};
-  for (const char* name : baseline_files) baseline.files.push_back({name, read_file(directory / name)});
+  for (const char* name : baseline_files)
+    baseline.files.push_back({name, read_bounded(directory / name, most_table_bytes)});
   return baseline;
 }
 
@@ -181,7 +186,8 @@ std::vector<Drift> compare_files(const std::filesystem::path& directory, const s
   for (const File& file : now) {
     const CsvTable after = parse_csv(file.content, file.name);
     const auto path = directory / file.name;
-    const CsvTable before = parse_with_columns(read_file(path), path.string(), after.columns);
+    const CsvTable before =
+        parse_with_columns(read_bounded(path, most_table_bytes), path.string(), after.columns);
     const auto others =
         compare_tables(file.name, before, after,
                        [](std::size_t, const std::string&, const std::string& old_cell,

@@ -1,11 +1,12 @@
 #include "reports/certificate_json.hpp"
 
 #include <cstdint>
-#include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include "fit/hex_float.hpp"
+#include "fit/json_document.hpp"
 #include "fit/user_error.hpp"
 #include "reports/digest.hpp"
 
@@ -63,8 +64,11 @@ class Reader {
     return field(key);
   }
   int integer(const char* key) const {
-    if (!field(key).is_number_integer()) fail(key, "is not a whole number");
-    return field(key).get<int>();
+    const Json& json = field(key);
+    constexpr int most = std::numeric_limits<int>::max();
+    const bool is_count = json.is_number_unsigned() && json.get<std::uint64_t>() <= std::uint64_t{most};
+    if (!is_count) fail(key, "is not a whole number from 0 to " + std::to_string(most));
+    return json.get<int>();
   }
   /// One of the texts that stand for values.
   template <class T>
@@ -88,7 +92,8 @@ class Reader {
  private:
   double number_of(const Json& json, const char* key) const {
     const auto value = parse_hex(text_of(json, key));
-    if (!value) fail(key, "holds '" + text_of(json, key) + "', which is no hexadecimal number");
+    if (!value)
+      fail(key, "holds '" + text_of(json, key) + "', which is no hexadecimal double as shadefit prints it");
     return *value;
   }
 
@@ -105,7 +110,6 @@ Surface read_surface(const Reader& reader) {
   if (reader.field("surface").contains("f0")) {
     Surface any;
     any.f0 = surface.number("f0");
-    if (!(0 <= *any.f0 && *any.f0 < 1)) surface.fail("f0", "is not at least 0 and less than 1");
     return any;
   }
   return {surface.choice<Surface::Formula>(
@@ -133,10 +137,9 @@ CurveShape read_curve(const Reader& reader) {
   CurveShape curve;
   for (const Json& item : reader.list("proven")) {
     const std::string text = reader.text_of(item, "proven");
-    if (text == "falls with the angle") {
-      curve.trend = Trend::falls;
-    } else if (text == "rises with the angle") {
-      curve.trend = Trend::rises;
+    if (text == "falls with the angle" || text == "rises with the angle") {
+      if (curve.trend != Trend::none) reader.fail("proven", "says twice how the form goes with the angle");
+      curve.trend = text.starts_with("falls") ? Trend::falls : Trend::rises;
     } else if (text == "non-negative") {
       curve.is_non_negative = true;
     } else if (text == "at most 1") {
@@ -146,16 +149,6 @@ CurveShape read_curve(const Reader& reader) {
     }
   }
   return curve;
-}
-
-Json parse(const std::string& text, const std::string& name) {
-  // A value that opens and does not close: what is left of a file that was cut off.
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_discarded()) return json;
-  const auto first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
-  const bool ends_early = first != std::string::npos && text[first] == '{' && text[last] != '}';
-  throw UserError("certificate '" + name +
-                  (ends_early ? "' ends early: it is no whole JSON" : "' is no JSON"));
 }
 
 }  // namespace
@@ -196,7 +189,7 @@ std::string certificate_text(const Certificate& certificate) {
 }
 
 ReadCertificate read_certificate(const std::string& text, const std::string& name) {
-  const Json json = parse(text, name);
+  const Json json = parse_own_json(text, "certificate '" + name + "'");
   const Reader reader(json, name);
   if (!json.is_object() || !json.contains("file") || json.at("file") != kind_of_file)
     throw UserError("'" + name + "' is not a certificate: its field 'file' does not say '" + kind_of_file +
@@ -228,6 +221,11 @@ ReadCertificate read_certificate(const std::string& text, const std::string& nam
   certificate.precision = reader.integer("precision");
   certificate.horizon = reader.numbers("boxes_in_c");
   certificate.peak = reader.numbers("boxes_in_1_minus_c");
+  // The digest is judged apart.
+  Json written = write_certificate_json(certificate);
+  written[digest_field] = json.at(digest_field);
+  if (const std::string key = first_difference(json, written); !key.empty())
+    reader.fail(key.c_str(), "is unknown, or not as shadefit writes it");
   return result;
 }
 

@@ -6,13 +6,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <list>
 #include <optional>
 #include <string_view>
 #include <system_error>
 
+#include "fit/bounded_file.hpp"
 #include "fit/user_error.hpp"
 
 namespace shadefit {
@@ -257,20 +256,7 @@ void write_files(const fs::path& named, const std::vector<File>& files, const Ch
 }
 
 std::string read_file(const fs::path& path) {
-  std::error_code error;
-  const auto status = fs::status(path, error);
-  if (status.type() == fs::file_type::not_found)
-    throw UserError("cannot read " + quoted(path) + ": there is no such file");
-  if (error) throw UserError("cannot read " + quoted(path) + ": " + error.message());
-  if (fs::is_directory(status)) throw UserError("cannot read " + quoted(path) + ": it is a directory");
-  if (!fs::is_regular_file(status))
-    throw UserError("cannot read " + quoted(path) + ": it is not a regular file");
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::string content(std::istreambuf_iterator<char>(in), {});
-  if (!in && !in.eof())
-    throw UserError("cannot read " + quoted(path) + ": " + std::strerror(errno != 0 ? errno : EIO));
-  return content;
+  return read_bounded(path, most_file_bytes);
 }
 
 }  // namespace shadefit

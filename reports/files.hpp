@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -32,7 +33,10 @@ void require_directory(const std::filesystem::path& directory);
 void write_files(const std::filesystem::path& directory, const std::vector<File>& files,
                  const Checkpoint& checkpoint = keep_going, const std::vector<std::string>& obsolete = {});
 
-/// The whole of a file. Throws UserError naming the path.
+/// What a file may have that no kind of file gives a smaller limit: far above anything that shadefit writes.
+inline constexpr std::uintmax_t most_file_bytes = 64U << 20;
+
+/// The whole of a file of at most `most_file_bytes`. Throws UserError naming the path.
 std::string read_file(const std::filesystem::path& path);
 
 }  // namespace shadefit

@@ -5,7 +5,7 @@
 #include <system_error>
 
 #include "fit/user_error.hpp"
-#include "scene/bounded_file.hpp"
+#include "fit/bounded_file.hpp"
 #include "scene/place.hpp"
 #include "scene/uri.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "approx/fresnel.hpp"
 #include "fit/user_error.hpp"
-#include "scene/bounded_file.hpp"
+#include "fit/bounded_file.hpp"
 #include "scene/place.hpp"
 #include "scene/powers.hpp"
 #include "scene/reflectances.hpp"

@@ -6,12 +6,12 @@
 #include <array>
 #include <set>
 
-#include "scene/bounded_file.hpp"
+#include "fit/bounded_file.hpp"
 #include "scene/extension.hpp"
 #include "scene/glb.hpp"
 #include "scene/gltf_images.hpp"
 #include "scene/gltf_material.hpp"
-#include "scene/json_document.hpp"
+#include "fit/json_document.hpp"
 #include "scene/json_place.hpp"
 #include "scene/limits.hpp"
 #include "scene/place.hpp"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "fit/user_error.hpp"
-#include "scene/bounded_file.hpp"
+#include "fit/bounded_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/mtl_material.hpp"
 #include "scene/uri.hpp"

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "fit/user_error.hpp"
-#include "scene/bounded_file.hpp"
+#include "fit/bounded_file.hpp"
 #include "scene/limits.hpp"
 #include "scene/place.hpp"
 #include "scene/read_mtl.hpp"

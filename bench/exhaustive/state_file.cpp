@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "fit/bounded_file.hpp"
 #include "fit/hex_float.hpp"
+#include "fit/json_document.hpp"
 #include "fit/user_error.hpp"
 #include "reports/digest.hpp"
 #include "reports/files.hpp"
@@ -57,8 +59,9 @@ class Fields {
   }
   float number_of(const Json& json, const char* key) const {
     const auto value = json.is_string() ? parse_hex(json.get<std::string>()) : std::nullopt;
-    if (!value || !(std::abs(*value) <= std::numeric_limits<float>::max()))
-      fail(key, "is no hexadecimal float");
+    const bool is_float = value && std::abs(*value) <= std::numeric_limits<float>::max() &&
+                          static_cast<double>(static_cast<float>(*value)) == *value;
+    if (!is_float) fail(key, "is no hexadecimal float");
     return static_cast<float>(*value);
   }
   float number(const char* key) const { return number_of(field(key), key); }
@@ -117,17 +120,7 @@ FloatErrors read_errors(const Fields& fields) {
   return found;
 }
 
-Json parse(const std::string& text, const std::string& name) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_discarded()) return json;
-  const auto first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
-  const bool ends_early = first == std::string::npos || (text[first] == '{' && text[last] != '}');
-  refuse(name, ends_early ? "ends early: it is no whole JSON" : "is no JSON");
-}
-
-}  // namespace
-
-std::string state_text(const Sweep& sweep) {
+Json state_json(const Sweep& sweep) {
   const SweepIdentity& identity = sweep.identity;
   Json constants = Json::array();
   for (const float constant : identity.constants) constants.push_back(hex_text(constant));
@@ -151,11 +144,17 @@ std::string state_text(const Sweep& sweep) {
             {"above_one", found.above_one},
             {"below_zero", found.below_zero}};
   json[digest_field] = digest_of(json);
-  return json.dump(1) + "\n";
+  return json;
+}
+
+}  // namespace
+
+std::string state_text(const Sweep& sweep) {
+  return state_json(sweep).dump(1) + "\n";
 }
 
 Sweep parse_state(const std::string& text, const std::string& name) {
-  const Json json = parse(text, name);
+  const Json json = parse_own_json(text, fmt::format("state file '{}'", name));
   if (!json.is_object() || !json.contains("file") || json.at("file") != kind_of_file)
     refuse(name, fmt::format("is none: its field 'file' does not say '{}'", kind_of_file));
   const Fields fields(json, name);
@@ -174,7 +173,13 @@ Sweep parse_state(const std::string& text, const std::string& name) {
   if (done.from != all.from || done.to > all.to) fields.fail("done", "is not of its shard");
   sweep.next = done.to;
   sweep.found = read_errors(fields);
-  if (sweep.found.count() != done.size()) fields.fail("ulps", "has not as many counts as floats are done");
+  const auto& ulps = sweep.found.ulps;
+  const auto is_possible = [&](std::uint64_t count) { return count <= done.size(); };
+  if (!is_possible(sweep.found.nans) || !std::all_of(ulps.begin(), ulps.end(), is_possible) ||
+      sweep.found.count() != done.size())
+    fields.fail("ulps", "has not as many counts as floats are done");
+  if (const std::string key = first_difference(json, state_json(sweep)); !key.empty())
+    refuse(name, fmt::format("has a field '{}' that shadefit does not write, or not so", key));
   return sweep;
 }
 
@@ -184,7 +189,7 @@ void keep_state(const std::filesystem::path& path, const Sweep& sweep) {
 }
 
 NamedSweep read_state(const std::filesystem::path& path) {
-  return {path.string(), parse_state(read_file(path), path.string())};
+  return {path.string(), parse_state(read_bounded(path, most_state_bytes), path.string())};
 }
 
 }  // namespace shadefit::bench

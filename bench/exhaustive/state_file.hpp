@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -15,17 +16,21 @@ namespace shadefit::bench {
 /// The version of the file; it rises when a field changes its meaning.
 inline constexpr int sweep_schema = 1;
 
+/// What a file may have; those that are written have 2 KB.
+inline constexpr std::uintmax_t most_state_bytes = 1U << 16;
+
 /// The text of a file.
 std::string state_text(const Sweep& sweep);
 
-/// Reads one back; `name` is for messages. Throws UserError, a line, for a text that ends early, is no JSON,
-/// no such state, of another version, lacks a field, or has another digest than its fields.
+/// Reads one back; `name` is for messages. Throws UserError, a line, for a text that `parse_own_json`
+/// refuses, is no such state, of another version, lacks a field, has another digest than its fields, or is
+/// not what `state_text` writes of what it says.
 Sweep parse_state(const std::string& text, const std::string& name);
 
 /// Puts a state into its place as `write_files` does: an error leaves the old one as it was.
 void keep_state(const std::filesystem::path& path, const Sweep& sweep);
 
-/// Reads a file. Throws UserError as `parse_state` and `read_file` do.
+/// Reads a file. Throws UserError as `parse_state` and `read_bounded` do.
 NamedSweep read_state(const std::filesystem::path& path);
 
 }  // namespace shadefit::bench

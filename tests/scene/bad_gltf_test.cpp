@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "scene/json_document.hpp"
+#include "fit/json_document.hpp"
 #include "scene/limits.hpp"
 #include "scene/read_gltf.hpp"
 #include "tests/scene/samples.hpp"

@@ -1,4 +1,4 @@
-#include "scene/bounded_file.hpp"
+#include "fit/bounded_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 #include "fit/user_error.hpp"
 
-namespace shadefit::scene {
+namespace shadefit {
 namespace {
 
 [[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& reason) {
@@ -58,4 +58,4 @@ std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_
   return read_part(path, 0, size_within(path, most_bytes));
 }
 
-}  // namespace shadefit::scene
+}  // namespace shadefit

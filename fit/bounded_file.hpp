@@ -6,7 +6,7 @@
 #include <string>
 
 /// Reading files of others: never more of one than was bargained for.
-namespace shadefit::scene {
+namespace shadefit {
 
 /// Throws UserError where there is no such regular file, or it has more than `most_bytes`.
 void require_size(const std::filesystem::path& path, std::uintmax_t most_bytes);
@@ -18,4 +18,4 @@ std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_
 /// `length` bytes of a file from `offset` on. Throws UserError naming the file, also where it ends before.
 std::string read_part(const std::filesystem::path& path, std::uintmax_t offset, std::uintmax_t length);
 
-}  // namespace shadefit::scene
+}  // namespace shadefit
