@@ -87,7 +87,7 @@ std::string console_text(const bench::Trade& trade) {
 std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& progress) {
   checkpoint();
   progress("errors of every form ..");
-  return {{"accuracy.csv", write_csv(forms::accuracy_table(), Precision::report)}};
+  return {{accuracy_file, write_csv(forms::accuracy_table(checkpoint), Precision::report)}};
 }
 
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
@@ -102,7 +102,7 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
   progress("errors of every form ..");
   // The table of accuracies proves, which takes seconds: a quick bench looks at a grid alone, and writes no
   // table.
-  const auto accuracy = options.quick ? std::nullopt : std::optional(forms::accuracy_table());
+  const auto accuracy = options.quick ? std::nullopt : std::optional(forms::accuracy_table(checkpoint));
   const auto errors =
       accuracy ? bench::form_errors(*accuracy) : bench::grid_errors(catalogue, options.only, checkpoint);
   checkpoint();

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <filesystem>
 #include <iterator>
+#include <new>
 #include <sstream>
+#include <system_error>
 
 #include "app/bench_options.hpp"
 #include "app/commands.hpp"
@@ -200,7 +203,7 @@ void add_fit(CLI::App& app, Call& call) {
                 "how many digits of each constant matter, and the same fit under other measures and domains")
       ->excludes(csv)
       ->excludes(latex);
-  fit->callback([&call] { call.outcome = fit_command(call.fit, call.checkpoint); });
+  fit->callback([&call] { call.outcome = fit_command(call.fit, call.checkpoint, call.progress); });
 }
 
 void add_better(CLI::App& app, Call& call) {
@@ -267,7 +270,7 @@ void add_emit(CLI::App& app, Call& call) {
   emit->add_option("--out", options.out, "write the file instead of printing it")->type_name("FILE");
   emit->add_option("--check", options.check, "exit 1 unless FILE, once generated, would be the same now")
       ->type_name("FILE");
-  emit->callback([&call] { call.outcome = emit_command(call.emit, call.checkpoint); });
+  emit->callback([&call] { call.outcome = emit_command(call.emit, call.checkpoint, call.progress); });
 }
 
 void add_scene(CLI::App& app, Call& call) {
@@ -347,18 +350,47 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   return call.outcome;
 }
 
+/// A call as a shell takes it, for a report.
+std::string call_text(const std::vector<std::string>& arguments) {
+  std::string text = "shadefit";
+  for (const std::string& argument : arguments) {
+    text += " '";
+    for (const char c : argument) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += "'";
+  }
+  return one_line(text);
+}
+
+/// What no rule foresaw. An error of the file system is the user's to mend: a name that is too long, links
+/// that lead in a circle, a folder that may not be entered. Memory and threads are the machine's.
+Outcome unforeseen(const std::exception& error, const std::vector<std::string>& arguments) {
+  const auto failed = [](int exit_code, const std::string& line) {
+    return Outcome{exit_code, "", fmt::format("shadefit: {}\n", one_line(line))};
+  };
+  if (const auto* of_files = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return failed(2,
+                  fmt::format("cannot use '{}': {}", of_files->path1().string(), of_files->code().message()));
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return failed(1, "out of memory");
+  if (const auto* of_threads = dynamic_cast<const std::system_error*>(&error))
+    return failed(1, fmt::format("cannot start a thread: {}", of_threads->code().message()));
+  return {1, "",
+          fmt::format("shadefit: internal error: {}; please report it with the call: {}\n",
+                      one_line(error.what()), call_text(arguments))};
+}
+
 }  // namespace
 
 Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
                          const Progress& progress) {
   try {
-    return parse_and_run(arguments, checkpoint, progress);
+    const Watched work = watch(checkpoint, progress, arguments.empty() ? "" : arguments.front());
+    return parse_and_run(arguments, work.checkpoint, work.progress);
   } catch (const UserError& error) {
     return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
   } catch (const Interrupted& interrupted) {
     return {128 + interrupted.signal, "", "shadefit: interrupted, nothing was written\n"};
   } catch (const std::exception& error) {
-    return {1, "", fmt::format("shadefit: internal error: {}\n", one_line(error.what()))};
+    return unforeseen(error, arguments);
   }
 }
 

@@ -88,12 +88,12 @@ struct CheckOptions {
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
-Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint);
+Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint);
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
                         const Progress& progress);
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint);
+Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome explain_command(const ExplainOptions& options);
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress);

@@ -69,17 +69,18 @@ struct Proven {
 
 /// Constants that serve all the settings, and their proof.
 Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, const EmitOptions& options,
-                 const Metric& metric, const Checkpoint& checkpoint) {
+                 const Metric& metric, const Checkpoint& checkpoint, const Progress& progress) {
   Proven proven;
+  const Checkpoint next = stepping(checkpoint, progress, "emit", settings.size());
   for (const Setting& setting : settings) {
-    checkpoint();
+    next();
     proven.chosen = chosen_constants(options.parameters, named, setting, metric);
     if (settings.size() > 1 && !options.parameters && proven.chosen.from == "fitted")
       throw UserError(
           fmt::format("emit '{}' wants one --exponent: fitted constants are of one", options.fit.id));
     // the fourth digit of a bound is rounded up
     constexpr double width = 1e-6;
-    const Certified certified = certify(proven.chosen.subject, width);
+    const Certified certified = certify(proven.chosen.subject, width, checkpoint);
     proven.upper = std::max(proven.upper, certified.certificate.upper);
     proven.target = certified.certificate.target;
     proven.form = certified.certificate.form;
@@ -130,7 +131,7 @@ std::string exponents_text(const std::vector<Setting>& settings) {
                      settings.size());
 }
 
-std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint) {
+std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const Language language = parse_name("--lang", options.language, languages);
   const ShaderPrecision precision = parse_name("--precision", options.precision, shader_precisions);
   const NamedFit named = find_fit(options.fit.id);
@@ -140,7 +141,7 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint) {
     throw UserError(fmt::format("--exponent '{}': code is of one exponent, or without the option of any",
                                 *options.fit.exponent));
   const Metric metric = parse_metric(options.fit, family, settings);
-  const Proven proven = proven_at(settings, named, options, metric, checkpoint);
+  const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
   const Subject& subject = proven.chosen.subject;
 
   std::string constants;
@@ -162,7 +163,7 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint) {
 
 }  // namespace
 
-Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint) {
+Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (options.check) {
     if (!options.fit.id.empty() || !options.language.empty())
       throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
@@ -172,7 +173,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint) {
   if (options.fit.id.empty()) throw UserError("emit needs the id of a form, see 'shadefit list'");
   if (options.language.empty()) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
   const auto file = options.out ? std::optional(parse_output_file(*options.out, "the code")) : std::nullopt;
-  const std::string code = code_of(options, checkpoint);
+  const std::string code = code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};
   write_files(file->directory, {{file->name, code}}, checkpoint);
   return {0, fmt::format("Code: {}\n", printable(*options.out)), ""};

@@ -64,12 +64,14 @@ std::string console_text(const Refit& refit, const Metric& metric) {
 }
 
 /// The proofs of each fit, where they are asked for.
-std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint) {
+std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint,
+                                const Progress& progress) {
   std::vector<FitProof> proofs;
+  const Checkpoint next = stepping(checkpoint, progress, "certify", refit.fits.size());
   for (const FitReport& report : refit.fits) {
     if (!options.certify) break;
-    checkpoint();
-    proofs.push_back(prove_fit(report.fit));
+    next();
+    proofs.push_back(prove_fit(report.fit, checkpoint));
   }
   return proofs;
 }
@@ -109,7 +111,7 @@ struct FitExtras {
 };
 
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
-                      const FitExtras& extras) {
+                      const FitExtras& extras, const Checkpoint& checkpoint) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) {
@@ -125,6 +127,7 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
   }
   auto array = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < refit.fits.size(); ++i) {
+    checkpoint();
     array.push_back(write_fit_json(*refit.family, refit.fits[i]));
     if (options.certify) add_proof_json(array.back(), *refit.family, extras.proofs[i]);
     if (options.round) add_rounded_json(array.back(), *refit.family, extras.rounded[i]);
@@ -147,7 +150,7 @@ void require_feasible(const Refit& refit) {
 
 }  // namespace
 
-Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
+Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const auto [family_found, published] = find_fit(options.id);
   const FittableFamily& family = *family_found;
   if (published != nullptr && published->statement != Statement::best_fit)
@@ -158,14 +161,18 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint) {
   const auto format = options.round ? std::optional(parse_number_format(*options.round)) : std::nullopt;
   require_free_rounding(options);
   FitCache fits(family);
-  const Refit refit{&family, {}, fit_and_assess(fits, settings, std::array{metric}, checkpoint), {}};
+  const Refit refit{&family,
+                    {},
+                    fit_and_assess(fits, settings, std::array{metric},
+                                   stepping(checkpoint, progress, "fit", settings.size())),
+                    {}};
   require_feasible(refit);
   const FitExtras extras{
-      proofs_of(refit, options, checkpoint),
+      proofs_of(refit, options, checkpoint, progress),
       format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{},
       sensitivities_of(refit, options, checkpoint)};
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
-  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras), err};
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras, checkpoint), err};
 }
 
 }  // namespace shadefit

@@ -31,7 +31,8 @@ HeldSignals hold_interrupts();
 /// Takes the signals that wait, as of somebody who pressed Ctrl-C again while the first was being obeyed.
 void take_waiting(const HeldSignals& signals);
 
-/// Lets the signals of `hold_interrupts` do again what they did. One that still waits strikes now.
+/// Lets the signals of `hold_interrupts` do again what they did. One that still waits strikes now, without a
+/// word: the command itself holds them to its end.
 void release(const HeldSignals& signals);
 
 /// A checkpoint that takes a waiting signal and throws Interrupted.

@@ -2,17 +2,26 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <string>
 
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
+#include "app/print.hpp"
 
 namespace {
 
-bool write(std::FILE* stream, const std::string& text) {
-  return std::fwrite(text.data(), 1, text.size(), stream) == text.size() && std::fflush(stream) == 0;
+/// Prints; empty, or the exit code and the line for standard error where that went wrong.
+shadefit::Outcome print_all(const shadefit::Outcome& outcome, const shadefit::HeldSignals& signals) {
+  using shadefit::Printed;
+  const auto printed = shadefit::print(STDOUT_FILENO, outcome.out, signals);
+  if (printed.signal > 0)
+    return {128 + printed.signal, "",
+            "shadefit: interrupted while printing: what was to be written to files is written\n"};
+  if (printed.error != 0)
+    return {2, "",
+            std::string("shadefit: cannot write standard output: ") + std::strerror(printed.error) + "\n"};
+  return outcome;
 }
 
 }  // namespace
@@ -25,16 +34,11 @@ int main(int argc, char** argv) {
   const auto outcome =
       shadefit::run_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals), progress);
   progress("");
+  // Somebody who pressed Ctrl-C again while the first was being obeyed.
   const bool is_interrupted = outcome.exit_code > 128;
   if (is_interrupted) shadefit::take_waiting(signals);
-  // What is left is to print, which a reader may keep waiting for as long as it likes.
-  shadefit::release(signals);
-  errno = 0;
-  const bool is_written = write(stdout, outcome.out);
-  if (!is_written) {
-    write(stderr, std::string("shadefit: cannot write standard output: ") + std::strerror(errno) + "\n");
-    return 2;
-  }
-  write(stderr, outcome.err);
-  return outcome.exit_code;
+  // The signals stay held: from here on printing looks for them, and none can end the process without a word.
+  const auto told = print_all(outcome, signals);
+  shadefit::print(STDERR_FILENO, told.err, signals);
+  return told.exit_code;
 }

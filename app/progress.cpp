@@ -6,23 +6,54 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
 
 namespace shadefit {
 
-Progress terminal_progress(int descriptor) {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+Progress terminal_progress(int descriptor, std::chrono::milliseconds patience) {
   if (::isatty(descriptor) == 0) return unwatched;
-  using Clock = std::chrono::steady_clock;
   // Ten lines a second are as many as anybody reads.
   static constexpr std::chrono::milliseconds shortest{100};
-  return [descriptor, last = Clock::time_point(), is_shown = false](const std::string& line) mutable {
+  return [descriptor, next = Clock::now() + patience, is_shown = false](const std::string& line) mutable {
     const auto now = Clock::now();
-    const bool is_due = line.empty() ? is_shown : now - last >= shortest;
+    const bool is_due = line.empty() ? is_shown : now >= next;
     if (!is_due) return;
     // Back to the first column, and what stands from there on erased.
     const std::string text = "\r\x1b[K" + line;
     const auto written = ::write(descriptor, text.data(), text.size());
     is_shown = written > 0 && !line.empty();
-    last = now;
+    next = now + shortest;
+  };
+}
+
+Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std::string& what) {
+  const auto has_own_line = std::make_shared<bool>(false);  // both have to know it, and may be copied
+  return {[&checkpoint, &progress, what, has_own_line, start = Clock::now()] {
+            checkpoint();
+            if (!*has_own_line) progress(fmt::format("{} .. {:.0f} s", what, seconds_since(start)));
+          },
+          [&progress, has_own_line](const std::string& line) {
+            *has_own_line = !line.empty();
+            progress(line);
+          }};
+}
+
+Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,
+                    std::size_t steps) {
+  if (steps < 2) return checkpoint;
+  return [&checkpoint, &progress, what, steps, start = Clock::now(), done = 0.0]() mutable {
+    checkpoint();
+    progress(progress_line(what, done++ / static_cast<double>(steps), seconds_since(start)));
   };
 }
 

@@ -49,29 +49,6 @@ std::string not_reached(const Certificate& certificate, double width) {
                      certificate.lower, certificate.upper);
 }
 
-/// Work of many small steps: it may end after each, and shows how far it is once it has taken long.
-class LongWork {
- public:
-  LongWork(const Checkpoint& checkpoint, const Progress& progress)
-      : checkpoint_(checkpoint), progress_(progress) {}
-
-  /// `line` makes a line of the seconds since the work began.
-  template <class Line>
-  void step(const Line& line) const {
-    constexpr double soon = 2;  // nobody wonders before
-    checkpoint_();
-    const std::chrono::duration<double> taken = Clock::now() - start_;
-    if (taken.count() > soon) progress_(line(taken.count()));
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  const Checkpoint& checkpoint_;
-  const Progress& progress_;
-  Clock::time_point start_ = Clock::now();
-};
-
 }  // namespace
 
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
@@ -89,20 +66,12 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
       options.out ? std::optional(parse_output_file(*options.out, "the certificate")) : std::nullopt;
 
   std::vector<CertifiedForm> forms;
+  const Checkpoint next = stepping(checkpoint, progress, "certify", settings.size());
   std::string err;
-  const LongWork work(checkpoint, progress);
-  long evaluations = 0;
-  const auto step = [&] {
-    ++evaluations;
-    work.step([&](double) {
-      return fmt::format("certify: {} of {} forms, {} evaluations", forms.size(), settings.size(),
-                         evaluations);
-    });
-  };
   for (const Setting& setting : settings) {
-    checkpoint();
+    next();
     const ChosenSubject chosen = chosen_constants(options.parameters, named, setting, metric);
-    forms.push_back({certify(chosen.subject, width, step), chosen.from});
+    forms.push_back({certify(chosen.subject, width, checkpoint), chosen.from});
     if (!forms.back().certified.is_reached) err += not_reached(forms.back().certified.certificate, width);
   }
   const Certificate& first = forms.front().certified.certificate;
@@ -126,9 +95,11 @@ Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoin
   const ReadCertificate read =
       read_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
   const Certificate& certificate = read.certificate;
-  const LongWork work(checkpoint, progress);
+  const auto start = std::chrono::steady_clock::now();
   const auto done = [&](double share) {
-    work.step([&](double seconds) { return progress_line("verify", share, seconds); });
+    checkpoint();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    progress(progress_line("verify", share, taken.count()));
   };
   const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
   const std::string file = printable(options.file);

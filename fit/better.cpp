@@ -14,7 +14,7 @@ using Kind = Contender::Kind;
 /// A form with constants, of the family and in the setting that the subject names; `alternation` is that of a
 /// minimax fit.
 Contender contender(Kind kind, const FittableFamily& family, const Subject& subject,
-                    const std::vector<double>& values, double width,
+                    const std::vector<double>& values, double width, const Checkpoint& checkpoint,
                     const std::vector<AlternationPoint>& alternation = {}) {
   const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
   const Cosine<double> at = family.max_abs_error(subject.setting, subject.domain, values).at;
@@ -28,14 +28,15 @@ Contender contender(Kind kind, const FittableFamily& family, const Subject& subj
           .parameters = subject.parameters,
           .values = values,
           .operations = count_operations(family.form()),
-          .max_abs_error = bound_error(subject, peaks, width),
+          .max_abs_error = bound_error(subject, peaks, width, checkpoint),
           .at = at,
           .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
           .rms_error = family.objective(subject.setting, {.domain = subject.domain}, values)};
 }
 
 /// The printed constants of a family, each set once.
-void append_published(Comparison& comparison, const FittableFamily& family, const Contest& contest) {
+void append_published(Comparison& comparison, const FittableFamily& family, const Contest& contest,
+                      const Checkpoint& checkpoint) {
   auto& contenders = comparison.contenders;
   for (const Published* number : numbers_of(family.info)) {
     if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
@@ -49,15 +50,16 @@ void append_published(Comparison& comparison, const FittableFamily& family, cons
       return other.family == family.info.id && other.parameters == subject.parameters;
     });
     if (is_known) continue;
-    Contender found =
-        contender(Kind::published, family, subject, published_parameters(family, *number), contest.width);
+    Contender found = contender(Kind::published, family, subject, published_parameters(family, *number),
+                                contest.width, checkpoint);
     found.published = number->id;
     found.origin = std::string(number->source.author) + " " + std::to_string(number->source.year);
     contenders.push_back(std::move(found));
   }
 }
 
-void append_fit(Comparison& comparison, const FittableFamily& family, Metric metric, double width) {
+void append_fit(Comparison& comparison, const FittableFamily& family, Metric metric, double width,
+                const Checkpoint& checkpoint) {
   metric.domain = comparison.domain;
   Metric everywhere = metric;
   everywhere.domain = {};
@@ -69,22 +71,28 @@ void append_fit(Comparison& comparison, const FittableFamily& family, Metric met
                                   std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
     return;
   }
-  Contender found = contender(Kind::fitted, family, subject_of(fit), fit.parameters, width, fit.alternation);
+  Contender found =
+      contender(Kind::fitted, family, subject_of(fit), fit.parameters, width, checkpoint, fit.alternation);
   found.origin = objective;
   comparison.contenders.push_back(std::move(found));
 }
 
-void append_fits(Comparison& comparison, const FittableFamily& family, const Contest& contest) {
-  append_fit(comparison, family, {.norm = Norm::minimax}, contest.width);
+void append_fits(Comparison& comparison, const FittableFamily& family, const Contest& contest,
+                 const Checkpoint& checkpoint) {
+  const auto append = [&](const Metric& metric) {
+    append_fit(comparison, family, metric, contest.width, checkpoint);
+  };
+  append({.norm = Norm::minimax});
   if (contest.only_minimax) return;
-  append_fit(comparison, family, {.norm = Norm::minimax, .error = Error::relative}, contest.width);
+  append({.norm = Norm::minimax, .error = Error::relative});
   if (family.info.id != comparison.family->info.id) return;
-  for (const Measure measure : measures) append_fit(comparison, family, {.measure = measure}, contest.width);
+  for (const Measure measure : measures) append({.measure = measure});
 }
 
 /// Schlick's formula where it is not the target.
-void append_schlick(Comparison& comparison, const Contest& contest) {
-  const SchlickError error = schlick_error(comparison.setting.surface, contest.domain, contest.width);
+void append_schlick(Comparison& comparison, const Contest& contest, const Checkpoint& checkpoint) {
+  const SchlickError error =
+      schlick_error(comparison.setting.surface, contest.domain, contest.width, checkpoint);
   const Symbolic form = comparison.family->target();
   comparison.contenders.push_back({.kind = Kind::published,
                                    .family = "",
@@ -144,13 +152,13 @@ Comparison compare_forms(const FittableFamily& family, const Setting& setting, c
                          const Checkpoint& checkpoint) {
   Comparison comparison{.family = &family, .setting = setting, .domain = contest.domain};
   auto& contenders = comparison.contenders;
-  if (family.is_fresnel() && setting.surface.is_exact()) append_schlick(comparison, contest);
+  if (family.is_fresnel() && setting.surface.is_exact()) append_schlick(comparison, contest, checkpoint);
   append_target(comparison);
   for (const FittableFamily& other : fittable_families()) {
     if (!have_same_target(family, other)) continue;
     checkpoint();
-    append_published(comparison, other, contest);
-    append_fits(comparison, other, contest);
+    append_published(comparison, other, contest, checkpoint);
+    append_fits(comparison, other, contest, checkpoint);
   }
   std::stable_sort(contenders.begin(), contenders.end(), [](const Contender& a, const Contender& b) {
     const bool is_first = a.kind == Kind::published, is_other_first = b.kind == Kind::published;

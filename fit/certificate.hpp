@@ -94,8 +94,8 @@ Domain cosines_of(const Box& box);
 
 /// Proves bounds of the largest error of a subject, `width` apart relative to it, and what the record says of
 /// the form's curve. A relative error is looked for where it has a meaning, which narrows the domain. The
-/// checkpoint is called for each evaluation. Throws UserError for a `fault_of` the subject, a width that is
-/// not in [least_width, 1), and where a relative error has no meaning anywhere.
+/// checkpoint is called for each box. Throws UserError for a `fault_of` the subject, a width that is not in
+/// [least_width, 1), and where a relative error has no meaning anywhere.
 Certified certify(const Subject& subject, double width, const Checkpoint& checkpoint = keep_going);
 
 /// The subject of a fit, its parameters exact.

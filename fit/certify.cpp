@@ -72,22 +72,17 @@ Certified certify(const Subject& asked, double width, const Checkpoint& checkpoi
     certificate.target = target_text(*family, asked.setting);
     certificate.form = to_text(family->form());
     certificate.precision = interval_precision();
-    const auto interruptible = [&](const auto& function) {
-      return [&](const auto& c) {
-        checkpoint();
-        return function(c);
-      };
-    };
-    const Enclosure found =
-        enclose_largest(interruptible(error), certificate.subject.domain,
-                        {.width = width, .hint = probable_place(*family, formulas, certificate.subject)});
+    const Enclosure found = enclose_largest(error, certificate.subject.domain,
+                                            {.width = width,
+                                             .hint = probable_place(*family, formulas, certificate.subject),
+                                             .checkpoint = checkpoint});
     certificate.lower = found.lower;
     certificate.upper = found.upper;
     certificate.attained = found.attained;
     certificate.places = found.places;
     std::vector<Box> boxes = found.boxes;
     const CurveShape& curve = family->info.curve;
-    result.curve = prove_curve(interruptible(form), curve, boxes);
+    result.curve = prove_curve(form, curve, boxes, checkpoint);
     certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
                          .is_non_negative = result.curve.non_negative == Proof::proven,
                          .is_at_most_one = result.curve.at_most_one == Proof::proven};

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fit/certificate.hpp"
+#include "fit/checkpoint.hpp"
 #include "fit/interval_ends.hpp"
 #include "fit/jet.hpp"
 
@@ -23,12 +24,15 @@ ceres::Jet<Interval, 1> form_on(const Form& form, const Box& box) {
 }
 
 /// Proves one property by cutting boxes until it holds on each. `holds` and `fails` take a Jet of `form_on`;
-/// `fails` is asked at places alone. Where it is proven, `boxes` are those that it holds on.
+/// `fails` is asked at places alone. Where it is proven, `boxes` are those that it holds on. The checkpoint
+/// is called for each box.
 template <class Form, class Holds, class Fails>
-Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const Fails& fails) {
+Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const Fails& fails,
+            const Checkpoint& checkpoint) {
   std::vector<Box> open(boxes.rbegin(), boxes.rend()), done;
   const std::size_t most = boxes.size() + most_curve_boxes;
   while (!open.empty()) {
+    checkpoint();
     const Box box = open.back();
     open.pop_back();
     if (holds(form_on(form, box))) {
@@ -51,7 +55,8 @@ Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const
 
 /// Proves what the record says of a curve over boxes by rising cosine, which it cuts further where it has to.
 template <class Form>
-CurveProof prove_curve(const Form& form, const CurveShape& curve, std::vector<Box>& boxes) {
+CurveProof prove_curve(const Form& form, const CurveShape& curve, std::vector<Box>& boxes,
+                       const Checkpoint& checkpoint) {
   CurveProof result;
   if (curve.trend != Trend::none) {
     const bool falls = curve.trend == Trend::falls;
@@ -59,17 +64,18 @@ CurveProof prove_curve(const Form& form, const CurveShape& curve, std::vector<Bo
     const auto up = [](const auto& f) { return is_never_negative(f.v[0]); };
     const auto is_down = [](const auto& f) { return upper_end(f.v[0]) < 0; };
     const auto is_up = [](const auto& f) { return lower_end(f.v[0]) > 0; };
-    result.trend = falls ? prove(form, boxes, down, is_up) : prove(form, boxes, up, is_down);
+    result.trend =
+        falls ? prove(form, boxes, down, is_up, checkpoint) : prove(form, boxes, up, is_down, checkpoint);
   }
   if (curve.is_non_negative) {
     result.non_negative = prove(
         form, boxes, [](const auto& f) { return is_never_negative(f.a); },
-        [](const auto& f) { return upper_end(f.a) < 0; });
+        [](const auto& f) { return upper_end(f.a) < 0; }, checkpoint);
   }
   if (curve.is_at_most_one) {
     result.at_most_one = prove(
         form, boxes, [](const auto& f) { return upper_end(f.a) <= 1; },
-        [](const auto& f) { return lower_end(f.a) > 1; });
+        [](const auto& f) { return lower_end(f.a) > 1; }, checkpoint);
   }
   return result;
 }

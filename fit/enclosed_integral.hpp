@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "approx/cosine.hpp"
+#include "fit/checkpoint.hpp"
 #include "fit/interval.hpp"
 #include "fit/interval_ends.hpp"
 #include "fit/metric.hpp"
@@ -67,7 +68,8 @@ WeightedCosine<T> weighted_cosine(Measure measure, bool is_at_peak, const T& s) 
 
 /// Integrals of N functions at once, over the measure and the domain of a metric. `integrand` maps a
 /// Cosine<T> to N values for T = Interval and Taylor<Order>. Panels are cut until each adds at most its part
-/// of `tolerance` to the width of every integral; empty where they are too many.
+/// of `tolerance` to the width of every integral; empty where they are too many. The checkpoint is called for
+/// each panel.
 ///
 /// On a panel [m-r, m+r] the integral of f is the sum of 2 f_j r^(j+1)/(j+1) over even j < Order, f_j the
 /// coefficients at m, and the remainder 2 f_Order r^(Order+1)/(Order+1) with f_Order enclosed on all of the
@@ -83,10 +85,11 @@ class EnclosedIntegral {
       : metric_(metric), tolerances_(tolerances) {}
 
   template <class Integrand>
-  std::optional<Values> of(const Integrand& integrand) {
+  std::optional<Values> of(const Integrand& integrand, const Checkpoint& checkpoint = keep_going) {
     Values sum = filled(Interval(0));
     std::vector<IntegralPanel> open = panels_of(metric_);
     for (int count = 0; !open.empty(); ++count) {
+      checkpoint();
       if (count == most_panels) return std::nullopt;
       const IntegralPanel panel = open.back();
       open.pop_back();

@@ -29,6 +29,7 @@ class LargestSearch {
     bool is_reached = false;
     while (!(is_reached = boxes_.top().bound - lower_ <= options_.width * lower_) &&
            static_cast<int>(boxes_.size()) < options_.boxes) {
+      options_.checkpoint();
       const Box box = boxes_.top().box;
       const double centre = box.lower + (box.upper - box.lower) / 2;
       if (!(box.lower < centre && centre < box.upper)) break;  // two neighbouring doubles

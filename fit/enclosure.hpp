@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/box.hpp"
+#include "fit/checkpoint.hpp"
 #include "fit/interval.hpp"
 #include "fit/jet.hpp"
 
@@ -23,6 +24,7 @@ struct EnclosureOptions {
   std::optional<ExactPlace> hint = {};  ///< where it probably is: a good lower bound from the start
   int boxes = most_boxes;               ///< the search gives up when it has as many
   double least = 0;                     ///< a magnitude up to this one is of no interest
+  Checkpoint checkpoint = keep_going;   ///< called for each box that is cut
 };
 
 /// max |f|, or `EnclosureOptions::least` where that is more, lies in [lower, upper].

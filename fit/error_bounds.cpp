@@ -63,7 +63,8 @@ Interval values_on(const Taylor<order - 1>& at_centre, const Interval& remainder
 /// about a place with an enclosed remainder. Empty where boxes get too small or too many, as at a kink.
 template <class F>
 std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain,
-                                            std::span<const Cosine<double>> peaks, double width) {
+                                            std::span<const Cosine<double>> peaks, double width,
+                                            const Checkpoint& checkpoint) {
   std::vector<CentredBox> open = boxes_around(peaks, domain);
   double lower = 0;
   const auto raise = [&](const Interval& value) { lower = std::fmax(lower, smallest_magnitude_in(value)); };
@@ -72,6 +73,7 @@ std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain
     return largest_magnitude_in(value) <= lower * (1 + width);
   };
   for (int boxes = 0; !open.empty(); ++boxes) {
+    checkpoint();
     const auto [box, centre] = open.back();
     open.pop_back();
     const Interval distance = span_of(box.lower, box.upper);
@@ -93,10 +95,11 @@ std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain
 
 template <class F>
 ErrorBounds bounds_of(const F& error, const Domain& domain, std::span<const Cosine<double>> peaks,
-                      double width) {
+                      double width, const Checkpoint& checkpoint) {
   // half, so that roundings of the bound itself stay within the width
-  if (const auto bounds = bounds_by_series(error, domain, peaks, width / 2)) return *bounds;
-  const Enclosure found = enclose_largest(error, domain, {.width = width, .hint = place_of(peaks.front())});
+  if (const auto bounds = bounds_by_series(error, domain, peaks, width / 2, checkpoint)) return *bounds;
+  const Enclosure found = enclose_largest(
+      error, domain, {.width = width, .hint = place_of(peaks.front()), .checkpoint = checkpoint});
   return {found.lower, found.upper, found.is_reached};
 }
 
@@ -113,13 +116,15 @@ double integral(const F& f, const Domain& domain, const Surface& surface) {
 
 }  // namespace
 
-ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width) {
+ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width,
+                        const Checkpoint& checkpoint) {
   return visit_formula(subject, [&](const auto& error, const auto&, const auto&) {
-    return bounds_of(error, subject.domain, peaks, width);
+    return bounds_of(error, subject.domain, peaks, width, checkpoint);
   });
 }
 
-SchlickError schlick_error(const Surface& surface, const Domain& domain, double width) {
+SchlickError schlick_error(const Surface& surface, const Domain& domain, double width,
+                           const Checkpoint& checkpoint) {
   const auto error = [&]<class T>(const Cosine<T>& c) {
     const T f0 = normal_reflectance<T>(surface);
     return T((integer<T>(1) - f0) * (schlick_weight(c.cos_theta) - target_weight(surface, c.cos_theta)));
@@ -134,7 +139,7 @@ SchlickError schlick_error(const Surface& surface, const Domain& domain, double 
                       .absolute = largest_magnitude(error, panels),
                       .relative = largest_magnitude(relative, panels),
                       .rms = std::sqrt(integral(squared, domain, surface) / (domain.upper - domain.lower))};
-  result.bounds = bounds_of(error, domain, std::array{result.absolute.at}, width);
+  result.bounds = bounds_of(error, domain, std::array{result.absolute.at}, width, checkpoint);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "approx/cosine.hpp"
 #include "fit/certificate.hpp"
+#include "fit/checkpoint.hpp"
 #include "fit/extremum.hpp"
 #include "fit/metric.hpp"
 #include "fit/surface.hpp"
@@ -19,8 +20,10 @@ struct ErrorBounds {
 
 /// Bounds of a subject's largest error, `width` apart relative to it, or as near as they get. `peaks` are
 /// places where |error| may be largest, at least one: they make the proof short, and nothing else rests on
-/// them. The subject's family is known and its parameters are constants.
-ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width);
+/// them. The subject's family is known and its parameters are constants. The checkpoint is called for each
+/// box.
+ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width,
+                        const Checkpoint& checkpoint = keep_going);
 
 /// Schlick's formula with the surface's f0 against the exact reflectance of the surface.
 struct SchlickError {
@@ -29,7 +32,8 @@ struct SchlickError {
   double rms = 0;               ///< of F, uniform in the cosine
 };
 
-/// Its error over a domain; `surface` is an exact one.
-SchlickError schlick_error(const Surface& surface, const Domain& domain, double width);
+/// Its error over a domain; `surface` is an exact one. The checkpoint is called for each box of the proof.
+SchlickError schlick_error(const Surface& surface, const Domain& domain, double width,
+                           const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

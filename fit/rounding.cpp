@@ -143,13 +143,13 @@ double rounding_bound(const F& family, Error kind, const Domain& domain,
 template <class F, class Lattice>
 RoundedConstants assessed(const RealProblem<F, Lattice>& problem, const F& family,
                           const LatticePoint<F::parameters.size()>& point, const Setting& setting,
-                          const Domain& domain, Error kind, bool is_float) {
+                          const Domain& domain, Error kind, bool is_float, const Checkpoint& checkpoint) {
   RoundedConstants constants = constants_at(problem.lattice(), point);
   const auto p = parameter_array<F>(constants.parameters);
   Subject subject{.family = std::string(F::info.id), .setting = setting, .error = kind, .domain = domain};
   for (std::size_t i = 0; i < p.size(); ++i)
     subject.parameters.emplace_back(std::string(F::parameters[i]), hex_text(p[i]));
-  const Certificate certificate = certify(subject, usual_width).certificate;
+  const Certificate certificate = certify(subject, usual_width, checkpoint).certificate;
   constants.real_error = certificate.upper;
   constants.at = cosine_at(certificate.attained.side, certificate.attained.distance).cos_theta;
   const auto with = [&](const Rounding& rounding) {
@@ -269,7 +269,7 @@ Rounded round_fit(const Fit& fit, const NumberFormat& format, const std::vector<
       round_with<F>(
           fit, problem, published, limit, checkpoint,
           [&](const auto& point) {
-            return assessed(problem, family, point, setting, domain, error, is_float);
+            return assessed(problem, family, point, setting, domain, error, is_float, checkpoint);
           },
           rounded);
     };

@@ -75,7 +75,7 @@ auto hessian_integrand(const F& family, const Intervals<N>& parameters) {
 }
 
 template <class F>
-StationaryPoint prove(const F& family, const Fit& fit) {
+StationaryPoint prove(const F& family, const Fit& fit, const Checkpoint& checkpoint) {
   constexpr std::size_t N = F::parameters.size();
   using Matrix = Eigen::Matrix<double, static_cast<int>(N), static_cast<int>(N)>;
   const std::array<double, N> p = parameter_array<F>(fit.parameters);
@@ -105,10 +105,10 @@ StationaryPoint prove(const F& family, const Fit& fit) {
   }
 
   StationaryPoint result;
-  const auto g =
-      EnclosedIntegral<gradient_order, N>(fit.metric, gradient_tolerance).of(gradient_integrand(family, at));
+  const auto g = EnclosedIntegral<gradient_order, N>(fit.metric, gradient_tolerance)
+                     .of(gradient_integrand(family, at), checkpoint);
   const auto h = EnclosedIntegral<hessian_order, N * N>(fit.metric, hessian_tolerance)
-                     .of(hessian_integrand(family, box));
+                     .of(hessian_integrand(family, box), checkpoint);
   if (!g || !h) {
     result.reason = std::string("the ") + (g ? "Hessian" : "gradient") + " could not be enclosed in " +
                     std::to_string(most_panels) + " panels";
@@ -147,7 +147,7 @@ StationaryPoint prove(const F& family, const Fit& fit) {
 
 }  // namespace
 
-StationaryPoint prove_stationary(const Fit& fit) {
+StationaryPoint prove_stationary(const Fit& fit, const Checkpoint& checkpoint) {
   const auto refused = [](const char* reason) {
     StationaryPoint result;
     result.reason = reason;
@@ -157,7 +157,7 @@ StationaryPoint prove_stationary(const Fit& fit) {
   if (fit.metric.norm != Norm::least_squares) return refused("its norm is not least squares");
   if (fit.metric.error != Error::absolute) return refused("its error is not the absolute one");
   return visit_family(fit.family->id, [&]<class F>(std::type_identity<F>) {
-    return prove(make_family<F>(setting_of(fit)), fit);
+    return prove(make_family<F>(setting_of(fit)), fit, checkpoint);
   });
 }
 

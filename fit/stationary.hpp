@@ -33,6 +33,6 @@ struct StationaryPoint {
 ///
 /// For a fit under least squares of the absolute error; of another, or of one that did not converge, the
 /// reason says so.
-StationaryPoint prove_stationary(const Fit& fit);
+StationaryPoint prove_stationary(const Fit& fit, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

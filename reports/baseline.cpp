@@ -154,10 +154,16 @@ Baseline read_baseline(const std::filesystem::path& directory) {
     throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {}", directory.string(),
                                 fmt::join(baseline_files, ", ")));
   }
-  Baseline baseline{directory, {}};
-  for (const char* name : baseline_files)
-    baseline.files.push_back({name, read_bounded(directory / name, most_table_bytes)});
-  return baseline;
+  return read_tables(directory, {baseline_files.begin(), baseline_files.end()});
+}
+
+Baseline read_tables(const std::filesystem::path& directory, const std::vector<std::string>& names) {
+  Baseline tables{directory, {}};
+  for (const std::string& name : names) {
+    tables.files.push_back({name, read_bounded(directory / name, most_table_bytes)});
+    parse_csv(tables.files.back().content, (directory / name).string());
+  }
+  return tables;
 }
 
 std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
@@ -181,13 +187,11 @@ std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
   return drifts;
 }
 
-std::vector<Drift> compare_files(const std::filesystem::path& directory, const std::vector<File>& now) {
+std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>& now) {
   std::vector<Drift> drifts;
   for (const File& file : now) {
     const CsvTable after = parse_csv(file.content, file.name);
-    const auto path = directory / file.name;
-    const CsvTable before =
-        parse_with_columns(read_bounded(path, most_table_bytes), path.string(), after.columns);
+    const CsvTable before = parse_checked(tables, file.name, after.columns);
     const auto others =
         compare_tables(file.name, before, after,
                        [](std::size_t, const std::string&, const std::string& old_cell,

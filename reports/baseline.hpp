@@ -25,16 +25,19 @@ struct Baseline {
   std::vector<File> files;
 };
 
-/// Reads a baseline. Throws UserError naming the file where one is missing.
+/// Reads a baseline. Throws UserError naming the file where one is missing or no table.
 Baseline read_baseline(const std::filesystem::path& directory);
+
+/// The same of the tables of these names, which no baseline has to hold.
+Baseline read_tables(const std::filesystem::path& directory, const std::vector<std::string>& names);
 
 /// Every difference between the baseline and the results, none twice. Throws UserError naming file and line
 /// where the baseline is truncated, malformed or has other columns.
 std::vector<Drift> compare(const Baseline& baseline, const Results& results);
 
-/// Every difference between CSV tables as they are now and those of the same names in a directory. Throws
-/// UserError as `read_baseline` and `compare` do.
-std::vector<Drift> compare_files(const std::filesystem::path& directory, const std::vector<File>& now);
+/// Every difference between tables of `read_tables` and CSV tables of the same names as they are now. Throws
+/// UserError as `compare` does.
+std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>& now);
 
 /// How many cells such tables have.
 std::size_t count_cells(const std::vector<File>& files);

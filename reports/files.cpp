@@ -200,6 +200,22 @@ class Directory {
   std::vector<fs::path> created_;  ///< the innermost first
 };
 
+/// Tries in a directory that is there what writing below it will need, and leaves nothing: a new directory of
+/// this name. Where a user may write is known to the system alone, of a disk that is mounted without writing
+/// or one that its user may not write to.
+void require_writable(const fs::path& directory, const fs::path& place) {
+  std::error_code error;
+  NamesBeside names(place / "x", "probe");
+  fs::path probe;
+  do {
+    probe = names.next();
+  } while (!fs::create_directory(probe, error) && !error && !names.is_exhausted());
+  if (error) {
+    throw UserError("output directory " + quoted(directory) + " cannot be written to: " + error.message());
+  }
+  remove_quietly(probe);
+}
+
 }  // namespace
 
 fs::path without_detours(const fs::path& directory) {
@@ -223,7 +239,10 @@ void require_directory(const fs::path& directory) {
   std::error_code ignored;
   const fs::path whole = from_the_root(without_detours(directory));
   for (fs::path part = whole; part != part.root_path(); part = part.parent_path()) {
-    if (fs::is_directory(part, ignored)) return;
+    std::error_code error;
+    if (fs::is_directory(part, error)) return require_writable(directory, part);
+    if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
+      throw UserError("output directory " + quoted(directory) + " cannot be used: " + error.message());
     if (fs::exists(fs::symlink_status(part, ignored))) {
       const bool below = whole.lexically_normal() != part.lexically_normal();
       throw UserError(

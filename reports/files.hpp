@@ -19,8 +19,9 @@ struct File {
 /// Any other ".." stays, because what x is decides where it leads.
 std::filesystem::path without_detours(const std::filesystem::path& directory);
 
-/// Throws UserError where `directory` cannot become one: it is a file, lies below one, or is relative to a
-/// working directory that is gone. Creates nothing, so that a long run can refuse before it starts.
+/// Throws UserError where `directory` cannot become one or be written to: it is a file, lies below one, is
+/// relative to a working directory that is gone, or the system lets nothing be created there. What it tries
+/// with is gone again, so that a long run can refuse before it starts.
 void require_directory(const std::filesystem::path& directory);
 
 /// Creates the directory (`without_detours`), those that names begin with, and writes all the files: each

@@ -84,10 +84,11 @@ std::string stationary_text(const FittableFamily& family, const StationaryPoint&
 
 }  // namespace
 
-FitProof prove_fit(const Fit& fit) {
+FitProof prove_fit(const Fit& fit, const Checkpoint& checkpoint) {
   FitProof proof;
-  if (fit.status == Status::converged) proof.max_abs_error = certify(subject_of(fit), usual_width);
-  proof.stationary = prove_stationary(fit);
+  if (fit.status == Status::converged)
+    proof.max_abs_error = certify(subject_of(fit), usual_width, checkpoint);
+  proof.stationary = prove_stationary(fit, checkpoint);
   return proof;
 }
 

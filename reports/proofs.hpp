@@ -22,7 +22,7 @@ struct FitProof {
 };
 
 /// Proves what `fit --certify` shows, the error to `usual_width`.
-FitProof prove_fit(const Fit& fit);
+FitProof prove_fit(const Fit& fit, const Checkpoint& checkpoint);
 
 /// One row a fit.
 Table proofs_table(const Refit& refit, const std::vector<FitProof>& proofs);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -66,14 +67,22 @@ inline std::string printable(std::string_view text) {
   return fmt::format("{}", fmt::join(printable_pieces(text), ""));
 }
 
-/// One line that a terminal can show, the middle of a very long text left out.
+/// One line that a terminal can show, the middle of a very long text left out. It is left out before anything
+/// is escaped: a text of a user's file may be of any size.
 inline std::string one_line(std::string_view text) {
-  constexpr std::size_t longest = 600;
-  const auto pieces = printable_pieces(text);
-  if (pieces.size() <= longest) return fmt::format("{}", fmt::join(pieces, ""));
-  const auto half = static_cast<std::ptrdiff_t>(longest / 2);
-  return fmt::format("{} .. {}", fmt::join(pieces.begin(), pieces.begin() + half, ""),
-                     fmt::join(pieces.end() - half, pieces.end(), ""));
+  constexpr std::size_t longest = 600, half = longest / 2;
+  constexpr std::size_t most_bytes = 4;  // of a piece, so that as many hold at least half of the pieces
+  const bool is_long = text.size() > longest * most_bytes;
+  const auto head = printable_pieces(is_long ? text.substr(0, half * most_bytes) : text);
+  if (!is_long && head.size() <= longest) return fmt::format("{}", fmt::join(head, ""));
+  std::string_view end = text.substr(is_long ? text.size() - half * most_bytes : 0);
+  // Not from the middle of a code point on, which has at most three bytes more.
+  for (int i = 0; i < 3 && is_long && utf8_length(end) == 0; ++i) end.remove_prefix(1);
+  const auto tail = printable_pieces(end);
+  const auto first = head.begin(), last = tail.end();
+  const auto count = static_cast<std::ptrdiff_t>(half);
+  return fmt::format("{} .. {}", fmt::join(first, first + count, ""),
+                     fmt::join(last - std::min(count, last - tail.begin()), last, ""));
 }
 
 }  // namespace shadefit

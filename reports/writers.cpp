@@ -39,9 +39,14 @@ std::vector<std::size_t> widths(const Table& table, const Texts& rows, std::size
   return result;
 }
 
-bool is_numeric(const Table& table, std::size_t column) {
-  return std::none_of(table.rows.begin(), table.rows.end(),
-                      [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
+/// Whether a column holds no text, for each: looked at once a table, not once a row.
+std::vector<bool> numeric_columns(const Table& table) {
+  std::vector<bool> are_numeric(table.columns.size(), true);
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      are_numeric[i] = are_numeric[i] && !std::holds_alternative<std::string>(row[i]);
+  }
+  return are_numeric;
 }
 
 std::string padded(const std::string& s, std::size_t to, bool right) {
@@ -120,16 +125,17 @@ std::string write_markdown(const Table& table, Precision precision) {
   auto rows = texts(table, precision);
   for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), without_pipes);
   const auto width_of = widths(table, rows, 3);
+  const std::vector<bool> are_numeric = numeric_columns(table);
   const auto line = [&](const std::vector<std::string>& cells) {
     std::string out = "|";
     for (std::size_t i = 0; i < cells.size(); ++i)
-      out += " " + padded(cells[i], width_of[i], is_numeric(table, i)) + " |";
+      out += " " + padded(cells[i], width_of[i], are_numeric[i]) + " |";
     return out + "\n";
   };
   std::string out = line(table.columns) + "|";
   for (std::size_t i = 0; i < width_of.size(); ++i) {
     const std::string dashes(width_of[i] + 1, '-');
-    out += is_numeric(table, i) ? dashes + ":|" : ":" + dashes + "|";
+    out += are_numeric[i] ? dashes + ":|" : ":" + dashes + "|";
   }
   out += "\n";
   for (const auto& row : rows) out += line(row);
@@ -137,8 +143,9 @@ std::string write_markdown(const Table& table, Precision precision) {
 }
 
 std::string write_latex(const Table& table, Precision precision) {
+  const std::vector<bool> are_numeric = numeric_columns(table);
   std::string out = "% needs \\usepackage{booktabs}\n\\begin{tabular}{";
-  for (std::size_t i = 0; i < table.columns.size(); ++i) out += is_numeric(table, i) ? 'r' : 'l';
+  for (std::size_t i = 0; i < table.columns.size(); ++i) out += are_numeric[i] ? 'r' : 'l';
   out += "}\n\\toprule\n" + latex_line(table.columns) + "\\midrule\n";
   for (const auto& row : texts(table, precision)) out += latex_line(row);
   return out + "\\bottomrule\n\\end{tabular}\n";
@@ -151,10 +158,11 @@ std::string markdown_block(const Table& table) {
 std::string write_console(const Table& table, Precision precision) {
   const auto rows = texts(table, precision);
   const auto width_of = widths(table, rows, 0);
+  const std::vector<bool> are_numeric = numeric_columns(table);
   const auto line = [&](const std::vector<std::string>& cells) {
     std::string out;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      out += (i == 0 ? "" : "  ") + padded(cells[i], width_of[i], is_numeric(table, i));
+      out += (i == 0 ? "" : "  ") + padded(cells[i], width_of[i], are_numeric[i]);
     }
     out.erase(out.find_last_not_of(' ') + 1);
     return out + "\n";

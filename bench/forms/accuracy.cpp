@@ -197,7 +197,8 @@ class Accuracy {
  public:
   Table table() && { return std::move(table_); }
 
-  void append(const Target& target, const FormEntry& first, const std::vector<const FormEntry*>& forms) {
+  void append(const Target& target, const FormEntry& first, const std::vector<const FormEntry*>& forms,
+              const Checkpoint& checkpoint) {
     const Grid grid = grid_of(target);
     const Kernel<long double> exact = library_form(first.id).in_long_double;
     const Places<Eigen::half> halves(grid, target, exact);
@@ -205,10 +206,12 @@ class Accuracy {
     const Places<double> doubles(grid, target, exact);
     for (const FormEntry* form : forms) {
       for (const Constants& constants : form->constants) {
-        const Row row{*form, constants, pair_exp2(target, form->id, constants)};
+        checkpoint();
+        const Row row{*form, constants, pair_exp2(target, form->id, constants, checkpoint)};
         const LibraryForm& library = library_form(form->id);
         const auto add = [&](const auto& places, auto kernel, std::string_view arithmetic,
                              const Format& format, int degree) {
+          checkpoint();
           append_row(row, arithmetic, degree, errors_of(places, places.results(kernel, constants), format),
                      places.is_of_lights());
         };
@@ -271,7 +274,7 @@ class Accuracy {
 
 }  // namespace
 
-Table accuracy_table() {
+Table accuracy_table(const Checkpoint& checkpoint) {
   const Catalogue all = catalogue();
   Accuracy accuracy;
   for (const Target& target : all.targets) {
@@ -279,7 +282,7 @@ Table accuracy_table() {
     for (const FormEntry& form : all.forms) {
       if (form.target == target.id) forms.push_back(&form);
     }
-    accuracy.append(target, *forms.front(), forms);
+    accuracy.append(target, *forms.front(), forms, checkpoint);
   }
   return std::move(accuracy).table();
 }

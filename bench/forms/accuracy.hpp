@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fit/checkpoint.hpp"
 #include "reports/table.hpp"
 
 /// How wrong every form is: what `accuracy.csv` holds.
@@ -23,7 +24,7 @@ namespace shadefit::forms {
 ///   proven; else `no`.
 ///
 /// Functions are those of `Library` and of xsimd, all the rest are basic operations: the same bytes
-/// everywhere.
-Table accuracy_table();
+/// everywhere. The checkpoint is called for each row.
+Table accuracy_table(const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::forms

@@ -71,7 +71,7 @@ class FormErrors {
     std::array<Interval, own_count> own;
     for (std::size_t i = 0; i < of_curve; ++i) curve_[i] = parameters[i];
     for (std::size_t i = 0; i < own_count; ++i) own[i] = parameters[of_curve + i];
-    constexpr EnclosureOptions options{.width = pairing_width};
+    const EnclosureOptions options{.width = pairing_width};
     own_ = enclose(
         family, own, [](const auto& error, const auto&) { return error; }, options);
     largest_form_ = enclose(

@@ -188,11 +188,12 @@ double float_rounding_of_gloss(const std::array<Interval, GlossGaussian::paramet
 }
 
 template <class Errors>
-Pairing paired(const Errors& errors) {
+Pairing paired(const Errors& errors, const Checkpoint& checkpoint) {
   const Bounds own = errors.own();
   Pairing pairing{.own_lower = own.lower, .own_upper = own.upper};
   pairing.totals[0] = pairing.own_upper;
   for (int degree = largest_exp2_degree; degree >= least_exp2_degree; --degree) {
+    checkpoint();
     const double total = errors.upper_with(degree);
     pairing.totals[static_cast<std::size_t>(degree)] = total;
     if (total <= (1 + allowed_addition) * pairing.own_lower) pairing.degree = degree;
@@ -212,28 +213,30 @@ std::array<Interval, Form::parameters> all_parameters(const Target& target, cons
 }
 
 template <class Form, class Curve, class Family>
-Pairing paired(const Family& family, const Target& target, const Constants& constants) {
+Pairing paired(const Family& family, const Target& target, const Constants& constants,
+               const Checkpoint& checkpoint) {
   const auto parameters = all_parameters<Form>(target, constants);
-  Pairing pairing = paired(FormErrors<Form, Curve, Family>(family, parameters));
+  Pairing pairing = paired(FormErrors<Form, Curve, Family>(family, parameters), checkpoint);
   pairing.rounding = float_rounding_of<Form>(parameters);
   return pairing;
 }
 
-Pairing paired_gloss(const Target& target, const Constants& constants) {
-  Pairing pairing = paired(GlossErrors(target, constants));
+Pairing paired_gloss(const Target& target, const Constants& constants, const Checkpoint& checkpoint) {
+  Pairing pairing = paired(GlossErrors(target, constants), checkpoint);
   pairing.rounding = float_rounding_of_gloss(all_parameters<GlossGaussian>(target, constants));
   return pairing;
 }
 
 /// Of N lights wherever they are: N times the lobe, which N lights in one direction attain. Behind the
 /// horizon the target is 0 and the form less than at c = 0, where it is next to nothing.
-Pairing paired_lights(const Target& target, const Constants& constants) {
+Pairing paired_lights(const Target& target, const Constants& constants, const Checkpoint& checkpoint) {
   constexpr std::size_t power = 1, axes = 3;
   const auto lights = static_cast<double>((target.parameters.size() - power) / axes);
   const std::array parameters{constant<Interval>(target.parameters.front().printed),
                               constant<Interval>(constants.numbers.front().printed)};
   Pairing pairing = paired(FormErrors<LobeGaussian, LobeSquarings, SgOffset>(
-      make_family<SgOffset>(Setting(fixed_exponent)), parameters));
+                               make_family<SgOffset>(Setting(fixed_exponent)), parameters),
+                           checkpoint);
   pairing.own_lower *= lights;
   pairing.own_upper *= lights;
   for (double& total : pairing.totals) total *= lights;
@@ -242,19 +245,21 @@ Pairing paired_lights(const Target& target, const Constants& constants) {
 
 }  // namespace
 
-std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants) {
+std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants,
+                                 const Checkpoint& checkpoint) {
   const auto lobe = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form, LobeSquarings>(make_family<Family>(Setting(fixed_exponent)), target, constants);
+    return paired<Form, LobeSquarings>(make_family<Family>(Setting(fixed_exponent)), target, constants,
+                                       checkpoint);
   };
   const auto fresnel = [&]<class Form, class Family>(Form, std::type_identity<Family>) {
-    return paired<Form, SchlickMultiplied>(Family(), target, constants);
+    return paired<Form, SchlickMultiplied>(Family(), target, constants, checkpoint);
   };
   if (form == LobeGaussian::id) return lobe(LobeGaussian(), std::type_identity<SgOffset>());
   if (form == LobeGaussianOfDifference::id)
     return lobe(LobeGaussianOfDifference(), std::type_identity<SgOffset>());
   if (form == LobeScaledGaussian::id) return lobe(LobeScaledGaussian(), std::type_identity<SgScaled>());
-  if (form == GlossGaussian::id) return paired_gloss(target, constants);
-  if (form == PhongGaussian::id) return paired_lights(target, constants);
+  if (form == GlossGaussian::id) return paired_gloss(target, constants, checkpoint);
+  if (form == PhongGaussian::id) return paired_lights(target, constants, checkpoint);
   if (form == FresnelOneTermForm::id)
     return fresnel(FresnelOneTermForm(), std::type_identity<FresnelOneTerm>());
   if (form == FresnelQuadraticForm::id)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bench/forms/catalogue.hpp"
+#include "fit/checkpoint.hpp"
 
 /// The cheapest exp2 that a form has use for.
 namespace shadefit::forms {
@@ -30,7 +31,9 @@ struct Pairing {
   double total() const { return totals[static_cast<std::size_t>(degree)]; }
 };
 
-/// The pairing of an exp2 form of a target; empty of all other forms.
-std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants);
+/// The pairing of an exp2 form of a target; empty of all other forms. The checkpoint is called for each
+/// degree.
+std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants,
+                                 const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::forms

@@ -67,6 +67,36 @@ TEST(Process, AnInterruptionEndsARunWithNothingWritten) {
   }
 }
 
+// One that comes after the last checkpoint, as of a command that has none: all is done but the printing.
+TEST(Process, AnInterruptionOfThePrintingIsTold) {
+  for (const auto& [signal, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
+    const auto finished =
+        run_process({"list"}, [number = signal] { testing::leave_pending(number, SIG_DFL); });
+    EXPECT_EQ(finished.exit_code, exit_code) << "-1 is a death by the signal";
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(finished.err,
+              "shadefit: interrupted while printing: what was to be written to files is written\n");
+  }
+}
+
+#ifndef SHADEFIT_SANITIZE  // which takes address space of its own
+// A text of a file is shortened before it is escaped, which takes 32 bytes and more for each of its own.
+TEST(Process, ALongCellOfABaselineTakesLittleMemory) {
+  const TemporaryDirectory directory;
+  std::filesystem::copy(SHADEFIT_SOURCE_DIR "/reports/baseline", directory / "baseline");
+  // What is longer than a table may be is refused by its size alone.
+  constexpr std::size_t size = 3U << 20;
+  const std::string claims = directory.file("baseline/claims.csv", std::string(size, 'a') + "\n");
+  const auto finished = run_process({"check", "--baseline", directory / "baseline"}, [] {
+    const rlimit limit{160U << 20, 160U << 20};
+    ::setrlimit(RLIMIT_AS, &limit);
+  });
+  EXPECT_EQ(finished.exit_code, 2) << finished.err;
+  EXPECT_TRUE(finished.err.starts_with("shadefit: '" + claims + "' ")) << finished.err;
+  EXPECT_LT(finished.err.size(), 2000U);
+}
+#endif
+
 // The signal comes while gnuplot hangs, and to the command alone; once or, as two plots are drawn at a time,
 // again while the command is ending.
 TEST(Process, AnInterruptionEndsARunWhoseGnuplotHangs) {

@@ -55,6 +55,17 @@ TEST(Utf8, OneLineShowsNoControlCharacterAndIsBounded) {
   EXPECT_EQ(one_line(std::string(600, 'x')), std::string(600, 'x'));
   EXPECT_EQ(one_line(std::string(301, 'x') + std::string(300, 'y')),
             std::string(300, 'x') + " .. " + std::string(300, 'y'));
+  // Long texts are cut before they are escaped: code points of four bytes are whole all the same.
+  const auto repeated = [](const std::string& what, int times) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += what;
+    return text;
+  };
+  const std::string smile = "\xF0\x9F\x98\x80";
+  EXPECT_EQ(one_line(repeated(smile, 1000)), repeated(smile, 300) + " .. " + repeated(smile, 300));
+  EXPECT_EQ(one_line("a" + repeated(smile, 1000) + "b"),
+            "a" + repeated(smile, 299) + " .. " + repeated(smile, 299) + "b");
+  EXPECT_EQ(one_line(repeated("x", 5000) + "\n"), repeated("x", 300) + " .. " + repeated("x", 299) + "\\x0a");
   EXPECT_EQ(printable(std::string(601, 'x') + "\n"), std::string(601, 'x') + "\\x0a") << "a path is whole";
 }
 

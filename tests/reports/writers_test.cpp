@@ -257,5 +257,16 @@ TEST(Results, AFailedCheckIsSeen) {
             std::string::npos);
 }
 
+// A sweep has up to 100 000 rows. Where each row asks each other one whether its column holds words, that
+// takes minutes.
+TEST(Writers, WriteAsManyRowsAsASweepHas) {
+  constexpr std::size_t rows = 100000;
+  const Table table{{"exponent", "x"}, std::vector<std::vector<Cell>>(rows, {Number{1, 6}, Number{2, 6}})};
+  for (const auto write : {write_console, write_markdown}) {
+    const std::string text = write(table, Precision::report);
+    EXPECT_GT(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), rows);
+  }
+}
+
 }  // namespace
 }  // namespace shadefit

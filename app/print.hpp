@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+#include "app/interrupt.hpp"
+
+/// Printing that a signal can end, however long the reader keeps it waiting.
+namespace shadefit {
+
+/// What ended the printing of a text; both 0 where all of it was written.
+struct Printed {
+  int error = 0;   ///< errno
+  int signal = 0;  ///< of those that are held
+};
+
+/// Writes a text to a descriptor. A held signal that waits or comes before the end is taken and ends it.
+Printed print(int descriptor, std::string_view text, const HeldSignals& signals);
+
+}  // namespace shadefit
