@@ -175,11 +175,12 @@ inline constexpr std::array environment_map_claims{
         .printed = {{"power", "16000"}},
         .inputs = {{"width", "128"}, {"significant digits", "2"}, {"falls by e to the minus", "1,2"}},
         .derivation =
-            "The source names no criterion. The one that is judged: the lobe covers one mean texel of level 0, "
-            "s = 3 w^2 - 1. Beside it: one texel at the centre of a face, one in its corner; or the lobe has "
+            "The source names no criterion. The first that is tried: the lobe covers one mean texel of level 0, "
+            "s = 3 w^2 - 1. After it: one texel at the centre of a face, one in its corner; or the lobe has "
             "fallen by e^-1 or e^-2 at the centre of the next texel, at the middle of a face, where "
             "tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read to its "
-            "significant digits.",
+            "significant digits; where another criterion than the first gives them, the verdict is "
+            "other-objective.",
         .source = sources::lagarde_2011_adopting},
     Claim{
         .id = "mip-gloss-chain",

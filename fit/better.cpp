@@ -11,6 +11,18 @@ namespace {
 
 using Kind = Contender::Kind;
 
+/// What a shader executes for a form with constants, as `shadefit emit` writes it at one exponent: what is
+/// made of constants alone is computed before.
+Operations executed(const FittableFamily& family, const Setting& setting, const std::vector<double>& values) {
+  const auto value_of = [&](const std::string& variable) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (family.parameters[i] == variable) return Symbolic::number(to_text(values[i]));
+    }
+    return variable == "k" ? Symbolic::number(to_text(setting.exponent)) : Symbolic::variable(variable);
+  };
+  return count_operations(evaluate<Symbolic>(family.form(), value_of));
+}
+
 /// A form with constants, of the family and in the setting that the subject names; `alternation` is that of a
 /// minimax fit.
 Contender contender(Kind kind, const FittableFamily& family, const Subject& subject,
@@ -27,7 +39,7 @@ Contender contender(Kind kind, const FittableFamily& family, const Subject& subj
           .origin = "",
           .parameters = subject.parameters,
           .values = values,
-          .operations = count_operations(family.form()),
+          .operations = executed(family, subject.setting, values),
           .max_abs_error = bound_error(subject, peaks, width, checkpoint),
           .at = at,
           .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
@@ -108,12 +120,13 @@ void append_schlick(Comparison& comparison, const Contest& contest, const Checkp
                                    .rms_error = error.rms});
 }
 
-/// The target as a formula that a shader could run; of an exact surface the reflectance F.
+/// The target as a formula that a shader could run, its constants known before; of an exact surface the
+/// reflectance F.
 Symbolic runnable_target(const FittableFamily& family, const Surface& surface) {
   if (!surface.is_exact()) return family.target();
-  const Symbolic c = Symbolic::variable("c"), n = Symbolic::variable("n");
+  const Symbolic c = Symbolic::variable("c"), n = Symbolic::number(to_text(surface.ior));
   if (surface.extinction == 0) return dielectric_reflectance(c, n);
-  return conductor_reflectance(c, n, Symbolic::variable("k"));
+  return conductor_reflectance(c, n, Symbolic::number(to_text(surface.extinction)));
 }
 
 void append_target(Comparison& comparison) {

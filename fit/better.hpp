@@ -26,8 +26,8 @@ struct Contender {
   std::string origin;          ///< whose constants they are: a source, or the objective of a fit
   std::vector<std::pair<std::string, std::string>> parameters;  ///< names and texts, of fits hexadecimal
   std::vector<double> values;                                   ///< the same as doubles
-  Operations operations;                                        ///< of the form as it is written
-  ErrorBounds max_abs_error;                                    ///< proven
+  Operations operations;                ///< with its constants in, as `emit` writes it
+  ErrorBounds max_abs_error;            ///< proven
   std::optional<Cosine<double>> at;     ///< a place where it is largest; sampled; empty of the target itself
   std::optional<double> max_rel_error;  ///< sampled, of what the family's `relative_to` says
   double rms_error;                     ///< uniform in the cosine

@@ -50,8 +50,8 @@ std::string better_section(const std::vector<Comparison>& comparisons) {
       "that make its largest error least (minimax); forms that nobody published stand beside. The largest errors are "
       "proven, to {:g} of themselves: the digits shown are right to within one unit of the last. The other errors are "
       "computed; the rms error is uniform in the cosine. On a surface all are of the reflectance F. Operations are those "
-      "of the form as it is written, exponent and constants its inputs: where (k + x)/ln 2 is at hand, the Gaussian takes a "
-      "multiply-add and an exp2. A curve beats a published one whose proven error is larger at no fewer instructions. "
+      "of the code that `shadefit emit` writes at one exponent: what is made of constants alone is computed before it "
+      "runs. A curve beats a published one whose proven error is larger at no fewer instructions. "
       "Other surfaces, exponents, domains and objectives: `shadefit better ID`.\n\n",
       report_contest.width);
   for (const Comparison& comparison : comparisons) {

@@ -72,9 +72,7 @@ Finding evaluate_mean_power(const Claim& claim) {
     words.push_back(decimal(reading.value, 6) + " for " + reading.objective);
     reading.value /= unit;
   }
-  // The first reading is the one that is claimed; another that has the digits is evidence of where they may
-  // come from.
-  const Verdict verdict = judge(leading, readings.front(), {}).verdict;
+  // The source names no criterion, so each reading is a convention that the digits may come from.
   const Judgement closest = judge(leading, readings.front(), std::span(readings).subspan(1));
   const double s = number_of(printed);
   std::string evidence = "s = " + enumerated(words) + "; at " + decimal(s, 6) + " the lobe covers " +
@@ -83,11 +81,11 @@ Finding evaluate_mean_power(const Claim& claim) {
   if (closest.verdict == Verdict::other_objective)
     evidence += "; of these " + counted(static_cast<long>(readings.size()), "reading") + " the first " +
                 counted(static_cast<long>(digits), "printed digit") + " are those of " + closest.objective;
-  const double found = readings.front().value * unit;
-  return {verdict, "power = " + decimal(found, 6), evidence,
-          effect_of_power(s, found,
-                          "an unfiltered level 0, whose mean texel is a lobe of power " + decimal(found, 6) +
-                              ", in the place of " + decimal(s, 6))};
+  const double covering = readings.front().value * unit;
+  return {closest.verdict, "power = " + decimal(closest.value * unit, 6), evidence,
+          effect_of_power(s, covering,
+                          "an unfiltered level 0, whose mean texel is a lobe of power " +
+                              decimal(covering, 6) + ", in the place of " + decimal(s, 6))};
 }
 
 Finding evaluate_power_range(const Claim& claim) {

@@ -7,10 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "approx/fresnel.hpp"
 #include "approx/optical_constants.hpp"
 #include "fit/certificate.hpp"
 #include "fit/enclosure.hpp"
 #include "fit/multiprecision.hpp"
+#include "fit/symbolic.hpp"
+#include "reports/shader_code.hpp"
 
 namespace shadefit {
 namespace {
@@ -84,6 +87,39 @@ TEST(Better, CountsTheOperationsOfTheFormsAndOfTheTarget) {
   EXPECT_EQ(to_text(target.operations), "ADD, 3 MUL") << "1 - c, two squarings, a product";
   EXPECT_EQ(target.max_abs_error.upper, 0);
   EXPECT_TRUE(target.beats.empty()) << "it is no approximation";
+}
+
+// At an exponent a shader computes what `emit` writes: (k + x)/ln 2 is a number, and so is x k/2.
+TEST(Better, CountsWhatIsEmitted) {
+  for (const double exponent : {5.0, 37.5}) {
+    const Comparison comparison = compare("sg-offset", exponent, {.width = 1e-6});
+    for (const Contender& contender : comparison.contenders) {
+      if (contender.family.empty()) continue;
+      const FittableFamily& family = *find_family(contender.family);
+      const auto value_of = [&](const std::string& name) {
+        if (name == "c") return Symbolic::variable(name);
+        const double value = name == "k" ? exponent : contender.values[parameter_index(family, name)];
+        return Symbolic::number(to_text(value));
+      };
+      const Symbolic emitted =
+          as_generated(evaluate<Symbolic>(family.form(), value_of), ShaderPrecision::float32);
+      EXPECT_EQ(contender.operations, count_operations(emitted)) << to_text(emitted);
+    }
+    const auto count = [&](std::string_view family, std::string_view origin) {
+      return to_text(find(comparison, family, origin).operations);
+    };
+    EXPECT_EQ(count("", "sg-offset-limit"), "ADD, MUL, EXP2");
+    EXPECT_EQ(count("sg-scaled", "minimax absolute error"), "ADD, 2 MUL, EXP2");
+    EXPECT_EQ(count("", "phong-blinn-gotanda"), "ADD, 2 MUL, LOG2, EXP2");
+    EXPECT_EQ(count("", "the target itself"), "MUL, LOG2, EXP2");
+  }
+  // What is known of a surface is known before, too.
+  const Operations glass = find(glass_forms(), "", "the target itself").operations;
+  EXPECT_EQ(glass,
+            count_operations(dielectric_reflectance(Symbolic::variable("c"), Symbolic::number("1.5"))));
+  EXPECT_LT(
+      glass.total(),
+      count_operations(dielectric_reflectance(Symbolic::variable("c"), Symbolic::variable("n"))).total());
 }
 
 // The same subjects through the search that writes certificates, which bounds by first derivatives.
