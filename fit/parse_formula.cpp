@@ -15,7 +15,7 @@ constexpr std::array functions_of_one{"exp",  "exp2", "log", "log2", "expm1", "l
                                       "erfc", "sqrt", "sin", "cos",  "atan"};
 constexpr std::array functions_of_two{"min", "max"};
 
-/// Deeper nesting than any formula has; a bound on the recursion.
+/// Deeper nesting than any formula has; a bound on the recursion of the reader.
 constexpr int deepest = 100;
 
 bool is_digit(char c) {
@@ -42,7 +42,7 @@ class FormulaReader {
       : text_(text), variables_(variables) {}
 
   Symbolic whole() {
-    const Symbolic result = sum();
+    const Symbolic result = limited(sum());
     if (peek(); place_ < text_.size()) fail("an operator or the end");
     return result;
   }
@@ -53,14 +53,21 @@ class FormulaReader {
     Symbolic result = skip('-') ? -quotient() : quotient();
     for (;;) {
       if (skip('+')) {
-        result = result + quotient();
+        result = limited(result + quotient());
       } else if (skip('-')) {
-        result = result - quotient();
+        result = limited(result - quotient());
       } else {
         --depth_;
         return result;
       }
     }
+  }
+
+  /// No deeper than a formula may be; what is refused is no deeper than twice that.
+  Symbolic limited(const Symbolic& result) const {
+    if (result.depth() > deepest_formula)
+      fail("no more than " + std::to_string(deepest_formula) + " operations inside one another");
+    return result;
   }
 
   Symbolic quotient() {
@@ -76,11 +83,11 @@ class FormulaReader {
     Symbolic result = raised();
     for (;;) {
       if (skip('*')) {
-        result = result * raised();
+        result = limited(result * raised());
       } else if (is_digit(peek())) {
         fail("a '*' before the number");
       } else if (begins_atom(peek())) {
-        result = result * raised();
+        result = limited(result * raised());
       } else {
         return result;
       }
@@ -208,6 +215,9 @@ class FormulaReader {
 }  // namespace
 
 Symbolic parse_formula(std::string_view text, std::span<const std::string_view> variables) {
+  if (text.size() > longest_formula)
+    throw std::invalid_argument("the formula is " + std::to_string(text.size()) +
+                                " characters long: at most " + std::to_string(longest_formula));
   return FormulaReader(text, variables).whole();
 }
 

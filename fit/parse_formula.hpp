@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -7,6 +8,11 @@
 
 /// Closed forms as people write them, read into the symbolic scalar.
 namespace shadefit {
+
+/// The most characters of a formula, and the deepest: how many operations may be inside one another, a sum of
+/// n terms counting n - 1. What walks a formula calls itself for each part.
+inline constexpr std::size_t longest_formula = 1000;
+inline constexpr std::size_t deepest_formula = 200;
 
 /// Reads a formula such as "(a+2)/(4 pi (2 - 2^(-a/2)))" in the notation that `to_text(Symbolic)` writes:
 ///   sum       [-] quotient, then any number of `+ quotient` and `- quotient`
@@ -22,9 +28,9 @@ namespace shadefit {
 /// parentheses or a `*`.
 ///
 /// `variables` are the names a formula may speak of besides pi and ln2; a name is a letter or underscore,
-/// then letters, digits and underscores. Throws std::invalid_argument with one line that names the formula,
-/// the place (1 for its first letter) and what was expected there. The result evaluates in every scalar by
-/// `evaluate`.
+/// then letters, digits and underscores. A formula that is too long or too deep is refused. Throws
+/// std::invalid_argument with one line that names the formula, the place (1 for its first letter) and what
+/// was expected there. The result evaluates in every scalar by `evaluate`.
 Symbolic parse_formula(std::string_view text, std::span<const std::string_view> variables);
 
 }  // namespace shadefit

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -48,6 +50,8 @@ class Symbolic {
   int exponent() const { return std::stoi(node_->name); }
   const std::vector<Symbolic>& parts() const { return node_->parts; }
   const Symbolic& part(std::size_t i) const { return node_->parts.at(i); }
+  /// How many operations are inside one another; 0 of a number or a name.
+  std::size_t depth() const { return node_->depth; }
 
   friend Symbolic operator+(const Symbolic& a, const Symbolic& b) { return operation(Kind::add, {a, b}); }
   friend Symbolic operator-(const Symbolic& a, const Symbolic& b) {
@@ -64,10 +68,19 @@ class Symbolic {
     Kind kind;
     std::string name;
     std::vector<Symbolic> parts;
+    std::size_t depth;
   };
 
-  Symbolic(Kind kind, std::string name, std::vector<Symbolic> parts)
-      : node_(std::make_shared<const Node>(Node{kind, std::move(name), std::move(parts)})) {}
+  static std::size_t depth_over(const std::vector<Symbolic>& parts) {
+    std::size_t depth = 0;
+    for (const Symbolic& part : parts) depth = std::max(depth, part.depth() + 1);
+    return depth;
+  }
+
+  Symbolic(Kind kind, std::string name, std::vector<Symbolic> parts) {
+    const std::size_t depth = depth_over(parts);
+    node_ = std::make_shared<const Node>(Node{kind, std::move(name), std::move(parts), depth});
+  }
 
   std::shared_ptr<const Node> node_;
 };

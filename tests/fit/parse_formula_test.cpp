@@ -84,7 +84,7 @@ TEST(ParseFormula, BoundsItsDepth) {
   };
   EXPECT_EQ(value_of(nested(99)), 3);
   EXPECT_NE(error_of(nested(100)).find("nested"), std::string::npos);
-  EXPECT_NE(error_of(std::string(1000000, '(')).find("nested"), std::string::npos) << "no overflow";
+  EXPECT_NE(error_of(std::string(500, '(')).find("nested"), std::string::npos) << "no overflow";
 }
 
 /// An expression of that depth; `state` is a linear congruential generator (Knuth's MMIX constants).
@@ -161,6 +161,47 @@ TEST(ParseFormula, TheReadingHasTheSameValue) {
   for (const Symbolic& formula : {BlinnPhongBrdfLobe::constant(a), BlinnPhongLobe::constant(a),
                                   PhongLobe::constant(a), BlinnPhongCheapLobe::constant(a)}) {
     EXPECT_EQ(value(parse(to_text(formula))), value(formula));
+  }
+}
+
+/// "1 + c + c ..": as many operations inside one another as it has terms after the first.
+std::string sum_of(std::size_t terms) {
+  std::string text = "1";
+  for (std::size_t i = 0; i < terms; ++i) text += "+a";
+  return text;
+}
+
+// What walks a formula calls itself for each part, so that length and depth have an end.
+TEST(ParseFormula, LengthAndDepthHaveAnEnd) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      parse(text);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(parse(sum_of(deepest_formula)).depth(), deepest_formula);
+  EXPECT_NE(
+      refusal(sum_of(deepest_formula + 1)).find("expected no more than 200 operations inside one another"),
+      std::string::npos);
+  EXPECT_EQ(refusal(std::string(longest_formula - 1, ' ') + "a"), "none");
+  EXPECT_EQ(refusal(std::string(longest_formula, ' ') + "a"),
+            "the formula is 1001 characters long: at most 1000");
+  EXPECT_EQ(refusal(sum_of(30000)), "the formula is 60001 characters long: at most 1000");
+  // Every way to nest: none gets deeper than what is refused allows.
+  const auto nested = [](const std::string& before, const std::string& after, std::size_t times) {
+    std::string text = "a";
+    for (std::size_t i = 0; i < times; ++i) text = before + text + after;
+    return text;
+  };
+  for (const auto& [before, after] :
+       {std::pair("(", ")"), std::pair("-(", ")"), std::pair("exp(", ")"), std::pair("a*(", ")"),
+        std::pair("2^(", ")"), std::pair("max(a,", ")"), std::pair("1/(", ")"), std::pair("(a<", "?a:a)")}) {
+    std::string text = nested(before, after, 99);
+    ASSERT_LE(text.size(), longest_formula);
+    EXPECT_LE(parse(text).depth(), deepest_formula) << text;
+    EXPECT_NE(refusal(nested(before, after, 120)), "none") << before;
   }
 }
 
