@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/parse_name.hpp"
+#include "fit/parse_formula.hpp"
 #include "fit/sweep.hpp"
 #include "fit/user_error.hpp"
 #include "fit/weight.hpp"
@@ -16,7 +17,11 @@
 namespace shadefit {
 namespace {
 
-/// "A:B" with 0 <= A < B <= 1.
+/// The narrowest domain. A place in it is printed to six digits of the cosine's distance between its ends,
+/// and a cosine is rounded to 1.1e-16: a million of these, and no less.
+constexpr double narrowest_domain = 1e-10;
+
+/// "A:B" with 0 <= A < B <= 1, not too narrow.
 Domain parse_domain(const std::string& text) {
   const auto colon = text.find(':');
   const auto lower = parse_number(std::string_view(text).substr(0, colon));
@@ -28,18 +33,21 @@ Domain parse_domain(const std::string& text) {
     throw UserError(fmt::format("--domain '{}' is empty or reversed: A must be less than B", text));
   if (*lower < 0 || *upper > 1)
     throw UserError(fmt::format("--domain '{}' leaves [0, 1]: A and B are cosines", text));
+  if (*upper - *lower < narrowest_domain)
+    throw UserError(
+        fmt::format("--domain '{}' is {:.3g} wide: at least {:g}, a million roundings of a cosine", text,
+                    *upper - *lower, narrowest_domain));
   return {*lower, *upper};
 }
 
-/// A formula in c that is positive over the domain.
+/// A formula in c that is finite and not negative over the domain, zero at single places only.
 std::string parse_weight(const std::string& text, const Domain& domain) {
   if (text.empty()) throw UserError("--weight '' is empty: give a formula in c, such as '1 + 4 c'");
+  if (text.size() > longest_formula)
+    throw UserError(fmt::format("--weight is {} characters long: at most {}", text.size(), longest_formula));
   try {
-    const auto fault = find_fault(Weight(text), domain);
-    if (fault)
-      throw UserError(
-          fmt::format("--weight '{}' is {:.6g} at c = {:.6g}: it must be finite and positive over the domain",
-                      text, fault->value, fault->cosine));
+    if (const auto fault = find_fault(Weight(text, domain)))
+      throw UserError(fmt::format("--weight '{}' {}", text, *fault));
   } catch (const std::invalid_argument& error) {
     throw UserError(fmt::format("--weight: {}", error.what()));
   }

@@ -28,6 +28,14 @@ inline constexpr double same_optimum = 1e-12;
 /// Ceres looks for the basin on twelve nodes, on one panel or on two.
 inline constexpr unsigned basin_nodes = 12;
 
+/// A family at those nodes; the edges of a weight are left to the polish.
+template <class F>
+SampledProblem<F, double> sampled_for_basin(const F& family, const Metric& metric, Shape shape) {
+  shape.edges.clear();
+  const auto panels = Substitution::panels(metric, shape);
+  return {family, panels, basin_nodes / static_cast<unsigned>(panels.size())};
+}
+
 /// The Newton step -H^-1 g.
 template <class T, int N>
 struct NewtonStep {

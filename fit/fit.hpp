@@ -38,10 +38,11 @@ struct Fit {
   std::vector<double>
       parameters;  ///< in the order of the family's names; an answer only if `status` is converged
   Status status;
-  int iterations;                         ///< Ceres and Newton steps together
-  int digits;                             ///< correct digits of the worst parameter, at most 14
-  double rms_error;                       ///< sqrt(integral of measure * error^2 / integral of measure), the
-                                          ///< error as the metric says, with its weight
+  int iterations;  ///< Ceres and Newton steps together
+  int digits;      ///< correct digits of the worst parameter, at most 14
+  /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2), the error as the metric
+  /// says: a constant weight changes nothing, and it is never above the largest error.
+  double rms_error;
   Extremum max_abs_error;                 ///< of form - target
   std::optional<Extremum> max_rel_error;  ///< of what `relative_to` says; empty where that has no meaning
   Domain relative_domain;                 ///< where it was looked for

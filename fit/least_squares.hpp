@@ -39,7 +39,8 @@ struct Optimum {
   Status status = Status::not_converged;
   int iterations = 0;    ///< Ceres and Newton steps of the start that was kept
   int digits = 0;        ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
-  double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure)
+  double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure); a weight of the error
+                         ///< scales it too (`scale_of` in fit/solution.hpp)
 };
 
 /// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
@@ -131,8 +132,7 @@ class LeastSquares {
       : family_(family),
         panels_(Substitution::panels(metric, family.shape())),
         first_(first_rule(metric, family.shape())),
-        basin_(family, Substitution::panels(metric, blunt(family.shape())),
-               basin_nodes / static_cast<unsigned>(panels_.size())),
+        basin_(sampled_for_basin(family, metric, blunt(family.shape()))),
         fine_(family, panels_, fit_rules[first_ + 1]),
         wide_(family, panels_, fit_rules[first_]) {}
 

@@ -43,7 +43,7 @@ class Minimax {
   Minimax(const F& family, const Metric& metric, const Cosine<double>& top, const Cosine<double>& bottom)
       : family_(family), metric_(metric) {
     metric_.domain = {bottom.cos_theta, top.cos_theta};
-    const Shape shape = family.shape();
+    const Shape shape = family.shape().with_square_roots();
     panels_ = shape.concentration > 0 || shape.end_power > 0
                   ? Substitution::panels({.domain = metric_.domain}, shape)
                   : Substitution::between(top, bottom, shape);
@@ -61,9 +61,7 @@ class Minimax {
 
   /// From least squares under the same error: Ceres from one start, polished on few nodes.
   MinimaxOptimum solve() const {
-    const auto panels = Substitution::panels(metric_, family_.shape());
-    const SampledProblem<F, double> basin(family_, panels,
-                                          basin_nodes / static_cast<unsigned>(panels.size()));
+    const auto basin = sampled_for_basin(family_, metric_, family_.shape());
     const auto start = common_optimum<static_cast<int>(N)>(family_.starts(), descent_problem(basin), 1);
     MinimaxParameters p{};
     std::copy(start.parameters.begin(), start.parameters.end(), p.begin());

@@ -31,7 +31,7 @@ inline std::size_t first_rule(const Metric& metric, const Shape& shape) {
   const double whole_decline = shape.concentration * (metric.domain.upper - metric.domain.lower);
   const bool is_cut = whole_decline > Substitution::decay;
   const bool is_smooth = is_cut || shape.end_power == std::floor(shape.end_power);
-  if (shape.concentration == 0 || shape.joint || !is_smooth) return middle;
+  if (shape.concentration == 0 || shape.joint || !shape.edges.empty() || !is_smooth) return middle;
   // In the angle exp(-decline y) is the bell exp(-decline theta^2 / 2), as hard as a decline of 15 more.
   const double decline =
       std::min(whole_decline, Substitution::decay) + (metric.measure == Measure::angle ? 15 : 0);

@@ -26,7 +26,7 @@ struct Solution {
   Status status = Status::not_converged;
   int iterations = 0;
   int digits = 0;
-  double rms_error = 0;
+  double rms_error = 0;  ///< sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2)
   std::optional<double> level = std::nullopt;
   std::vector<AlternationPoint> alternation = {};
   std::string why = {};
@@ -47,10 +47,11 @@ GivenParameters<F::parameters.size()> given_parameters(const Constraints& constr
   return given;
 }
 
-/// sqrt(integral of measure * error^2 / integral of measure) at given parameters: by the first two rules that
-/// agree to 1e-12, else by the largest.
+/// sqrt(integral of measure * error^2 / integral of measure) at given parameters, the error with its weight:
+/// by the first two rules that agree to 1e-12, else by the largest.
 template <class F>
-double rms_of(const F& family, const Metric& metric, const std::array<double, F::parameters.size()>& p) {
+double scaled_rms_of(const F& family, const Metric& metric,
+                     const std::array<double, F::parameters.size()>& p) {
   const auto panels = Substitution::panels(metric, family.shape());
   double last = -1;
   for (std::size_t i = first_rule(metric, family.shape()); i < fit_rules.size(); ++i) {
@@ -61,12 +62,25 @@ double rms_of(const F& family, const Metric& metric, const std::array<double, F:
   return last;
 }
 
+/// sqrt(integral of measure * weight^2 / integral of measure): a weight scales an rms error by as much.
+inline double scale_of(const Weight& weight, const Metric& metric) {
+  return weight.is_one() ? 1 : scaled_rms_of(WeightItself{weight}, metric, {});
+}
+
+/// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2) at given parameters: a
+/// mean of the error, which the weight makes count more here and less there. It is never above the largest
+/// error.
+template <class F, std::size_t M>
+double rms_of(const Under<F, M>& family, const Metric& metric, const std::array<double, M>& p) {
+  return scaled_rms_of(family, metric, p) / scale_of(family.weight, metric);
+}
+
 /// What a metric makes least over the places between `top` and `bottom`, at given parameters.
 template <class F>
 double objective_at(const F& family, const Metric& metric, const Cosine<double>& top,
                     const Cosine<double>& bottom, const std::array<double, F::parameters.size()>& p) {
   constexpr std::size_t N = F::parameters.size();
-  const Under<F, N> under{family, metric.error, Weight(metric.weight), {}};
+  const Under<F, N> under{family, metric.error, Weight(metric.weight, {bottom.cos_theta, top.cos_theta}), {}};
   Metric narrowed = metric;
   narrowed.domain = {bottom.cos_theta, top.cos_theta};
   if (metric.norm == Norm::least_squares) return rms_of(under, narrowed, p);
@@ -95,7 +109,8 @@ Solution solve_free(const Under<F, M>& family, const Metric& metric, const Cosin
   if (metric.norm == Norm::least_squares) {
     const auto optimum = solve_least_squares(family, narrowed);
     p = optimum.parameters;
-    return {all(), optimum.status, optimum.iterations, optimum.digits, optimum.rms_error};
+    return {all(), optimum.status, optimum.iterations, optimum.digits,
+            optimum.rms_error / scale_of(family.weight, narrowed)};
   }
   const MinimaxOptimum optimum = Minimax<Under<F, M>>(family, metric, top, bottom).solve();
   std::copy_n(optimum.parameters.begin(), M, p.begin());

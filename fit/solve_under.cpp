@@ -18,7 +18,9 @@ Solution solve_with_at_most(const F& family, const Metric& metric, const Cosine<
   if constexpr (M > 1) {
     if (held + M > given.size()) return solve_with_at_most<M - 1>(family, metric, top, bottom);
   }
-  return solve_free(Under<F, M>{family, metric.error, Weight(metric.weight), given}, metric, top, bottom);
+  return solve_free(
+      Under<F, M>{family, metric.error, Weight(metric.weight, {bottom.cos_theta, top.cos_theta}), given},
+      metric, top, bottom);
 }
 
 }  // namespace

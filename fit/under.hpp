@@ -55,10 +55,20 @@ struct Under {
     return family.form(s.inner, with_given(p));
   }
 
-  /// A relative error does not fall off with its target.
+  /// A relative error does not fall off with its target. Where a target falls, a weight may rise: then panels
+  /// that double take the place of a cut.
   Shape shape() const {
     Shape shape = family.shape();
     if (error_kind == Error::relative) shape.concentration = shape.end_power = 0;
+    if (weight.is_one()) return shape;
+    shape.edges = weight.edges();
+    const Domain& domain = weight.domain();
+    if (!(shape.concentration > 0)) return shape;
+    double length = Substitution::decay / shape.concentration;
+    for (double c = domain.upper - length; c > domain.lower; c = domain.upper - length) {
+      shape.edges.push_back({c, c});
+      length *= 2;
+    }
     return shape;
   }
 

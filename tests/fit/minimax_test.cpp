@@ -12,7 +12,6 @@
 #include "fit/minimax_problem.hpp"
 #include "fit/multiprecision.hpp"
 #include "fit/sweep.hpp"
-#include "fit/weight.hpp"
 #include "reports/csv.hpp"
 #include "reports/files.hpp"
 #include "tests/accuracy.hpp"
@@ -249,18 +248,6 @@ TEST(LeastSquares, RelativeWeightedAndHeld) {
   EXPECT_TRUE(is_close("a", Decimal50(divided.parameters[0]), relative.parameters[0], 1e-13));
   EXPECT_TRUE(is_close("b", Decimal50(divided.parameters[1]), relative.parameters[1], 1e-13));
   EXPECT_LT(relative.max_rel_error->magnitude, free.max_rel_error->magnitude);
-}
-
-TEST(Weight, FindsWhereItIsNone) {
-  EXPECT_TRUE(Weight().is_one());
-  EXPECT_EQ(Weight("1 + 4 c").at(0.5), 3);
-  EXPECT_FALSE(find_fault(Weight("1 + 4 c"), {}));
-  EXPECT_FALSE(find_fault(Weight("c"), {0.25, 1}));
-  EXPECT_EQ(find_fault(Weight("c"), {}).value().cosine, 0);
-  EXPECT_LT(find_fault(Weight("c - 0.5"), {}).value().value, 0);
-  EXPECT_NEAR(find_fault(Weight("(c - 0.3)^2"), {}).value().cosine, 0.3, 1e-3) << "it touches zero";
-  EXPECT_TRUE(std::isinf(find_fault(Weight("1/c"), {}).value().value));
-  EXPECT_THROW(Weight("1 + k"), std::invalid_argument);
 }
 
 TEST(Metrics, DescribeThemselves) {
