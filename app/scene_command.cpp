@@ -53,9 +53,11 @@ bool is_second(const std::string& option, const std::string& text,
 }
 
 scene::Conventions parse_conventions(const SceneOptions& options) {
-  return {.is_roughness_squared = is_second("--alpha", options.alpha, {"roughness", "roughness-squared"}),
-          .is_gloss_exponential = is_second("--gloss", options.gloss, {"roughness", "exponential"}),
-          .are_maps_pbr = is_second("--maps", options.maps, {"named", "pbr"})};
+  return {
+      .is_roughness_squared = is_second("--alpha", options.alpha, {"roughness", "roughness-squared"}),
+      .is_gloss_exponential = is_second("--gloss", options.gloss, {"roughness", "exponential"}),
+      .are_maps_pbr = is_second("--maps", options.maps, {"named", "pbr"}),
+      .min_roughness = options.min_roughness ? parse_share("--min-roughness", *options.min_roughness, 1) : 0};
 }
 
 scene::Wanted parse_wanted(const SceneOptions& options) {
@@ -88,6 +90,7 @@ std::string code_command(const SceneOptions& options, Language language) {
   add("--alpha", options.alpha, usual.alpha);
   add("--gloss", options.gloss, usual.gloss);
   add("--maps", options.maps, usual.maps);
+  add("--min-roughness", options.min_roughness.value_or(""));
   add("--lang", std::string(name(language)));
   return command_text(words);
 }

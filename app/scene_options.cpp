@@ -10,6 +10,10 @@ void add_conventions(CLI::App& scene, SceneOptions& options) {
   scene.add_option("--alpha", options.alpha, "what a roughness is: roughness-squared, or alpha = roughness")
       ->capture_default_str()
       ->type_name("NAME");
+  scene
+      .add_option("--min-roughness", options.min_roughness,
+                  "takes smaller ones for it, as engines do: 0.045 Filament, 0.0525 three.js; default: none")
+      ->type_name("R");
   scene.add_option("--gloss", options.gloss, "1 - roughness, or exponential: a power of 2^(10 g + 1)")
       ->capture_default_str()
       ->type_name("NAME");

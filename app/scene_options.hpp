@@ -16,9 +16,10 @@ namespace shadefit {
 
 struct SceneOptions {
   std::vector<std::string> files;
-  std::optional<std::string> tolerance;  ///< in linear values; empty: 1/255
-  std::optional<std::string> codes;      ///< the tolerance in sRGB codes instead
-  std::optional<std::string> lights;     ///< empty: as many as the files name, else 1
+  std::optional<std::string> tolerance;      ///< in linear values; empty: 1/255
+  std::optional<std::string> codes;          ///< the tolerance in sRGB codes instead
+  std::optional<std::string> lights;         ///< empty: as many as the files name, else 1
+  std::optional<std::string> min_roughness;  ///< empty: 0, as files have it
   std::string precision = "float";
   std::string alpha = "roughness-squared", gloss = "roughness", maps = "named";
   std::optional<std::string> language;  ///< prints the code in it alone

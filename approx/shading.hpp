@@ -38,6 +38,14 @@ T reflectance_between(const T& f0, const T& f90, const T& weight) {
   return f0 + (f90 - f0) * weight;
 }
 
+/// n.l, and 2 n.h at most. l = 2 (h.l) h - v, so that n.l = 2 (h.l) (n.h) - n.v <= 2 n.h wherever n.v >= 0:
+/// there it is n.l itself. A normal map may turn a normal away from the viewer, n.v < 0; there it bounds the
+/// light of a half vector at the horizon.
+template <class T>
+T seen_light(const T& n_dot_l, const T& n_dot_h) {
+  return min(n_dot_l, T(n_dot_h + n_dot_h));
+}
+
 /// The specular term of one light as it is shown, clamped: min(F g t (n.l), 1), g the normalisation, t the
 /// lobe.
 template <class T>

@@ -61,12 +61,18 @@ bool has_sharpness(const Plan& plan) {
          !one_power(plan);
 }
 
-ShaderFunction exponent_of_roughness(const Scene& scene, const Plan& plan) {
-  const Symbolic roughness = Symbolic::variable("roughness");
+/// The power of what a pixel stores, as `power_of_roughness` has it.
+Symbolic power_of(const Symbolic& stored, const Scene& scene, const Plan& plan) {
+  const double least = scene.conventions.min_roughness;
+  const Symbolic roughness = least > 0 ? max(stored, number_of(least, plan.wanted.precision)) : stored;
   const Symbolic alpha = scene.conventions.is_roughness_squared ? roughness * roughness : roughness;
+  return min(blinn_phong_exponent(alpha), largest_power(plan.wanted.precision));
+}
+
+ShaderFunction exponent_of_roughness(const Scene& scene, const Plan& plan) {
   return {"scene_exponent_of_roughness",
           {"roughness"},
-          min(blinn_phong_exponent(alpha), largest_power(plan.wanted.precision)),
+          power_of(Symbolic::variable("roughness"), scene, plan),
           {"The power n of a pixel's roughness."}};
 }
 
@@ -76,15 +82,13 @@ ShaderFunction exponent_of_gloss(const Scene& scene, const Plan& plan) {
   if (scene.conventions.is_gloss_exponential) {
     function.result = decode_gloss(gloss, integer<Symbolic>(10), one);
   } else {
-    const Symbolic roughness = one - gloss;
-    const Symbolic alpha = scene.conventions.is_roughness_squared ? roughness * roughness : roughness;
-    function.result = min(blinn_phong_exponent(alpha), largest_power(plan.wanted.precision));
+    function.result = power_of(one - gloss, scene, plan);
   }
   return function;
 }
 
 /// A cosine whose logarithm is a number, where a power may be 0 and -infinity times it would be none: at
-/// least the least normal number. Nothing is lost: n.l <= 2 n.h is as small.
+/// least the least normal number. Nothing is lost: `seen_light` is as small.
 Symbolic above_zero(const Plan& plan, const Symbolic& c) {
   const bool has_power_of_zero =
       std::any_of(plan.materials.begin(), plan.materials.end(),
@@ -132,7 +136,8 @@ ShaderFunction light(const Plan& plan) {
     function.arguments.emplace_back("exponent");
     normalisation = game_normalisation(Symbolic::variable("exponent"));
   }
-  function.result = normalisation * lobe_of(plan, c) * n_dot_l;
+  const Symbolic seen = plan.shading.lobe.kind == LobeKind::constant ? n_dot_l : seen_light(n_dot_l, c);
+  function.result = normalisation * lobe_of(plan, c) * seen;
   function.comment = {fmt::format("The normalised lobe times n.l: {}.", to_text(plan.shading.lobe))};
   return function;
 }
@@ -148,9 +153,9 @@ ShaderFunction reflectance() {
 /// Where the exponent of a pixel comes from.
 std::string exponent_source(const scene::Material& material) {
   if (material.power_texture == PowerTexture::roughness)
-    return "scene_exponent_of_roughness of the pixel's texel times the factor of the file";
+    return "scene_exponent_of_roughness of the pixel's roughness, its texel times its factor";
   if (material.power_texture == PowerTexture::gloss)
-    return "scene_exponent_of_gloss of the pixel's texel times the factor of the file";
+    return "scene_exponent_of_gloss of the pixel's gloss, its texel times its factor";
   return "exponent of the pixel, " + decimal(material.powers.back().power, 9) +
          " at most: Ns times its texel";
 }
@@ -200,6 +205,14 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
         "With exp2 and log2 {}; where exp2 is no instruction, a polynomial of degree {} does.",
         plan.wanted.precision == scene::PixelPrecision::float32 ? "within 2 ulps" : "rounded once",
         plan.shading.exp2_degree));
+  if (plan.shading.lobe.kind != LobeKind::constant)
+    comment.emplace_back(
+        "Where a normal map turns n.v below 0, n.l counts as 2 n.h at most; elsewhere that is n.l itself.");
+  if (plan.dot_product_error > 0)
+    comment.push_back(fmt::format(
+        "n.h is taken as given: a dot product in {} is off by {}, which moves a light by up to {} more.",
+        name(plan.wanted.precision), decimal_above(scene::dot_product_rounding(plan.wanted.precision), 3),
+        decimal_above(plan.dot_product_error, 2)));
   if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
   comment.emplace_back("Cosines are in [0, 1]: to clamp them, and the sum of all lights, is the caller's.");
   comment.emplace_back("");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "fit/decimal.hpp"
 #include "reports/utf8.hpp"
@@ -43,9 +44,12 @@ std::string summary(const Plan& plan) {
                      plan.fits_skipped);
 }
 
-/// What is not known, and what was changed, a line each.
-std::vector<std::string> notes(const Scene& scene) {
-  std::vector<std::string> lines;
+/// What is not known, what was changed, and what is not counted, a line each.
+std::vector<std::string> notes(const Scene& scene, const Plan& plan) {
+  std::vector<std::string> lines = plan.notes;
+  for (const std::string& remark : scene.remarks) lines.push_back(printable(remark));
+  for (const std::string& name : scene.unused)
+    lines.push_back(fmt::format("'{}': nothing is drawn with it, and it is not counted", printable(name)));
   for (const std::string& file : scene.missing)
     lines.push_back(fmt::format("'{}' is missing", printable(file)));
   for (const Material& material : scene.materials) {
@@ -85,7 +89,7 @@ Table materials_table(const Scene& scene, const Plan& plan) {
 std::string plan_text(const Scene& scene, const Plan& plan) {
   std::string text = headline(scene, plan) + "\n\n" +
                      write_console(decisions_table(plan), Precision::report) + "\n" + summary(plan);
-  for (const std::string& line : notes(scene)) text += "Note: " + line + "\n";
+  for (const std::string& line : notes(scene, plan)) text += "Note: " + line + "\n";
   return text;
 }
 
@@ -93,11 +97,11 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
   std::string text =
       "# What this scene needs\n\n" + headline(scene, plan) + ".\n\n" +
       markdown_block(decisions_table(plan)) + summary(plan) +
-      "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven, with "
-      "n.l <= 2 n.h, as it is on every surface that faces the viewer.\n\n# Materials\n\n`largest` is the "
+      "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven. "
+      "Where a normal map turns a normal away from the viewer, n.v < 0, n.l counts as 2 n.h at most.\n\n# Materials\n\n`largest` is the "
       "largest F (n + 2)/8; below `cutoff`, a value of n.h, a light need not be asked.\n\n" +
       markdown_block(materials_table(scene, plan));
-  const std::vector<std::string> lines = notes(scene);
+  const std::vector<std::string> lines = notes(scene, plan);
   if (!lines.empty()) text += "# Notes\n\n";
   for (const std::string& line : lines) text += "- " + line + "\n";
   return text;
@@ -105,6 +109,12 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
 
 std::string plan_json(const Scene& scene, const Plan& plan) {
   Json terms = Json::array(), materials = Json::array();
+  // A texture has up to 256, and each takes a hundred bytes here: those of a city are left out.
+  constexpr std::size_t most_powers = 1'000'000;
+  const std::size_t all_powers =
+      std::accumulate(scene.materials.begin(), scene.materials.end(), std::size_t{0},
+                      [](std::size_t sum, const Material& material) { return sum + material.powers.size(); });
+  const bool are_powers_listed = all_powers <= most_powers;
   for (const scene::Decision& d : plan.decisions) {
     terms.push_back({{"term", d.term},
                      {"verdict", name(d.verdict)},
@@ -116,7 +126,9 @@ std::string plan_json(const Scene& scene, const Plan& plan) {
     const MaterialPlan& m = plan.materials[i];
     const Material& material = scene.materials[i];
     Json powers = Json::array();
-    for (const scene::PowerShare& share : material.powers) powers.push_back({share.power, share.share});
+    for (const scene::PowerShare& share : material.powers) {
+      if (are_powers_listed) powers.push_back({share.power, share.share});
+    }
     materials.push_back({{"name", printable(m.name)},
                          {"lobe", m.has_lobe},
                          {"reason", m.reason},
@@ -124,20 +136,25 @@ std::string plan_json(const Scene& scene, const Plan& plan) {
                          {"cutoff", m.cutoff},
                          {"f0", {json_of(material.f0[0]), json_of(material.f0[1]), json_of(material.f0[2])}},
                          {"f90", json_of(material.f90)},
+                         {"power", json_of(m.power)},
                          {"powers", powers},
                          {"textured", material.is_power_textured()}});
   }
+  Json unused = Json::array();
+  for (const std::string& name : scene.unused) unused.push_back(printable(name));
   return Json{{"schema", 1},
               {"tolerance", plan.wanted.tolerance},
               {"scale", plan.wanted.scale == scene::ShownScale::linear ? "linear" : "codes"},
               {"precision", name(plan.wanted.precision)},
               {"lights", plan.wanted.lights},
               {"error", plan.error},
+              {"dot_product_error", plan.dot_product_error},
               {"fits_run", plan.fits_run},
               {"fits_skipped", plan.fits_skipped},
               {"terms", terms},
               {"materials", materials},
-              {"notes", notes(scene)}}
+              {"unused", unused},
+              {"notes", notes(scene, plan)}}
              .dump(2) +
          "\n";
 }

@@ -7,6 +7,7 @@
 #include "fit/user_error.hpp"
 #include "fit/bounded_file.hpp"
 #include "scene/place.hpp"
+#include "scene/short_text.hpp"
 #include "scene/uri.hpp"
 
 namespace shadefit::scene {
@@ -63,11 +64,11 @@ TextureReading GltfImages::read_image(const JsonPlace& image, std::span<const Ch
     const auto file = buffer_uri ? file_of_uri(*buffer_uri, folder_) : std::nullopt;
     if (file && !is_there(*file)) return missing(*file);
     if (buffer_uri && is_remote(text_at(*buffer_uri)))
-      return {{}, fmt::format("'{}' is not fetched", text_at(*buffer_uri))};
+      return {{}, fmt::format("'{}' is not fetched", shortened(text_at(*buffer_uri)))};
     return decode(image, image.pointer, bytes_of(bytes_of_view(found)), channels);
   }
   const std::string_view text = text_at(*uri);
-  if (is_remote(text)) return {{}, fmt::format("'{}' is not fetched", text)};
+  if (is_remote(text)) return {{}, fmt::format("'{}' is not fetched", shortened(text))};
   if (const auto file = file_of_uri(*uri, folder_)) {
     if (!is_there(*file)) return missing(*file);
     const std::string encoded =

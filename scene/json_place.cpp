@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/user_error.hpp"
+#include "scene/short_text.hpp"
 
 namespace shadefit::scene {
 std::string words_of(const JsonPlace& place) {
@@ -12,9 +13,14 @@ std::string words_of(const JsonPlace& place) {
 }
 
 void refuse(const JsonPlace& place, std::string_view rule) {
-  const bool is_short = place.value->is_primitive();
-  throw UserError(
-      fmt::format("{}{}: {}", words_of(place), is_short ? " = " + place.value->dump() : std::string(), rule));
+  const nlohmann::json& value = *place.value;
+  std::string shown;
+  if (value.is_string()) {
+    shown = " = " + nlohmann::json(shortened(value.get_ref<const std::string&>())).dump();
+  } else if (value.is_primitive()) {
+    shown = " = " + value.dump();
+  }
+  throw UserError(fmt::format("{}{}: {}", words_of(place), shown, rule));
 }
 
 std::optional<JsonPlace> member(const JsonPlace& object, std::string_view key) {
@@ -28,6 +34,11 @@ JsonPlace required_member(const JsonPlace& object, std::string_view key) {
   const auto found = member(object, key);
   if (!found) refuse(object, fmt::format("its member '{}' is missing", key));
   return *found;
+}
+
+std::optional<JsonPlace> extension(const JsonPlace& object, std::string_view name) {
+  const auto extensions = member(object, "extensions");
+  return extensions ? member(*extensions, name) : std::nullopt;
 }
 
 std::size_t element_count(const JsonPlace& array) {

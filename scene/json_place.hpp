@@ -30,6 +30,9 @@ std::optional<JsonPlace> member(const JsonPlace& object, std::string_view key);
 /// A member that has to be there.
 JsonPlace required_member(const JsonPlace& object, std::string_view key);
 
+/// The extension of an object of glTF by its name; nothing where the object has none.
+std::optional<JsonPlace> extension(const JsonPlace& object, std::string_view name);
+
 /// How many elements an array has. Throws where it is none.
 std::size_t element_count(const JsonPlace& array);
 

@@ -18,10 +18,6 @@ double largest_factor(const Material& material, double power);
 /// The least and the largest power of a material.
 Range powers_of(const Material& material);
 
-/// The lobes of one material: its power, or of a texture all powers between the least and the largest in
-/// steps of 3 %. Texels are filtered, and mip levels are made: between two of them anything may be met.
-std::vector<WeightedPower> lobes_of(const Material& material);
-
 /// A power that is used, and by how much of what is shaded.
 struct UsedPower {
   double power;
@@ -31,8 +27,9 @@ struct UsedPower {
 
 /// What the lobes of several materials have in common.
 struct Lobes {
-  std::vector<WeightedPower> all;   ///< each power once, with its largest factor, by rising power
-  std::vector<UsedPower> used;      ///< those of materials and of texels, each material as often as another
+  std::vector<WeightedPower> all;  ///< each power once, with its largest factor, by rising power
+  /// Those of materials and of texels, each material as often as another; of a step the least stands for all.
+  std::vector<UsedPower> used;
   std::set<PowerTexture> textures;  ///< that powers are read from; none but `none`: no power is the pixel's
   bool has_schlick = false;         ///< a reflectance rises with the angle
   bool is_coloured = false;         ///< a reflectance may differ between the channels
@@ -45,7 +42,9 @@ struct Lobes {
   double largest_factor() const;
 };
 
-/// Of the materials that are marked.
+/// Of the materials that are marked: the power of each, or of a texture all powers between the least and the
+/// largest in steps of 3 %. Texels are filtered, and mip levels are made: between two of them anything may be
+/// met.
 Lobes lobes_of(const std::vector<Material>& materials, const std::vector<bool>& has_lobe);
 
 }  // namespace shadefit::scene

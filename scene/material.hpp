@@ -66,7 +66,14 @@ struct Conventions {
   bool is_gloss_exponential = false;
   /// map_Ka is metallic and map_Ns roughness (the seed document's exporter), or what the names say.
   bool are_maps_pbr = false;
+  /// A smaller roughness is taken for this one, as engines do: Filament below 0.045, three.js below 0.0525.
+  /// 0: none is.
+  double min_roughness = 0;
 };
+
+/// The least roughness that an engine keeps: `MIN_PERCEPTUAL_ROUGHNESS` of Filament's shaders. three.js has
+/// 0.0525 (`lights_physical_fragment`), and the specification of glTF none.
+inline constexpr double least_engine_roughness = 0.045;
 
 /// Beyond this a lobe is narrower than any light: larger powers are taken for it, and that is said.
 inline constexpr double most_power = 1e9;
@@ -81,7 +88,11 @@ struct Scene {
   Conventions conventions = {};  ///< by which its numbers became powers
   int lights = 0;                ///< punctual ones; 0 where the files name none
   /// Files that were named and are missing, without a loss: geometry, buffers.
-  std::vector<std::string> missing;
+  std::vector<std::string> missing = {};
+  /// The names of materials that nothing is drawn with. They are not among `materials`.
+  std::vector<std::string> unused = {};
+  /// What no plan counts, of lights and of the files as a whole, a line each.
+  std::vector<std::string> remarks = {};
 };
 
 }  // namespace shadefit::scene

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "fit/user_error.hpp"
+#include "scene/short_text.hpp"
 #include "scene/words.hpp"
 
 namespace shadefit::scene {
@@ -36,12 +37,12 @@ double number_in(const MtlLine& line, std::string_view word, double most) {
   const std::string_view digits = word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-    line.refuse(fmt::format("'{}' is no number", word));
+    line.refuse(fmt::format("'{}' is no number", shortened(word)));
   if (error != std::errc() || !std::isfinite(number))
-    line.refuse(fmt::format("'{}' is not a finite number of double precision", word));
+    line.refuse(fmt::format("'{}' is not a finite number of double precision", shortened(word)));
   if (number < 0 || number > most) {
-    line.refuse(std::isinf(most) ? fmt::format("{} is negative", word)
-                                 : fmt::format("{} is not in [0, {}]", word, most));
+    line.refuse(std::isinf(most) ? fmt::format("{} is negative", shortened(word))
+                                 : fmt::format("{} is not in [0, {}]", shortened(word), most));
   }
   return number;
 }
@@ -85,14 +86,18 @@ void take_line(const MtlLine& line, MtlNumbers& material) {
   if (key == "Kd") material.diffuse = colour_of(line);
   if (key == "Ks") material.specular = colour_of(line);
   if (key == "illum") material.illumination = illumination_of(line);
+  // clear coat, sheen, anisotropy
+  if (key == "Pc" || key == "aniso") {
+    if (number_of(line, no_limit) > 0) material.left_out.emplace(key);
+  }
+  if (key == "Ps" && colour_of(line) != std::array<double, 3>{}) material.left_out.emplace(key);
 }
 
 }  // namespace
 
 std::vector<MtlNumbers> checked_lines(std::string_view text, const std::string& file, std::size_t most) {
   std::vector<MtlNumbers> materials;
-  MtlNumbers before_all{"", 0,  {}, {}, {},
-                        {}, {}, {}, {}};  // belongs to no material, and is checked nevertheless
+  MtlNumbers before_all{};  // belongs to no material, and is checked nevertheless
   std::size_t number = 0;
   while (!text.empty()) {
     const MtlLine line{file, ++number, words_of_line(next_line(text))};
@@ -103,7 +108,7 @@ std::vector<MtlNumbers> checked_lines(std::string_view text, const std::string& 
     if (line.words.key == "newmtl") {
       if (line.words.values.empty()) line.refuse("the material has no name");
       if (materials.size() == most) line.refuse(fmt::format("there are more than {} materials", most));
-      materials.push_back({std::string(line.words.values), number, {}, {}, {}, {}, {}, {}, {}});
+      materials.push_back({.name = shortened(line.words.values), .line = number});
     } else {
       take_line(line, materials.empty() ? before_all : materials.back());
     }

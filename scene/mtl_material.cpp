@@ -11,6 +11,7 @@
 #include "scene/place.hpp"
 #include "scene/powers.hpp"
 #include "scene/reflectances.hpp"
+#include "scene/short_text.hpp"
 #include "scene/uri.hpp"
 
 namespace shadefit::scene {
@@ -141,7 +142,7 @@ Histogram MtlMapReader::read(const ScalarMap& map, std::string_view what,
   const std::filesystem::path path = path_within(folder_, map.name);
   std::error_code ignored;
   const auto unknown = [&](std::string_view reason) {
-    unknowns.push_back(fmt::format("{} '{}' {}", what, map.name, reason));
+    unknowns.push_back(fmt::format("{} '{}' {}", what, shortened(map.name), reason));
     return unknown_texture();
   };
   const std::pair key{path.string(), map.channel};
@@ -171,6 +172,7 @@ Material mtl_material(const MtlNumbers& numbers, const MtlMaps& maps, const std:
       read_phong(reading);
     }
   });
+  for (const std::string& key : numbers.left_out) reading.material.remarks.push_back(key + " is left out");
   return std::move(reading.material);
 }
 

@@ -10,6 +10,7 @@
 #include "scene/choose_exp2.hpp"
 #include "scene/choose_lobe.hpp"
 #include "scene/lobes.hpp"
+#include "scene/powers.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -35,12 +36,14 @@ class Planner {
       skip_all();
     } else {
       decide_fresnel();
+      decide_horizon();
       decide_culling();
       decide_lobe();
       decide_power();
       decide_colour();
     }
     sum_up();
+    note_roughness();
     return std::move(plan_);
   }
 
@@ -95,7 +98,7 @@ class Planner {
   void skip_all() {
     plan_.shading = {};
     plan_.shading.lobe.kind = LobeKind::constant;
-    for (const char* term : {"Fresnel", "culling", "lobe", "offset x", "exp2", "rounding", "power",
+    for (const char* term : {"Fresnel", "n.v < 0", "culling", "lobe", "offset x", "exp2", "rounding", "power",
                              "gloss decode", "normalisation", "mip level", "coloured F0"})
       decide(term, Verdict::skip, "", "no material needs a specular lobe");
   }
@@ -130,23 +133,48 @@ class Planner {
     }
   }
 
-  /// A light adds g min(1, 2c) c^n at most: no more than e below (e/g)^(1/n), and below (e/(2 g))^(1/(n +
-  /// 1)).
-  static double cutoff_of(double error, double factor, double power) {
-    const double slanted = std::pow(error / (2 * factor), 1 / (power + 1));
-    const double straight = power > 0 ? std::pow(error / factor, 1 / power) : 0;
-    return std::min(1.0, std::max(slanted, straight)) * downwards;
+  void decide_horizon() {
+    if (is_constant()) {
+      decide("n.v < 0", Verdict::skip, "", "every power is 0");
+    } else {
+      decide("n.v < 0", Verdict::keep, "min(n.l, 2 n.h)",
+             "n.l itself where n.v >= 0; bounds a light where a normal map turns away");
+    }
+  }
+
+  /// Whether every power is 0: then n.h is not asked.
+  bool is_constant() const { return lobes_.range().most == 0; }
+
+  /// The least of (s (n + 2))^(-1/(n + shift)) over a range of powers, 1 at most. Its logarithm's slope has
+  /// the sign of log(s (n + 2)) - (n + shift)/(n + 2), which rises with n: it falls to one place and rises
+  /// from there.
+  static double least_root(double s, double shift, const Range& powers) {
+    const auto rises = [&](double n) { return std::log(s * (n + 2)) > (n + shift) / (n + 2); };
+    double n = powers.least, high = powers.most;
+    for (double middle = n; !rises(n) && (middle = n + (high - n) / 2) > n && middle < high;)
+      (rises(middle) ? high : n) = middle;
+    return n + shift > 0 ? std::min(1.0, std::exp(-std::log(s * (n + 2)) / (n + shift))) : 0;
+  }
+
+  /// A light adds g min(1, 2c) c^n at most, g = F (n + 2)/8: no more than e below (e/g)^(1/n), and below
+  /// (e/(2 g))^(1/(n + 1)). The larger of both is no less than the larger of their least values.
+  static double cutoff_of(double error, const Material& material) {
+    const double per_error = largest_reflectance(material) / 8 / error;
+    const Range powers = powers_of(material);
+    return std::max(least_root(2 * per_error, 1, powers), least_root(per_error, 0, powers)) * downwards;
   }
 
   void decide_culling() {
+    if (is_constant()) {
+      decide("culling", Verdict::skip, "", "no light falls with n.h");
+      return;
+    }
     const double spent = for_cutoff * budget_, error = from_scale(scale(), spent) * downwards;
     double least = 1, largest = 0;
     for (std::size_t i = 0; i < plan_.materials.size(); ++i) {
       MaterialPlan& material = plan_.materials[i];
       if (!material.has_lobe) continue;
-      material.cutoff = 1;
-      for (const WeightedPower& lobe : lobes_of(scene_.materials[i]))
-        material.cutoff = std::min(material.cutoff, cutoff_of(error, lobe.factor, lobe.power.least));
+      material.cutoff = cutoff_of(error, scene_.materials[i]);
       least = std::min(least, material.cutoff);
       largest = std::max(largest, material.factor);
     }
@@ -199,9 +227,19 @@ class Planner {
                             : is_bright
                                 ? chosen.cheaper + ": (n + 2)/8 takes back what it errs less for large n"
                                 : chosen.cheaper;
-    if (chosen.mean_error == 0) return why;
-    return why + "; constants by how often each power is used: " + decimal(chosen.mean_error, 2) +
+    const std::string dear = price_of(chosen.form);
+    if (chosen.mean_error == 0) return why + dear;
+    return why + dear + "; constants by how often each power is used: " + decimal(chosen.mean_error, 2) +
            " on the mean, where the least largest error has " + decimal(chosen.mean_error_of_level, 2);
+  }
+
+  /// Instructions of slopes, EXP2 and LOG2 counted as four each, where the power itself takes no more.
+  std::string price_of(const LobeForm& form) const {
+    constexpr int of_power = 9, beside_slopes = 5;  // LOG2, MUL, EXP2; c - 1, MUL and EXP2
+    const int cost = beside_slopes + static_cast<int>(form.slopes.size()) + (lobes_.is_textured() ? 1 : 0);
+    if (form.slopes.size() < 2 || cost < of_power) return "";
+    return std::string("; ") + (cost == of_power ? "as dear as" : "dearer than") +
+           " the power, but without LOG2, which errs near 1";
   }
 
   void decide_exp2(const LobeForm& form, double left) {
@@ -267,7 +305,34 @@ class Planner {
     for (const Decision& decision : plan_.decisions)
       (decision.term == "specular lobe" ? of_materials : of_lobes) += decision.error;
     plan_.error = plan_.wanted.lights * std::max(of_lobes, of_materials);
+    if (!lobes_.are_none() && !is_constant()) {
+      plan_.dot_product_error = dot_product_error(lobes_, plan_.wanted.precision, scale());
+      plan_.notes.push_back("n.h by a dot product in " + std::string(name(plan_.wanted.precision)) +
+                            " is off by " + decimal_above(dot_product_rounding(plan_.wanted.precision), 3) +
+                            ", which moves a light by up to " + decimal_above(plan_.dot_product_error, 2) +
+                            " more, whatever the form: not counted");
+    }
     plan_.fits_skipped = static_cast<int>(fittable_families().size()) + lobe_fits - plan_.fits_run;
+  }
+
+  /// Engines do not shade by the smallest roughness that files have.
+  void note_roughness() {
+    const Conventions& conventions = scene_.conventions;
+    if (conventions.min_roughness > 0) {
+      plan_.notes.push_back("a roughness below " + decimal(conventions.min_roughness, 4) +
+                            " is taken for it");
+      return;
+    }
+    const double most = power_of_roughness(least_engine_roughness, conventions);
+    long smooth = 0;
+    for (std::size_t i = 0; i < plan_.materials.size(); ++i) {
+      const bool has_roughness = scene_.materials[i].fresnel == FresnelTerm::schlick;
+      if (plan_.materials[i].has_lobe && has_roughness && plan_.materials[i].power.most > most) ++smooth;
+    }
+    if (smooth == 0) return;
+    plan_.notes.push_back("the roughness of " + counted(smooth, "material") +
+                          " falls below 0.045, the least that engines keep (Filament; three.js has 0.0525): "
+                          "--min-roughness takes it for more");
   }
 
   const Scene& scene_;

@@ -14,9 +14,11 @@
 /// cheapest form that is near enough, or skipped.
 ///
 /// The shading is that of one light: F (n + 2)/8 c^n (n.l), F by Schlick, c = n.h, a unit light of games,
-/// clamped to [0, 1]. An error is one of that result, in linear values or in sRGB codes, and the sum of all
-/// of a pixel's errors over all lights stays below the tolerance. Errors are proven, in exact arithmetic, and
-/// what the pixel's precision rounds comes on top.
+/// clamped to [0, 1]. Where a normal is turned away from the viewer, n.v < 0, n.l counts as 2 n.h at most:
+/// `seen_light`, which the code computes. An error is one of that result, in linear values or in sRGB codes,
+/// and the sum of all of a pixel's errors over all lights stays below the tolerance. Errors are proven, in
+/// exact arithmetic, and what the pixel's precision rounds comes on top; the cosines themselves are taken as
+/// given.
 namespace shadefit::scene {
 
 struct Wanted {
@@ -71,6 +73,10 @@ struct Plan {
   std::vector<Decision> decisions;
   std::vector<MaterialPlan> materials;
   double error = 0;  ///< of all lights together, at most
+  /// What one light is moved by, at most, where n.h comes from a dot product in the pixel's precision, by any
+  /// form: not in `error`.
+  double dot_product_error = 0;
+  std::vector<std::string> notes;  ///< what the plan does not count, and what was changed, a line each
   int fits_run = 0;
   int fits_skipped = 0;  ///< of those that a whole catalogue of constants would take
   bool is_within() const { return error <= wanted.tolerance; }

@@ -19,7 +19,8 @@ double value_of_code(std::size_t code) {
 
 }  // namespace
 
-double power_of_roughness(double roughness, const Conventions& conventions) {
+double power_of_roughness(double stored, const Conventions& conventions) {
+  const double roughness = std::max(stored, conventions.min_roughness);
   const double alpha = conventions.is_roughness_squared ? roughness * roughness : roughness;
   // The exponent's limit, without a division by zero or by what is next to it.
   if (alpha * alpha < std::numeric_limits<double>::min()) return std::numeric_limits<double>::infinity();

@@ -10,8 +10,9 @@
 /// From what files store, roughness or gloss, one number or a texture of it, to specular powers.
 namespace shadefit::scene {
 
-/// The power of a roughness in [0, 1]: infinite at 0, and 0 at 1, where the lobe is a constant.
-double power_of_roughness(double roughness, const Conventions& conventions);
+/// The power of a roughness in [0, 1], taken for the conventions' least where it is smaller: infinite at 0,
+/// and 0 at 1, where the lobe is a constant.
+double power_of_roughness(double stored, const Conventions& conventions);
 
 /// The power of a gloss in [0, 1].
 double power_of_gloss(double gloss, const Conventions& conventions);

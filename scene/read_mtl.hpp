@@ -27,8 +27,9 @@ Scene read_mtl(const std::filesystem::path& file, const Conventions& conventions
 /// for.
 Scene read_mtl(std::string_view text, const std::filesystem::path& file, const Conventions& conventions);
 
-/// The materials of the libraries that the lines mtllib of an .obj file name, each library once. Nothing else
-/// of the file is read. Throws UserError for a library that is missing or outside of the file's folder.
+/// The materials of the libraries that the lines mtllib of an .obj file name, each library once. Those that
+/// no line usemtl names are unused, as long as there is one. Nothing else of the file is read. Throws
+/// UserError for a library that is missing or outside of the file's folder.
 Scene read_obj(const std::filesystem::path& file, const Conventions& conventions);
 
 }  // namespace shadefit::scene

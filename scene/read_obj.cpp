@@ -10,6 +10,7 @@
 #include "scene/limits.hpp"
 #include "scene/place.hpp"
 #include "scene/read_mtl.hpp"
+#include "scene/short_text.hpp"
 #include "scene/uri.hpp"
 #include "scene/words.hpp"
 
@@ -36,6 +37,26 @@ std::vector<std::string> libraries_on_line(std::string_view values, const std::f
   return names;
 }
 
+/// The names on lines usemtl; of a file without any, which is a list of libraries, all names.
+class UsedNames {
+ public:
+  void add(std::string_view name) {
+    if (name == last_) return;
+    last_ = shortened(name);
+    is_any_ = true;
+    // of more names than there may be materials all count
+    if (names_.size() <= most_materials) names_.insert(last_);
+  }
+  bool contains(const std::string& name) const {
+    return !is_any_ || names_.contains(name) || names_.size() > most_materials;
+  }
+
+ private:
+  std::set<std::string, std::less<>> names_;
+  std::string last_;
+  bool is_any_ = false;
+};
+
 /// Calls `on_line` with the number and the text of each line, of a long one with its beginning.
 template <class OnLine>
 void read_lines(const std::filesystem::path& file, const OnLine& on_line) {
@@ -59,12 +80,15 @@ void read_lines(const std::filesystem::path& file, const OnLine& on_line) {
 
 Scene read_obj(const std::filesystem::path& file, const Conventions& conventions) {
   Scene scene;
+  std::vector<Material> materials;
   std::set<std::filesystem::path> read;
   std::set<std::string, std::less<>> lines;
+  UsedNames used;
   const std::filesystem::path folder = folder_of(file);
   read_lines(file, [&](std::size_t number, std::string_view line) {
     std::string_view text = without_mark(line);
     const Words words = words_of_line(next_line(text));
+    if (words.key == "usemtl") used.add(words.values);
     if (words.key != "mtllib" || !lines.emplace(words.values).second) return;
     at_place(fmt::format("'{}', line {}", file.string(), number), [&] {
       if (lines.size() > most_library_lines)
@@ -72,13 +96,20 @@ Scene read_obj(const std::filesystem::path& file, const Conventions& conventions
       for (const std::string& name : libraries_on_line(words.values, folder)) {
         if (!read.insert(path_within(folder, name)).second) continue;
         for (Material& material : read_mtl(folder / name, conventions).materials) {
-          if (scene.materials.size() == most_materials)
+          if (materials.size() == most_materials)
             throw UserError(fmt::format("there are more than {} materials", most_materials));
-          scene.materials.push_back(std::move(material));
+          materials.push_back(std::move(material));
         }
       }
     });
   });
+  for (Material& material : materials) {
+    if (used.contains(material.name)) {
+      scene.materials.push_back(std::move(material));
+    } else {
+      scene.unused.push_back(std::move(material.name));
+    }
+  }
   return scene;
 }
 

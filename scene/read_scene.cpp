@@ -6,6 +6,7 @@
 
 #include "fit/user_error.hpp"
 #include "scene/extension.hpp"
+#include "scene/limits.hpp"
 #include "scene/read_gltf.hpp"
 #include "scene/read_mtl.hpp"
 
@@ -34,6 +35,12 @@ Scene read_scene(std::span<const std::filesystem::path> files, const Conventions
     Scene one = read_one_file(file, conventions);
     append(scene.materials, std::move(one.materials));
     append(scene.missing, std::move(one.missing));
+    append(scene.unused, std::move(one.unused));
+    append(scene.remarks, std::move(one.remarks));
+    if (scene.materials.size() + scene.unused.size() > most_materials) {
+      throw UserError(
+          fmt::format("'{}': with it there are more than {} materials", file.string(), most_materials));
+    }
     scene.lights += one.lights;
   }
   return scene;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "approx/fresnel.hpp"
 #include "approx/material.hpp"
 
 namespace shadefit::scene {
@@ -28,13 +27,13 @@ Range metallic_range(const Range& dielectric, const Range& base_colour, const Ra
   return range;
 }
 
-Range dielectric_range(double ior, const Range& specular_colour, const Range& specular) {
-  // Rises with the colour and with the factor.
-  const auto reflectance = [&](double colour, double factor) {
-    return std::min(reflectance_at_normal(ior) * colour, 1.0) * factor;
+Range dielectric_range(const Range& facing, const Range& specular_colour, const Range& specular) {
+  // Rises with all three.
+  const auto reflectance = [](double f0, double colour, double factor) {
+    return std::min(f0 * colour, 1.0) * factor;
   };
-  return {reflectance(specular_colour.least, specular.least),
-          reflectance(specular_colour.most, specular.most)};
+  return {reflectance(facing.least, specular_colour.least, specular.least),
+          reflectance(facing.most, specular_colour.most, specular.most)};
 }
 
 }  // namespace shadefit::scene

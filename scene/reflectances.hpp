@@ -16,9 +16,9 @@ ColourRange scaled_colour(const std::array<double, 3>& colour, bool is_textured)
 /// where it is 1, in a line between.
 Range metallic_range(const Range& dielectric, const Range& base_colour, const Range& metallic);
 
-/// The reflectance of a dielectric with KHR_materials_specular:
-/// min(((ior - 1)/(ior + 1))^2 colour, 1) factor. ior >= 1, or 0 for a reflectance of 1.
+/// The reflectance of a dielectric with KHR_materials_specular: min(F colour, 1) factor, F = ((ior - 1)/(ior
+/// + 1))^2 in `facing`.
 /// Source: Khronos Group 2021, "KHR_materials_specular" and "KHR_materials_ior".
-Range dielectric_range(double ior, const Range& specular_colour, const Range& specular);
+Range dielectric_range(const Range& facing, const Range& specular_colour, const Range& specular);
 
 }  // namespace shadefit::scene

@@ -40,4 +40,14 @@ struct RoundedShading {
 /// numbers: a power or a normalisation above the largest half.
 double rounding_error(const RoundedShading& shading, PixelPrecision precision, ShownScale scale);
 
+/// What a dot product of unit vectors rounds n.h by: gamma_3 = 3 u/(1 - 3 u). Source: Higham 2002, "Accuracy
+/// and Stability of Numerical Algorithms", section 3.1, with |n| |h| = 1.
+double dot_product_rounding(PixelPrecision precision);
+
+/// What that moves a light of any of the lobes on the scale, at most, whatever the form: a cosine that is off
+/// by d makes a power n of c off by n d/c. From n = 2.4 on v n/c rises with c as long as v < 1, on both
+/// scales: it is largest where g c^n = 1, or at c = 1 where g is below 1. Of a smaller n, the slope of g c^n
+/// min(1, 2 c) is 2 (n + 1) g at most.
+double dot_product_error(const Lobes& lobes, PixelPrecision precision, ShownScale scale);
+
 }  // namespace shadefit::scene

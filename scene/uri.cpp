@@ -6,11 +6,15 @@
 #include <system_error>
 
 #include "fit/user_error.hpp"
+#include "scene/short_text.hpp"
 
 namespace shadefit::scene {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// PATH_MAX of Linux: no system opens a file of a longer name.
+constexpr std::size_t most_name_bytes = 4096;
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -108,10 +112,15 @@ bool is_remote(std::string_view uri) {
 }
 
 fs::path path_within(const fs::path& folder, std::string_view name) {
+  if (name.size() > most_name_bytes) {
+    throw UserError(
+        fmt::format("the name of a file has {} bytes, more than {}", name.size(), most_name_bytes));
+  }
   std::string text(name);
   std::replace(text.begin(), text.end(), '\\', '/');
   const auto refuse = [&] {
-    throw UserError(fmt::format("'{}' is outside of the scene's folder '{}'", name, folder.string()));
+    throw UserError(
+        fmt::format("'{}' is outside of the scene's folder '{}'", shortened(name), folder.string()));
   };
   if (text.empty()) throw UserError("the name of a file is empty");
   if (text.find('\0') != std::string::npos) throw UserError("the name of a file has a zero within");
@@ -119,7 +128,7 @@ fs::path path_within(const fs::path& folder, std::string_view name) {
   std::error_code error;
   const fs::path root = fs::weakly_canonical(fs::absolute(folder), error);
   const fs::path path = error ? fs::path() : fs::weakly_canonical(root / text, error);
-  if (error) throw UserError(fmt::format("'{}' cannot be followed: {}", name, error.message()));
+  if (error) throw UserError(fmt::format("'{}' cannot be followed: {}", shortened(name), error.message()));
   if (!is_below(root, path)) refuse();
   return path;
 }

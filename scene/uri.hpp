@@ -21,8 +21,8 @@ bool is_remote(std::string_view uri);
 std::string percent_decoded(std::string_view uri);
 
 /// The path of the file `name` as `folder` has it. Throws UserError where it is outside: an absolute path, a
-/// scheme such as file:, a way out by "..", a link that leads elsewhere. A backslash separates folders, as in
-/// the files of many exporters. The file need not be there.
+/// scheme such as file:, a way out by "..", a link that leads elsewhere; or a name longer than a system
+/// opens. A backslash separates folders, as in the files of many exporters. The file need not be there.
 std::filesystem::path path_within(const std::filesystem::path& folder, std::string_view name);
 
 /// The folder of a scene's file, which names in it are relative to.

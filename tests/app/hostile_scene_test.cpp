@@ -90,5 +90,41 @@ TEST(HostileScene, Pictures) {
   EXPECT_EQ(run_process({"scene", file}, limit_all).exit_code, 0);
 }
 
+// Texts of 30 MB, where the command itself takes the file's size a few times.
+TEST(HostileScene, LongTexts) {
+  const TemporaryDirectory directory;
+  const std::string is_long(30 << 20, 'x');
+  const auto of_factor = [](const std::string& value) {
+    return testing::gltf_of_material(R"("pbrMetallicRoughness":{"roughnessFactor":)" + value + "}");
+  };
+  const auto file_of = [&](const std::string& content) { return directory.file("a.gltf", content); };
+  EXPECT_LT(refusal_of(file_of(of_factor("\"" + is_long + "\""))).size(), 1000U);
+  EXPECT_LT(refusal_of(file_of(testing::gltf_of_image(R"("uri":")" + is_long + "\""))).size(), 1000U);
+  const auto accepted = [&](const std::string& file) {
+    const auto finished = run_process({"scene", file}, limit_all);
+    EXPECT_EQ(finished.exit_code, 0) << finished.err.substr(0, 1000);
+    EXPECT_LT(finished.out.size(), 10000U);
+  };
+  accepted(file_of(testing::gltf_of_image(R"("uri":"http://)" + is_long + "\"")));
+  accepted(file_of(testing::gltf_of_material(R"("name":")" + is_long + "\"")));
+  EXPECT_LT(refusal_of(directory.file("a.mtl", "newmtl a\nNs " + is_long + "\n")).size(), 1000U);
+  EXPECT_LT(refusal_of(directory.file("b.mtl", "newmtl a\nKs 1 1 1\nmap_Ns " + is_long + "\n")).size(),
+            1000U);
+}
+
+// Each with a texture and powers of its own: what materials have in common is kept once.
+TEST(HostileScene, ManyTexturedMaterials) {
+  const TemporaryDirectory directory;
+  std::string materials;
+  constexpr int count = 30000;
+  for (int i = 0; i < count; ++i) {
+    materials += std::string(i == 0 ? "" : ",") + R"({"pbrMetallicRoughness":{"roughnessFactor":)" +
+                 std::to_string(0.2 + 0.5 * i / count) + R"(,"metallicRoughnessTexture":{"index":0}}})";
+  }
+  const std::string file =
+      directory.file("a.gltf", testing::gltf_of(R"("textures":[{}],"materials":[)" + materials + "]"));
+  EXPECT_EQ(run_process({"scene", file}, limit_all).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace shadefit

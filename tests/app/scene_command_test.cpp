@@ -142,5 +142,30 @@ TEST(SceneCommand, BadInput) {
   expect_refusal({"scene", empty}, "'" + empty + "' holds no material");
 }
 
+TEST(SceneCommand, TheLeastRoughnessIsRecorded) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file(
+      "a.gltf", R"({"asset":{"version":"2.0"},"materials":[{"name":"a","pbrMetallicRoughness":)"
+                R"({"roughnessFactor":0.01}},{"name":"b"}],"meshes":[{"primitives":[{"material":0}]}]})");
+  const Outcome plain = run_command_line({"scene", file});
+  EXPECT_NE(plain.out.find(": --min-roughness takes it for more\n"), std::string::npos) << plain.out;
+  EXPECT_NE(plain.out.find("\nNote: 'b': nothing is drawn with it, and it is not counted\n"),
+            std::string::npos);
+  const Outcome floored = run_command_line({"scene", file, "--min-roughness", "0.045"});
+  EXPECT_NE(floored.out.find("\nNote: a roughness below 0.045 is taken for it\n"), std::string::npos);
+  const Outcome code = run_command_line({"scene", file, "--min-roughness", "0.045", "--lang", "glsl"});
+  EXPECT_NE(code.out.find(" --min-roughness 0.045 --lang glsl\n"), std::string::npos) << code.out;
+  EXPECT_NE(code.out, run_command_line({"scene", file, "--lang", "glsl"}).out);
+  EXPECT_EQ(run_command_line({"emit", "--check", directory.file("a.glsl", code.out)}).exit_code, 0);
+  const auto printed = nlohmann::json::parse(run_command_line({"scene", file, "--json"}).out);
+  EXPECT_EQ(printed.at("unused"), nlohmann::json::array({"b"}));
+  EXPECT_EQ(printed.at("materials").size(), 1U);
+  EXPECT_GT(printed.at("dot_product_error"), 0);
+  expect_refusal({"scene", file, "--min-roughness", "0"},
+                 "--min-roughness '0' must be greater than 0 and at most 1");
+  expect_refusal({"scene", file, "--min-roughness", "1.5"},
+                 "--min-roughness '1.5' must be greater than 0 and at most 1");
+}
+
 }  // namespace
 }  // namespace shadefit

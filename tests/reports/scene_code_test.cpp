@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -256,6 +258,73 @@ TEST(SceneCode, StaysWithinThePlan) {
         const double shown = reflectance * static_cast<double>(computed(*light, arguments));
         if (cosine == 0) continue;  // no light, and log2(0) times it
         EXPECT_NEAR(std::min(1.0, shown), std::min(1.0, truth), plan.error) << c.name << " " << cosine;
+      }
+    }
+  }
+}
+
+// Of any normal, light and viewer: a normal map may turn a normal away from the viewer, and from the light.
+// Where it does not, n.l is as it is.
+TEST(SceneCode, StaysWithinThePlanForNormalsThatTurnAway) {
+  std::mt19937 random(18);
+  std::normal_distribution<double> normal;
+  using Vector = std::array<double, 3>;
+  const auto dot = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+  const auto unit = [&](Vector v) {
+    const double length = std::sqrt(dot(v, v));
+    for (double& x : v) x /= length;
+    return v;
+  };
+  const auto direction = [&] { return unit({normal(random), normal(random), normal(random)}); };
+  for (const Case& c : cases()) {
+    const Plan plan = make_plan(c.scene, c.wanted);
+    const auto functions = scene_functions(c.scene, plan);
+    const auto light = std::find_if(functions.begin(), functions.end(),
+                                    [](const ShaderFunction& f) { return f.name == "scene_light"; });
+    const Material& material = c.scene.materials.front();
+    const double reflectance = scene::largest_reflectance(material);
+    int turned_away = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const Vector n = direction(), l = direction(), v = direction();
+      const Vector h = unit({l[0] + v[0], l[1] + v[1], l[2] + v[2]});
+      auto arguments = arguments_at(c, plan, 0, 0);
+      arguments["n_dot_h"] = static_cast<float>(std::max(0.0, dot(n, h)));
+      arguments["n_dot_l"] = static_cast<float>(std::max(0.0, dot(n, l)));
+      const double share = material.is_power_textured() ? (i % 7) / 6.0 : 1;
+      arguments["exponent"] =
+          static_cast<float>(material.powers.front().power +
+                             share * (material.powers.back().power - material.powers.front().power));
+      const auto power = static_cast<double>(arguments.at("exponent"));
+      const double cosine = arguments.at("n_dot_h"), n_dot_l = arguments.at("n_dot_l");
+      const bool is_seen = dot(n, v) >= 0;
+      const double seen =
+          is_seen || plan.shading.lobe.kind == LobeKind::constant ? n_dot_l : std::min(n_dot_l, 2 * cosine);
+      const double truth = reflectance * (power + 2) / 8 * std::pow(cosine, power) * seen;
+      const double shown = reflectance * static_cast<double>(computed(*light, arguments));
+      // the arguments are rounded: n.l may be above 2 n.h by so much
+      ASSERT_NEAR(std::min(1.0, shown), std::min(1.0, truth), plan.error + 1e-7) << c.name << " " << cosine;
+      if (!is_seen && n_dot_l > 0) ++turned_away;
+      // and what is culled is as little
+      const bool is_culled = cosine < plan.materials.front().cutoff;
+      ASSERT_LE(is_culled ? truth : 0, plan.error + 1e-7) << c.name;
+    }
+    EXPECT_GT(turned_away, 500) << c.name;
+  }
+}
+
+TEST(SceneCode, DecodesTheLeastRoughness) {
+  for (Case c : cases()) {
+    c.scene.conventions.min_roughness = 0.3;
+    c.scene.conventions.is_gloss_exponential = false;
+    const Plan plan = make_plan(c.scene, c.wanted);
+    for (const ShaderFunction& function : scene_functions(c.scene, plan)) {
+      if (!function.name.starts_with("scene_exponent")) continue;
+      const bool is_gloss = function.arguments[0] == "gloss";
+      for (const float roughness : {0.0F, 0.25F, 0.5F}) {
+        const float stored = is_gloss ? 1 - roughness : roughness;
+        const double power = scene::power_of_roughness(static_cast<double>(roughness), c.scene.conventions);
+        EXPECT_NEAR(static_cast<double>(computed(function, {{function.arguments[0], stored}})), power,
+                    1e-5 * power);
       }
     }
   }

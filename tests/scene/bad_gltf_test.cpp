@@ -197,8 +197,9 @@ TEST(BadGltf, MalformedUris) {
   EXPECT_EQ(refused("a%00"), place + "character 2 of the URI is a % without two digits of a byte");
   EXPECT_EQ(refused(""), place + "the name of a file is empty");
   EXPECT_EQ(refused("a\\u0000"), place + "the name of a file has a zero within");
-  EXPECT_NE(refused(std::string(100000, 'x')).find("cannot be followed: File name too long"),
+  EXPECT_NE(refused(std::string(4000, 'x')).find("cannot be followed: File name too long"),
             std::string::npos);
+  EXPECT_EQ(refused(std::string(4097, 'x')), place + "the name of a file has 4097 bytes, more than 4096");
 }
 
 TEST(BadGltf, PicturesThatAreDamagedOrTooLarge) {
@@ -226,6 +227,30 @@ TEST(BadGltf, Files) {
   const std::string padded = glb_of(chunk("JSON", std::string(most_json_bytes + 4, ' ')));
   EXPECT_EQ(refusal([&] { read_gltf(padded, "a.glb", {}); }),
             "'a.glb': its JSON has 67108868 bytes, more than the 67108864 that it may have");
+}
+
+// Of a text of the file a message has the beginning.
+TEST(BadGltf, LongTextsAreShortened) {
+  const std::string is_long(100000, 'x');
+  const std::string said = refusal_of_factor(R"("roughnessFactor":")" + is_long + "\"");
+  EXPECT_EQ(said, "'a.gltf': /materials/0/pbrMetallicRoughness/roughnessFactor = \"" + std::string(200, 'x') +
+                      " ..\": it must be a number");
+  const std::string euros = "\xE2\x82\xAC";
+  std::string many = "x";
+  for (int i = 0; i < 1000; ++i) many += euros;
+  const Scene scene = read_gltf(gltf_of_material(R"("name":")" + many + "\""), "a.gltf", {});
+  EXPECT_EQ(scene.materials[0].name, many.substr(0, 199) + " ..") << "no code point is cut";
+  const std::string remote = gltf_of_image(R"("uri":"http://)" + is_long + "\"");
+  EXPECT_LT(read_gltf(remote, "a.gltf", {}).materials[0].unknowns.at(0).size(), 300U);
+}
+
+TEST(BadGltf, ExtensionsThatAreRequiredHaveToBeKnown) {
+  EXPECT_EQ(
+      refusal_of_gltf(gltf_of(R"("extensionsRequired":["KHR_mesh_quantization","ACME_paint"])")),
+      "'a.gltf': /extensionsRequired/1 = \"ACME_paint\": the file requires this extension, and it is not "
+      "known");
+  EXPECT_EQ(refusal_of_gltf(gltf_of(R"("extensionsRequired":["KHR_materials_volume","KHR_texture_basisu"])")),
+            "");
 }
 
 }  // namespace

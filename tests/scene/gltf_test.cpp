@@ -164,7 +164,96 @@ TEST(Gltf, SpecularGlossiness) {
 TEST(Gltf, OtherLobesAreRemarkedOn) {
   EXPECT_EQ(
       material_of(R"("extensions":{"KHR_materials_sheen":{},"KHR_materials_clearcoat":{},"X":{}})").remarks,
-      (std::vector<std::string>{"KHR_materials_clearcoat is left out", "KHR_materials_sheen is left out"}));
+      (std::vector<std::string>{"KHR_materials_clearcoat is left out", "KHR_materials_sheen is left out",
+                                "X is left out"}));
+}
+
+// What shines through or by itself is no part of a light's specular term, and is no secret either.
+TEST(Gltf, WhatIsNotCountedIsRemarkedOn) {
+  for (const std::string name :
+       {"KHR_materials_anisotropy", "KHR_materials_diffuse_transmission", "KHR_materials_dispersion",
+        "KHR_materials_emissive_strength", "KHR_materials_iridescence", "KHR_materials_transmission",
+        "KHR_materials_volume"}) {
+    const std::string members = R"("extensions":{")" + name + R"(":{}})";
+    EXPECT_EQ(material_of(members).remarks, std::vector<std::string>{name + " is left out"});
+  }
+  EXPECT_TRUE(
+      material_of(R"("extensions":{"KHR_materials_ior":{},"KHR_materials_specular":{}})").remarks.empty());
+  const Scene scene = read_gltf(
+      gltf_of(
+          R"("extensionsUsed":["ACME_fog","KHR_materials_ior","KHR_materials_sheen","KHR_texture_transform",)"
+          R"("EXT_lights_image_based"],"materials":[{"extensions":{"KHR_materials_sheen":{}}}])"),
+      "a.gltf", {});
+  EXPECT_EQ(scene.remarks,
+            (std::vector<std::string>{"ACME_fog is left out", "EXT_lights_image_based is left out"}));
+}
+
+/// A document with one material and an animation of a member of it.
+std::string animated_gltf(const std::string& member, const std::string& material,
+                          const std::string& path = "/materials/0/") {
+  return gltf_of(R"("materials":[{)" + material +
+                 R"(}],"animations":[{"samplers":[],"channels":[{"sampler":0,"target":{"path":"pointer",)"
+                 R"("extensions":{"KHR_animation_pointer":{"pointer":")" +
+                 path + member + R"("}}}}]}])");
+}
+
+TEST(Gltf, AnAnimatedRoughnessTakesItsWholeRange) {
+  const std::string dull = R"("pbrMetallicRoughness":{"roughnessFactor":1})";
+  const std::string member = "pbrMetallicRoughness/roughnessFactor";
+  for (const std::string& material : {dull, std::string()}) {
+    const Material moved = read_gltf(animated_gltf(member, material), "a.gltf", {}).materials.at(0);
+    EXPECT_EQ(moved.powers.front().power, 0);
+    EXPECT_EQ(moved.powers.back().power, most_power);
+    EXPECT_EQ(moved.power_texture, PowerTexture::roughness);
+    EXPECT_EQ(moved.unknowns,
+              std::vector<std::string>{"roughnessFactor is animated: it is taken from 0 to 1"});
+  }
+  expect_power(read_gltf(animated_gltf(member, dull, "/materials/1/"), "a.gltf", {}).materials.at(0), 0);
+  const std::string of_node =
+      R"("animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"rotation"}}]}])";
+  EXPECT_TRUE(
+      read_gltf(gltf_of(R"("materials":[{}],)" + of_node), "a.gltf", {}).materials[0].unknowns.empty());
+}
+
+TEST(Gltf, OtherAnimatedFactorsTakeTheirWholeRangeToo) {
+  const auto moved = [](const std::string& member, const std::string& material) {
+    const Material read = read_gltf(animated_gltf(member, material), "a.gltf", {}).materials.at(0);
+    EXPECT_EQ(read.unknowns.size(), 1U) << member;
+    return read;
+  };
+  constexpr Range all{0, 1};
+  const std::string plastic = R"("pbrMetallicRoughness":{"metallicFactor":0,"baseColorFactor":[1,0,0,1]})";
+  const Material metal = moved("pbrMetallicRoughness/metallicFactor", plastic);
+  EXPECT_NEAR(metal.f0[0].least, 0.04, 1e-12);
+  EXPECT_EQ(metal.f0[0].most, 1);
+  const Material gold = moved("pbrMetallicRoughness/baseColorFactor", "");
+  EXPECT_EQ(gold.f0[1], all);
+  EXPECT_TRUE(gold.has_unread_colours);
+  const std::string dielectric =
+      R"("pbrMetallicRoughness":{"metallicFactor":0},"extensions":{"KHR_materials_ior":{},"KHR_materials_specular":{}})";
+  EXPECT_EQ(moved("extensions/KHR_materials_ior/ior", dielectric).f0[0], all);
+  const Material specular = moved("extensions/KHR_materials_specular/specularFactor", dielectric);
+  EXPECT_NEAR(specular.f0[0].most, 0.04, 1e-12);
+  EXPECT_EQ(specular.f90, all);
+  EXPECT_EQ(moved("extensions/KHR_materials_specular/specularColorFactor", dielectric).f0[0], all);
+  const std::string glossy =
+      R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{"specularFactor":[0,0,0]}})";
+  const std::string path = "extensions/KHR_materials_pbrSpecularGlossiness/";
+  EXPECT_EQ(moved(path + "specularFactor", glossy).f0[2], all);
+  const Material gloss = moved(path + "glossinessFactor", glossy);
+  EXPECT_EQ(gloss.powers.front().power, 0);
+  EXPECT_EQ(gloss.power_texture, PowerTexture::gloss);
+}
+
+// A roughness of 0 is a power without an end; engines stop before it.
+TEST(Gltf, ASmallRoughnessIsTakenForTheLeast) {
+  const std::string smooth = R"("pbrMetallicRoughness":{"roughnessFactor":0.01})";
+  const double alpha = 0.0525 * 0.0525;
+  const Material floored = material_of(smooth, {.min_roughness = 0.0525});
+  expect_power(floored, 2 / (alpha * alpha) - 2);
+  EXPECT_TRUE(floored.remarks.empty());
+  const std::string glossy = R"("extensions":{"KHR_materials_pbrSpecularGlossiness":{"glossinessFactor":1}})";
+  expect_power(material_of(glossy, {.min_roughness = 0.0525}), 2 / (alpha * alpha) - 2);
 }
 
 TEST(Gltf, TheDefaultMaterialIsThereWhereItIsUsed) {
@@ -179,12 +268,58 @@ TEST(Gltf, TheDefaultMaterialIsThereWhereItIsUsed) {
   EXPECT_EQ(names(R"("materials":[],"meshes":[{"primitives":[{}]}])"), Names{"default"});
   const std::string two = R"("materials":[{"name":"a"},{"name":"a"}])";
   EXPECT_EQ(names(two), (Names{"a", "a"}));
-  EXPECT_EQ(names(two + R"(,"meshes":[{"primitives":[{"material":1}]}])"), (Names{"a", "a"}));
-  EXPECT_EQ(names(two + R"(,"meshes":[{"primitives":[{"material":1},{}]}])"), (Names{"a", "a", "default"}));
+  EXPECT_EQ(names(two + R"(,"meshes":[{"primitives":[{"material":1},{"material":0}]}])"), (Names{"a", "a"}));
+  EXPECT_EQ(names(two + R"(,"meshes":[{"primitives":[{"material":1},{}]}])"), (Names{"a", "default"}));
   const Material material = read_gltf(gltf_of(R"("nodes":[])"), "a.gltf", {}).materials[0];
   EXPECT_EQ(material.file, "a.gltf");
   expect_f0(material, white);
   expect_power(material, 0);
+}
+
+TEST(Gltf, MaterialsThatNoPrimitiveHasAreUnused) {
+  using Names = std::vector<std::string>;
+  const auto unused = [](const std::string& members) {
+    return read_gltf(gltf_of(R"("materials":[{"name":"a"},{"name":"b"},{"name":"c"}],)" + members), "a.gltf",
+                     {})
+        .unused;
+  };
+  EXPECT_EQ(unused(R"("meshes":[{"primitives":[{"material":1}]}])"), (Names{"a", "c"}));
+  EXPECT_EQ(unused(R"("meshes":[{"primitives":[{}]}])"), (Names{"a", "b", "c"}));
+  EXPECT_EQ(unused(R"("meshes":[{"primitives":[{"material":1,"extensions":{"KHR_materials_variants":{)"
+                   R"("mappings":[{"material":2,"variants":[0]}]}}}]}])"),
+            Names{"a"});
+  EXPECT_EQ(unused(R"("extensionsUsed":["MSFT_lod"],"meshes":[{"primitives":[{"material":1}]}])"), Names{});
+  EXPECT_EQ(unused(R"("meshes":[])"), Names{}) << "materials alone are for any use";
+  EXPECT_EQ(unused(R"("meshes":[{"primitives":[]}])"), Names{});
+}
+
+// A tolerance is for light that shows white; the sun has 1e5 lux.
+TEST(Gltf, LightsAboveOneAreNamed) {
+  const auto remarks = [](const std::string& lights, const std::string& more = "") {
+    return read_gltf(gltf_of(R"("extensions":{"KHR_lights_punctual":{"lights":[)" + lights + "]}}" + more),
+                     "a.gltf", {})
+        .remarks;
+  };
+  const std::string sun = R"({"type":"directional","name":"sun","intensity":100000})";
+  const std::string lamp = R"({"type":"point","intensity":2.5})", dim = R"({"intensity":1})";
+  EXPECT_TRUE(remarks(dim + ",{}").empty());
+  const std::string rest =
+      ". The tolerance is for a light of 1, which shows white: an error of these is as many times larger before "
+      "exposure";
+  EXPECT_EQ(remarks(sun + "," + dim + "," + lamp),
+            std::vector<std::string>{
+                "lights above 1: 'sun' (100000 lux), /extensions/KHR_lights_punctual/lights/2 (2.5 candela)" +
+                rest});
+  const std::string of_dim = R"(,"nodes":[{"extensions":{"KHR_lights_punctual":{"light":1}}}])";
+  EXPECT_TRUE(remarks(sun + "," + dim, of_dim).empty()) << "of no node";
+  EXPECT_NE(remarks(lamp + "," + lamp + "," + lamp + "," + lamp + "," + lamp + "," + lamp)
+                .at(0)
+                .find("/3 (2.5 candela) and 2 more"),
+            std::string::npos);
+  const std::string moved =
+      R"(,"animations":[{"channels":[{"target":{"extensions":{"KHR_animation_pointer":{"pointer":)"
+      R"("/extensions/KHR_lights_punctual/lights/0/intensity"}}}}]}])";
+  EXPECT_NE(remarks(dim, moved).at(0).find("(1 candela, animated)"), std::string::npos);
 }
 
 TEST(Gltf, CountsLights) {

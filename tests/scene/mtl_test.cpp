@@ -218,5 +218,18 @@ TEST(Mtl, BadMapsNameTheMaterial) {
                 "': the PNG is damaged: the file ends before the picture does");
 }
 
+TEST(Mtl, OtherLobesAreRemarkedOn) {
+  using Remarks = std::vector<std::string>;
+  EXPECT_EQ(mtl("Ns 2\nKs 1 1 1\nPc 0.5\naniso 0.1\nPs 0.2 0.3 0\n").remarks,
+            (Remarks{"Pc is left out", "Ps is left out", "aniso is left out"}));
+  EXPECT_EQ(mtl("Ns 2\nKs 1 1 1\nPc 0\naniso 0\nPs 0\n").remarks, Remarks{});
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nPc x\n"), "'a.mtl', line 2: Pc: 'x' is no number");
+}
+
+TEST(Mtl, LongTextsAreShortened) {
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nNs " + std::string(100000, 'x')),
+            "'a.mtl', line 2: Ns: '" + std::string(200, 'x') + " ..' is no number");
+}
+
 }  // namespace
 }  // namespace shadefit::scene

@@ -236,8 +236,10 @@ TEST(Plan, OfAConstantLobe) {
   const Plan plan = make_plan(scene, {});
   EXPECT_EQ(decision(plan, "lobe").verdict, Verdict::skip);
   EXPECT_EQ(decision(plan, "lobe").reason, "every power is 0");
-  // light falls with 2 n.h even so: 2 c 0.25 = 0.1/255
-  EXPECT_NEAR(plan.materials[0].cutoff, 0.1 / 255 / 0.5, 1e-9);
+  // no cosine n.h is asked, so that none is bounded
+  EXPECT_EQ(plan.materials[0].cutoff, 0);
+  EXPECT_EQ(decision(plan, "culling").verdict, Verdict::skip);
+  EXPECT_EQ(decision(plan, "n.v < 0").verdict, Verdict::skip);
   // 0.001 (0 + 2)/8 is less than a code
   scene.materials = {wavefront("faint", 0.001, 0)};
   const Plan faint = make_plan(scene, {});
@@ -285,6 +287,83 @@ TEST(Plan, KeepsItsPromise) {
     }
     EXPECT_LE(largest, plan.error) << tolerance;
     EXPECT_GE(largest, 0.8 * decision(plan, "lobe").error) << tolerance << ": and it is no idle one";
+  }
+}
+
+// Below the cut-off no power of the range shows more than the error that is set aside, and hardly above it
+// one does.
+TEST(Plan, CutsOffForEveryPowerOfARange) {
+  for (const double reflectance : {1e-3, 0.04, 1.0}) {
+    for (const Range range : {Range{0, 40}, Range{0.02, 0.5}, Range{3, 1e6}, Range{0, 1e9}}) {
+      Scene scene;
+      scene.materials = {wavefront("a", reflectance, 0)};
+      scene.materials[0].powers = {{range.least, 0.5}, {range.most, 0.5}};
+      scene.materials[0].power_texture = PowerTexture::power;
+      const Plan plan = make_plan(scene, {});
+      if (!plan.materials[0].has_lobe) continue;
+      const double c = plan.materials[0].cutoff, set_aside = 0.1 / 255;
+      const auto brightest = [&](double cosine) {
+        double most = 0;
+        for (int i = 0; i <= 4000; ++i) {
+          const double share = i / 4000.0;
+          const double n = range.least + (range.most - range.least) * std::pow(share, 6);
+          most = std::max(most, reflectance * (n + 2) / 8 * std::pow(cosine, n) * std::min(1.0, 2 * cosine));
+        }
+        return most;
+      };
+      EXPECT_LE(brightest(c), set_aside) << reflectance << " " << range.most;
+      if (c >= 0.9) continue;
+      EXPECT_GE(brightest(1.1 * c), set_aside) << reflectance << " " << range.most;
+    }
+  }
+}
+
+TEST(Plan, SaysWhatItDoesNotCount) {
+  const auto notes = [](const Scene& scene, const Wanted& wanted = {}) {
+    std::string all;
+    for (const std::string& note : make_plan(scene, wanted).notes) all += note + "\n";
+    return all;
+  };
+  Scene scene;
+  scene.materials = {material("mirror", 0.04, {{263279, 1}})};
+  const std::string said = notes(scene);
+  EXPECT_NE(
+      said.find("n.h by a dot product in float is off by 1.79e-07, which moves a light by up to 0.046 more"),
+      std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("--min-roughness"), std::string::npos) << "0.0525 is as engines have it: " << said;
+  scene.materials.push_back(material("smoother", 0.04, {{1e9, 1}}));
+  EXPECT_NE(notes(scene).find("the roughness of 1 material falls below 0.045"), std::string::npos);
+  scene.conventions.min_roughness = 0.05;
+  EXPECT_NE(notes(scene).find("a roughness below 0.05 is taken for it"), std::string::npos);
+  EXPECT_EQ(notes(scene).find("--min-roughness"), std::string::npos);
+  scene.conventions.min_roughness = 0;
+  scene.materials = {wavefront("sharp", 0.04, 1e9)};
+  EXPECT_EQ(notes(scene).find("roughness"), std::string::npos) << "Ns is no roughness";
+}
+
+// Four slopes save LOG2, and no instruction.
+TEST(Plan, SaysWhereSlopesAreDear) {
+  const Scene textured = dull_scene();
+  Scene constant = textured;
+  constant.materials[0].power_texture = PowerTexture::none;
+  constant.materials = {wavefront("a", 0.04, 10.5), wavefront("b", 0.04, 20.5)};
+  struct Expected {
+    const Scene& scene;
+    double tolerance;
+    std::size_t slopes;
+    std::string price;
+  };
+  for (const Expected& expected :
+       {Expected{textured, 1.0 / 4096, 2, ""}, Expected{textured, 1.0 / 32768, 3, "; as dear as the power"},
+        Expected{textured, 1.0 / 262144, 4, "; dearer than the power"},
+        Expected{constant, 1.0 / 32768, 3, ""},
+        Expected{constant, 1.0 / 262144, 4, "; as dear as the power"}}) {
+    const Plan plan = make_plan(expected.scene, {.tolerance = expected.tolerance});
+    ASSERT_EQ(plan.shading.lobe.slopes.size(), expected.slopes) << expected.tolerance;
+    const std::string reason = decision(plan, "lobe").reason;
+    EXPECT_EQ(reason.find("dear") != std::string::npos, !expected.price.empty()) << reason;
+    EXPECT_NE(reason.find(expected.price), std::string::npos) << reason;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/limits.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -47,6 +48,32 @@ TEST(ReadScene, RefusesOtherExtensions) {
             "cannot read 'a.fbx': its name must end with .gltf, .glb, .mtl or .obj");
   EXPECT_EQ(refusal([&] { scene_of({"gltf"}); }),
             "cannot read 'gltf': its name must end with .gltf, .glb, .mtl or .obj");
+}
+
+// Each file may have as many as a scene.
+TEST(ReadScene, MaterialsAreLimitedTogether) {
+  const TemporaryDirectory directory;
+  std::string half;
+  for (std::size_t i = 0; i < most_materials / 2; ++i) half += "newmtl a\n";
+  const std::string a = directory.file("a.mtl", half), b = directory.file("b.mtl", half);
+  EXPECT_EQ(scene_of({a, b}).materials.size(), most_materials);
+  const std::string c = directory.file("c.mtl", "newmtl c\n");
+  EXPECT_EQ(refusal([&] {
+              scene_of({a, b, c});
+            }),
+            "'" + c + "': with it there are more than 65536 materials");
+}
+
+TEST(ReadObj, MaterialsThatNoLineNamesAreUnused) {
+  const TemporaryDirectory directory;
+  directory.file("a.mtl", "newmtl a\nnewmtl two words\nnewmtl c\n");
+  const auto read = [&](const std::string& lines) {
+    return scene_of({directory.file("s.obj", "mtllib a.mtl\n" + lines)});
+  };
+  const Scene scene = read("usemtl two words\nf 1\nusemtl a\r\nusemtl a\nusemtl gone\n");
+  EXPECT_EQ(names_of(scene), (Names{"a", "two words"}));
+  EXPECT_EQ(scene.unused, Names{"c"});
+  EXPECT_TRUE(read("f 1\n").unused.empty()) << "a file that names none is a list of libraries";
 }
 
 TEST(ReadObj, FollowsItsLibraries) {
