@@ -84,11 +84,10 @@ class Sums {
 }  // namespace
 
 std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& reference,
-                              const PublishedWay& published, std::span<const PlannedWay> planned,
-                              const Checkpoint& checkpoint) {
+                              std::span<const FloatWay> ways, const Checkpoint& checkpoint) {
   Results<double> truths(1);
   Results<float> results(1);
-  std::vector<Sums> sums(1 + planned.size());
+  std::vector<Sums> sums(ways.size());
   for (const Visit& visit : workload.visits()) {
     checkpoint();
     const Block<double> wide = workload.block<double>(visit);
@@ -98,12 +97,10 @@ std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& refe
       reference.shade(under_one_light(wide, tile, light, truths.out()), visit.material);
       const Truth truth = truth_of(truths);
       const Block<float> block = under_one_light(narrow, tile, light, results.out());
-      published.shade(block, visit.material);
-      sums[0].add(truth, results, truth.is_grey);
-      for (std::size_t way = 0; way < planned.size(); ++way) {
+      for (std::size_t way = 0; way < ways.size(); ++way) {
         results.clear();
-        planned[way].shade(block, visit.material);
-        sums[1 + way].add(truth, results, !planned[way].is_coloured());
+        ways[way].shade(block, visit.material);
+        sums[way].add(truth, results, !ways[way].is_coloured());
       }
     }
   }

@@ -20,9 +20,8 @@ struct Errors {
   }
 };
 
-/// Of the published way, then of each planned one.
+/// Of each way.
 std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& reference,
-                              const PublishedWay& published, std::span<const PlannedWay> planned,
-                              const Checkpoint& checkpoint = keep_going);
+                              std::span<const FloatWay> ways, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::shade

@@ -60,6 +60,8 @@ std::vector<Point> points_of(const Measurement& m) {
     i = end;
   }
   points.push_back({&m.published, m.published.errors.most_on(m.scale), "published constants"});
+  points.push_back(
+      {&m.published_culled, m.published_culled.errors.most_on(m.scale), "published, in the plan's kernel"});
   // A logarithmic axis has no place for an error of 0.
   std::erase_if(points, [](const Point& point) { return !(point.error > 0 && point.way->ns > 0); });
   return points;
@@ -124,7 +126,7 @@ std::string time_tics(const LogarithmicAxis& time) {
 Table data_of_points(const std::vector<Point>& points, const Measurement& m) {
   Table table{.columns = {"ns", "planned", "published", "name", "form"}, .rows = {}};
   for (const Point& point : points) {
-    const bool is_published = point.way == &m.published;
+    const bool is_published = point.way == &m.published || point.way == &m.published_culled;
     const Cell error = Number{point.error, 4};
     table.rows.push_back({Number{point.way->ns, 4}, is_published ? Cell() : error,
                           is_published ? error : Cell(), point.name, point.way->form});

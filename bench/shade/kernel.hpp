@@ -7,9 +7,9 @@
 #include "bench/forms/kernel.hpp"
 #include "scene/lobe_form.hpp"
 
-/// The specular term of many samples at a time, F (n + 2)/8 lobe (n.l), three ways: by the reference's
-/// formulas in double, by the published constants in float, and as a plan has it. A sample is a pixel under
-/// one light; its cosines are given, because geometry is the same however the term is computed.
+/// The specular term of many samples at a time, F (n + 2)/8 lobe (n.l), by the reference's
+/// formulas in double and in float, by the published constants, and as a plan has it. A sample is a pixel
+/// under one light; its cosines are given, because geometry is the same however the term is computed.
 namespace shadefit::shade {
 
 /// Pixels of a tile: neighbours of one material. No width of the registers leaves a rest of them.
@@ -54,15 +54,16 @@ struct PlannedMaterial {
   float least_exponent = 0;                ///< of the lobe, where the power is the pixel's
 };
 
-using ReferenceKernel = void (*)(const Block<double>&, const FullMaterial<double>&);
-using PublishedKernel = void (*)(const Block<float>&, const FullMaterial<float>&);
+/// Every term.
+template <class Real>
+using FullKernel = void (*)(const Block<Real>&, const FullMaterial<Real>&);
 /// Returns how many samples were culled.
 using PlannedKernel = std::size_t (*)(const Block<float>&, const PlannedMaterial&);
 
 struct Kernels {
   forms::Width width;
-  ReferenceKernel reference;
-  PublishedKernel published;
+  FullKernel<double> truth;  ///< the reference's formulas
+  FullKernel<float> reference, published;
   PlannedKernel planned;
 };
 

@@ -1,6 +1,7 @@
 #include "bench/shade/measure.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "bench/shade/operations.hpp"
 #include "bench/trade/statistics.hpp"
@@ -37,28 +38,10 @@ std::vector<scene::Plan> plans_of_sweep(const scene::Scene& scene, const scene::
 /// One after the other, the whole workload by each way.
 class Timed {
  public:
-  Timed(const Workload& workload, const ReferenceWay& reference, const PublishedWay& published,
-        const std::vector<PlannedWay>& planned)
-      : workload_(workload), wide_(workload.tiles()), narrow_(workload.tiles()) {
-    add([&](const Visit& visit) {
-      Block<double> block = workload_.block<double>(visit);
-      block.out = wide_.out();
-      reference.shade(block, visit.material);
-      bench::keep(block.out[0]);
-    });
-    add([&](const Visit& visit) {
-      const Block<float> block = narrow_block(visit);
-      published.shade(block, visit.material);
-      bench::keep(block.out[0]);
-    });
-    for (const PlannedWay& way : planned) {
-      add([&](const Visit& visit) {
-        if (!way.has_lobe(visit.material)) return;
-        const Block<float> block = narrow_block(visit);
-        way.shade(block, visit.material);
-        bench::keep(block.out[0]);
-      });
-    }
+  Timed(const Workload& workload, std::span<const FloatWay> ways, std::size_t samples)
+      : workload_(workload), results_(workload.tiles()) {
+    for (const FloatWay& way : ways)
+      work_.push_back({.once = [this, &way] { shade(way); }, .elements = std::max<std::size_t>(1, samples)});
   }
 
   /// ns a sample: the median of the rounds, of this thread's own time.
@@ -70,34 +53,37 @@ class Timed {
   }
 
  private:
-  template <class Shade>
-  void add(const Shade& shade) {
-    work_.push_back({.once =
-                         [this, shade] {
-                           for (const Visit& visit : workload_.visits()) shade(visit);
-                         },
-                     .elements = workload_.samples()});
-  }
-  Block<float> narrow_block(const Visit& visit) {
-    Block<float> block = workload_.block<float>(visit);
-    block.out = narrow_.out();
-    return block;
+  void shade(const FloatWay& way) {
+    for (const Visit& visit : workload_.visits()) {
+      if (!way.has_lobe(visit.material)) continue;
+      Block<float> block = workload_.block<float>(visit);
+      block.out = results_.out();
+      way.shade(block, visit.material);
+      bench::keep(block.out[0]);
+    }
   }
 
   const Workload& workload_;
-  Results<double> wide_;
-  Results<float> narrow_;
+  Results<float> results_;
   std::vector<bench::Work> work_;
 };
 
+std::size_t shaded_samples(const scene::Scene& scene, const Workload& workload) {
+  const auto shaded =
+      std::count_if(workload.visits().begin(), workload.visits().end(),
+                    [&](const Visit& visit) { return !is_black(scene.materials[visit.material]); });
+  return static_cast<std::size_t>(shaded) * workload.samples_of_visit();
+}
+
 Skipped skipped_by(const scene::Scene& scene, const scene::Plan& plan, const Workload& workload,
-                   const PlannedWay& way) {
+                   const FloatWay& way) {
   Results<float> results(workload.tiles());
   double all = 0, with_lobe = 0, culled = 0, full = 0, planned = 0;
   for (const Visit& visit : workload.visits()) {
+    const scene::Material& material = scene.materials[visit.material];
+    if (is_black(material)) continue;
     const auto samples = static_cast<double>(workload.samples_of_visit());
     all += samples;
-    const scene::Material& material = scene.materials[visit.material];
     const auto constants = planned_material(material, plan.materials[visit.material], plan.shading);
     if (!constants) continue;
     with_lobe += samples;
@@ -107,7 +93,7 @@ Skipped skipped_by(const scene::Scene& scene, const scene::Plan& plan, const Wor
     block.out = results.out();
     culled += static_cast<double>(way.shade(block, visit.material));
   }
-  Skipped skipped{.by_materials = 1 - with_lobe / all};
+  Skipped skipped{.by_materials = all > 0 ? 1 - with_lobe / all : 1};
   if (with_lobe > 0) {
     skipped.by_terms = 1 - planned / full;
     skipped.by_culling = culled / with_lobe;
@@ -132,29 +118,31 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
   for (scene::Plan& swept : plans_of_sweep(scene, plan, checkpoint)) plans.push_back(std::move(swept));
   const Workload workload(scene, plan.wanted.lights);
   const ReferenceWay reference(scene, kernels);
-  const PublishedWay published(scene, kernels);
-  std::vector<PlannedWay> planned;
-  for (const scene::Plan& some : plans) planned.emplace_back(scene, some, kernels);
-  const std::vector<Errors> errors = errors_of(workload, reference, published, planned, checkpoint);
+  std::vector<FloatWay> ways{
+      {scene, kernels.reference}, {scene, kernels.published}, {scene, with_published_lobe(plan), kernels}};
+  const std::size_t first_planned = ways.size();
+  for (const scene::Plan& some : plans) ways.emplace_back(scene, some, kernels);
+  const std::vector<Errors> errors = errors_of(workload, reference, ways, checkpoint);
   const auto between = [&](double share) {
     checkpoint();
     watch(share);
   };
-  const std::vector<double> ns = Timed(workload, reference, published, planned).times(timing, between);
-
   Measurement result{.width = kernels.width, .scale = plan.wanted.scale};
-  result.samples = workload.samples();
+  result.samples = shaded_samples(scene, workload);
   result.lights = workload.lights();
   result.is_half = plan.wanted.precision == scene::PixelPrecision::float16;
-  result.reference = {.name = "reference", .form = "pow, double", .ns = ns[0]};
-  result.published = {
-      .name = "published", .form = "exp2(A c - A), A = (n + 0.775)/ln 2", .ns = ns[1], .errors = errors[0]};
+  const std::vector<double> ns = Timed(workload, ways, result.samples).times(timing, between);
+  const std::string published = "exp2(A c - A), A = (n + 0.775)/ln 2";
+  result.reference = {.name = "reference", .form = "pow", .ns = ns[0], .errors = errors[0]};
+  result.published = {.name = "published", .form = published, .ns = ns[1], .errors = errors[1]};
+  result.published_culled = {
+      .name = "published, culled", .form = published, .ns = ns[2], .errors = errors[2]};
   for (std::size_t i = 0; i < plans.size(); ++i) {
     const MeasuredWay way{.name = "planned",
                           .tolerance = plans[i].wanted.tolerance,
                           .form = form_of(plans[i]),
-                          .ns = ns[2 + i],
-                          .errors = errors[1 + i],
+                          .ns = ns[first_planned + i],
+                          .errors = errors[first_planned + i],
                           .allowed = allowed_of(plans[i])};
     if (i == 0) {
       result.planned = way;
@@ -162,7 +150,7 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
       result.sweep.push_back(way);
     }
   }
-  result.skipped = skipped_by(scene, plan, workload, planned.front());
+  result.skipped = skipped_by(scene, plan, workload, ways[first_planned]);
   return result;
 }
 

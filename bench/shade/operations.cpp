@@ -1,6 +1,7 @@
 #include "bench/shade/operations.hpp"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ Symbolic variable(const char* name) {
 
 std::array<Symbolic, 3> channels(const std::string& name) {
   return {Symbolic::variable(name + "r"), Symbolic::variable(name + "g"), Symbolic::variable(name + "b")};
+}
+
+/// Instructions, EXP2 and LOG2 counted as four each, as `choose_lobe` counts.
+int cost_of(std::span<const Symbolic> results) {
+  const Operations counted = count_operations(results);
+  return counted.total() + 3 * (counted.exp2 + counted.log2);
 }
 
 Symbolic decoded_power() {
@@ -55,11 +62,12 @@ int full_operations(bool is_power_of_pixel) {
                                                : PreparedPower<Symbolic>{power, variable("normalisation")};
   const auto shown = specular<ReferenceForms>(variable("c"), variable("l.h"), variable("n.l"), prepared,
                                               channels("f0"), channels("f90"));
-  return count_operations(shown).total();
+  return cost_of(shown);
 }
 
 int planned_operations(const PlannedMaterial& m) {
-  const Symbolic lobe = planned_lobe(m), light = variable("n.l");
+  const Symbolic lobe = planned_lobe(m), n_dot_l = variable("n.l");
+  const Symbolic light = m.kind == scene::LobeKind::constant ? n_dot_l : seen_light(n_dot_l, variable("c"));
   const auto f0 = channels("f0"), f90 = channels("f90");
   std::vector<Symbolic> shown;
   for (std::size_t i = 0; i < (m.is_coloured ? 3U : 1U); ++i) {
@@ -70,7 +78,7 @@ int planned_operations(const PlannedMaterial& m) {
                         ? shown_specular(reflectance, game_normalisation(decoded_power()), lobe, light)
                         : min(reflectance * lobe * light, integer<Symbolic>(1)));
   }
-  return count_operations(shown).total();
+  return cost_of(shown);
 }
 
 }  // namespace shadefit::shade

@@ -10,7 +10,6 @@
 #include "bench/trade/statistics.hpp"
 #include "fit/decimal.hpp"
 #include "reports/utf8.hpp"
-#include "scene/lobes.hpp"
 
 namespace shadefit::shade {
 namespace {
@@ -99,7 +98,7 @@ class Studio {
  private:
   const scene::Scene& scene_;
   ReferenceWay reference_;
-  PlannedWay planned_;
+  FloatWay planned_;
   Cosines cosines_;
 };
 
@@ -235,11 +234,8 @@ std::vector<Sphere> spheres_of(const scene::Scene& scene, const scene::Plan& pla
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
       if (belongs(i)) order.push_back(i);
   };
-  const auto is_black = [&](std::size_t i) {
-    return scene.materials[i].is_unlit || scene::largest_reflectance(scene.materials[i]) == 0;
-  };
   add([&](std::size_t i) { return plan.materials[i].has_lobe; });
-  add([&](std::size_t i) { return !plan.materials[i].has_lobe && !is_black(i); });
+  add([&](std::size_t i) { return !plan.materials[i].has_lobe && !is_black(scene.materials[i]); });
   // A black sphere says nothing, unless there is no other.
   if (order.empty()) add([](std::size_t) { return true; });
   order.resize(std::min(order.size(), most_spheres));

@@ -137,7 +137,7 @@ void find_lobes(Work<S>& work, const float* n_dot_h, const PlannedMaterial& m) {
 template <class S, int degree, bool is_power_of_pixel, bool has_fresnel, std::size_t channels>
 void add_shown(const Work<S>& work, const Block<float>& block, const PlannedMaterial& m) {
   using L = forms::Lanes<S>;
-  const float *const l_dot_h = block.l_dot_h, *const n_dot_l = block.n_dot_l;
+  const float *const n_dot_h = block.n_dot_h, *const l_dot_h = block.l_dot_h, *const n_dot_l = block.n_dot_l;
   S f0[channels], f90[channels];
   float* out[channels];
   for (std::size_t i = 0; i < channels; ++i) {
@@ -152,7 +152,7 @@ void add_shown(const Work<S>& work, const Block<float>& block, const PlannedMate
     if constexpr (degree > 0) lobe = exp2_polynomial<Exp2Choice<degree, float>>(lobe);
     // Where the power is the material's, its normalisation is within F0 and F90.
     if constexpr (is_power_of_pixel) lobe = L::load(work.normalisations + pixel) * lobe;
-    const S light = L::load(n_dot_l + sample);
+    const S light = seen_light(L::load(n_dot_l + sample), L::load(n_dot_h + sample));
     S weight = integer<S>(0);
     if constexpr (has_fresnel) weight = schlick_weight(L::load(l_dot_h + sample));
     for (std::size_t i = 0; i < channels; ++i) {

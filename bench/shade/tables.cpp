@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "fit/decimal.hpp"
 #include "reports/writers.hpp"
 
@@ -53,20 +55,32 @@ std::string verdict_line(const Measurement& m) {
         "Planned: no material has a lobe, and nothing is computed. The published constants {} the "
         "tolerance.\n",
         is_within);
+  const double error = m.planned.errors.most_on(m.scale);
+  const double published = m.published_culled.errors.most_on(m.scale);
   return fmt::format(
-      "Planned: {} x as fast as the reference, {} x as the published constants, which {} the tolerance.\n",
-      ratio(m.times_reference()), ratio(m.times_published()), is_within);
+      "Planned: {} ns a shaded sample. The reference in float takes {} x as long; the published constants take {} x "
+      "as long with every term, and {} x in the plan's kernel. Their error is {} x the plan's, and they {} the "
+      "tolerance.\n",
+      decimal(m.planned.ns, shown_digits), ratio(m.reference.ns / m.planned.ns),
+      ratio(m.published.ns / m.planned.ns), ratio(m.published_culled.ns / m.planned.ns),
+      error > 0 ? ratio(published / error) : "inf", is_within);
 }
 
 std::string skipped_line(const Measurement& m) {
   if (m.skipped.by_materials == 1) return "";
   const double terms = m.skipped.by_terms;
-  // slopes and three channels may take more operations than the power that they stand for
+  // slopes and three channels may cost more than the power that they stand for
   const std::string by_terms =
-      terms < 0 ? percent(-terms) + " more operations" : percent(terms) + " of the operations skipped";
+      terms < 0 ? percent(-terms) + " dearer than" : percent(terms) + " cheaper than";
   return fmt::format(
-      "Skipped: {} of the samples by their materials, {} of the others by culling. Terms of a sample: {}.\n",
+      "The plan skips {} of the shaded samples by their materials, and culls {} of the others. What is left of "
+      "a sample is {} the reference, by instructions.\n",
       percent(m.skipped.by_materials), percent(m.skipped.by_culling), by_terms);
+}
+
+/// Of the plan and what it is held against.
+std::array<const MeasuredWay*, 4> compared(const Measurement& m) {
+  return {&m.reference, &m.published, &m.published_culled, &m.planned};
 }
 
 }  // namespace
@@ -75,8 +89,7 @@ Table shade_table(const Measurement& measurement) {
   Table table{.columns = {"way", "tolerance", "form", "ns_per_sample", "max_error", "mean_error", "max_codes",
                           "mean_codes"},
               .rows = {}};
-  for (const MeasuredWay* way : {&measurement.reference, &measurement.published, &measurement.planned})
-    table.rows.push_back(row_of_way(*way));
+  for (const MeasuredWay* way : compared(measurement)) table.rows.push_back(row_of_way(*way));
   for (const MeasuredWay& way : measurement.sweep) table.rows.push_back(row_of_way(way));
   return table;
 }
@@ -85,13 +98,13 @@ std::string shade_text(const Measurement& measurement) {
   Table table{.columns = {"way", "ns/sample", "times reference", "max error", "mean error", "max codes",
                           "mean codes"},
               .rows = {}};
-  for (const MeasuredWay* way : {&measurement.reference, &measurement.published, &measurement.planned})
+  for (const MeasuredWay* way : compared(measurement))
     table.rows.push_back(console_row(*way, measurement.reference.ns));
   return write_console(table, Precision::report) + "\n" + verdict_line(measurement) +
          skipped_line(measurement) +
          fmt::format(
-             "Timed: the specular term, its cosines given, of {} samples on one core, {}; a sample is a pixel "
-             "under one light, and an error is one of that.\n",
+             "Timed: the specular term in float, its cosines given, of {} shaded samples on one core, {}. A shaded "
+             "sample is a pixel under one light, of a material that is not black; an error is one of that.\n",
              measurement.samples, forms::name(measurement.width)) +
          (measurement.is_half
               ? "The plan is for half, and was shaded in float: what half rounds is in the plan alone.\n"

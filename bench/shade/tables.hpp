@@ -9,11 +9,11 @@
 /// A measurement for people and for programs.
 namespace shadefit::shade {
 
-/// `way,tolerance,form,ns_per_sample,max_error,mean_error,max_codes,mean_codes`: the three ways, then the
+/// `way,tolerance,form,ns_per_sample,max_error,mean_error,max_codes,mean_codes`: the ways, then the
 /// sweep. What `shade.csv` holds.
 Table shade_table(const Measurement& measurement);
 
-/// The three ways and what they say, on a terminal.
+/// The ways and what they say, on a terminal.
 std::string shade_text(const Measurement& measurement);
 
 /// A line for each plan that is not within what it promises.

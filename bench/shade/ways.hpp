@@ -2,16 +2,16 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
+#include <variant>
 #include <vector>
 
 #include "bench/shade/workload.hpp"
 #include "scene/plan.hpp"
 
-/// The three ways to shade a workload.
+/// The ways to shade a workload.
 namespace shadefit::shade {
 
-/// Every material of a scene with all of its terms, by the reference's formulas.
+/// Every material of a scene with all of its terms, by the reference's formulas in double.
 class ReferenceWay {
  public:
   ReferenceWay(const scene::Scene& scene, const Kernels& kernels);
@@ -22,32 +22,34 @@ class ReferenceWay {
   std::vector<FullMaterial<double>> materials_;
 };
 
-/// The same by the published constants.
-class PublishedWay {
- public:
-  PublishedWay(const scene::Scene& scene, const Kernels& kernels);
-  void shade(const Block<float>& block, std::size_t material) const;
+/// Whether a material reflects nothing, or nothing of it is shaded: every way asks that before it starts.
+bool is_black(const scene::Material& material);
 
- private:
-  Kernels kernels_;
-  std::vector<FullMaterial<float>> materials_;
-};
-
-/// As a plan has it.
-class PlannedWay {
+/// A way in float: with all terms of the materials that are not black, or as a plan has it.
+class FloatWay {
  public:
-  PlannedWay(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels);
+  FloatWay(const scene::Scene& scene, FullKernel<float> kernel);
+  FloatWay(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels);
+
   /// Returns how many samples were culled. A material without a lobe writes nothing; one whose plan has one
   /// channel, the first alone.
   std::size_t shade(const Block<float>& block, std::size_t material) const;
 
-  bool has_lobe(std::size_t material) const { return materials_[material].has_value(); }
+  bool has_lobe(std::size_t material) const;
   bool is_coloured() const { return is_coloured_; }
 
  private:
-  Kernels kernels_;
-  std::vector<std::optional<PlannedMaterial>> materials_;
-  bool is_coloured_;
+  using Full = std::vector<std::optional<FullMaterial<float>>>;
+  using Planned = std::vector<std::optional<PlannedMaterial>>;
+
+  std::variant<Full, Planned> materials_;
+  FullKernel<float> full_ = nullptr;
+  PlannedKernel planned_ = nullptr;
+  bool is_coloured_ = true;
 };
+
+/// The plan with the published constant of the Gaussian for its lobe: what these are worth in the same
+/// kernel.
+scene::Plan with_published_lobe(scene::Plan plan);
 
 }  // namespace shadefit::shade

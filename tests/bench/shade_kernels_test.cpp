@@ -190,7 +190,7 @@ TEST(ReferenceKernels, AreTheFormulaInLongDouble) {
   for (const Kernels& kernels : kernels_here()) {
     for (const bool is_power_of_pixel : {false, true}) {
       const Block<double> block = scenery.wide_block(is_power_of_pixel);
-      kernels.reference(block, m);
+      kernels.truth(block, m);
       for (std::size_t pixel = 0; pixel < block.tiles * tile_pixels; ++pixel) {
         using Wide = long double;
         const Wide n = is_power_of_pixel ? blinn_phong_exponent(Wide(block.alpha[pixel])) : Wide(m.power);
