@@ -186,6 +186,7 @@ std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
 
 std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const std::string& command) {
   const bool in_codes = plan.wanted.scale == scene::ShownScale::codes;
+  const bool is_constant = plan.shading.lobe.kind == LobeKind::constant;
   std::vector<std::string> comment{
       "Generated: do not edit. Made by the next line, held against it by 'shadefit emit --check FILE'.",
       command, ""};
@@ -197,23 +198,24 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
                            ? "The specular term of a light is scene_reflectance(..) scene_light(..)."
                            : "The specular term of a light is F0 scene_light(..).");
   comment.push_back(fmt::format(
-      "Proven: {} clamped to [0, 1], at most {}{} from F (n + 2)/8 (n.h)^n (n.l) in {}.",
+      "Proven: {} clamped to [0, 1], at most {}{} from F (n + 2)/8 (n.h)^n {} in {}.",
       plan.wanted.lights == 1 ? "a light" : fmt::format("{} lights together, each", plan.wanted.lights),
-      decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "", name(plan.wanted.precision)));
+      decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "", is_constant ? "(n.l)" : "min(n.l, 2 n.h)",
+      name(plan.wanted.precision)));
   if (plan.shading.exp2_degree > 0)
     comment.push_back(fmt::format(
         "With exp2 and log2 {}; where exp2 is no instruction, a polynomial of degree {} does.",
         plan.wanted.precision == scene::PixelPrecision::float32 ? "within 2 ulps" : "rounded once",
         plan.shading.exp2_degree));
-  if (plan.shading.lobe.kind != LobeKind::constant)
+  if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
+  if (!is_constant)
     comment.emplace_back(
-        "Where a normal map turns n.v below 0, n.l counts as 2 n.h at most; elsewhere that is n.l itself.");
+        "min(n.l, 2 n.h) is n.l wherever n.v >= 0: it bounds a light where a normal map turns away.");
   if (plan.dot_product_error > 0)
     comment.push_back(fmt::format(
         "n.h is taken as given: a dot product in {} is off by {}, which moves a light by up to {} more.",
         name(plan.wanted.precision), decimal_above(scene::dot_product_rounding(plan.wanted.precision), 3),
         decimal_above(plan.dot_product_error, 2)));
-  if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
   comment.emplace_back("Cosines are in [0, 1]: to clamp them, and the sum of all lights, is the caller's.");
   comment.emplace_back("");
   comment.emplace_back(fmt::format(

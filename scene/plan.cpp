@@ -9,8 +9,9 @@
 #include "fit/fit.hpp"
 #include "scene/choose_exp2.hpp"
 #include "scene/choose_lobe.hpp"
+#include "scene/cutoff.hpp"
 #include "scene/lobes.hpp"
-#include "scene/powers.hpp"
+#include "scene/plan_notes.hpp"
 
 namespace shadefit::scene {
 namespace {
@@ -19,9 +20,6 @@ namespace {
 /// a tenth of the error widens it little: the lobe's own width is its logarithm. Fresnel's term is cheap
 /// where it is kept, so that little is set aside to do without. The lobe has the rest.
 constexpr double for_cutoff = 0.1, for_fresnel = 0.3;
-
-/// More than what is computed beside rounds.
-constexpr double downwards = 1 - 0x1p-40;
 
 class Planner {
  public:
@@ -43,7 +41,7 @@ class Planner {
       decide_colour();
     }
     sum_up();
-    note_roughness();
+    plan_.notes = notes_of(scene_, plan_);
     return std::move(plan_);
   }
 
@@ -144,25 +142,6 @@ class Planner {
 
   /// Whether every power is 0: then n.h is not asked.
   bool is_constant() const { return lobes_.range().most == 0; }
-
-  /// The least of (s (n + 2))^(-1/(n + shift)) over a range of powers, 1 at most. Its logarithm's slope has
-  /// the sign of log(s (n + 2)) - (n + shift)/(n + 2), which rises with n: it falls to one place and rises
-  /// from there.
-  static double least_root(double s, double shift, const Range& powers) {
-    const auto rises = [&](double n) { return std::log(s * (n + 2)) > (n + shift) / (n + 2); };
-    double n = powers.least, high = powers.most;
-    for (double middle = n; !rises(n) && (middle = n + (high - n) / 2) > n && middle < high;)
-      (rises(middle) ? high : n) = middle;
-    return n + shift > 0 ? std::min(1.0, std::exp(-std::log(s * (n + 2)) / (n + shift))) : 0;
-  }
-
-  /// A light adds g min(1, 2c) c^n at most, g = F (n + 2)/8: no more than e below (e/g)^(1/n), and below
-  /// (e/(2 g))^(1/(n + 1)). The larger of both is no less than the larger of their least values.
-  static double cutoff_of(double error, const Material& material) {
-    const double per_error = largest_reflectance(material) / 8 / error;
-    const Range powers = powers_of(material);
-    return std::max(least_root(2 * per_error, 1, powers), least_root(per_error, 0, powers)) * downwards;
-  }
 
   void decide_culling() {
     if (is_constant()) {
@@ -305,34 +284,9 @@ class Planner {
     for (const Decision& decision : plan_.decisions)
       (decision.term == "specular lobe" ? of_materials : of_lobes) += decision.error;
     plan_.error = plan_.wanted.lights * std::max(of_lobes, of_materials);
-    if (!lobes_.are_none() && !is_constant()) {
+    if (!lobes_.are_none() && !is_constant())
       plan_.dot_product_error = dot_product_error(lobes_, plan_.wanted.precision, scale());
-      plan_.notes.push_back("n.h by a dot product in " + std::string(name(plan_.wanted.precision)) +
-                            " is off by " + decimal_above(dot_product_rounding(plan_.wanted.precision), 3) +
-                            ", which moves a light by up to " + decimal_above(plan_.dot_product_error, 2) +
-                            " more, whatever the form: not counted");
-    }
     plan_.fits_skipped = static_cast<int>(fittable_families().size()) + lobe_fits - plan_.fits_run;
-  }
-
-  /// Engines do not shade by the smallest roughness that files have.
-  void note_roughness() {
-    const Conventions& conventions = scene_.conventions;
-    if (conventions.min_roughness > 0) {
-      plan_.notes.push_back("a roughness below " + decimal(conventions.min_roughness, 4) +
-                            " is taken for it");
-      return;
-    }
-    const double most = power_of_roughness(least_engine_roughness, conventions);
-    long smooth = 0;
-    for (std::size_t i = 0; i < plan_.materials.size(); ++i) {
-      const bool has_roughness = scene_.materials[i].fresnel == FresnelTerm::schlick;
-      if (plan_.materials[i].has_lobe && has_roughness && plan_.materials[i].power.most > most) ++smooth;
-    }
-    if (smooth == 0) return;
-    plan_.notes.push_back("the roughness of " + counted(smooth, "material") +
-                          " falls below 0.045, the least that engines keep (Filament; three.js has 0.0525): "
-                          "--min-roughness takes it for more");
   }
 
   const Scene& scene_;
