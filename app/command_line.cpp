@@ -115,7 +115,8 @@ void add_objective(CLI::App& fit, FitOptions& options) {
   fit.add_option("--norm", options.norm, "least-squares, or minimax: the largest error is least")
       ->capture_default_str()
       ->type_name("NAME");
-  fit.add_option("--weight", options.weight, "multiplies the error: a formula in c, not negative, as '1 + 4 c'")
+  fit.add_option("--weight", options.weight,
+                 "multiplies the error: a formula in c, not negative, as '1 + 4 c'")
       ->type_name("FORMULA");
   fit.add_option("--fix", options.fix, "a parameter that is given, not fitted; may be repeated")
       ->type_name("NAME=VALUE")

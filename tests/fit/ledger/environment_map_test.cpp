@@ -115,11 +115,13 @@ TEST(EnvironmentMapClaims, HowNearCountsAsFoundDecides) {
 
 TEST(EnvironmentMapClaims, ThePowerOfThePrintedDigits) {
   const Claim& claim = *find_claim("mip-mean-power");
-  EXPECT_EQ(verdict_of(claim), "other-objective") << "the source names no criterion, and one of five gives 16";
+  EXPECT_EQ(verdict_of(claim), "other-objective")
+      << "the source names no criterion, and one of five gives 16";
   EXPECT_EQ(evaluate(claim).computed, "power = 16386");  // 4/log(1 + 4/128^2)
   EXPECT_NE(evaluate(claim).evidence.find("printed digits are those of a lobe that has fallen to e^-2"),
             std::string::npos);
-  EXPECT_EQ(verdict_of(with_input(claim, "falls by e to the minus", "1")), "refuted") << "no reading gives 16";
+  EXPECT_EQ(verdict_of(with_input(claim, "falls by e to the minus", "1")), "refuted")
+      << "no reading gives 16";
   EXPECT_EQ(verdict_of(with_printed(claim, 0, "49000")), "confirmed");  // 3 * 128^2 - 1 = 49151
   EXPECT_EQ(verdict_of(with_printed(claim, 0, "20000")), "refuted");
 }
