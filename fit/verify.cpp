@@ -172,10 +172,9 @@ std::string check_boxes(const Certificate& certificate, const Function& error, c
 }  // namespace
 
 std::string reason_to_refuse(const Certificate& certificate, const ShareDone& done) {
-  for (const auto check : {check_subject, check_places}) {
-    if (std::string reason = check(certificate); !reason.empty()) return reason;
-  }
+  if (std::string reason = check_subject(certificate); !reason.empty()) return reason;
   if (std::string reason = check_cover(certificate); !reason.empty()) return reason;
+  if (std::string reason = check_places(certificate); !reason.empty()) return reason;
   return visit_formula(certificate.subject, [&](const auto& error, const auto& form, const auto&) {
     const std::string reason = check_attained(certificate, error);
     return reason.empty() ? check_boxes(certificate, error, form, done) : reason;

@@ -248,6 +248,9 @@ TEST(BadInput, Baselines) {
   directory.file("cut/fits.csv", fits.substr(0, fits.find('\n') + 1) + "sg-offset,x\n");
   expect_refusal({"check", "--baseline", directory / "cut"},
                  "'" + cut + "' line 2 has 2 cells: the header has 18");
+  std::filesystem::resize_file(cut, std::uintmax_t{1} << 30);
+  expect_refusal({"check", "--baseline", directory / "cut"},
+                 "cannot read '" + cut + "': it has 1073741824 bytes, more than 4194304");
   directory.file("cut/fits.csv", "constant,fitted\nsg-offset,1\n");
   const Outcome other = run_command_line({"check", "--baseline", directory / "cut"});
   EXPECT_EQ(other.exit_code, 2);

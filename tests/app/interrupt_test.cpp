@@ -83,6 +83,17 @@ TEST_F(Interrupt, FromAWriteHookLeavesOldFilesAndNothingElse) {
   }
 }
 
+TEST_F(Interrupt, AProofAndItsCheckEndBetweenBoxes) {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "pair.json";
+  ASSERT_EQ(run_command_line({"certify", "fresnel-quadratic", "--out", file}).exit_code, 0);
+  for (const int n : {1, 20}) {
+    EXPECT_EQ(run_command_line({"verify", file}, raising(SIGTERM, n)).exit_code, 128 + SIGTERM) << n;
+    EXPECT_EQ(run_command_line({"certify", "fresnel-quadratic"}, raising(SIGINT, n)).exit_code, 128 + SIGINT)
+        << n;
+  }
+}
+
 // At each checkpoint of a run: those of the fits, the normalisations, the plots and the files.
 TEST_F(Interrupt, ARunEndsAtAnyCheckpointWithNothingWritten) {
   const TemporaryDirectory directory;

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -49,6 +52,46 @@ TEST(Certify, WritesACertificateThatHolds) {
   EXPECT_NE(holds.out.find("holds: the largest absolute error of exp2((a c + b) c) is in [0.0037664127395"),
             std::string::npos)
       << holds.out;
+  // What holds, with the constants put in.
+  EXPECT_NE(holds.out.find("\n  form     exp2(((-5.55473) c + (-6.98316)) c)\n  target   (1 - c)^5\n"
+                           "  error    absolute: form - target\n  domain   c from 0 to 1\n"
+                           "  largest  at least 0.0037664127395"),
+            std::string::npos)
+      << holds.out;
+  EXPECT_NE(holds.out.find("\n  proven   the form rises with the angle, is non-negative, is at most 1\n"),
+            std::string::npos)
+      << holds.out;
+}
+
+/// Exponent, surface and the kind of error are part of what holds.
+TEST(Verify, SaysWhatHolds) {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "some.json";
+  const auto said = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--width", "0.1", "--out", file});
+    EXPECT_EQ(run_command_line(arguments).exit_code, 0);
+    return run_command_line({"verify", file}).out;
+  };
+  const auto expect_lines = [](const std::string& text, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines)
+      EXPECT_NE(text.find("\n  " + line + "\n"), std::string::npos) << line << "\n" << text;
+  };
+  expect_lines(
+      said({"certify", "sg-offset", "--exponent", "5", "--parameters", "x=0x1.8p-1", "--error", "relative"}),
+      {"form     exp((5 + 0.75) (c - 1))", "target   c^5", "exponent k = 5",
+       "error    relative: (form - target)/target",
+       "proven   the form falls with the angle, is non-negative, is at most 1"});
+  expect_lines(said({"certify", "fresnel-one-term", "--target", "exact", "--ior", "0.25", "--extinction",
+                     "3.5", "--error", "relative", "--domain", "0.25:0.75"}),
+               {"target   (F - f0)/(1 - f0), F the exact reflectance of a conductor",
+                "surface  a conductor of index n + i k, n = 0.25, k = 3.5, f0 its reflectance at c = 1",
+                "error    relative: (1 - f0) (form - target)/F, F = f0 + (1 - f0) target",
+                "domain   c from 0.25 to 0.75"});
+  expect_lines(said({"certify", "fresnel-one-term", "--ior", "1.5"}),
+               {"target   (1 - c)^5", "surface  a dielectric of index n = 1.5, f0 its reflectance at c = 1",
+                "error    absolute: (1 - f0) (form - target), that of the reflectance"});
+  expect_lines(said({"certify", "fresnel-one-term", "--error", "relative"}),
+               {"error    relative: (1 - f0) (form - target)/F, F = f0 + (1 - f0) target, f0 = 0.04"});
 }
 
 /// From inside glass the error is largest at the critical angle, where the target falls like a square root.
@@ -81,8 +124,16 @@ TEST(Verify, RefusesWithTheReason) {
       run_command_line({"verify", directory.file("false.json", certificate_text(certificate))});
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_NE(wrong.err.find("is refused: the error may exceed"), std::string::npos) << wrong.err;
-  const std::string cut = directory.file("cut.json", text.substr(0, text.size() / 2));
-  expect_refusal({"verify", cut}, "certificate '" + cut + "' ends early: it is no whole JSON");
+  const std::string half = text.substr(0, text.size() / 2);
+  const std::string cut = directory.file("cut.json", half);
+  const std::string cut_line = fmt::format("{}, column {}", std::count(half.begin(), half.end(), '\n') + 1,
+                                           half.size() - half.rfind('\n'));
+  expect_refusal({"verify", cut}, "certificate '" + cut + "', line " + cut_line + ": the JSON ends early");
+  // A file that is too large is not read: this one has no content, only a size.
+  const std::string sparse = directory.file("sparse.json", "");
+  std::filesystem::resize_file(sparse, std::uintmax_t{1} << 30);
+  expect_refusal({"verify", sparse},
+                 "cannot read '" + sparse + "': it has 1073741824 bytes, more than 4194304");
   const std::string none = directory / "none.json";
   EXPECT_EQ(run_command_line({"verify", none}).exit_code, 2);
 }

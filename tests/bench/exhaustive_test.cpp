@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -259,13 +261,13 @@ TEST(StateFile, ReadsBackWhatItWrote) {
 TEST(StateFile, EveryByteThatIsChangedOrCutOffIsSeen) {
   const std::string text = state_text(done());
   for (std::size_t i = 0; i < text.size(); ++i) {
-    EXPECT_TRUE(refusal([&] { parse_state(text.substr(0, i), "f"); }).starts_with("state file 'f' ") ||
+    EXPECT_TRUE(refusal([&] { parse_state(text.substr(0, i), "f"); }).starts_with("state file 'f'") ||
                 i + 1 == text.size())
         << "cut at " << i;
     if (std::isspace(static_cast<unsigned char>(text[i]))) continue;
     std::string changed = text;
     changed[i] = changed[i] == '1' ? '2' : '1';
-    EXPECT_TRUE(refusal([&] { parse_state(changed, "f"); }).starts_with("state file 'f' "))
+    EXPECT_TRUE(refusal([&] { parse_state(changed, "f"); }).starts_with("state file 'f'"))
         << "changed at " << i;
   }
 }
@@ -273,9 +275,9 @@ TEST(StateFile, EveryByteThatIsChangedOrCutOffIsSeen) {
 TEST(StateFile, RefusalsNameWhatIsWrong) {
   const std::string text = state_text(done());
   const auto refused = [](const std::string& content) { return refusal([&] { parse_state(content, "f"); }); };
-  EXPECT_EQ(refused(""), "state file 'f' ends early: it is no whole JSON");
-  EXPECT_EQ(refused(text.substr(0, 300)), "state file 'f' ends early: it is no whole JSON");
-  EXPECT_EQ(refused("hello"), "state file 'f' is no JSON");
+  EXPECT_EQ(refused(""), "state file 'f', line 1, column 1: the JSON ends early");
+  EXPECT_NE(refused(text.substr(0, 300)).find(": the JSON ends early"), std::string::npos);
+  EXPECT_EQ(refused("hello"), "state file 'f', line 1, column 1: malformed JSON");
   EXPECT_EQ(refused("[1]"), "state file 'f' is none: its field 'file' does not say 'shadefit exhaustive'");
   // Somebody who makes the digest anew meets the rules of the fields.
   const auto changed = [&](const char* key, const nlohmann::ordered_json& value) {
@@ -295,7 +297,28 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
   EXPECT_EQ(changed("whole", {"0x10", "0x20"}),
             "state file 'f' has a field 'whole' that is no bit pattern of a float");
   EXPECT_EQ(changed("version", nullptr), "state file 'f' has a field 'version' that is no text");
+  // What would be rounded, cut off, or overlooked.
+  EXPECT_EQ(changed("constants", {"0x1.00000000001p+0"}),
+            "state file 'f' has a field 'constants' that is no hexadecimal float");
+  const auto not_so = [](const char* key) {
+    return fmt::format("state file 'f' has a field '{}' that shadefit does not write, or not so", key);
+  };
+  EXPECT_EQ(changed("exp2_degree", (std::uint64_t{1} << 32)), not_so("exp2_degree"));
+  EXPECT_EQ(changed("max_ulps", (std::uint64_t{1} << 32)), not_so("max_ulps"));
+  EXPECT_EQ(changed("x", 1), not_so("x"));
   auto json = nlohmann::ordered_json::parse(text);
+  auto place = json.at("max_abs_error_at");
+  place["c"] = "0x1p-1";
+  EXPECT_EQ(changed("max_abs_error_at", place), not_so("max_abs_error_at"));
+  auto counts = json.at("ulps");
+  counts[0] = counts[0].get<std::uint64_t>() + (std::uint64_t{1} << 63);
+  counts[1] = counts[1].get<std::uint64_t>() + (std::uint64_t{1} << 63);
+  EXPECT_EQ(changed("ulps", counts),
+            "state file 'f' has a field 'ulps' that has not as many counts as floats are done")
+      << "their sum wraps to the right one";
+  EXPECT_NE(refused(text + std::string("\0", 1)).find(": a byte 0"), std::string::npos);
+  EXPECT_EQ(refused("{\"x\":" + std::string(70000, '[') + std::string(70000, ']') + "," + text.substr(1)),
+            "state file 'f': JSON is deeper than 64 values in each other");
   json["nans"] = 11;
   EXPECT_TRUE(refused(json.dump()).starts_with("state file 'f' was changed: its digest is "));
 }
@@ -310,6 +333,9 @@ TEST(StateFile, StaysAsItWasWhereANewOneCannotBeWritten) {
   EXPECT_THROW(keep_state(path + "/below", done()), UserError);
   EXPECT_EQ(read_state(path).sweep.shard, (Shard{2, 2}));
   EXPECT_THROW(read_state(directory / "none"), UserError);
+  std::filesystem::resize_file(path, std::uintmax_t{1} << 30);
+  EXPECT_EQ(refusal([&] { read_state(path); }),
+            "cannot read '" + path + "': it has 1073741824 bytes, more than 65536");
 }
 
 }  // namespace

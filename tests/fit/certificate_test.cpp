@@ -86,8 +86,15 @@ TEST(Certificate, AFalseOneIsRefused) {
         c.attained = {Origin::peak, 0.75};
       },
       "the place of its lower bound is outside");
-  expect_refusal([](Certificate& c) { c.places.clear(); },
-                 "the error may exceed the lower bound outside of its places");
+  expect_refusal([](Certificate& c) { c.places.clear(); }, "it names no place of the largest error");
+  expect_refusal(
+      [](Certificate& c) {
+        c.places = {{Origin::peak, 0.125, 0.25}};
+      },
+      "the error may exceed the lower bound outside of its places");
+  expect_refusal([](Certificate& c) { std::swap(c.places[0].lower, c.places[0].upper); }, "the place c in [");
+  expect_refusal([](Certificate& c) { c.places[0].upper = 0.75; }, "the place c in [");
+  expect_refusal([](Certificate& c) { c.places.push_back(c.places[0]); }, "the place c in [");
   expect_refusal([](Certificate& c) { c.horizon.front() = 0x1p-9; },
                  "the boxes in c do not reach from 0x0p+0");
   expect_refusal([](Certificate& c) { c.peak.pop_back(); }, "the boxes in 1 - c do not reach");
@@ -100,18 +107,64 @@ TEST(Certificate, AFalseOneIsRefused) {
   expect_refusal([](Certificate& c) { c.subject.domain.upper = 2; }, "the domain is not within [0, 1]");
   expect_refusal([](Certificate& c) { c.subject.parameters[1].second = "-6.983146"; }, "the error");
   expect_refusal([](Certificate& c) { c.subject.parameters[1].second = "b"; },
-                 "the parameter b 'b' is no finite number");
+                 "parameter b 'b' is not a finite number");
   expect_refusal([](Certificate& c) { c.subject.parameters.pop_back(); },
-                 "a parameter is missing, or too much");
+                 "parameter 'b' of fresnel-quadratic is missing");
   expect_refusal([](Certificate& c) { c.subject.parameters[0].first = "A"; },
-                 "the family has no parameter 'A'");
-  expect_refusal([](Certificate& c) { c.subject.family = "fresnel"; }, "there is no family 'fresnel'");
+                 "parameter 'A' is unknown: fresnel-quadratic has none of that name");
+  expect_refusal([](Certificate& c) { c.subject.family = "fresnel"; }, "'fresnel' is no family");
   expect_refusal([](Certificate& c) { c.form = "exp2(a c)"; }, "the form 'exp2(a c)' is not the family's");
   expect_refusal([](Certificate& c) { c.target = "(1 - c)^4"; },
                  "the target '(1 - c)^4' is not the family's");
   expect_refusal([](Certificate& c) { c.precision = 9999; }, "it was made with 9999 bits");
   expect_refusal([](Certificate& c) { c.curve.trend = Trend::falls; }, "the form may turn at c in");
   expect_refusal([](Certificate& c) { c.subject.error = Error::relative; }, "the error");
+  expect_refusal([](Certificate& c) { c.subject.setting.exponent = 5; }, "fresnel-quadratic has no exponent");
+  const auto expect_no_surface = [&](const Surface& surface, const std::string& reason) {
+    expect_refusal([&](Certificate& c) { c.subject.setting.surface = surface; }, reason);
+  };
+  expect_no_surface(exact_surface(-1.5), "the index of refraction is not greater than 0");
+  expect_no_surface(exact_surface(-1.5, 2), "the index of refraction is not greater than 0");
+  expect_no_surface(exact_surface(1.5, -2), "the extinction is negative");
+  expect_no_surface(schlick_surface(1), "the index of refraction is 1 without extinction");
+  expect_no_surface(exact_surface(0, 2), "the surface has no index of refraction");
+  Surface bright;
+  bright.f0 = 1;
+  expect_no_surface(bright, "the f0 of the surface is not at least 0 and less than 1");
+  bright = schlick_surface(1.5);
+  bright.f0 = 0.5;
+  expect_no_surface(bright, "a surface with an index of refraction has an f0 of its own");
+}
+
+TEST(Certificate, ALobeHasNoSurface) {
+  Certificate lobe = certify(gaussian(5), 0.1).certificate;
+  lobe.subject.setting.surface = exact_surface(1.5);
+  EXPECT_EQ(reason_to_refuse(lobe), "sg-offset is no Fresnel form: it has no surface");
+  Subject subject = gaussian(5);
+  subject.domain = {0.5, 0.25};
+  EXPECT_THROW(certify(subject, 0.1), UserError) << "the same rules hold for what is to be certified";
+}
+
+/// Proofs and checks look for signals between their boxes.
+TEST(Certificate, WorkEndsWhereACheckpointSays) {
+  struct Ended {};
+  int calls = 0;
+  const auto third = [&] {
+    if (++calls == 3) throw Ended{};
+  };
+  EXPECT_THROW(certify(published_pair(), usual_width, third), Ended);
+  EXPECT_EQ(calls, 3);
+  const Certificate made = certify(published_pair(), usual_width).certificate;
+  calls = 0;
+  double share = 0;
+  EXPECT_THROW(reason_to_refuse(made,
+                                [&](double done) {
+                                  share = done;
+                                  third();
+                                }),
+               Ended);
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 0.1) << "the third of " << made.horizon.size() + made.peak.size() << " ends of boxes";
 }
 
 TEST(Certificate, WhatACurveIsNot) {
@@ -145,6 +198,10 @@ TEST(Certificate, HexadecimalTexts) {
   for (const char* text :
        {"", "0x", "1.8p-1", "0x1.8p-1x", "0xinf", "0xnan", "--0x1p+0", "-0x-1p+0", "0x1p+9999"})
     EXPECT_FALSE(parse_hex(text)) << text;
+  // One number has one text: these were rounded, or read as another spelling.
+  for (const char* text : {"0x0.7ffffffffffffffffp+0", "0x1.00000000000001p+0", "0x1.80p-1", "0x3p-2",
+                           "0x1.8p-01", "0X1.8p-1", "0x1.8P-1", "0x1.Ap+0", "0x1", "0x1p-9999"})
+    EXPECT_FALSE(parse_hex(text)) << text;
 }
 
 TEST(Certificate, SubjectsThatAreNone) {
@@ -169,6 +226,8 @@ TEST(Certificate, SubjectsThatAreNone) {
     subject.parameters[0].second = text;
     EXPECT_EQ(refusal(subject), "parameter a '" + std::string(text) + "' is not a finite number");
   }
+  subject.parameters[0].second = "0x1.80p+0";
+  EXPECT_EQ(refusal(subject), "parameter a '0x1.80p+0' is not a hexadecimal double as shadefit prints it");
   for (const double width : {0.0, -1.0, 1e-20, 1.0, std::nan("")})
     EXPECT_NE(refusal(published_pair(), width).find("cannot be reached"), std::string::npos) << width;
 }

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
+#include "fit/curve_proof.hpp"
 #include "fit/enclosure.hpp"
 #include "fit/user_error.hpp"
+#include "reports/digest.hpp"
 
 namespace shadefit {
 namespace {
@@ -48,7 +51,7 @@ TEST(CertificateJson, TruncatedAndChanged) {
   const std::string text = certificate_text(pair_certificate());
   const std::size_t last = text.rfind('}');
   for (std::size_t cut = 1; cut <= last; cut += 1 + text.size() / 50)
-    EXPECT_EQ(refusal(text.substr(0, cut)), "certificate 'f' ends early: it is no whole JSON") << cut;
+    EXPECT_NE(refusal(text.substr(0, cut)).find(": the JSON ends early"), std::string::npos) << cut;
   int changed = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] < '0' || text[i] > '8' || i % 7 != 0) continue;
@@ -67,8 +70,8 @@ TEST(CertificateJson, AnotherLayoutIsNoChange) {
 }
 
 TEST(CertificateJson, WhatIsNoCertificate) {
-  EXPECT_EQ(refusal("a,b\n1,2\n"), "certificate 'f' is no JSON");
-  EXPECT_EQ(refusal(""), "certificate 'f' is no JSON");
+  EXPECT_EQ(refusal("a,b\n1,2\n"), "certificate 'f', line 1, column 1: malformed JSON");
+  EXPECT_EQ(refusal(""), "certificate 'f', line 1, column 1: the JSON ends early");
   EXPECT_EQ(refusal("{\"schema\": 1}"),
             "'f' is not a certificate: its field 'file' does not say 'shadefit certificate'");
   EXPECT_EQ(refusal("[1]"), "'f' is not a certificate: its field 'file' does not say 'shadefit certificate'");
@@ -83,14 +86,81 @@ TEST(CertificateJson, WhatIsNoCertificate) {
   other["domain"] = {0, 1};
   EXPECT_EQ(refusal(other.dump()), "certificate 'f': the field 'domain' is not a text");
   other["domain"] = {"0x0p+0", "1"};
-  EXPECT_EQ(refusal(other.dump()),
-            "certificate 'f': the field 'domain' holds '1', which is no hexadecimal number");
+  EXPECT_EQ(
+      refusal(other.dump()),
+      "certificate 'f': the field 'domain' holds '1', which is no hexadecimal double as shadefit prints it");
   other = json;
   other["error"] = "squared";
   EXPECT_EQ(refusal(other.dump()), "certificate 'f': the field 'error' is unknown: 'squared'");
   other = json;
   other["digest"] = "00000000";
   EXPECT_EQ(refusal(other.dump()).substr(0, 23), "its digest is 00000000,");
+}
+
+/// Each is one way to say more, less or something else than is checked, under a digest of its own.
+TEST(CertificateJson, IsReadStrictly) {
+  const auto pair = write_certificate_json(pair_certificate());
+  const auto refused = [&](const char* key, const nlohmann::ordered_json& value) {
+    auto other = pair;
+    other.erase(digest_field);
+    other[key] = value;
+    other[digest_field] = digest_of(other);
+    return refusal(other.dump());
+  };
+  const std::string field = "certificate 'f': the field ",
+                    not_so = " is unknown, or not as shadefit writes it";
+  EXPECT_EQ(refused("proven", {"falls with the angle", "rises with the angle"}),
+            field + "'proven' says twice how the form goes with the angle");
+  EXPECT_EQ(refused("proven", {"non-negative", "non-negative"}), field + "'proven'" + not_so);
+  EXPECT_EQ(refused("proven", {"at most 1", "non-negative"}), field + "'proven'" + not_so);
+  EXPECT_EQ(refused("x", 1), field + "'x'" + not_so);
+  const auto no_count = [&](const char* key) {
+    return field + "'" + key + "' is not a whole number from 0 to 2147483647";
+  };
+  for (const char* key : {"schema", "precision"}) {
+    const std::int64_t value = pair.at(key);
+    EXPECT_EQ(refused(key, value + (std::int64_t{1} << 32)), no_count(key)) << "as int it would be right";
+    EXPECT_EQ(refused(key, -value), no_count(key));
+    EXPECT_EQ(refused(key, 1.0), no_count(key));
+  }
+  EXPECT_EQ(refused("largest", {"0x0p+0", "0x0.7ffffffffffffffffp+0"}),
+            field +
+                "'largest' holds '0x0.7ffffffffffffffffp+0', which is no hexadecimal double as shadefit "
+                "prints it");
+  EXPECT_EQ(refused("exponent", "-0x1p+0"), field + "'exponent'" + not_so);
+  const nlohmann::ordered_json surface{{"f0", "0x1p-2"}, {"ior", "0x1.8p+0"}};
+  EXPECT_EQ(refused("surface", surface), field + "'surface'" + not_so);
+  EXPECT_EQ(refused("surface", {{"formula", "exact"}, {"ior", "0x0p+0"}, {"extinction", "0x0p+0"}}),
+            field + "'surface'" + not_so);
+  auto places = pair.at("places");
+  places[0]["x"] = 1;
+  EXPECT_EQ(refused("places", places), field + "'places'" + not_so);
+}
+
+TEST(CertificateJson, WhatItsTextMayNotHold) {
+  const std::string text = certificate_text(pair_certificate());
+  const auto lines = std::to_string(std::count(text.begin(), text.end(), '\n') + 1);
+  EXPECT_EQ(refusal(text + std::string("\0junk", 5)),
+            "certificate 'f', line " + lines + ", column 1: a byte 0");
+  EXPECT_EQ(refusal(text + "junk"), "certificate 'f', line " + lines + ", column 1: malformed JSON");
+  const auto with = [&](const std::string& member) { return refusal("{" + member + "," + text.substr(1)); };
+  EXPECT_EQ(with("\"schema\": 2"), "certificate 'f': JSON has two members 'schema' in one object");
+  EXPECT_EQ(with("\"x\": \"\xFF\""), "certificate 'f', line 1, column 8: malformed JSON");
+  // Deep and wide documents are refused as they are read, before anything goes down or through them.
+  EXPECT_EQ(with("\"x\": " + std::string(70000, '[') + std::string(70000, ']')),
+            "certificate 'f': JSON is deeper than 64 values in each other");
+  std::string many;
+  for (std::size_t i = 0; i < 100000; ++i) many += "\"" + std::to_string(i) + "\":0,";
+  EXPECT_EQ(with(many + "\"x\": 0"), "certificate 'f': JSON has more than 64 members in one object");
+}
+
+/// The limit of a file's size holds the largest that a proof can make: boxes with texts of the longest kind.
+TEST(CertificateJson, TheLargestCertificateFitsItsFile) {
+  Certificate largest = pair_certificate();
+  const double longest = -0x1.123456789abcdp-1000;
+  largest.horizon.assign(most_boxes + 3 * most_curve_boxes + 2, longest);
+  largest.places.assign(most_boxes, {Origin::peak, longest, longest});
+  EXPECT_LT(certificate_text(largest).size(), most_certificate_bytes);
 }
 
 }  // namespace

@@ -35,12 +35,20 @@ std::string refusal_of_factor(const std::string& members) {
 }
 
 TEST(BadGltf, MalformedJsonHasItsPosition) {
-  EXPECT_EQ(refusal_of_gltf(""), "'a.gltf', line 1, column 1: malformed JSON");
+  EXPECT_EQ(refusal_of_gltf(""), "'a.gltf', line 1, column 1: the JSON ends early");
   EXPECT_EQ(refusal_of_gltf("{\n  \"a\": 1,\n  b\n}"), "'a.gltf', line 3, column 3: malformed JSON");
-  EXPECT_EQ(refusal_of_gltf("{\"a\": 1"), "'a.gltf', line 1, column 8: malformed JSON");
+  EXPECT_EQ(refusal_of_gltf("{\"a\": 1"), "'a.gltf', line 1, column 8: the JSON ends early");
   EXPECT_EQ(refusal_of_gltf("{\"a\": NaN}"), "'a.gltf', line 1, column 7: malformed JSON");
   EXPECT_EQ(refusal_of_gltf("{\"a\": \"\xFF\"}"), "'a.gltf', line 1, column 8: malformed JSON");
   EXPECT_EQ(refusal_of_gltf("{\"a\": 1e999}"), "'a.gltf', line 1, column 11: a number is too large");
+}
+
+TEST(BadGltf, WhatTwoReadersMayReadInTwoWays) {
+  EXPECT_EQ(refusal_of_gltf(R"({"asset":{"version":"2.0"},"materials":[{}],"materials":[]})"),
+            "'a.gltf': JSON has two members 'materials' in one object");
+  EXPECT_EQ(refusal_of_gltf(gltf_of_material("") + std::string("\0 ", 2)).substr(0, 10), "'a.gltf', ");
+  EXPECT_EQ(refusal_of_gltf(R"({"extras":{"a":1,"a":2},"asset":{"version":"2.0"}})"), "")
+      << "what is not kept is nobody's";
 }
 
 TEST(BadGltf, DepthAndNumberOfValuesAreBounded) {

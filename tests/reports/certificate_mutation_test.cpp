@@ -1,0 +1,333 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fit/hex_float.hpp"
+#include "fit/interval_ends.hpp"
+#include "fit/sweep.hpp"
+#include "fit/user_error.hpp"
+#include "reports/certificate_json.hpp"
+#include "reports/digest.hpp"
+#include "reports/files.hpp"
+#include "tests/reports/certificate_cases.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::certified_subjects;
+using testing::TemporaryDirectory;
+using Json = nlohmann::ordered_json;
+
+/// Relative, of the bounds: few boxes.
+constexpr double wide = 0.1;
+
+std::string label(const Certificate& certificate) {
+  return certificate.subject.family + " at " + to_text(certificate.subject.domain);
+}
+
+// What plain doubles say of a certificate: an oracle without boxes and without intervals.
+
+double value_of(const std::string& text) {
+  const auto exact = parse_hex(text);
+  return exact ? *exact : parse_number(text).value();
+}
+
+double form_at(const Subject& subject, double c) {
+  return evaluate<double>(find_family(subject.family)->form(), [&](const std::string& variable) {
+    for (const auto& [name, text] : subject.parameters) {
+      if (name == variable) return value_of(text);
+    }
+    return variable == "k" ? subject.setting.exponent : c;
+  });
+}
+
+double error_at(const Subject& subject, double c) {
+  const Surface& surface = subject.setting.surface;
+  const bool is_fresnel = find_family(subject.family)->is_fresnel();
+  const double target = is_fresnel ? target_weight(surface, c) : std::pow(c, subject.setting.exponent);
+  const double difference = form_at(subject, c) - target;
+  if (!is_fresnel) return subject.error == Error::absolute ? difference : difference / target;
+  const double f0 = normal_reflectance<double>(surface);
+  if (subject.error == Error::relative) return (1 - f0) * difference / (f0 + (1 - f0) * target);
+  return surface.is_named() ? (1 - f0) * difference : difference;
+}
+
+double cosine_of(Origin side, double distance) {
+  return side == Origin::horizon ? distance : 1 - distance;
+}
+
+/// The cosines that the oracle looks at.
+std::vector<double> samples_of(const Certificate& certificate) {
+  const Domain& domain = certificate.subject.domain;
+  constexpr int count = 500;
+  std::vector<double> samples;
+  for (int i = 0; i <= count; ++i)
+    samples.push_back(domain.lower + (domain.upper - domain.lower) * i / count);
+  for (const Box& place : certificate.places) {
+    samples.push_back(cosine_of(place.side, place.lower));
+    samples.push_back(cosine_of(place.side, place.upper));
+  }
+  std::sort(samples.begin(), samples.end());
+  return samples;
+}
+
+/// The first statement of a certificate that is false beyond the rounding of doubles; empty where none is.
+/// What is true is not proven here: a looser bound, another end of a box within the domain, fewer statements
+/// and fewer bits leave a true certificate true, and nothing is found.
+std::string falsehood(const Certificate& certificate) {
+  const Subject& subject = certificate.subject;
+  const Domain& domain = subject.domain;
+  const FittableFamily* family = find_family(subject.family);
+  if (family == nullptr || certificate.form != to_text(family->form())) return "the form";
+  if (!(0 <= domain.lower && domain.lower < domain.upper && domain.upper <= 1)) return "the domain";
+  if (certificate.precision > interval_precision()) return "the bits";
+  const double at = cosine_of(certificate.attained.side, certificate.attained.distance);
+  if (!(domain.lower <= at && at <= domain.upper)) return "where it is attained";
+  // Errors of the formulas in doubles: some 1e-15 of values up to 1, a few more relative to a small target.
+  // At its critical angle a reflectance falls like a square root, which makes 1e-8 of a rounding of the
+  // cosine.
+  const double scale = critical_cosine(subject.setting.surface) ? 1e-7
+                       : subject.error == Error::relative       ? 1e-10
+                                                                : 1e-13;
+  const auto exceeds = [&](double x, double bound) {
+    return !(x <= bound + scale + 1e-12 * std::abs(bound));
+  };
+  if (exceeds(certificate.lower, std::abs(error_at(subject, at)))) return "the lower bound";
+  const auto is_in_places = [&](double c) {
+    return std::any_of(certificate.places.begin(), certificate.places.end(), [&](const Box& place) {
+      const double a = cosine_of(place.side, place.lower), b = cosine_of(place.side, place.upper);
+      return std::min(a, b) <= c && c <= std::max(a, b);
+    });
+  };
+  double before = std::nan("");
+  for (const double c : samples_of(certificate)) {
+    const double error = std::abs(error_at(subject, c)), form = form_at(subject, c);
+    if (exceeds(error, certificate.upper)) return "the upper bound";
+    if (!is_in_places(c) && exceeds(error, certificate.lower)) return "the places";
+    if (certificate.curve.is_non_negative && exceeds(-form, 0)) return "non-negative";
+    if (certificate.curve.is_at_most_one && exceeds(form, 1)) return "at most 1";
+    // With the cosine a form rises where it falls with the angle.
+    if (certificate.curve.trend == Trend::falls && before > form + scale) return "falls";
+    if (certificate.curve.trend == Trend::rises && before < form - scale) return "rises";
+    before = form;
+  }
+  return "";
+}
+
+// Every way to change a certificate.
+
+std::vector<Json> other_numbers(const std::string& text) {
+  std::vector<Json> others{"0x0p+0", "0x1p+0", "0x1p+1023", "nan", ""};
+  const double value = value_of(text);
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double other : {-value, 2 * value, value / 2, 1 - value, 0.99 * value, 1.01 * value,
+                             std::nextafter(value, -infinity), std::nextafter(value, infinity)})
+    others.emplace_back(hex_text(other));
+  // Some digits, the first and the last among them; and digits more than a double has.
+  const bool is_hex = text.find("0x") != std::string::npos;
+  const std::size_t first = is_hex ? text.find('x') + 1 : 0, end = std::min(text.find('p'), text.size());
+  for (std::size_t i = first; i < end; i += i + 1 == end ? 1 : std::min<std::size_t>(4, end - 1 - i)) {
+    std::string other = text;
+    const auto digit = std::string("0123456789abcdef").find(text[i]);
+    if (digit == std::string::npos) continue;
+    other[i] = "1032547698badcfe"[digit];
+    others.emplace_back(other);
+  }
+  others.emplace_back(text.substr(0, end) + (text.find('.') == std::string::npos ? "." : "") +
+                      "7fffffffffffff" + text.substr(end));
+  return others;
+}
+
+std::vector<Json> other_words(const std::string& text) {
+  std::vector<Json> others{"absolute",
+                           "relative",
+                           "exact",
+                           "schlick",
+                           "c",
+                           "1 - c",
+                           "falls with the angle",
+                           "rises with the angle",
+                           "non-negative",
+                           "at most 1",
+                           "(1 - c)^5",
+                           "c^k",
+                           "",
+                           1};
+  for (const FittableFamily& family : fittable_families().first(3)) {
+    others.emplace_back(family.info.id);
+    others.emplace_back(to_text(family.form()));
+  }
+  others.emplace_back(text + " ");
+  return others;
+}
+
+std::vector<Json> others_of(const Json& value) {
+  if (value.is_null())
+    return {"0x1.4p+2", Json{{"f0", "0x1p-2"}},
+            Json{{"formula", "schlick"}, {"ior", "0x1.8p+0"}, {"extinction", "0x0p+0"}},
+            Json{{"formula", "exact"}, {"ior", "0x1.8p+0"}, {"extinction", "0x0p+0"}}};
+  if (value.is_number()) {
+    const auto n = value.get<std::int64_t>();
+    return {0, -1, n + 1, n + (std::int64_t{1} << 32), -n, 1.5, std::to_string(n), nullptr};
+  }
+  if (!value.is_string()) return {nullptr, Json::array(), Json::object(), 7};
+  const auto text = value.get<std::string>();
+  return parse_hex(text) || parse_number(text) ? other_numbers(text) : other_words(text);
+}
+
+/// Calls visit with each document that differs from this one in one place: a value, a member or an element
+/// lost, doubled, or exchanged with its neighbour, a member too much. Of long lists, which are those of the
+/// boxes, the first and the last elements and one between.
+template <class Visit>
+void for_each_mutant(const Json& original, const Visit& visit) {
+  const auto changed = [&](const Json::json_pointer& at, const auto& change) {
+    Json mutant = original;
+    change(mutant[at]);
+    visit(mutant, at.to_string());
+  };
+  const auto visit_place = [&](const auto& self, const Json::json_pointer& at) -> void {
+    const Json& value = original.at(at);
+    for (const Json& other : others_of(value)) changed(at, [&](Json& v) { v = other; });
+    if (value.is_object()) {
+      changed(at, [](Json& v) { v["x"] = 1; });
+      for (const auto& [key, member] : value.items()) {
+        if (key == digest_field) continue;
+        changed(at, [&](Json& v) { v.erase(key); });
+        self(self, at / key);
+      }
+    }
+    if (!value.is_array()) return;
+    for (const char* word : {"falls with the angle", "rises with the angle", "at most 1", "0x1p-1"})
+      changed(at, [&](Json& v) { v.push_back(word); });
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const bool is_between = i > 1 && i + 2 < value.size() && i != value.size() / 2;
+      if (is_between) continue;
+      changed(at, [&](Json& v) { v.erase(i); });
+      changed(at, [&](Json& v) { v.insert(v.begin() + static_cast<std::ptrdiff_t>(i), Json(v[i])); });
+      if (i + 1 < value.size()) changed(at, [&](Json& v) { std::swap(v[i], v[i + 1]); });
+      self(self, at / i);
+    }
+  };
+  visit_place(visit_place, Json::json_pointer());
+}
+
+std::string signed_text(Json json) {
+  if (json.is_object()) {
+    json.erase(digest_field);
+    json[digest_field] = digest_of(json);
+  }
+  return json.dump();
+}
+
+/// Whatever is changed in a certificate and signed anew: it is refused, or nothing in it is false.
+TEST(CertificateMutation, NoFalseStatementIsAccepted) {
+  int refused = 0, accepted = 0;
+  for (const Subject& subject : certified_subjects()) {
+    const Certificate truth = certify(subject, wide).certificate;
+    const Json json = write_certificate_json(truth);
+    ASSERT_EQ(falsehood(truth), "") << label(truth);
+    ASSERT_EQ(reason_to_refuse(truth), "") << label(truth);
+    for_each_mutant(json, [&](const Json& mutant, const std::string& where) {
+      if (mutant == json) return;
+      try {
+        const Certificate read = read_certificate(signed_text(mutant), "f").certificate;
+        if (reason_to_refuse(read).empty()) {
+          ++accepted;
+          EXPECT_EQ(falsehood(read), "")
+              << label(truth) << " " << where << " " << mutant[Json::json_pointer(where)];
+          EXPECT_EQ(certificate_text(read), Json::parse(signed_text(mutant)).dump(1) + "\n") << where;
+        } else {
+          ++refused;
+        }
+      } catch (const UserError&) {
+        ++refused;
+      }
+    });
+  }
+  // Looser bounds, other ends of boxes, fewer statements.
+  EXPECT_GT(accepted, 100);
+  EXPECT_GT(refused, 5000);
+}
+
+/// Certificates that are false by far, in what a verifier has to compute.
+std::vector<Certificate> false_ones(const Certificate& truth) {
+  std::vector<Certificate> candidates;
+  const auto add = [&](const auto& falsify) { falsify(candidates.emplace_back(truth)); };
+  add([&](Certificate& c) {
+    c.upper = 0.99 * truth.lower;
+    c.lower = 0;
+    c.places = boxes_of(truth.subject.domain);
+  });
+  add([&](Certificate& c) {
+    c.lower = 1.01 * truth.upper;
+    c.upper = 2 * truth.upper;
+  });
+  add([&](Certificate& c) {
+    c.lower = 0.5 * truth.lower;
+    c.places = {{truth.attained.side, truth.attained.distance, truth.attained.distance}};
+  });
+  add([&](Certificate& c) {
+    auto& text = c.subject.parameters.front().second;
+    text = hex_text(1.25 * value_of(text));
+  });
+  add([](Certificate& c) { c.curve.trend = c.curve.trend == Trend::falls ? Trend::rises : Trend::falls; });
+  add([](Certificate& c) {
+    c.subject.error = c.subject.error == Error::absolute ? Error::relative : Error::absolute;
+  });
+  std::erase_if(candidates, [](const Certificate& c) { return falsehood(c).empty(); });
+  return candidates;
+}
+
+/// The lines that tests/verifier/verify_certificate.py prints of files.
+std::vector<std::string> second_verdicts(const TemporaryDirectory& directory,
+                                         const std::vector<std::string>& names) {
+  std::string command = SHADEFIT_PYTHON " " SHADEFIT_SOURCE_DIR "/tests/verifier/verify_certificate.py";
+  for (const std::string& name : names) command += " " + name;
+  const std::string said = directory / "said";
+  const int status =
+      std::system(("cd " + directory.path().string() + " && " + command + " >" + said + " 2>&1").c_str());
+  EXPECT_NE(status, -1);
+  std::vector<std::string> lines;
+  const std::string text = read_file(said);
+  for (std::size_t begin = 0; begin < text.size(); begin = text.find('\n', begin) + 1)
+    lines.push_back(text.substr(begin, text.find('\n', begin) - begin));
+  return lines;
+}
+
+/// A verifier in another language and another library, which parses the formulas' texts, says the same.
+TEST(SecondVerifier, AgreesOnWhatHoldsAndOnWhatDoesNot) {
+  const TemporaryDirectory directory;
+  std::vector<std::string> names;
+  std::vector<bool> holds;
+  const auto add = [&](const Certificate& certificate) {
+    names.push_back(std::to_string(names.size()) + ".json");
+    directory.file(names.back(), certificate_text(certificate));
+    holds.push_back(reason_to_refuse(certificate).empty());
+  };
+  for (const Subject& subject : certified_subjects()) {
+    const Certificate truth = certify(subject, wide).certificate;
+    add(truth);
+    EXPECT_TRUE(holds.back()) << label(truth);
+    for (const Certificate& wrong : false_ones(truth)) {
+      add(wrong);
+      EXPECT_FALSE(holds.back()) << label(truth);
+    }
+  }
+  EXPECT_GT(names.size(), 4 * certified_subjects().size());
+  const auto verdicts = second_verdicts(directory, names);
+  ASSERT_EQ(verdicts.size(), names.size()) << (verdicts.empty() ? "" : verdicts.back());
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string expected = names[i] + (holds[i] ? " holds" : " is refused: ");
+    EXPECT_EQ(verdicts[i].substr(0, expected.size()), expected)
+        << read_file(directory / names[i]).substr(0, 400);
+  }
+}
+
+}  // namespace
+}  // namespace shadefit
