@@ -10,7 +10,8 @@
 
 namespace {
 
-/// The text with the digest that its fields have, so that what lies behind the check of the digest is reached.
+/// The text with the digest that its fields have, so that what lies behind the check of the digest is
+/// reached.
 std::string signed_again(const std::string& text) {
   auto json = nlohmann::ordered_json::parse(text, nullptr, false);
   if (!json.is_object()) return text;
