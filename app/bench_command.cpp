@@ -6,6 +6,7 @@
 
 #include "app/bench_options.hpp"
 #include "app/draw_figures.hpp"
+#include "app/output_folder.hpp"
 #include "app/slow_tables.hpp"
 #include "bench/forms/accuracy.hpp"
 #include "bench/trade/google_json.hpp"
@@ -94,7 +95,7 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
                       const Progress& progress) {
   if (options.exhaustive) return exhaustive_command(options, version, checkpoint, progress);
   refuse_options_of_exhaustive(options);
-  require_directory(options.out);
+  const OutputFolder folder(options.out);
   const auto widths = widths_of(options);
   const forms::Catalogue catalogue = forms::catalogue();
   require_targets(catalogue, options.only);
@@ -121,13 +122,13 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
   auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
   const auto report = bench::bench_files(trade, accuracy, figures);
   files.insert(files.end(), report.begin(), report.end());
-  write_files(options.out, files, checkpoint, missing);
+  const auto put = folder.prepare(files, missing, options.force, checkpoint);
   const std::string err = widths_line(options) + news.err;
-  if (options.json) return {news.err.empty() ? 0 : 1, google_json(trade, bench::this_occasion()), err};
+  if (options.json) return {news.err.empty() ? 0 : 1, google_json(trade, bench::this_occasion()), err, put};
   return {news.err.empty() ? 0 : 1,
           console_text(trade) + news.out +
               fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "bench.md").string())),
-          err};
+          err, put};
 }
 
 }  // namespace shadefit

@@ -18,6 +18,7 @@ namespace shadefit {
 struct BenchOptions {
   std::string out = "out";
   std::vector<std::string> only;  ///< ids of targets
+  bool force = false;             ///< as of `RunOptions`
   bool quick = false;
   bool json = false;
   bool no_plots = false;

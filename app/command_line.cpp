@@ -11,6 +11,7 @@
 #include <new>
 #include <sstream>
 #include <system_error>
+#include <utility>
 
 #include "app/bench_options.hpp"
 #include "app/commands.hpp"
@@ -67,6 +68,10 @@ void require_known_command(const CLI::App& app, const std::vector<std::string>& 
   require_known(arguments.front(), known, "command");
 }
 
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "replace files that shadefit did not write, or that were changed since");
+}
+
 /// What the arguments set, and what came of it.
 struct Call {
   const Checkpoint& checkpoint;
@@ -103,6 +108,7 @@ void add_run(CLI::App& app, Call& call) {
   run->add_option("--only", call.run.only,
                   "only the families, normalisations and claims of these ids, one or more")
       ->type_name("ID");
+  add_force(*run, call.run.force);
   run->add_flag("--no-plots", call.no_plots, "neither plots nor their data and scripts");
   run->callback([&call] {
     call.run.plots = !call.no_plots;
@@ -241,6 +247,7 @@ void add_certify(CLI::App& app, Call& call) {
       ->type_name("W");
   certify->add_option("--out", call.certify.out, "write the certificate, for 'shadefit verify'")
       ->type_name("FILE");
+  add_force(*certify, call.certify.force);
   certify->add_flag("--json", call.certify.fit.json, "print JSON");
   certify->callback(
       [&call] { call.outcome = certify_command(call.certify, call.checkpoint, call.progress); });
@@ -269,15 +276,16 @@ void add_emit(CLI::App& app, Call& call) {
       ->type_name("NAME");
   emit->add_option("--name", options.name, "of the function; default: the family's")->type_name("NAME");
   emit->add_option("--out", options.out, "write the file instead of printing it")->type_name("FILE");
+  add_force(*emit, options.force);
   emit->add_option("--check", options.check, "exit 1 unless FILE, once generated, would be the same now")
       ->type_name("FILE");
   emit->callback([&call] { call.outcome = emit_command(call.emit, call.checkpoint, call.progress); });
 }
 
 void add_scene(CLI::App& app, Call& call) {
-  add_scene_options(app, call.scene)->callback([&call] {
-    call.outcome = scene_command(call.scene, call.checkpoint, call.progress);
-  });
+  CLI::App* scene = add_scene_options(app, call.scene);
+  add_force(*scene, call.scene.force);
+  scene->callback([&call] { call.outcome = scene_command(call.scene, call.checkpoint, call.progress); });
 }
 
 void add_explain(CLI::App& app, Call& call) {
@@ -293,6 +301,7 @@ void add_stress(CLI::App& app, Call& call) {
   stress->add_option("--out", call.stress.out, "directory to write stress.csv and stress-fits.csv to")
       ->capture_default_str()
       ->type_name("DIR");
+  add_force(*stress, call.stress.force);
   stress->callback([&call] { call.outcome = stress_command(call.stress, call.checkpoint, call.progress); });
 }
 
@@ -307,7 +316,9 @@ void add_check(CLI::App& app, Call& call) {
 }
 
 void add_bench(CLI::App& app, Call& call) {
-  add_bench_options(app, call.bench)->callback([&call] {
+  CLI::App* bench = add_bench_options(app, call.bench);
+  add_force(*bench, call.bench.force);
+  bench->callback([&call] {
     call.outcome = bench_command(call.bench, SHADEFIT_VERSION, call.checkpoint, call.progress);
   });
 }
@@ -381,8 +392,8 @@ Outcome unforeseen(const std::exception& error, const std::vector<std::string>& 
 
 }  // namespace
 
-Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
-                         const Progress& progress) {
+Outcome prepare_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                             const Progress& progress) {
   try {
     const Watched work = watch(checkpoint, progress, arguments.empty() ? "" : arguments.front());
     return parse_and_run(arguments, work.checkpoint, work.progress);
@@ -393,6 +404,25 @@ Outcome run_command_line(const std::vector<std::string>& arguments, const Checkp
   } catch (const std::exception& error) {
     return unforeseen(error, arguments);
   }
+}
+
+Outcome put_files(Outcome outcome) {
+  const auto put = std::exchange(outcome.put, {});
+  try {
+    if (put) put();
+  } catch (const UserError& error) {
+    outcome.exit_code = 2;
+    outcome.err += fmt::format("shadefit: {}\n", one_line(error.what()));
+  } catch (const Interrupted& interrupted) {
+    outcome.exit_code = 128 + interrupted.signal;
+    outcome.err += "shadefit: interrupted before all was written\n";
+  }
+  return outcome;
+}
+
+Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                         const Progress& progress) {
+  return put_files(prepare_command_line(arguments, checkpoint, progress));
 }
 
 }  // namespace shadefit

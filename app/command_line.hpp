@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct Outcome {
                       ///< interrupted it
   std::string out;    ///< for standard output
   std::string err;    ///< for standard error
+  /// Puts the files that are ready in their places; empty where there are none. It is for after `out` is
+  /// printed: where nobody can be told of a file, none is written. Throws UserError and Interrupted.
+  std::function<void()> put = {};
 };
 
 /// Runs the command; `arguments` without the program's name. Reads and writes files as the subcommand says,
@@ -22,5 +26,11 @@ struct Outcome {
 /// to go on from and say so. `progress` is shown how far that work is.
 Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint = keep_going,
                          const Progress& progress = unwatched);
+
+/// The same in two steps, between which `out` can be printed: `put_files` calls `put`, and says what went
+/// wrong.
+Outcome prepare_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                             const Progress& progress);
+Outcome put_files(Outcome outcome);
 
 }  // namespace shadefit

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/draw_figures.hpp"
+#include "app/output_folder.hpp"
 #include "app/slow_tables.hpp"
 #include "approx/ledger.hpp"
 #include "fit/ledger.hpp"
@@ -23,15 +24,21 @@
 namespace shadefit {
 namespace {
 
-/// Draws the pictures that can be drawn, then writes everything at once: the report shows the figures that
-/// there is a picture of.
-PlotsNews write_results(const RunOptions& options, const Results& results, const Checkpoint& checkpoint) {
+/// What a run is to say of its plots, and the call that puts everything in its place.
+struct PreparedResults {
+  PlotsNews news;
+  std::function<void()> put;
+};
+
+/// Draws the pictures that can be drawn, then makes everything ready at once: the report shows the figures
+/// that there is a picture of.
+PreparedResults prepare_results(const RunOptions& options, const Results& results, const OutputFolder& folder,
+                                const Checkpoint& checkpoint) {
   auto figures = options.plots ? make_figures(results) : std::vector<Figure>{};
   auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
-  write_files(options.out, files, checkpoint, missing);
-  return news;
+  return {news, folder.prepare(files, missing, options.force, checkpoint)};
 }
 
 /// One line for each check that failed.
@@ -117,9 +124,9 @@ Outcome explain_command(const ExplainOptions& options) {
 }
 
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
-  require_directory(options.out);
+  const OutputFolder folder(options.out);
   const Results results = compute_results(options.only, checkpoint);
-  const PlotsNews news = write_results(options, results, checkpoint);
+  const auto [news, put] = prepare_results(options, results, folder, checkpoint);
   std::vector<std::string> parts;
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report));
@@ -131,7 +138,7 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   out += news.out;
   out += fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(results);
-  return {err.empty() ? 0 : 1, out, err};
+  return {err.empty() ? 0 : 1, out, err, put};
 }
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
@@ -152,7 +159,7 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     cells += count_cells(files);
   }
   if (drifts.empty())
-    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, options.baseline), ""};
+    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, printable(options.baseline)), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
   // Words of the baseline's files: whatever they hold, a short line each.
   for (const Drift& d : drifts) {
@@ -161,7 +168,7 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
   return {1,
           write_console(table, Precision::report) +
               fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
-                          drifts.size() == 1 ? "difference" : "differences", options.baseline),
+                          drifts.size() == 1 ? "difference" : "differences", printable(options.baseline)),
           ""};
 }
 

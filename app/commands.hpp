@@ -21,6 +21,7 @@ struct RunOptions {
   std::string out = "out";
   std::vector<std::string> only;
   bool plots = true;
+  bool force = false;  ///< files of others are replaced
 };
 
 struct FitOptions {
@@ -57,6 +58,7 @@ struct CertifyOptions {
   std::optional<std::string> parameters;  ///< "a=-5.55473,b=-6.98316"; empty: published, else fitted
   std::string width = "1e-9";             ///< of the bounds, relative
   std::optional<std::string> out;         ///< a file for the certificate
+  bool force = false;                     ///< as of `RunOptions`
 };
 
 struct EmitOptions {
@@ -66,6 +68,7 @@ struct EmitOptions {
   std::string precision = "float";        ///< or "half"
   std::optional<std::string> name;        ///< of the function; empty: the family's
   std::optional<std::string> out;         ///< a file; empty: printed
+  bool force = false;                     ///< as of `RunOptions`
   std::optional<std::string> check;       ///< a file that was generated
 };
 
@@ -75,6 +78,7 @@ struct VerifyOptions {
 
 struct StressOptions {
   std::string out = "out";
+  bool force = false;  ///< as of `RunOptions`
 };
 
 struct ExplainOptions {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "reports/gnuplot.hpp"
 #include "reports/plots.hpp"
 #include "reports/utf8.hpp"
@@ -13,13 +15,16 @@ DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out,
   DrawnFigures drawn{plot_files(figures), {}, {}};
   const std::size_t all = figures.size();
   const auto directory = printable((without_detours(out) / "plots").string());
-  for (const Figure& figure : figures) drawn.missing.push_back("plots/" + figure.name + ".svg");
+  for (const Figure& figure : figures) drawn.missing.push_back({"plots/" + figure.name + ".svg", ""});
   if (const auto gnuplot = all > 0 ? find_gnuplot() : std::nullopt) {
     std::vector<std::string> names;
     for (const Figure& figure : figures) names.push_back(figure.name);
     const Pictures pictures = draw_pictures(*gnuplot, drawn.files, names, checkpoint);
     drawn.files.insert(drawn.files.end(), pictures.files.begin(), pictures.files.end());
-    for (const File& file : pictures.files) std::erase(drawn.missing, file.name);
+    std::erase_if(drawn.missing, [&](const File& missing) {
+      return std::any_of(pictures.files.begin(), pictures.files.end(),
+                         [&](const File& file) { return file.name == missing.name; });
+    });
     for (const FailedPlot& failed : pictures.failed) {
       drawn.news.err +=
           fmt::format("shadefit: plot {} was not drawn: {}\n", failed.name, one_line(failed.complaint));

@@ -16,9 +16,8 @@ struct PlotsNews {
 
 /// What there is to be written of figures.
 struct DrawnFigures {
-  std::vector<File> files;  ///< data, scripts and the pictures that were drawn
-  std::vector<std::string>
-      missing;  ///< pictures that were not: none of an older run may stand beside new data
+  std::vector<File> files;    ///< data, scripts and the pictures that were drawn
+  std::vector<File> missing;  ///< pictures that were not: none of an older run may stand beside new data
   PlotsNews news;
 };
 

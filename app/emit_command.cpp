@@ -14,7 +14,7 @@
 #include "fit/decimal.hpp"
 #include "fit/hex_float.hpp"
 #include "fit/user_error.hpp"
-#include "reports/files.hpp"
+#include "reports/reserved_names.hpp"
 #include "reports/shader_code.hpp"
 #include "reports/utf8.hpp"
 
@@ -22,17 +22,21 @@
 namespace shadefit {
 namespace {
 
-std::string parse_function_name(const std::string& text) {
+std::string parse_function_name(const std::string& text, Language language) {
   const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   const bool is_name = !text.empty() && std::all_of(text.begin(), text.end(), is_letter) &&
                        std::isdigit(static_cast<unsigned char>(text.front())) == 0;
   if (!is_name)
     throw UserError(fmt::format("--name '{}' is no name of a function: letters, digits and '_'", text));
+  if (const std::string_view reason = reason_to_refuse_name(text, language); !reason.empty())
+    throw UserError(
+        fmt::format("--name '{}' cannot be a function's name in {}: {}", text, name(language), reason));
   return text;
 }
 
 std::string function_name(const FittableFamily& family, const EmitOptions& options) {
-  if (options.name) return parse_function_name(*options.name);
+  if (options.name)
+    return parse_function_name(*options.name, parse_name("--lang", options.language, languages));
   std::string text(family.info.id);
   std::replace(text.begin(), text.end(), '-', '_');
   return text;
@@ -41,9 +45,9 @@ std::string function_name(const FittableFamily& family, const EmitOptions& optio
 /// The command that makes the file: every option that is not as it is by default.
 std::string command_of(const EmitOptions& options) {
   const FitOptions &fit = options.fit, usual;
-  std::string text = fit.id + " --lang " + options.language;
+  std::vector<std::string> words{"emit", fit.id, "--lang", options.language};
   const auto add = [&](const char* option, const std::string& value, const std::string& by_default = "") {
-    if (value != by_default) text += fmt::format(" {} {}", option, value);
+    if (value != by_default) words.insert(words.end(), {option, value});
   };
   add("--exponent", fit.exponent.value_or(""));
   add("--parameters", options.parameters.value_or(""));
@@ -57,7 +61,7 @@ std::string command_of(const EmitOptions& options) {
   add("--extinction", fit.extinction.value_or(""));
   add("--precision", options.precision, EmitOptions().precision);
   add("--name", options.name.value_or(""));
-  return text;
+  return command_text(words);
 }
 
 /// What is known of the constants at each setting that the code serves.
@@ -136,6 +140,7 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   const ShaderPrecision precision = parse_name("--precision", options.precision, shader_precisions);
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
+  function_name(family, options);  // refused before anything is computed
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   if (options.fit.exponent && settings.size() > 1)
     throw UserError(fmt::format("--exponent '{}': code is of one exponent, or without the option of any",
@@ -148,8 +153,8 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   for (const auto& [name, value] : subject.parameters)
     constants += fmt::format("{}{} = {}", constants.empty() ? "" : ", ", name, as_decimal(value));
   const std::vector<std::string> comment{
-      "Generated: do not edit. Made by the next line, held against it by 'shadefit emit --check FILE'.",
-      "shadefit emit " + command_of(options),
+      std::string(generated_line),
+      command_of(options),
       "",
       fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
       fmt::format("{} ({})", constants, origin_of(named, proven.chosen, metric)),
@@ -172,11 +177,12 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   }
   if (options.fit.id.empty()) throw UserError("emit needs the id of a form, see 'shadefit list'");
   if (options.language.empty()) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
-  const auto file = options.out ? std::optional(parse_output_file(*options.out, "the code")) : std::nullopt;
+  const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const std::string code = code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};
-  write_files(file->directory, {{file->name, code}}, checkpoint);
-  return {0, fmt::format("Code: {}\n", printable(*options.out)), ""};
+  // A stream holds the code alone: it may be standard output.
+  const std::string said = file->is_stream() ? "" : fmt::format("Code: {}\n", printable(*options.out));
+  return {0, said, "", file->prepare(code, options.force, checkpoint)};
 }
 
 }  // namespace shadefit

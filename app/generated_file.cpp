@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "fit/user_error.hpp"
 #include "reports/files.hpp"
@@ -80,7 +82,10 @@ std::string command_text(const std::vector<std::string>& words) {
     if (printable(word) != word)
       throw UserError(fmt::format("'{}' cannot stand in a comment of code: it has characters without a shape",
                                   printable(word)));
-    if (!word.empty() && word.find_first_of(" '") == std::string::npos) {
+    // POSIX's portable characters of file names, and what no shell gives a meaning: all else is quoted.
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
       text += " " + word;
       continue;
     }
@@ -97,10 +102,32 @@ std::string with_plain_ends(std::string text) {
   return text;
 }
 
+/// Code with another line where it names its command.
+std::string with_command_of(std::string code, const std::string& other) {
+  const auto place = [](const std::string& text) {
+    const std::size_t begin = text.find("\n" + std::string(line_prefix)) + 1;
+    return std::pair(begin, text.find('\n', begin) - begin);
+  };
+  const auto [begin, length] = place(code);
+  const auto [other_begin, other_length] = place(other);
+  return code.replace(begin, length, other, other_begin, other_length);
+}
+
+/// The command of a file in `folder` as it is run from here. The files of a scene, its words up to the first
+/// option, are named relative to that folder; what is printed then names them from the root.
+std::vector<std::string> from_here(std::vector<std::string> words, const std::filesystem::path& folder) {
+  if (words.front() != "scene") return words;
+  for (std::size_t i = 1; i < words.size() && !words[i].starts_with("--"); ++i)
+    words[i] = (folder / words[i]).string();  // a path from the root replaces it all
+  return words;
+}
+
 Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoint) {
   const std::string code = with_plain_ends(read_file(file));
-  const Outcome now = run_command_line(command_in(code, file), checkpoint);
+  const std::vector<std::string> command = command_in(code, file);
+  Outcome now = run_command_line(from_here(command, std::filesystem::path(file).parent_path()), checkpoint);
   if (!now.err.empty()) return now;
+  if (command.front() == "scene") now.out = with_command_of(now.out, code);
   if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
   return {1, "",
           fmt::format("shadefit: {} is out of date: line {} would be another now\n", printable(file),

@@ -1,9 +1,11 @@
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
@@ -11,17 +13,26 @@
 
 namespace {
 
-/// Prints; empty, or the exit code and the line for standard error where that went wrong.
-shadefit::Outcome print_all(const shadefit::Outcome& outcome, const shadefit::HeldSignals& signals) {
-  using shadefit::Printed;
-  const auto printed = shadefit::print(STDOUT_FILENO, outcome.out, signals);
+/// How a run ends whose results could not be printed. The files that it made ready are not put.
+shadefit::Outcome not_printed(const shadefit::Printed& printed) {
   if (printed.signal > 0)
-    return {128 + printed.signal, "",
-            "shadefit: interrupted while printing: what was to be written to files is written\n"};
-  if (printed.error != 0)
-    return {2, "",
-            std::string("shadefit: cannot write standard output: ") + std::strerror(printed.error) + "\n"};
-  return outcome;
+    return {128 + printed.signal, "", "shadefit: interrupted while printing, no file was written\n"};
+  return {2, "",
+          std::string("shadefit: cannot write standard output: ") + std::strerror(printed.error) + "\n"};
+}
+
+/// Takes the numbers of standard streams that are closed, so that no file of ours gets one of them. Writing
+/// to such a stream fails still.
+void fill_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+/// As every filter ends whose reader has gone.
+void end_by(int signal) {
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 }  // namespace
@@ -29,16 +40,21 @@ shadefit::Outcome print_all(const shadefit::Outcome& outcome, const shadefit::He
 int main(int argc, char** argv) {
   // A file that may not grow further is then an error of that file, told like any other.
   std::signal(SIGXFSZ, SIG_IGN);
+  // So is a reader of ours that has gone.
+  std::signal(SIGPIPE, SIG_IGN);
+  fill_standard_streams();
   const auto signals = shadefit::hold_interrupts();
   const auto progress = shadefit::terminal_progress(STDERR_FILENO);
-  const auto outcome =
-      shadefit::run_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals), progress);
+  auto outcome =
+      shadefit::prepare_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals), progress);
   progress("");
   // Somebody who pressed Ctrl-C again while the first was being obeyed.
   const bool is_interrupted = outcome.exit_code > 128;
   if (is_interrupted) shadefit::take_waiting(signals);
-  // The signals stay held: from here on printing looks for them, and none can end the process without a word.
-  const auto told = print_all(outcome, signals);
-  shadefit::print(STDERR_FILENO, told.err, signals);
-  return told.exit_code;
+  // The signals stay held: printing looks for them, and none can end the process without a word.
+  const auto printed = shadefit::print(STDOUT_FILENO, outcome.out, signals);
+  if (printed.error == EPIPE && !outcome.put) end_by(SIGPIPE);
+  outcome = printed.is_whole() ? shadefit::put_files(std::move(outcome)) : not_printed(printed);
+  shadefit::print(STDERR_FILENO, outcome.err, signals);
+  return outcome.exit_code;
 }

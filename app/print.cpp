@@ -1,6 +1,5 @@
 #include "app/print.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -40,8 +39,6 @@ class SignalDescriptor {
 Printed print(int descriptor, std::string_view text, const HeldSignals& signals) {
   // A pipe that has room at all takes as much as this at once, so that no write waits.
   constexpr std::size_t most_at_once = PIPE_BUF;
-  // A closed one is refused before the signals' own could get its number.
-  if (::fcntl(descriptor, F_GETFD) < 0) return {.error = errno};
   const SignalDescriptor signal(signals.held);
   while (!text.empty()) {
     std::array<pollfd, 2> ready{pollfd{descriptor, POLLOUT, 0}, pollfd{signal.get(), POLLIN, 0}};

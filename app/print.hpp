@@ -7,10 +7,12 @@
 /// Printing that a signal can end, however long the reader keeps it waiting.
 namespace shadefit {
 
-/// What ended the printing of a text; both 0 where all of it was written.
+/// What ended the printing of a text.
 struct Printed {
   int error = 0;   ///< errno
   int signal = 0;  ///< of those that are held
+
+  bool is_whole() const { return error == 0 && signal == 0; }
 };
 
 /// Writes a text to a descriptor. A held signal that waits or comes before the end is taken and ends it.

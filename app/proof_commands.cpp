@@ -62,8 +62,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   if (options.out && settings.size() != 1)
     throw UserError(fmt::format("--out '{}' takes one certificate, not {}: name one --exponent", *options.out,
                                 settings.size()));
-  const auto file =
-      options.out ? std::optional(parse_output_file(*options.out, "the certificate")) : std::nullopt;
+  const auto file = options.out ? std::optional(OutputFile(*options.out, "the certificate")) : std::nullopt;
 
   std::vector<CertifiedForm> forms;
   const Checkpoint next = stepping(checkpoint, progress, "certify", settings.size());
@@ -75,7 +74,8 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     if (!forms.back().certified.is_reached) err += not_reached(forms.back().certified.certificate, width);
   }
   const Certificate& first = forms.front().certified.certificate;
-  if (file) write_files(file->directory, {{file->name, certificate_text(first)}}, checkpoint);
+  std::function<void()> put;
+  if (file) put = file->prepare(certificate_text(first), options.force, checkpoint);
 
   std::string out;
   if (options.fit.json) {
@@ -88,7 +88,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
           write_console(certificates_table(family, forms), Precision::full);
     if (options.out) out += fmt::format("\nCertificate: {}\n", printable(*options.out));
   }
-  return {err.empty() ? 0 : 1, out, err};
+  return {err.empty() ? 0 : 1, out, err, put};
 }
 
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {

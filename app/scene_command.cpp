@@ -9,6 +9,7 @@
 
 #include "app/generated_file.hpp"
 #include "app/metric_options.hpp"
+#include "app/output_folder.hpp"
 #include "app/parse_name.hpp"
 #include "app/scene_options.hpp"
 #include "app/shade_scene.hpp"
@@ -75,10 +76,17 @@ scene::Wanted parse_wanted(const SceneOptions& options) {
   return wanted;
 }
 
+/// A path from the folder of the code that names it, so that both can be moved together; from the root where
+/// the code is printed and may be kept anywhere.
+std::string recorded_path(const std::string& file, const std::optional<std::string>& folder) {
+  const auto real = [](const std::filesystem::path& path) { return std::filesystem::weakly_canonical(path); };
+  return (folder ? real(file).lexically_relative(real(without_detours(*folder))) : real(file)).string();
+}
+
 /// The command that prints the code: every option that is not as it is by default.
 std::string code_command(const SceneOptions& options, Language language) {
   std::vector<std::string> words{"scene"};
-  words.insert(words.end(), options.files.begin(), options.files.end());
+  for (const std::string& file : options.files) words.push_back(recorded_path(file, options.out));
   const SceneOptions usual;
   const auto add = [&](const char* option, const std::string& value, const std::string& by_default = "") {
     if (value != by_default) words.insert(words.end(), {option, value});
@@ -110,14 +118,16 @@ std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scen
   return files;
 }
 
-/// Of another plan, if they are there.
-std::vector<std::string> not_written(const SceneOptions& options, const scene::Plan& plan) {
-  std::vector<std::string> names;
-  if (plan.wanted.precision == scene::PixelPrecision::float16) names.emplace_back("scene.hpp");
-  if (!options.shade)
-    names.insert(names.end(),
-                 {"shade.csv", "scene.png", "plots/shade.csv", "plots/shade.gnuplot", "plots/shade.svg"});
-  return names;
+/// Of another plan, if they are there, and what they begin with.
+std::vector<File> not_written(const SceneOptions& options, const scene::Plan& plan) {
+  std::vector<File> files;
+  if (plan.wanted.precision == scene::PixelPrecision::float16)
+    files.push_back({"scene.hpp", fmt::format("// {}\n", generated_line)});
+  if (!options.shade) {
+    const std::vector<File> shaded = files_of_shading();
+    files.insert(files.end(), shaded.begin(), shaded.end());
+  }
+  return files;
 }
 
 std::string written(const std::string& directory, const std::vector<File>& files) {
@@ -134,7 +144,8 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint,
   scene::Wanted wanted = parse_wanted(options);
   const auto language = [&] { return parse_name("--lang", *options.language, languages); };
   if (options.language) language();  // refused before a file is read
-  if (options.out) require_directory(*options.out);
+  std::optional<OutputFolder> folder;
+  if (options.out) folder.emplace(*options.out);
   const std::vector<std::filesystem::path> paths(options.files.begin(), options.files.end());
   const scene::Scene scene = scene::read_scene(paths, conventions);
   if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
@@ -151,15 +162,16 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint,
     out += "\n" + shaded.out;
     exit_code = std::max(exit_code, shaded.err.empty() ? 0 : 1);
   }
+  std::function<void()> put;
   if (options.out) {
     std::vector<File> files = files_of(options, scene, plan);
     out += written(*options.out, files);
     files.insert(files.end(), shaded.files.begin(), shaded.files.end());
-    std::vector<std::string> obsolete = not_written(options, plan);
+    std::vector<File> obsolete = not_written(options, plan);
     obsolete.insert(obsolete.end(), shaded.missing.begin(), shaded.missing.end());
-    write_files(*options.out, files, checkpoint, obsolete);
+    put = folder->prepare(files, obsolete, options.force, checkpoint);
   }
-  return {exit_code, out, shaded.err};
+  return {exit_code, out, shaded.err, put};
 }
 
 }  // namespace shadefit

@@ -25,6 +25,7 @@ struct SceneOptions {
   std::optional<std::string> language;  ///< prints the code in it alone
   std::optional<std::string> out;       ///< a directory; empty: printed alone
   bool json = false;
+  bool force = false;  ///< as of `RunOptions`
   bool shade = false;  ///< the plan against the reference and the published constants
 };
 

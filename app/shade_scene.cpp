@@ -18,7 +18,7 @@ constexpr const char* picture_name = "scene.png";
 /// The spheres, where there is a gnuplot to draw them.
 void draw_spheres(ShadedScene& shaded, const std::vector<File>& files, const std::string& out,
                   const Checkpoint& checkpoint) {
-  shaded.missing.emplace_back(picture_name);
+  shaded.missing.push_back({picture_name, ""});
   const auto gnuplot = find_gnuplot();
   if (!gnuplot) {
     shaded.out += "\nPicture skipped: gnuplot was not found\n";
@@ -29,12 +29,20 @@ void draw_spheres(ShadedScene& shaded, const std::vector<File>& files, const std
     shaded.err += fmt::format("shadefit: {} was not drawn: {}\n", failed.name, one_line(failed.complaint));
   for (const File& file : pictures.files) {
     shaded.files.push_back({picture_name, file.content});
-    std::erase(shaded.missing, picture_name);
+    std::erase_if(shaded.missing, [](const File& missing) { return missing.name == picture_name; });
     shaded.out += fmt::format("\nPicture: {}\n", printable((without_detours(out) / picture_name).string()));
   }
 }
 
 }  // namespace
+
+std::vector<File> files_of_shading() {
+  return {{"shade.csv", "way,tolerance,form"},
+          {picture_name, ""},
+          {"plots/shade.csv", "ns,planned,published"},
+          {"plots/shade.gnuplot", ""},
+          {"plots/shade.svg", ""}};
+}
 
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
                         const std::optional<std::string>& out, const Checkpoint& checkpoint,

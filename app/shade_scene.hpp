@@ -13,10 +13,13 @@ namespace shadefit {
 
 /// What `scene --shade` says and writes.
 struct ShadedScene {
-  std::string out = {}, err = {};         ///< something on `err`: a plan or a drawing failed
-  std::vector<File> files = {};           ///< none without a directory
-  std::vector<std::string> missing = {};  ///< pictures that were not drawn
+  std::string out = {}, err = {};  ///< something on `err`: a plan or a drawing failed
+  std::vector<File> files = {};    ///< none without a directory
+  std::vector<File> missing = {};  ///< pictures that were not drawn
 };
+
+/// The files that `shade_scene` may make, each with what it begins with.
+std::vector<File> files_of_shading();
 
 /// Shades a scene by the reference, by the published constants and as planned, on the widest registers of
 /// this machine; with pictures where there is a directory `out` for them.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "app/output_folder.hpp"
 #include "app/slow_tables.hpp"
 #include "fit/stress/starts.hpp"
 #include "fit/stress/stress.hpp"
@@ -36,9 +37,9 @@ std::vector<File> stress_tables(const Checkpoint& checkpoint, const Progress& pr
 }
 
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  require_directory(options.out);
+  const OutputFolder folder(options.out);
   const Stress stress = under_stress(checkpoint, progress);
-  write_files(options.out, stress_files(stress.forms, stress.fits), checkpoint);
+  const auto put = folder.prepare(stress_files(stress.forms, stress.fits), {}, options.force, checkpoint);
   const std::string err = broken_lines(stress.forms, stress.fits);
   return {err.empty() ? 0 : 1,
           write_console(forms_stress_summary(stress.forms), Precision::report) + "\n" +
@@ -46,7 +47,7 @@ Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoin
               fmt::format("\nTables: {}, {}\n",
                           printable((without_detours(options.out) / forms_stress_file).string()),
                           fits_stress_file),
-          err};
+          err, put};
 }
 
 }  // namespace shadefit

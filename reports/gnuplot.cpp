@@ -20,6 +20,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "reports/output.hpp"
+#include "reports/own_file.hpp"
 #include "reports/scratch_directory.hpp"
 
 extern char** environ;
@@ -159,12 +161,12 @@ class Drawing {
     posix_spawn_file_actions_adddup2(actions, transcript_.descriptor(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(actions, transcript_.descriptor(), STDERR_FILENO);
     posix_spawn_file_actions_addchdir_np(actions, directory.c_str());
-    // A file that may not grow further ends gnuplot, which would not notice: we ignore that signal ourselves.
-    // And it is to end at once where we hold an interruption back until a checkpoint.
+    // A file that may not grow further ends gnuplot, which would not notice: we ignore that signal and
+    // SIGPIPE ourselves. And it is to end at once where we hold an interruption back until a checkpoint.
     sigset_t defaults, none;
     sigemptyset(&none);
     sigemptyset(&defaults);
-    sigaddset(&defaults, SIGXFSZ);
+    for (const int signal : {SIGXFSZ, SIGPIPE}) sigaddset(&defaults, signal);
     posix_spawnattr_setsigdefault(&settings.attributes, &defaults);
     posix_spawnattr_setsigmask(&settings.attributes, &none);
     posix_spawnattr_setflags(&settings.attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
@@ -295,7 +297,7 @@ Pictures draw_pictures(const fs::path& gnuplot, const std::vector<File>& files,
                                         [&](const FailedPlot& plot) { return plot.name == name; });
     if (has_failed) continue;
     const std::string file = "plots/" + picture_file(name);
-    pictures.files.push_back({file, read_file(scratch.path() / file)});
+    pictures.files.push_back({file, marked_picture(file, read_file(scratch.path() / file))});
   }
   return pictures;
 }

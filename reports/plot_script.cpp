@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/own_file.hpp"
+
 namespace shadefit {
 namespace {
 
@@ -70,17 +72,28 @@ Layout layout_of(const Plot& plot) {
 std::string prelude(const Plot& plot) {
   const Layout layout = layout_of(plot);
   const auto across = [](int pixels) { return static_cast<double>(pixels) / picture_width; };
+  // A point of PDF, 1/72 inch, stands for a pixel.
+  const auto inches = [](int pixels) { return pixels / 72.0; };
   const auto up = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
   return fmt::format(
-             "# {0}\n# Draws {1}.svg from {1}.csv: change what you like, then run 'gnuplot {1}.gnuplot' here.\n"
-             "if (!exists('output')) output = '{1}.svg'\n"
+             "# {0}\n"
+             "# Draws {1}.svg from {1}.csv; gnuplot -e \"output='x.pdf'\" {1}.gnuplot draws a PDF.\n"
+             "# To restyle it, copy it: a copy, x.gnuplot, draws x.svg. The next run replaces this file, or\n"
+             "# refuses to where it was changed.\n"
+             "if (!exists('ARG0')) ARG0 = ''\n"
+             "if (!exists('output')) output = (strlen(ARG0) > 8 ? ARG0[1:strlen(ARG0)-8] : '{1}') . '.svg'\n"
              "set encoding utf8\n"
-             "set terminal svg size {2},{3} font 'sans-serif,13' background '#FFFFFF'\n"
+             "if (strlen(output) > 4 && output[strlen(output)-3:*] eq '.pdf') {{\n"
+             "  set terminal pdfcairo size {4:.4f},{5:.4f} font 'sans-serif,13' background '#FFFFFF'\n"
+             "}} else {{\n"
+             "  set terminal svg size {2},{3} font 'sans-serif,13' background '#FFFFFF'\n"
+             "}}\n"
              "set output output\n"
              "set datafile separator comma\n"
              "set datafile columnheaders\n"
              "set minussign\n",
-             plot.about, plot.name, picture_width, layout.height) +
+             plot.about, plot.name, picture_width, layout.height, inches(picture_width),
+             inches(layout.height)) +
          std::string(styles) +
          fmt::format(
              "set border lc rgb '#404040'\n"
@@ -154,7 +167,7 @@ std::string legend_text(const Plot& plot) {
 std::string write_script(const Plot& plot) {
   std::string out = prelude(plot);
   for (const Panel& panel : plot.panels) out += panel_text(plot, panel);
-  return out + legend_text(plot) + "\nunset multiplot\n";
+  return sealed(out + legend_text(plot) + "\nunset multiplot\n", "# ");
 }
 
 std::string range_around(const Table& table, const std::vector<Curve>& curves) {

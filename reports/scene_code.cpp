@@ -187,9 +187,7 @@ std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
 std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const std::string& command) {
   const bool in_codes = plan.wanted.scale == scene::ShownScale::codes;
   const bool is_constant = plan.shading.lobe.kind == LobeKind::constant;
-  std::vector<std::string> comment{
-      "Generated: do not edit. Made by the next line, held against it by 'shadefit emit --check FILE'.",
-      command, ""};
+  std::vector<std::string> comment{std::string(generated_line), command, ""};
   if (!plan.has_lobes()) {
     comment.emplace_back("No material of this scene needs a specular term.");
     return comment;
@@ -243,12 +241,8 @@ std::vector<ShaderFunction> scene_functions(const Scene& scene, const Plan& plan
 std::string scene_code(const Scene& scene, const Plan& plan, Language language, const std::string& command) {
   const std::vector<ShaderFunction> functions = scene_functions(scene, plan);
   const bool is_half = plan.wanted.precision == scene::PixelPrecision::float16;
-  std::string code =
-      shader_code(functions, language, is_half ? ShaderPrecision::float16 : ShaderPrecision::float32,
-                  comment_of(scene, plan, command));
-  const std::size_t includes = code.find("\n#include");
-  if (language == Language::cpp && includes != std::string::npos) code.insert(includes, "\n#pragma once\n");
-  return code;
+  return shader_code(functions, language, is_half ? ShaderPrecision::float16 : ShaderPrecision::float32,
+                     comment_of(scene, plan, command));
 }
 
 }  // namespace shadefit

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <string_view>
+#include <variant>
 
 #include "fit/decimal.hpp"
 #include "reports/utf8.hpp"
@@ -61,6 +63,34 @@ std::vector<std::string> notes(const Scene& scene, const Plan& plan) {
   return lines;
 }
 
+/// A text of the scene's files for Markdown: shown as it is, never a tag, a link, a picture or a row of its
+/// own.
+std::string markdown_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    // Escapes of Markdown would be undone by nobody inside a table's cell; a character reference always
+    // works.
+    const bool has_meaning = std::string_view("&<>|`*_[]()!~#\\$@").find(c) != std::string_view::npos;
+    out += has_meaning ? fmt::format("&#{};", static_cast<int>(c)) : std::string(1, c);
+  }
+  // GitHub makes links of what looks like one.
+  for (const std::string_view sign : {"://", "www."}) {
+    for (std::size_t i = 0; (i = out.find(sign, i)) != std::string::npos; i += sign.size())
+      out.replace(i + (sign == "www." ? 3 : 0), 1, sign == "www." ? "&#46;" : "&#58;");
+  }
+  return out;
+}
+
+/// A table whose words may be of a scene's files.
+Table for_markdown(Table table) {
+  for (auto& row : table.rows) {
+    for (Cell& cell : row) {
+      if (auto* word = std::get_if<std::string>(&cell)) *word = markdown_text(*word);
+    }
+  }
+  return table;
+}
+
 Json json_of(const scene::Range& range) {
   return Json::array({range.least, range.most});
 }
@@ -100,10 +130,10 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
       "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven. "
       "Where a normal map turns a normal away from the viewer, n.v < 0, n.l counts as 2 n.h at most.\n\n# Materials\n\n`largest` is the "
       "largest F (n + 2)/8; below `cutoff`, a value of n.h, a light need not be asked.\n\n" +
-      markdown_block(materials_table(scene, plan));
+      markdown_block(for_markdown(materials_table(scene, plan)));
   const std::vector<std::string> lines = notes(scene, plan);
   if (!lines.empty()) text += "# Notes\n\n";
-  for (const std::string& line : lines) text += "- " + line + "\n";
+  for (const std::string& line : lines) text += "- " + markdown_text(line) + "\n";
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <iterator>
 #include <map>
@@ -11,6 +12,7 @@
 #include "fit/half.hpp"
 #include "fit/multiprecision.hpp"
 #include "fit/user_error.hpp"
+#include "reports/digest.hpp"
 
 namespace shadefit {
 namespace {
@@ -284,6 +286,15 @@ std::string head(const ShaderFunction& function, const Dialect& dialect, std::st
                  : fmt::format("{}{} {}({})", dialect.before, type, function.name, arguments);
 }
 
+/// A header that may be included twice. The guard holds a digest of the code: two headers with functions of
+/// one name and different constants are an error of the compiler, not one of them passed over in silence.
+std::string guarded(const std::string& body, std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  const std::string guard = fmt::format("SHADEFIT_{:08X}_{}", crc_of(body), name);
+  return fmt::format("\n#ifndef {0}\n#define {0}\n{1}\n#endif\n", guard, body);
+}
+
 }  // namespace
 
 std::string_view name(Language language) {
@@ -317,17 +328,19 @@ std::string shader_code(std::span<const ShaderFunction> functions, Language lang
         fmt::format("--precision 'half' does not apply to --lang '{}': it has no half", dialect.name));
   std::string code;
   for (const std::string& line : comment) code += line.empty() ? "//\n" : "// " + line + "\n";
+  std::string body;
   const std::string_view prologue = is_half ? dialect.prologue_half : dialect.prologue;
-  if (!prologue.empty()) code += fmt::format("\n{}", prologue);
+  if (!prologue.empty()) body += fmt::format("\n{}", prologue);
   for (const ShaderFunction& function : functions) {
-    code += "\n";
-    for (const std::string& line : function.comment) code += "// " + line + "\n";
+    body += "\n";
+    for (const std::string& line : function.comment) body += "// " + line + "\n";
     ShaderFunction generated = function;
     generated.result = as_generated(function.result, precision);
-    code += fmt::format("{} {{\n{}}}\n", head(function, dialect, is_half ? dialect.half : dialect.type),
+    body += fmt::format("{} {{\n{}}}\n", head(function, dialect, is_half ? dialect.half : dialect.type),
                         Body(generated, dialect, precision).code());
   }
-  return code;
+  const bool is_header = language == Language::c || language == Language::cpp;
+  return code + (is_header && !functions.empty() ? guarded(body, functions.front().name) : body);
 }
 
 }  // namespace shadefit

@@ -27,6 +27,10 @@ inline constexpr std::array shader_precisions{ShaderPrecision::float32, ShaderPr
 /// "float" or "half".
 std::string_view name(ShaderPrecision precision);
 
+/// The first line of generated code: so it is recognised.
+inline constexpr std::string_view generated_line =
+    "Generated: do not edit. Made by the next line, held against it by 'shadefit emit --check FILE'.";
+
 /// What is generated: a function of numbers to a number.
 struct ShaderFunction {
   std::string name;                    ///< letters, digits and `_`

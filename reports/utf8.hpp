@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// UTF-8 as RFC 3629 has it, and what of a text a terminal can show.
@@ -33,31 +35,40 @@ inline std::size_t utf8_length(std::string_view text) {
   return is_four && follows(1) && follows(2) && follows(3) ? 4 : 0;
 }
 
-/// Whether a code point of three bytes ends a line (U+2028, U+2029) or turns the direction of what follows
-/// (U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069).
-inline bool is_invisible(std::string_view point) {
-  if (!point.starts_with('\xE2') || point.size() != 3) return false;
-  const unsigned second = static_cast<unsigned char>(point[1]), third = static_cast<unsigned char>(point[2]);
-  const unsigned code = 0x2000 | (second & 0x3F) << 6 | (third & 0x3F);
-  return code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
-         (code >= 0x2066 && code <= 0x2069);
+/// The code point that a text of `length` bytes, as `utf8_length` says, begins with.
+inline char32_t code_point(std::string_view text, std::size_t length) {
+  // The first byte of a longer sequence spends one bit more on its length than there are bytes.
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  char32_t point = length == 1 ? byte(0) : byte(0) & (0x7FU >> length);
+  for (std::size_t i = 1; i < length; ++i) point = point << 6 | (byte(i) & 0x3FU);
+  return point;
 }
 
-/// The pieces of a text that a terminal can show: code points, and as \xNN each byte of a control character
-/// (C0 and C1), of what ends or turns a line unseen, or of what is no UTF-8.
+/// Whether a code point could forge a line on a terminal: control characters (C0, DEL, C1), what ends a line
+/// (U+2028, U+2029), Unicode's Bidi_Control (PropList.txt), and what has no width or no shape (the format
+/// characters of DerivedCoreProperties.txt's Default_Ignorable_Code_Point, and U+FFF9 to U+FFFB).
+inline bool is_unshown(char32_t point) {
+  constexpr std::pair<char32_t, char32_t> ranges[] = {
+      {0x00, 0x1F},     {0x7F, 0x9F},       {0xAD, 0xAD},       {0x034F, 0x034F},  {0x061C, 0x061C},
+      {0x115F, 0x1160}, {0x17B4, 0x17B5},   {0x180B, 0x180F},   {0x200B, 0x200F},  {0x2028, 0x202E},
+      {0x2060, 0x206F}, {0x3164, 0x3164},   {0xFE00, 0xFE0F},   {0xFEFF, 0xFEFF},  {0xFFA0, 0xFFA0},
+      {0xFFF0, 0xFFFB}, {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}};
+  return std::any_of(std::begin(ranges), std::end(ranges),
+                     [&](const auto& range) { return point >= range.first && point <= range.second; });
+}
+
+/// The pieces of a text that a terminal can show: code points, and as \xNN each byte of a code point that
+/// `is_unshown`, or of what is not UTF-8.
 inline std::vector<std::string> printable_pieces(std::string_view text) {
   std::vector<std::string> pieces;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text.substr(i));
-    const auto byte = static_cast<unsigned char>(text[i]);
-    const bool is_c1 = byte == 0xC2 && length == 2 && static_cast<unsigned char>(text[i + 1]) < 0xA0;
-    if (length == 0 || byte < 0x20 || byte == 0x7F || is_c1 || is_invisible(text.substr(i, length))) {
-      pieces.push_back(fmt::format("\\x{:02x}", byte));
-      ++i;
-    } else {
-      pieces.emplace_back(text.substr(i, length));
-      i += length;
-    }
+  while (!text.empty()) {
+    const std::size_t length = utf8_length(text);
+    const bool is_shown = length > 0 && !is_unshown(code_point(text, length));
+    const std::string_view point = text.substr(0, std::max<std::size_t>(length, 1));
+    if (is_shown) pieces.emplace_back(point);
+    for (std::size_t i = 0; i < point.size() && !is_shown; ++i)
+      pieces.push_back(fmt::format("\\x{:02x}", static_cast<unsigned char>(point[i])));
+    text.remove_prefix(point.size());
   }
   return pieces;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "fit/sweep.hpp"
+#include "reports/utf8.hpp"
 
 namespace shadefit {
 namespace {
@@ -156,7 +157,8 @@ std::string markdown_block(const Table& table) {
 }
 
 std::string write_console(const Table& table, Precision precision) {
-  const auto rows = texts(table, precision);
+  auto rows = texts(table, precision);
+  for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), printable);
   const auto width_of = widths(table, rows, 0);
   const std::vector<bool> are_numeric = numeric_columns(table);
   const auto line = [&](const std::vector<std::string>& cells) {

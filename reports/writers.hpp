@@ -22,7 +22,7 @@ std::string write_latex(const Table& table, Precision precision);
 /// The same as a report shows it: the digits that each number declares, and an empty line behind.
 std::string markdown_block(const Table& table);
 
-/// Aligned columns for a terminal, two spaces apart.
+/// Aligned columns for a terminal, two spaces apart; what could forge a line there is escaped.
 std::string write_console(const Table& table, Precision precision);
 
 /// An array of objects, column to value; an empty cell is null. Numbers are numbers, to their shortest round

@@ -13,6 +13,7 @@
 #include "fit/user_error.hpp"
 #include "reports/digest.hpp"
 #include "reports/files.hpp"
+#include "reports/output.hpp"
 
 namespace shadefit::bench {
 namespace {

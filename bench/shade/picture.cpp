@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <string_view>
 
 #include "approx/encoding.hpp"
 #include "bench/trade/statistics.hpp"
@@ -160,11 +162,19 @@ int amplification(const std::vector<ShownSphere>& spheres) {
   return factor;
 }
 
-/// gnuplot's text in single quotes.
+/// A text for gnuplot. What has a meaning to it anywhere is an escape of three octal digits: in single
+/// quotes, a quote at the beginning cannot be told; in double quotes, a command between backticks would be
+/// run.
 std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char letter : printable(text)) result += letter == '\'' ? "''" : std::string(1, letter);
-  return result + "'";
+  constexpr std::string_view plain = " .,=-_()";
+  std::string result = "\"";
+  for (const char letter : printable(text)) {
+    const auto byte = static_cast<unsigned char>(letter);
+    const bool is_plain =
+        byte >= 0x80 || std::isalnum(byte) != 0 || plain.find(letter) != std::string_view::npos;
+    result += is_plain ? std::string(1, letter) : fmt::format("\\{:03o}", byte);
+  }
+  return result + "\"";
 }
 
 /// As much of a name as stands below a sphere.

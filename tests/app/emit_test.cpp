@@ -93,6 +93,14 @@ TEST(Emit, ACheckedFileIsUpToDateOrNot) {
   EXPECT_EQ(snapshot(directory.path()), before) << "a check writes nothing";
 }
 
+TEST(Emit, ANameOfTheLanguageIsRefused) {
+  expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--name", "return"},
+                 "--name 'return' cannot be a function's name in glsl: it is a word of the language");
+  expect_refusal(
+      {"emit", "fresnel-quadratic", "--lang", "cpp", "--name", "exp2"},
+      "--name 'exp2' cannot be a function's name in cpp: it is a function of the language or its library");
+}
+
 TEST(Emit, BadInput) {
   const TemporaryDirectory directory;
   expect_refusal({"emit"}, "emit needs the id of a form, see 'shadefit list'");

@@ -14,6 +14,7 @@
 #include "app/command_line.hpp"
 #include "app/print.hpp"
 #include "reports/files.hpp"
+#include "reports/output.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {
@@ -110,7 +111,7 @@ TEST_F(Interrupt, ARunEndsAtAnyCheckpointWithNothingWritten) {
   const int plain_calls = count(plain);
   EXPECT_GT(plain_calls, 3 + 1 + 1 + 3 + 2 * 7 * 2 + std::ssize(snapshot(directory / "out")) + 1);
   std::filesystem::remove_all(directory / "out");
-  directory.file("out/report.md", "an older report\n");
+  directory.file("out/report.md", "# shadefit report\n\nan older one\n");
   const auto before = snapshot(directory.path());
   for (const auto& run : {plain, with_plots}) {
     // How often a run looks while gnuplot works is not known: it goes on until one comes to its end. The
@@ -128,7 +129,7 @@ TEST_F(Interrupt, ARunEndsAtAnyCheckpointWithNothingWritten) {
       if (outcome.exit_code == 0) {
         EXPECT_GT(n, plain_calls);
         std::filesystem::remove_all(directory / "out");
-        directory.file("out/report.md", "an older report\n");
+        directory.file("out/report.md", "# shadefit report\n\nan older one\n");
         break;
       }
       EXPECT_EQ(outcome.exit_code, 128 + signal) << n;

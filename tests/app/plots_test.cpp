@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <set>
 
 #include "app/command_line.hpp"
 #include "reports/files.hpp"
 #include "reports/gnuplot.hpp"
+#include "reports/own_file.hpp"
 #include "tests/fake_gnuplot.hpp"
 
 namespace shadefit {
@@ -12,6 +14,7 @@ namespace {
 
 using testing::EnvironmentVariable;
 using testing::fake_gnuplot;
+using testing::snapshot;
 using testing::TemporaryDirectory;
 namespace fs = std::filesystem;
 
@@ -89,11 +92,11 @@ TEST(RunPlots, AnOlderPictureDoesNotStandBesideNewData) {
   auto expected = data_and_scripts;
   expected.insert({"fresnel.svg", "mine.svg"});
   for (const std::string name : {"fresnel", "fresnel-errors"})
-    directory.file("out/plots/" + name + ".svg", "older");
+    directory.file("out/plots/" + name + ".svg", marked_picture(name + ".svg", "older"));
   fake_gnuplot(directory, "[ $script = fresnel.gnuplot ] && echo '</svg>' > \"$picture\"");
   EXPECT_EQ(run_fresnel(directory).exit_code, 1);
   EXPECT_EQ(plots_in(directory), expected) << "not the one that failed";
-  EXPECT_EQ(read_file(directory / "out/plots/fresnel.svg"), "</svg>\n");
+  EXPECT_EQ(read_file(directory / "out/plots/fresnel.svg"), marked_picture("fresnel.svg", "</svg>\n"));
 
   fs::remove(directory / "bin/gnuplot");
   EXPECT_EQ(run_fresnel(directory).exit_code, 0);
@@ -138,6 +141,18 @@ TEST(RunPlots, TheGnuplotOfThisMachineDrawsThemAll) {
   const std::string said = find_gnuplot() ? "Plots: 7 of 7 drawn" : "Plots skipped: gnuplot was not found";
   EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
   EXPECT_EQ(plots_in(directory).size(), find_gnuplot() ? 21U : 14U);
+  if (!find_gnuplot()) return;
+  // As the script tells: a copy draws a picture of its own, and the ending of a name decides what it is.
+  const std::string plots = directory / "out/plots";
+  fs::copy_file(plots + "/fresnel.gnuplot", plots + "/mine.gnuplot");
+  const auto drawn = snapshot(plots);
+  EXPECT_EQ(std::system(("cd '" + plots + "' && gnuplot mine.gnuplot").c_str()), 0);
+  EXPECT_NE(read_file(plots + "/mine.svg").find("</svg>"), std::string::npos);
+  EXPECT_EQ(std::system(("cd '" + plots + "' && gnuplot -e \"output='x.pdf'\" fresnel.gnuplot").c_str()), 0);
+  EXPECT_TRUE(read_file(plots + "/x.pdf").starts_with("%PDF-"));
+  EXPECT_EQ(snapshot(plots).size(), drawn.size() + 2);
+  EXPECT_EQ(run_command_line({"run", "--out", directory / "out"}).err, "")
+      << "neither is in the way of the next run";
 }
 
 }  // namespace

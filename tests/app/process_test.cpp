@@ -16,7 +16,7 @@ using testing::TemporaryDirectory;
 
 TEST(Process, AFullDiskLeavesOldFilesAndNothingHalfWritten) {
   const TemporaryDirectory directory;
-  directory.file("out/report.md", "old\n");
+  directory.file("out/report.md", "# shadefit report\n\nold\n");
   directory.file("out/mine", "of the user\n");
   const auto before = snapshot(directory.path());
   // Both directories: one that is there, one that would be new.
@@ -55,7 +55,7 @@ TEST(Process, StandardOutputThatCannotBeWritten) {
 
 TEST(Process, AnInterruptionEndsARunWithNothingWritten) {
   const TemporaryDirectory directory;
-  directory.file("out/report.md", "old\n");
+  directory.file("out/report.md", "# shadefit report\n\nold\n");
   const auto before = snapshot(directory.path());
   for (const auto& [signal, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
     const auto finished = run_process({"run", "--out", directory / "out"},
@@ -101,7 +101,7 @@ TEST(Process, ALongCellOfABaselineTakesLittleMemory) {
 // again while the command is ending.
 TEST(Process, AnInterruptionEndsARunWhoseGnuplotHangs) {
   const TemporaryDirectory directory;
-  directory.file("out/report.md", "old\n");
+  directory.file("out/report.md", "# shadefit report\n\nold\n");
   std::filesystem::create_directories(directory / "temporary");
   const testing::EnvironmentVariable temporary("TMPDIR", directory / "temporary");
   const testing::EnvironmentVariable path("PATH", (directory / "bin") + ":" + std::getenv("PATH"));

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -50,7 +52,8 @@ TEST(SceneCommand, WritesThePlan) {
   const Outcome printed = run_command_line({"scene", file, "--json", "--lights", "4"});
   EXPECT_EQ(printed.out, read_file(directory / "plan/scene.json"));
   const Outcome code = run_command_line({"scene", file, "--lights", "4", "--lang", "hlsl"});
-  EXPECT_EQ(code.out, read_file(directory / "plan/scene.hlsl"));
+  const auto below_command = [](const std::string& text) { return text.substr(text.find("\n//\n")); };
+  EXPECT_EQ(below_command(code.out), below_command(read_file(directory / "plan/scene.hlsl")));
   // C++ has no half
   run_command_line({"scene", file, "--out", directory / "half", "--precision", "half"});
   EXPECT_FALSE(snapshot(directory.path()).contains("half/scene.hpp"));
@@ -63,7 +66,7 @@ TEST(SceneCommand, CodeIsHeldAgainstItsScene) {
   const Outcome outcome = run_command_line({"scene", file, "--out", directory / "plan", "--codes", "0.5"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string code = directory / "plan/scene.glsl";
-  EXPECT_NE(read_file(code).find("\n// shadefit scene '" + file + "' --codes 0.5 --lang glsl\n"),
+  EXPECT_NE(read_file(code).find("\n// shadefit scene '../a scene.mtl' --codes 0.5 --lang glsl\n"),
             std::string::npos)
       << read_file(code);
   const Outcome same = run_command_line({"emit", "--check", code});
@@ -98,11 +101,62 @@ TEST(SceneCommand, NamesStayInTheirComment) {
   }
 }
 
+// A shell that is given the recorded line makes that call, whatever the file is called, and starts nothing
+// else.
+TEST(SceneCommand, TheRecordedCommandIsAShells) {
+  const TemporaryDirectory directory;
+  const std::string shadefit = directory.file("bin/shadefit", "#!/bin/sh\nprintf '%s\\n' \"$@\"\n");
+  std::filesystem::permissions(shadefit, std::filesystem::perms::owner_all);
+  for (const std::string name :
+       {"$(touch${IFS}x).mtl", "`touch x`.mtl", "a;touch x.mtl", "a&b|c>d<e.mtl", "*?[a].mtl", "{a,b}.mtl",
+        "~x.mtl", "#a.mtl", "!a.mtl", "a\"b.mtl", "a\\.mtl", "a=b.mtl", "\xC3\xA9.mtl"}) {
+    const std::string file = directory.file("scene/" + name, two_materials);
+    const Outcome code = run_command_line({"scene", file, "--lang", "glsl"});
+    ASSERT_EQ(code.exit_code, 0) << code.err;
+    const std::size_t begin = code.out.find("// shadefit ") + 3;
+    const std::string line = code.out.substr(begin, code.out.find('\n', begin) - begin);
+    const std::string script = directory.file(
+        "call.sh", "cd '" + (directory / "scene") + "'\nPATH='" + (directory / "bin") + "' \n" + line + "\n");
+    const auto before = snapshot(directory / "scene");
+    ASSERT_EQ(std::system(("sh '" + script + "' > '" + (directory / "said") + "'").c_str()), 0) << line;
+    EXPECT_EQ(read_file(directory / "said"),
+              "scene\n" + std::filesystem::canonical(file).string() + "\n--lang\nglsl\n")
+        << line;
+    EXPECT_EQ(snapshot(directory / "scene"), before) << line;
+  }
+}
+
+// Code and scene can be moved together, and checked from anywhere.
+TEST(SceneCommand, CodeFindsItsSceneFromItsOwnFolder) {
+  const TemporaryDirectory directory;
+  const std::string scene = directory.file("project/models/a.mtl", two_materials);
+  EXPECT_EQ(run_command_line({"scene", scene, "--out", directory / "project/code"}).exit_code, 0);
+  std::filesystem::rename(directory / "project", directory / "moved");
+  for (const char* name : {"scene.glsl", "scene.hlsl", "scene.hpp"}) {
+    const Outcome same =
+        run_command_line({"emit", "--check", directory / (std::string("moved/code/") + name)});
+    EXPECT_EQ(same.exit_code, 0) << same.err;
+  }
+}
+
+TEST(SceneCommand, NamesAreTextInThePlan) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file(
+      "a.mtl",
+      "newmtl <img/src=x/onerror=y>[a](http://b.c)![d](e)|*f*_g_`h`<!--www.i.j\nNs 20\nKs 1 1 1\nillum 2\n"
+      "map_Ks <b>[k](https://l.m).png\n");
+  EXPECT_EQ(run_command_line({"scene", file, "--out", directory / "plan"}).exit_code, 0);
+  const std::string plan = read_file(directory / "plan/scene.md");
+  for (const char* part : {"<img", "<b>", "<!--", "](", "://b", "://l", "www.", "*f*", "_g_", "`h`"})
+    EXPECT_EQ(plan.find(part), std::string::npos) << part << plan;
+  EXPECT_NE(plan.find("&#60;img/src=x/onerror=y&#62;&#91;a&#93;"), std::string::npos) << plan;
+}
+
 TEST(SceneCommand, LeavesNothingOfAnotherPlan) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("a.mtl", two_materials);
   run_command_line({"scene", file, "--out", directory / "plan"});
-  directory.file("plan/shade.csv", "of another plan\n");
+  directory.file("plan/shade.csv", "way,tolerance,form,ns_per_sample\n");
   directory.file("plan/mine", "of the user\n");
   run_command_line({"scene", file, "--out", directory / "plan", "--precision", "half"});
   const auto left = snapshot(directory / "plan");

@@ -4,6 +4,7 @@
 
 #include "app/command_line.hpp"
 #include "reports/files.hpp"
+#include "reports/own_file.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/fake_gnuplot.hpp"
 #include "tests/temporary_directory.hpp"
@@ -59,7 +60,7 @@ TEST(ShadeCommand, WithoutGnuplotPicturesAreSkippedAndSaidSo) {
   const TemporaryDirectory directory;
   const EnvironmentVariable path("PATH", directory / "bin");
   const std::string file = directory.file("a.mtl", black_and_shiny);
-  directory.file("out/scene.png", "an older one");
+  directory.file("out/scene.png", marked_picture("scene.png", "an older one"));
   const Outcome outcome = run_command_line({"scene", file, "--shade", "--out", directory / "out"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("\nPicture skipped: gnuplot was not found\n"), std::string::npos) << outcome.out;
@@ -77,6 +78,18 @@ TEST(ShadeCommand, APictureThatFailsIsTold) {
   const Outcome outcome = run_command_line({"scene", file, "--shade", "--out", directory / "out"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err, "shadefit: scene.png was not drawn: line 3: no\n");
+}
+
+// By the gnuplot of this machine, where there is one.
+TEST(ShadeCommand, NamesAreNoCommandsOfGnuplot) {
+  const TemporaryDirectory directory;
+  std::string materials;
+  for (const char* name : {"'a", "b''c", "''", "`touch x`", "@m", "a\"b", "\\n", "$x", "a{b}^c"})
+    materials += std::string("newmtl ") + name + "\nNs 20\nKs 0.5 0.4 0.3\nillum 2\n";
+  const std::string file = directory.file("a.mtl", materials);
+  const Outcome outcome = run_command_line({"scene", file, "--shade", "--out", directory / "out"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err, "");
 }
 
 TEST(ShadeCommand, OfNothingToSee) {

@@ -24,14 +24,20 @@ inline bool is_shader(const std::string& file, bool is_hlsl, const TemporaryDire
          runs("spirv-val '" + spirv + "'", directory);
 }
 
-/// The C++ compilers at hand.
-inline std::vector<std::string> cpp_compilers() {
+/// The compilers at hand of a kind, "c" or "c++".
+inline std::vector<std::string> compilers_of(const std::string& kind) {
   std::istringstream all(SHADEFIT_COMPILERS);  // "c=cc c++=g++ .."
   std::vector<std::string> found;
   for (std::string one; all >> one;) {
-    if (one.starts_with("c++=")) found.push_back(one.substr(4));
+    if (one.starts_with(kind + "=")) found.push_back(one.substr(kind.size() + 1));
   }
   return found;
+}
+inline std::vector<std::string> c_compilers() {
+  return compilers_of("c");
+}
+inline std::vector<std::string> cpp_compilers() {
+  return compilers_of("c++");
 }
 
 }  // namespace shadefit::testing

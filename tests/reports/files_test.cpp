@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -9,6 +10,8 @@
 #include <map>
 
 #include "fit/user_error.hpp"
+#include "reports/output.hpp"
+#include "reports/own_file.hpp"
 #include "tests/reports/stop.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -65,36 +68,6 @@ TEST(Files, AFailureLeavesOldFilesAndNothingHalfWritten) {
             "cannot write '" + (directory / "out/two") + "': it is a directory");
   EXPECT_EQ(read_file(directory / "out/one"), "old\n");
   EXPECT_EQ(std::distance(fs::directory_iterator(directory / "out"), fs::directory_iterator()), 2);
-}
-
-/// The names that this process uses on the way to `name`, first ".NAME.PID.SUFFIX".
-std::string beside(const std::string& name, const std::string& suffix) {
-  return "." + name + "." + std::to_string(::getpid()) + "." + suffix;
-}
-
-// As a killed run leaves it, whose PID the next one has in a container.
-TEST(Files, WritesThroughNothingThatIsAlreadyThere) {
-  const TemporaryDirectory directory;
-  const std::string precious = directory.file("precious", "kept");
-  fs::create_symlink(precious, directory / beside("one", "partial"));
-  directory.file(beside("one", "1.partial"), "half");
-  auto expected = snapshot(directory.path());
-  expected["one"] = "new\n";
-  write_files(directory.path(), {{"one", "new\n"}});
-  EXPECT_EQ(snapshot(directory.path()), expected) << "what we did not make we neither write nor remove";
-  EXPECT_TRUE(fs::is_symlink(directory / beside("one", "partial")));
-}
-
-TEST(Files, AFileThatCannotBeCreatedIsNamed) {
-  const TemporaryDirectory directory;
-  directory.file(beside("one", "partial"), "");
-  for (int i = 1; i < 1000; ++i) directory.file(beside("one", std::to_string(i) + ".partial"), "");
-  EXPECT_EQ(refusal([&] {
-              write_files(directory.path(), {{"one", "new\n"}});
-            }),
-            "cannot write '" + (directory / "one") + "': cannot create '" +
-                (directory / beside("one", "999.partial")) + "': File exists");
-  EXPECT_FALSE(fs::exists(directory / "one"));
 }
 
 TEST(Files, ADirectoryMadeForNothingIsRemoved) {
@@ -173,56 +146,141 @@ TEST(Files, ARenameThatFailsTakesTheEarlierOnesBack) {
   EXPECT_TRUE(fs::is_symlink(directory / "out/link")) << "the link itself comes back, not a copy";
 }
 
-TEST(Files, AnOldFileIsKeptUnderNoNameThatIsTaken) {
-  const TemporaryDirectory directory;
-  directory.file("one", "old\n");
-  directory.file(beside("one", "old"), "precious");
-  directory.file(beside("one", "1.old"), "precious too");
-  auto expected = snapshot(directory.path());
-  // The last file's place becomes a directory: what was renamed before is taken back.
-  const auto appear = at_call(3, [&] { fs::create_directories(directory / "last"); });
-  EXPECT_NE(refusal([&] {
-              write_files(directory.path(), {{"one", "new\n"}, {"last", "new\n"}}, appear);
-            }),
-            "nothing was refused");
-  fs::remove(directory / "last");
-  EXPECT_EQ(snapshot(directory.path()), expected);
-  write_files(directory.path(), {{"one", "new\n"}});
-  expected["one"] = "new\n";
-  EXPECT_EQ(snapshot(directory.path()), expected);
-}
-
 TEST(Files, ObsoleteFilesGoWithTheOthersOrNotAtAll) {
   const TemporaryDirectory directory;
   directory.file("out/one", "old 1\n");
-  directory.file("out/plots/gone", "old 2\n");
+  directory.file("out/plots/gone.svg", sealed("<svg/>", "<!-- ", " -->"));
+  directory.file("out/table.csv", "a,b,c\n1,2,3\n");
+  directory.file("out/mine.svg", "<svg/>\n");
+  directory.file("out/mine.csv", "a,b,z\n");
   directory.file("out/folder/precious", "kept");
-  fs::create_symlink("one", directory / "out/link");
   const auto before = snapshot(directory.path());
-  const std::vector<std::string> obsolete{"plots/gone", "link", "none", "none/at-all", "folder"};
+  const std::vector<File> obsolete{{"plots/gone.svg", ""},  {"table.csv", "a,b,c,d\n"}, {"mine.svg", ""},
+                                   {"mine.csv", "a,b,c\n"}, {"none.svg", ""},           {"folder", "x\n"}};
   for (int n = 1; n <= 3; ++n) {
     EXPECT_THROW(write_files(directory / "out", {{"one", "new\n"}, {"two", "new\n"}},
                              at_call(n, [] { throw Stop{}; }), obsolete),
                  Stop);
     EXPECT_EQ(snapshot(directory.path()), before) << n;
   }
-  // The place of the second becomes a directory that cannot be removed, when the first is to go.
+  // The place of the last becomes a directory that cannot be removed, when the first is to go.
   const auto appear = at_call(2, [&] {
-    fs::remove(directory / "out/link");
-    directory.file("out/link/precious", "kept");
+    fs::remove(directory / "out/table.csv");
+    directory.file("out/table.csv/precious", "kept");
   });
-  EXPECT_TRUE(refusal([&] {
-                write_files(directory / "out", {{"one", "new\n"}}, appear, obsolete);
-              }).starts_with("cannot remove '" + (directory / "out/link") + "': "));
-  EXPECT_EQ(read_file(directory / "out/link/precious"), "kept");
-  fs::remove_all(directory / "out/link");
-  fs::create_symlink("one", directory / "out/link");
+  EXPECT_EQ(refusal([&] {
+              write_files(directory / "out", {{"one", "new\n"}}, appear, obsolete);
+            }),
+            "cannot remove '" + (directory / "out/table.csv") + "': it is a directory");
+  EXPECT_EQ(read_file(directory / "out/table.csv/precious"), "kept");
+  fs::remove_all(directory / "out/table.csv");
+  directory.file("out/table.csv", "a,b,c\n1,2,3\n");
   EXPECT_EQ(snapshot(directory.path()), before) << "what was renamed and removed is back";
 
   write_files(directory / "out", {{"one", "new\n"}}, keep_going, obsolete);
-  EXPECT_EQ(snapshot(directory / "out"),
-            (std::map<std::string, std::string>{
-                {"one", "new\n"}, {"plots", "/"}, {"folder", "/"}, {"folder/precious", "kept"}}));
+  EXPECT_EQ(snapshot(directory / "out"), (std::map<std::string, std::string>{{"one", "new\n"},
+                                                                             {"plots", "/"},
+                                                                             {"mine.svg", "<svg/>\n"},
+                                                                             {"mine.csv", "a,b,z\n"},
+                                                                             {"folder", "/"},
+                                                                             {"folder/precious", "kept"}}));
+}
+
+/// Whether a file of ours with that beginning may be written over what is there.
+bool is_replaced(const TemporaryDirectory& directory, const std::string& name, const std::string& there,
+                 const std::string& ours) {
+  directory.file("own/" + name, there);
+  const std::string message = refusal([&] {
+    Output output(directory / "own");
+    output.prepare({{name, ours}}, {}, Foreign::refused);
+    output.put();
+  });
+  const bool is_new = read_file(directory / ("own/" + name)) == ours;
+  EXPECT_EQ(message == "nothing was refused", is_new) << message;
+  if (!is_new) {
+    EXPECT_EQ(message, "'" + (directory / ("own/" + name)) +
+                           "' was not written by shadefit, or was changed since: move it away, or replace it "
+                           "with --force");
+    EXPECT_EQ(snapshot(directory / "own").size(), 1U) << "nothing is left beside";
+  }
+  fs::remove_all(directory / "own");
+  return is_new;
+}
+
+TEST(Files, AFileOfOthersIsNotReplaced) {
+  const TemporaryDirectory directory;
+  EXPECT_TRUE(is_replaced(directory, "a.csv", "x,y,z\n1,2,3\n", "x,y,z\n4,5,6\n"));
+  EXPECT_TRUE(is_replaced(directory, "a.csv", "x,y,z\r\n1,2,3\r\n", "x,y,z\n4,5,6\n"))
+      << "as git may check it out";
+  EXPECT_TRUE(is_replaced(directory, "a.csv", "x,y,z\n1,2,3\n", "x,y,z,new\n4,5,6,7\n"))
+      << "an older version's";
+  EXPECT_TRUE(is_replaced(directory, "a.csv", "", "x,y,z\n")) << "nothing is lost";
+  EXPECT_FALSE(is_replaced(directory, "a.csv", "x\n1\n", "x,y,z\n4,5,6\n"));
+  EXPECT_FALSE(is_replaced(directory, "a.csv", "product,price\n", "x,y,z\n"));
+  EXPECT_TRUE(is_replaced(directory, "a.md", "# Ours\n\nold\n", "# Ours\n\nnew\n"));
+  EXPECT_FALSE(is_replaced(directory, "a.md", "# Ou\n", "# Ours\n"));
+  EXPECT_FALSE(is_replaced(directory, "a.md", "# Ours, or mine\n", "# Ours\n"));
+  EXPECT_TRUE(is_replaced(directory, "a.json", "{\n \"schema\": 1,\n \"x\": 2\n}\n",
+                          "{\n \"schema\": 1,\n \"x\": 3\n}\n"));
+  EXPECT_FALSE(is_replaced(directory, "a.json", "{\n \"schema\": 1,\n \"y\": 2\n}\n",
+                           "{\n \"schema\": 1,\n \"x\": 3\n}\n"));
+  const std::string script = sealed("plot x\n", "# "), picture = marked_picture("a.svg", "<svg>\n</svg>\n"),
+                    pixels = marked_picture("a.png", "pixels and an end..");
+  EXPECT_TRUE(is_replaced(directory, "a.gnuplot", sealed("plot y\n", "# "), script));
+  EXPECT_FALSE(is_replaced(directory, "a.gnuplot", "# mine\n" + script, script)) << "a change";
+  EXPECT_FALSE(is_replaced(directory, "a.gnuplot", script + "# mine\n", script)) << "a change";
+  EXPECT_FALSE(is_replaced(directory, "a.gnuplot", "plot x\n", script));
+  EXPECT_TRUE(is_replaced(directory, "a.svg", marked_picture("a.svg", "<svg/>"), picture));
+  EXPECT_FALSE(is_replaced(directory, "a.svg", "<svg>\n</svg>\n", picture));
+  EXPECT_TRUE(is_replaced(directory, "a.png", marked_picture("a.png", "other pixels, same end"), pixels));
+  EXPECT_FALSE(is_replaced(directory, "a.png", "pixels and an end..", pixels));
+}
+
+TEST(Files, OneForeignFileIsEnoughToWriteNothing) {
+  const TemporaryDirectory directory;
+  directory.file("out/two.md", "mine\n");
+  const auto before = snapshot(directory.path());
+  Output output(directory / "out");
+  EXPECT_NE(refusal([&] {
+              output.prepare({{"one.md", "# One\n"}, {"two.md", "# Two\n"}}, {}, Foreign::refused);
+            }),
+            "nothing was refused");
+  EXPECT_EQ(snapshot(directory.path()), before);
+  write_files(directory / "out", {{"two.md", "# Two\n"}});
+  EXPECT_EQ(read_file(directory / "out/two.md"), "# Two\n") << "by --force";
+}
+
+TEST(Files, ModeAndOwnerStay) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("secret", "old\n");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  // Only root can have a file of somebody else here; all others see their own.
+  constexpr uid_t other = 65534;
+  const bool is_given = ::chown(file.c_str(), other, other) == 0;
+  write_files(directory.path(), {{"secret", "new\n"}});
+  struct stat now {};
+  ASSERT_EQ(::stat(file.c_str(), &now), 0);
+  EXPECT_EQ(now.st_mode & 0777U, 0600U);
+  EXPECT_EQ(now.st_uid, is_given ? other : ::getuid());
+  EXPECT_EQ(read_file(file), "new\n");
+}
+
+TEST(Files, ADirectoryIsOneRunsAtATime) {
+  const TemporaryDirectory directory;
+  const auto begin = [&](Company company) { const Output output(directory / "out", company); };
+  {
+    const Output first(directory / "out", Company::refused);
+    EXPECT_EQ(refusal([&] { begin(Company::refused); }),
+              "output directory '" + (directory / "out") +
+                  "' is in use by another run: wait for its end, or name another");
+    EXPECT_EQ(refusal([&] { begin(Company::welcome); }), "nothing was refused") << "a file of its own name";
+  }
+  EXPECT_EQ(refusal([&] { begin(Company::refused); }), "nothing was refused");
+  EXPECT_FALSE(fs::exists(directory / "out")) << "made for nothing";
+}
+
+TEST(Files, ADirectoryThatCannotBeWrittenIsToldAtOnce) {
+  EXPECT_NE(refusal([&] { const Output output("/proc"); }), "nothing was refused");
 }
 
 TEST(Files, ADetourLeavesNoDirectory) {
@@ -275,19 +333,6 @@ TEST(Files, WithoutHardLinksTheOldFileIsMovedAsideAndBack) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   };
   EXPECT_EQ(as_nobody(at_call(2, [] { throw Stop{}; })), 1);
-  EXPECT_EQ(snapshot(directory / "out"), before);
-  // A file of somebody else has the name that the old one would be moved to.
-  const auto take_and_stop = [&, calls = 0]() mutable {
-    if (++calls == 1) directory.file("out/" + beside("one", "old"), "precious");
-    if (calls == 2) throw Stop{};
-  };
-  EXPECT_EQ(as_nobody(take_and_stop), 1);
-  std::size_t precious = 0;
-  for (const auto& [name, content] : snapshot(directory / "out")) {
-    precious += content == "precious" ? 1 : 0;
-    if (content == "precious") fs::remove(directory / ("out/" + name));
-  }
-  EXPECT_EQ(precious, 1U);
   EXPECT_EQ(snapshot(directory / "out"), before);
   EXPECT_EQ(as_nobody(keep_going), 0);
   EXPECT_EQ(snapshot(directory / "out"), (std::map<std::string, std::string>{{"one", "new\n"}}));

@@ -52,7 +52,41 @@ ShaderFunction of_everything() {
 
 std::string code_of(const ShaderFunction& function, Language language,
                     ShaderPrecision precision = ShaderPrecision::float32) {
-  return shader_code(std::span(&function, 1), language, precision, {});
+  const std::string code = shader_code(std::span(&function, 1), language, precision, {});
+  const bool is_header = language == Language::c || language == Language::cpp;
+  EXPECT_EQ(code.find("#ifndef") != std::string::npos, is_header) << code;
+  if (!is_header) return code;
+  // What stands in the guard.
+  const std::size_t begin = code.find('\n', code.find("\n#define SHADEFIT_") + 1) + 1;
+  const std::string_view end = "\n#endif\n";
+  EXPECT_TRUE(code.ends_with(end)) << code;
+  return code.substr(begin, code.size() - end.size() - begin);
+}
+
+// A copy of a header is passed over, another function of its name is an error of the compiler.
+TEST(ShaderCode, AHeaderMayBeIncludedTwice) {
+  const TemporaryDirectory directory;
+  const auto header = [](const char* decimal, Language language) {
+    const ShaderFunction function{"f", {"c"}, number_of(decimal) * variable("c")};
+    return shader_code(std::span(&function, 1), language, ShaderPrecision::float32, {});
+  };
+  for (const Language language : {Language::c, Language::cpp}) {
+    directory.file("one.h", header("2.5", language));
+    directory.file("copy.h", header("2.5", language));
+    directory.file("other.h", header("3.5", language));
+    const bool is_c = language == Language::c;
+    for (const std::string& compiler : is_c ? testing::c_compilers() : testing::cpp_compilers()) {
+      const auto compiles = [&](const std::string& second) {
+        const std::string source =
+            directory.file(is_c ? "a.c" : "a.cpp", "#include \"one.h\"\n#include \"" + second +
+                                                       "\"\nfloat g(float c) { return f(c); }\n");
+        return runs(compiler + " -fsyntax-only '" + source + "'", directory);
+      };
+      EXPECT_TRUE(compiles("one.h")) << compiler << read_file(directory / "said");
+      EXPECT_TRUE(compiles("copy.h")) << compiler << read_file(directory / "said");
+      EXPECT_FALSE(compiles("other.h")) << compiler;
+    }
+  }
 }
 
 TEST(ShaderCode, OfThePairInEveryLanguage) {

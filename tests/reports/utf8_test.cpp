@@ -49,6 +49,25 @@ TEST(Utf8, TakesNothingThatIsCutOffOrOutOfPlace) {
   EXPECT_EQ(utf8_length("\xFF"), 0U);
 }
 
+// What can end or turn a line, or has no width, by Unicode's names for it; everything beside them is shown.
+TEST(Utf8, WhatCouldForgeALineIsEscaped) {
+  for (const std::uint32_t point :
+       {0x00U,   0x1BU,   0x7FU,   0x85U,   0x9BU,   0xADU,   0x061CU, 0x180EU,  0x200BU, 0x200CU, 0x200DU,
+        0x200EU, 0x200FU, 0x2028U, 0x2029U, 0x202AU, 0x202BU, 0x202CU, 0x202DU,  0x202EU, 0x2060U, 0x2066U,
+        0x2067U, 0x2068U, 0x2069U, 0x3164U, 0xFEFFU, 0xFFF9U, 0xFFFBU, 0xE0001U, 0xE007FU}) {
+    const std::string bytes = encoded(point, shortest(point));
+    const std::string shown = printable("a" + bytes + "b");
+    EXPECT_EQ(shown.size(), 2 + 4 * bytes.size()) << point;
+    EXPECT_EQ(shown.find(bytes), std::string::npos) << point;
+  }
+  for (const std::uint32_t point :
+       {0x20U, 0x7EU, 0xA0U, 0xACU, 0xAEU, 0xE9U, 0x061BU, 0x061DU, 0x200AU, 0x2010U, 0x2027U, 0x202FU,
+        0x205FU, 0x2070U, 0x3042U, 0xFF21U, 0x1F600U}) {
+    const std::string bytes = encoded(point, shortest(point));
+    EXPECT_EQ(printable(bytes), bytes) << point;
+  }
+}
+
 TEST(Utf8, OneLineShowsNoControlCharacterAndIsBounded) {
   EXPECT_EQ(one_line("a\x1B[2J\r\n\x7F\xC2\x9B\xFF \xC3\xA9"),
             "a\\x1b[2J\\x0d\\x0a\\x7f\\xc2\\x9b\\xff \xC3\xA9");

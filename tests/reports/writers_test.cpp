@@ -22,6 +22,16 @@ const Table sample{{"id", "value", "note"},
                     {std::string("b|c"), Number{12, 10}, std::string("a \"quoted\", text")},
                     {std::string("d"), {}, {}}}};
 
+// A table may hold cells of a file that anybody wrote: none of them forges a line of ours.
+TEST(Writers, ACellCannotForgeALineOnATerminal) {
+  const Table table{{"a"}, {{std::string("x\ncheck passed\x1B[2J\xC2\x9B\xE2\x80\xAE\xE2\x80\xA8")}}};
+  const std::string shown = write_console(table, Precision::report);
+  EXPECT_EQ(std::count(shown.begin(), shown.end(), '\n'), 2) << shown;
+  EXPECT_NE(shown.find("x\\x0acheck passed\\x1b[2J\\xc2\\x9b\\xe2\\x80\\xae\\xe2\\x80\\xa8\n"),
+            std::string::npos)
+      << shown;
+}
+
 TEST(Writers, Csv) {
   EXPECT_EQ(write_csv(sample, Precision::report),
             "id,value,note\na,0.125,plain\nb|c,12,\"a \"\"quoted\"\", text\"\nd,,\n");

@@ -1,0 +1,194 @@
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <thread>
+
+#include "app/command_line.hpp"
+#include "reports/files.hpp"
+#include "tests/app/refusal.hpp"
+#include "tests/fake_gnuplot.hpp"
+#include "tests/process.hpp"
+#include "tests/temporary_directory.hpp"
+
+/// Files of others beside ours, and what is not a file.
+namespace shadefit {
+namespace {
+
+using testing::EnvironmentVariable;
+using testing::expect_refusal;
+using testing::fake_gnuplot;
+using testing::run_process;
+using testing::snapshot;
+using testing::TemporaryDirectory;
+namespace fs = std::filesystem;
+
+constexpr const char* material = "newmtl shiny\nNs 20\nKs 0.5 0.4 0.3\nillum 2\n";
+
+std::vector<std::string> emit_to(const std::string& file) {
+  return {"emit", "fresnel-quadratic", "--lang", "glsl", "--out", file};
+}
+
+std::string foreign_refusal(const std::string& file) {
+  return "'" + file +
+         "' was not written by shadefit, or was changed since: move it away, or replace it with --force";
+}
+
+TEST(OthersFiles, ASceneLeavesThemWhereTheyAre) {
+  const TemporaryDirectory directory;
+  const std::string scene = directory.file("a.mtl", material);
+  for (const char* name : {"scene.png", "plots/shade.csv", "plots/shade.gnuplot", "plots/shade.svg"})
+    directory.file(name, "of the user\n");
+  directory.file("shade.csv", "product,price\nlamp,3\n");
+  const auto before = snapshot(directory.path());
+  EXPECT_EQ(run_command_line({"scene", scene, "--out", directory.path().string()}).exit_code, 0);
+  auto after = snapshot(directory.path());
+  for (const auto& [name, content] : before) EXPECT_EQ(after[name], content) << name;
+  EXPECT_EQ(after.size(), before.size() + 6) << "the plan stands beside them";
+
+  fake_gnuplot(directory, "echo '</svg> IEND' > \"$picture\"");
+  const EnvironmentVariable path("PATH", directory / "bin");
+  const std::vector<std::string> shade{"scene", scene, "--shade", "--out", directory.path().string()};
+  const auto planned = snapshot(directory.path());
+  expect_refusal(shade, foreign_refusal(directory / "shade.csv"));
+  EXPECT_EQ(snapshot(directory.path()), planned) << "and nothing is written beside the first that is refused";
+  auto forced = shade;
+  forced.emplace_back("--force");
+  EXPECT_EQ(run_command_line(forced).exit_code, 0);
+  EXPECT_TRUE(read_file(directory / "shade.csv").starts_with("way,tolerance,form,"));
+  EXPECT_EQ(run_command_line(shade).exit_code, 0) << "what it wrote itself it replaces";
+  EXPECT_EQ(run_command_line({"scene", scene, "--out", directory.path().string()}).exit_code, 0);
+  after = snapshot(directory.path());
+  for (const char* name :
+       {"scene.png", "shade.csv", "plots/shade.csv", "plots/shade.gnuplot", "plots/shade.svg"})
+    EXPECT_EQ(after.count(name), 0U) << name << " is of another plan, and ours";
+}
+
+TEST(OthersFiles, AScriptThatWasChangedIsNotReplaced) {
+  const TemporaryDirectory directory;
+  const EnvironmentVariable path("PATH", directory / "bin");  // no gnuplot
+  const std::vector<std::string> run{"run", "--only", "fresnel-quadratic", "--out", directory / "out"};
+  EXPECT_EQ(run_command_line(run).exit_code, 0);
+  EXPECT_EQ(run_command_line(run).exit_code, 0);
+  const std::string script = directory / "out/plots/fresnel.gnuplot";
+  directory.file("out/plots/fresnel.gnuplot", read_file(script) + "# larger letters\n");
+  const auto before = snapshot(directory.path());
+  expect_refusal(run, foreign_refusal(script));
+  EXPECT_EQ(snapshot(directory.path()), before);
+}
+
+TEST(OthersFiles, CodeReplacesCodeAlone) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("pair.glsl", "float mine(float c) { return c; }\n");
+  expect_refusal(emit_to(file), foreign_refusal(file));
+  auto forced = emit_to(file);
+  forced.emplace_back("--force");
+  EXPECT_EQ(run_command_line(forced).exit_code, 0);
+  EXPECT_EQ(run_command_line(emit_to(file)).exit_code, 0);
+  expect_refusal({"certify", "fresnel-quadratic", "--out", file}, foreign_refusal(file));
+  EXPECT_TRUE(read_file(file).starts_with("// Generated: "));
+  EXPECT_EQ(snapshot(directory.path()).size(), 1U);
+}
+
+TEST(OthersFiles, ALinkStaysAndItsTargetIsWritten) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory / "there");
+  fs::create_symlink("there/pair.glsl", directory / "link");
+  EXPECT_EQ(run_command_line(emit_to(directory / "link")).exit_code, 0);
+  EXPECT_TRUE(fs::is_symlink(directory / "link"));
+  EXPECT_TRUE(read_file(directory / "there/pair.glsl").starts_with("// Generated: "));
+  fs::create_symlink("circle", directory / "circle");
+  const Outcome outcome = run_command_line(emit_to(directory / "circle"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err,
+            "shadefit: cannot write '" + (directory / "circle") + "': Too many levels of symbolic links\n");
+  const std::string too_long = directory / std::string(256, 'x');
+  EXPECT_EQ(run_command_line(emit_to(too_long)).err,
+            "shadefit: cannot write '" + too_long + "': File name too long\n");
+}
+
+TEST(OthersFiles, WhatIsNotAFileIsWrittenThrough) {
+  const TemporaryDirectory directory;
+  const std::string pipe = directory / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = testing::read_all(::open(pipe.c_str(), O_RDONLY)); });
+  const Outcome outcome = run_command_line(emit_to(pipe));
+  reader.join();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(received, run_command_line({"emit", "fresnel-quadratic", "--lang", "glsl"}).out);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+
+  EXPECT_EQ(run_command_line(emit_to("/dev/null")).exit_code, 0);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  const Outcome full = run_command_line(emit_to("/dev/full"));
+  EXPECT_EQ(full.exit_code, 2);
+  EXPECT_EQ(full.err, "shadefit: cannot write '/dev/full': No space left on device\n");
+  const auto through = run_process(emit_to("/dev/stdout"), [] {});
+  EXPECT_EQ(through.out, received);
+  EXPECT_EQ(through.exit_code, 0) << through.err;
+  const auto appended =
+      run_process(emit_to("/dev/stdout"), [&] { testing::send_output_to(directory / "log"); });
+  EXPECT_EQ(appended.exit_code, 0) << appended.err;
+  EXPECT_EQ(read_file(directory / "log"), received);
+}
+
+TEST(OthersFiles, WhereNobodyCanBeToldNothingIsWritten) {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> run{"run",        "--only", "norm-lambert",
+                                     "--no-plots", "--out",  directory / "out"};
+  const auto close_output = [] { ::close(STDOUT_FILENO); };
+  const auto fill_output = [] { testing::send_output_to("/dev/full"); };
+  const auto break_pipe = [] {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) == 0) ::dup2(ends[1], STDOUT_FILENO);
+    for (const int end : ends) ::close(end);
+  };
+  for (const auto& arguments : {run, emit_to(directory / "pair.glsl")}) {
+    const auto closed = run_process(arguments, close_output);
+    EXPECT_EQ(closed.exit_code, 2);
+    EXPECT_EQ(closed.err, "shadefit: cannot write standard output: Bad file descriptor\n");
+    const auto full = run_process(arguments, fill_output);
+    EXPECT_EQ(full.exit_code, 2);
+    EXPECT_EQ(full.err, "shadefit: cannot write standard output: No space left on device\n");
+    const auto broken = run_process(arguments, break_pipe);
+    EXPECT_EQ(broken.exit_code, 2);
+    EXPECT_EQ(broken.err, "shadefit: cannot write standard output: Broken pipe\n");
+    EXPECT_EQ(snapshot(directory.path()).size(), 0U);
+  }
+  // A filter without files ends as filters do.
+  const auto filter = run_process({"list"}, break_pipe);
+  EXPECT_EQ(filter.exit_code, -1);
+  EXPECT_EQ(filter.err, "");
+}
+
+TEST(OthersFiles, TwoRunsIntoOneDirectory) {
+  const TemporaryDirectory directory;
+  fs::create_directories(directory / "out");
+  const int other = ::open((directory / "out").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(other, LOCK_EX), 0);
+  const std::vector<std::string> run{"run",        "--only", "norm-lambert",
+                                     "--no-plots", "--out",  directory / "out"};
+  expect_refusal(run, "output directory '" + (directory / "out") +
+                          "' is in use by another run: wait for its end, or name another");
+  EXPECT_EQ(run_command_line(emit_to(directory / "out/pair.glsl")).exit_code, 0)
+      << "no other file has its name";
+  ::close(other);
+  EXPECT_EQ(run_command_line(run).exit_code, 0);
+}
+
+// A baseline as an older version left it, without any mark.
+TEST(OthersFiles, TablesOfAnOlderVersionAreRenewed) {
+  const TemporaryDirectory directory;
+  fs::copy(SHADEFIT_SOURCE_DIR "/reports/baseline", directory / "baseline");
+  EXPECT_EQ(run_command_line({"run", "--only", "norm-lambert", "--no-plots", "--out", directory / "baseline"})
+                .exit_code,
+            0);
+}
+
+}  // namespace
+}  // namespace shadefit
