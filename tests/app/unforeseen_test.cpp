@@ -84,7 +84,7 @@ TEST(Outputs, AreTriedBeforeTheWork) {
     EXPECT_EQ(calls, 0) << arguments.front();
     EXPECT_EQ(outcome.exit_code, 2) << arguments.front();
     EXPECT_EQ(outcome.err,
-              "shadefit: output directory '/proc/x' cannot be written to: No such file or directory\n");
+              "shadefit: cannot create directory '/proc/x': No such file or directory\n");
   }
 }
 
