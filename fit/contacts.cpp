@@ -5,6 +5,14 @@
 #include <utility>
 
 namespace shadefit {
+namespace {
+
+/// Whether no parameter moves the value of a contact.
+bool is_fixed(const Contact& c) {
+  return std::all_of(c.gradient.begin(), c.gradient.end(), [](double g) { return g == 0; });
+}
+
+}  // namespace
 
 double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s, double high, double sign,
              const MinimaxParameters& p) {
@@ -31,7 +39,8 @@ double Contacts::share_of_level(Touch touch) const {
 }
 
 const MinimaxCurve& Contacts::curve_of(Touch touch) const {
-  return is_of_form(touch) ? problem_.form : problem_.error;
+  if (is_of_form(touch)) return problem_.bounded;
+  return share_of_level(touch) > 0 ? problem_.error : problem_.deviation;
 }
 
 Contact Contacts::contact(Touch touch, const SearchPlace& place, bool is_tangent) const {
@@ -42,14 +51,16 @@ Contact Contacts::contact(Touch touch, const SearchPlace& place, bool is_tangent
 }
 
 /// What the curve of a touch may at most (or at least) be, apart from the level.
-double Contacts::bound_of(Touch touch) const {
-  if (touch == Touch::at_most) return *problem_.at_most;
-  return touch == Touch::at_least ? *problem_.at_least : 0;
+long double Contacts::bound_of(Touch touch) const {
+  if (!is_of_form(touch)) return 0;
+  const long double bound = touch == Touch::at_most ? *problem_.at_most : *problem_.at_least;
+  return problem_.is_exponential ? std::log(std::max(0.0L, bound)) : bound;
 }
 
 /// By how much a step of the parameters and a level may use a condition up.
 Condition Contacts::condition(const Contact& c) const {
-  const double sign = sign_of(c.touch), bound = c.is_tangent ? 0 : bound_of(c.touch);
+  const double sign = sign_of(c.touch);
+  const double bound = c.is_tangent ? 0 : static_cast<double>(bound_of(c.touch));
   Condition result{{}, sign * (bound - c.value), c.touch == Touch::exact};
   for (std::size_t i = 0; i < problem_.size; ++i) result.slope[i] = sign * c.gradient[i];
   result.slope[problem_.size] = -share_of_level(c);
@@ -63,15 +74,12 @@ void Contacts::find_tangents() {
     const SearchPlace ends[] = {problem_.places.front(), problem_.places.back()};
     for (const SearchPlace& place : ends) {
       const Contact c = contact(touch, place);
-      const bool is_fixed =
-          std::all_of(c.gradient.begin(), c.gradient.end(), [](double g) { return g == 0; });
-      if (!is_fixed || c.value != bound_of(touch)) continue;
+      if (!is_fixed(c) || c.value != static_cast<double>(bound_of(touch))) continue;
       const Contact tangent = contact(touch, place, true);
-      if (std::any_of(tangent.gradient.begin(), tangent.gradient.end(), [](double g) { return g != 0; }))
-        tangents_.push_back(tangent);
+      if (!is_fixed(tangent)) tangents_.push_back(tangent);
     }
   };
-  if (problem_.one_sided) consider(problem_.one_sided == Side::below ? Touch::highest : Touch::lowest);
+  if (problem_.one_sided) consider(one_sided_touch());
   if (problem_.at_most) consider(Touch::at_most);
   if (problem_.at_least) consider(Touch::at_least);
 }
@@ -86,6 +94,7 @@ void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
     const double left = has_left ? sign * (values_[i] - values_[i - 1]) : 0;
     const double right = has_right ? sign * (values_[i] - values_[i + 1]) : 0;
     if (left < 0 || right < 0) continue;
+    if (sign * values_[i] == -HUGE_VAL) continue;  // where a target is 0 no positive form falls below it
     SearchPlace place = places[i];
     if (has_left && has_right) {
       // the top of the parabola through three places, in divided differences
@@ -94,7 +103,7 @@ void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
       const double bend = rise + fall;
       const double top = bend > 0 ? (a + b) / 2 + (c - a) / 2 * rise / bend : b;
       place.s = climb(curve, place.panel, a, std::clamp(top, a, c), c, sign, parameters);
-    } else if (has_left != has_right) {
+    } else if (has_left != has_right && std::isfinite(values_[i])) {
       // An end of a panel is an extremum unless the curve still rises from it.
       const double inner = has_right ? places[i + 1].s : places[i - 1].s;
       const double slope = sign * curve.along(place, parameters).slope * (inner - place.s);
@@ -111,12 +120,16 @@ void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
 void Contacts::look() {
   all_.clear();
   problem_.error.everywhere(parameters, values_);
-  find_extrema(problem_.error, Touch::highest);
-  find_extrema(problem_.error, Touch::lowest);
+  if (problem_.one_sided != Side::below) find_extrema(problem_.error, Touch::highest);
+  if (problem_.one_sided != Side::above) find_extrema(problem_.error, Touch::lowest);
+  if (problem_.one_sided) {
+    problem_.deviation.everywhere(parameters, values_);
+    find_extrema(problem_.deviation, one_sided_touch());
+  }
   if (problem_.at_most || problem_.at_least) {
-    problem_.form.everywhere(parameters, values_);
-    if (problem_.at_most) find_extrema(problem_.form, Touch::at_most);
-    if (problem_.at_least) find_extrema(problem_.form, Touch::at_least);
+    problem_.bounded.everywhere(parameters, values_);
+    if (problem_.at_most) find_extrema(problem_.bounded, Touch::at_most);
+    if (problem_.at_least) find_extrema(problem_.bounded, Touch::at_least);
   }
   for (const SearchPlace& place : exact_) all_.push_back(contact(Touch::exact, place));
   for (const Contact& c : tangents_) all_.push_back(contact(c.touch, c.place, true));
@@ -145,8 +158,13 @@ Few<Contact> Contacts::alternating(std::size_t count) const {
     for (std::size_t i = 0; i < problem_.size; ++i) size = std::max(size, std::abs(c.gradient[i]));
     return size;
   };
-  for (const Contact& c : all_) {
+  for (Contact c : all_) {
     if (is_of_form(c.touch) || c.touch == Touch::exact || c.is_tangent) continue;
+    if (problem_.one_sided) {
+      // Where no positive form can touch its target nothing is held.
+      if (!std::isfinite(contact(one_sided_touch(), c.place).value)) continue;
+      c.value = problem_.error.across(c.place, parameters, c.gradient);
+    }
     largest_gradient = std::max(largest_gradient, size_of(c));
     highest = std::max(highest, c.value);
     lowest = std::min(lowest, c.value);
@@ -176,8 +194,9 @@ Few<Contact> Contacts::alternating(std::size_t count) const {
                                                                                  : chain.end() - 1);
   const std::size_t all = problem_.places.size();
   for (std::size_t i = 0; chain.size() < count && i < count; ++i) {
-    const SearchPlace place = problem_.places[(2 * i + 1) * all / (2 * count)];
-    chain.push_back(contact(Touch::highest, place));
+    Contact c{Touch::highest, problem_.places[(2 * i + 1) * all / (2 * count)], false, 0, {}};
+    c.value = problem_.error.across(c.place, parameters, c.gradient);
+    chain.push_back(c);
   }
   return chain;
 }
@@ -209,6 +228,7 @@ bool Contacts::first_reference(Few<Condition>& conditions,
   for (std::size_t i = 0; i < count; ++i) {
     Contact c = chain[i];
     c.touch = flip * shares[i] > 0 ? Touch::highest : Touch::lowest;
+    if (share_of_level(c) == 0) c = contact(c.touch, c.place);
     reference[i] = conditions.size();
     conditions.push_back(condition(c));
     all_.push_back(c);
@@ -216,19 +236,32 @@ bool Contacts::first_reference(Few<Condition>& conditions,
   return true;
 }
 
-/// The constraint that the parameters violate most, and where.
-std::string Contacts::most_violated() const {
+/// One that is fixed counts for more than any other.
+const Contact* Contacts::worst_violation() const {
   const Contact* worst = nullptr;
-  double most = 0;
+  std::pair<bool, double> most{false, 0};
   for (const Contact& c : all_) {
-    const double excess = -condition(c).bound;
-    if (share_of_level(c) > 0 || !(excess > most)) continue;
-    most = excess;
+    const std::pair<bool, double> violation{is_fixed(c), -condition(c).bound};
+    if (share_of_level(c) > 0 || !(violation.second > 0) || !(violation > most)) continue;
+    most = violation;
     worst = &c;
   }
+  return worst;
+}
+
+bool Contacts::is_violation_fixed() const {
+  const Contact* worst = worst_violation();
+  return worst != nullptr && is_fixed(*worst);
+}
+
+/// The constraint that the parameters violate most, and where.
+std::string Contacts::most_violated() const {
+  const Contact* worst = worst_violation();
   if (worst == nullptr) return "satisfy the constraints";
   const std::string relation = sign_of(worst->touch) > 0 ? "<= " : ">= ";
-  const std::string bound = is_of_form(worst->touch) ? to_text(bound_of(worst->touch)) : "target";
+  const std::string bound = worst->touch == Touch::at_most    ? to_text(*problem_.at_most)
+                            : worst->touch == Touch::at_least ? to_text(*problem_.at_least)
+                                                              : "target";
   return "keep the form " + relation + bound + " at c = " + place_text(*worst);
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <boost/container/small_vector.hpp>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -30,7 +31,7 @@ inline double sign_of(Touch touch) {
   return touch == Touch::lowest || touch == Touch::at_least ? -1 : 1;
 }
 
-/// Whether a touch is one of the form itself, not of its error.
+/// Whether a touch is one of the form's own bounds, not of its error.
 inline bool is_of_form(Touch touch) {
   return touch == Touch::at_most || touch == Touch::at_least;
 }
@@ -55,9 +56,13 @@ class Contacts {
   double violation() const { return violation_; }
 
   double share_of_level(Touch touch) const;
+  /// How a form that has to keep to one side of its target touches it.
+  Touch one_sided_touch() const { return problem_.one_sided == Side::below ? Touch::highest : Touch::lowest; }
   double share_of_level(const Contact& c) const { return c.is_tangent ? 0 : share_of_level(c.touch); }
   const MinimaxCurve& curve_of(Touch touch) const;
-  double bound_of(Touch touch) const;
+  long double bound_of(Touch touch) const;
+  /// Whether a constraint is violated without end: the target or a bound of a positive form is 0 there.
+  bool is_impossible() const { return violation_ == HUGE_VAL; }
   Contact contact(Touch touch, const SearchPlace& place, bool is_tangent = false) const;
   Condition condition(const Contact& c) const;
 
@@ -71,9 +76,12 @@ class Contacts {
   /// the conditions.
   bool first_reference(Few<Condition>& conditions, std::array<std::size_t, most_unknowns>& reference);
   std::string most_violated() const;
+  /// Whether a constraint is violated where no parameter moves its curve.
+  bool is_violation_fixed() const;
   std::string place_text(const Contact& c) const;
 
  private:
+  const Contact* worst_violation() const;
   void find_extrema(const MinimaxCurve& curve, Touch touch);
   Few<Contact> alternating(std::size_t count) const;
 

@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "fit/jet.hpp"
 #include "fit/positive_definite.hpp"
@@ -150,6 +151,7 @@ struct Candidate {
   std::optional<Eigen::Matrix<double, N, N>> hessian = std::nullopt;
   int iterations = 0;
   Status status = Status::not_converged;
+  std::string_view why = {};  ///< where it did not converge, in words
 };
 
 /// The largest relative distance of two points, measured in the second.
@@ -162,11 +164,24 @@ double distance(std::array<double, N> p, const std::array<double, N>& from) {
 template <int N>
 using TinySolver = ceres::TinySolver<TinyFunction<N>>;
 
-/// Only the basin is wanted: a step of 1e-2 (|x| + 1e-2) is inside Newton's; cost tests are off.
+/// How far Ceres goes before Newton takes over.
+struct Patience {
+  double last_step;  ///< it ends with a step below this, relative
+  int most_steps;
+};
+
+/// Only the basin is wanted, and a step of 1e-2 (|x| + 1e-2) is usually inside Newton's.
+inline constexpr Patience hasty{1e-2, 50};
+/// On a steep wall steps are damped below 1e-2 far from any basin, and Newton's first step leaves for good.
+/// Levenberg and Marquardt's steps only ever go down: twenty to forty lead to where Newton confirms them.
+inline constexpr Patience patient{1e-7, 400};
+
+/// Cost tests are off.
 template <int N>
-TinySolver<N> basin_solver() {
+TinySolver<N> basin_solver(const Patience& patience) {
   TinySolver<N> solver;
-  solver.options.parameter_tolerance = 1e-2;
+  solver.options.parameter_tolerance = patience.last_step;
+  solver.options.max_num_iterations = patience.most_steps;
   solver.options.function_tolerance = 0;
   solver.options.gradient_tolerance = 0;
   solver.options.cost_threshold = 0;
@@ -210,6 +225,7 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
     const auto newton = newton_step<double, double, N>(gradient, *candidate.hessian);
     if (!newton.is_finite) {
       candidate.status = Status::not_finite;
+      candidate.why = "a Newton step is not finite: the parameters do not move the error independently";
       return;
     }
     for (std::size_t j = 0; j < p.size(); ++j) p[j] += newton.step[j];
@@ -221,6 +237,7 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
     const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
     if (size < 1e-6 && left < rest) {
       candidate.status = is_minimum<N>(*candidate.hessian) ? Status::converged : Status::not_converged;
+      if (candidate.status != Status::converged) candidate.why = "the gradient vanishes where no minimum is";
       return;
     }
     if (!(size < last / 3)) candidate.hessian.reset();
@@ -229,6 +246,29 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
     last_step = Eigen::Map<const Vector>(newton.step.data());
   }
   candidate.status = Status::not_converged;
+  candidate.why = "thirty Newton steps did not settle";
+}
+
+/// Whether two points are one optimum: by their distance; or, where a parameter is near 0 and has few digits
+/// of its own, by the errors, which differ by less than 1e-10 of their norm. Rounding moves those of a fit
+/// that can be settled by a hundredth of that at most.
+template <int N>
+bool is_same_optimum(const DescentProblem<N>& problem, const Candidate<N>& one, const Candidate<N>& other) {
+  if (distance(one.parameters, other.parameters) <= same_optimum) return true;
+  Eigen::Matrix<double, N, 1> apart;
+  for (int i = 0; i < N; ++i) {
+    const auto j = static_cast<std::size_t>(i);
+    apart[i] = one.parameters[j] - other.parameters[j];
+  }
+  return apart.dot(*other.hessian * apart) <= 1e-20 * problem.square(other.parameters);
+}
+
+/// Whether a problem goes on falling, or stays, as the parameters grow.
+template <int N>
+bool is_far_end(const DescentProblem<N>& problem, typename DescentProblem<N>::Parameters p) {
+  const double here = problem.square(p);
+  for (double& parameter : p) parameter *= 4;
+  return problem.square(p) <= here;
 }
 
 /// Where a descent begins, three times.
@@ -238,20 +278,31 @@ using Starts = std::array<typename DescentProblem<N>::Parameters, 3>;
 /// The optimum on few nodes, if all of the starts that are asked lead to it; else the status says why not.
 /// The Hessian that led the first one serves the other starts, and the larger rules after them.
 template <int N>
-Candidate<N> common_optimum(const Starts<N>& starts, const DescentProblem<N>& problem,
-                            std::size_t asked = 3) {
+Candidate<N> common_optimum_by(const Patience& patience, const Starts<N>& starts,
+                               const DescentProblem<N>& problem, std::size_t asked) {
   Candidate<N> common{.parameters = starts[0]};
   const double square = problem.square(starts[0]);
-  if (!std::isfinite(square)) common.status = Status::not_finite;
-  if (!(square > 0) || !std::isfinite(square)) return common;  // a square of 0 has underflowed
+  if (!std::isfinite(square)) {
+    common.status = Status::not_finite;
+    common.why = "the error at the start is not finite";
+    return common;
+  }
+  if (!(square > 0)) {
+    common.why = "the square of the error is below the least double";
+    return common;
+  }
 
   const TinyFunction<N> function(problem, square);
-  auto solver = basin_solver<N>();
+  auto solver = basin_solver<N>(patience);
   const auto descend = [&](Candidate<N> candidate) {
     typename TinySolver<N>::Parameters parameters(candidate.parameters.data());
     candidate.iterations = solver.Solve(function, &parameters).iterations;
     std::copy_n(parameters.data(), N, candidate.parameters.begin());
+    const auto before = candidate.parameters;
     polish<N>(problem, candidate, same_optimum / 10);
+    if (candidate.status != Status::converged && is_far_end<N>(problem, before))
+      candidate.why =
+          "the error is no larger where all parameters are four times as large: none are the best";
     return candidate;
   };
   common = descend(common);
@@ -261,12 +312,21 @@ Candidate<N> common_optimum(const Starts<N>& starts, const DescentProblem<N>& pr
     const auto candidate = descend({.parameters = starts[i], .hessian = first.hessian});
     if (candidate.status != Status::converged) {
       common.status = candidate.status;
-    } else if (distance(candidate.parameters, first.parameters) > same_optimum &&
-               common.status == Status::converged) {
+      common.why = candidate.why;
+    } else if (common.status == Status::converged && !is_same_optimum<N>(problem, candidate, first)) {
       common.status = Status::ambiguous;
+      common.why = "the starts led to different optima";
     }
   }
   return common;
+}
+
+/// The same in haste, and only where that fails with patience.
+template <int N>
+Candidate<N> common_optimum(const Starts<N>& starts, const DescentProblem<N>& problem,
+                            std::size_t asked = 3) {
+  const auto common = common_optimum_by<N>(hasty, starts, problem, asked);
+  return common.status == Status::converged ? common : common_optimum_by<N>(patient, starts, problem, asked);
 }
 
 }  // namespace shadefit

@@ -10,8 +10,9 @@ namespace {
 
 /// Two to ten exchanges are the rule; sixty end what goes round in circles.
 constexpr int most_exchanges = 60;
-/// A condition counts as violated from here on, against the largest bound of all: what the elimination
-/// leaves of an equality.
+/// A condition counts as violated from here on: what the elimination leaves of an equality. One on the error
+/// is measured against the largest bound of these or the level; a constraint, whose unit is that of the form
+/// or of its logarithm, against 1 or its own bound.
 constexpr double violation_floor = 1e-13;
 
 double product(const Unknowns& a, const Unknowns& b, std::size_t size) {
@@ -76,8 +77,10 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
   LowestLevel result;
   std::copy(first_reference.begin(), first_reference.end(), result.reference.begin());
   double largest_bound = 0;
-  for (const Condition& condition : conditions)
-    largest_bound = std::max(largest_bound, std::abs(condition.bound));
+  for (const Condition& condition : conditions) {
+    if (condition.slope[unknowns - 1] != 0)
+      largest_bound = std::max(largest_bound, std::abs(condition.bound));
+  }
 
   for (int exchange = 0; exchange < most_exchanges; ++exchange) {
     SmallMatrix matrix{}, inverse{};
@@ -96,12 +99,15 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
     for (std::size_t i = 0; i < unknowns; ++i) result.multipliers[i] = -inverse[unknowns - 1][i];
 
     std::size_t entering = conditions.size();
-    double most = violation_floor * largest_bound;
+    double most = 0;
     for (std::size_t j = 0; j < conditions.size(); ++j) {
       const auto end = result.reference.begin() + static_cast<std::ptrdiff_t>(unknowns);
       if (conditions[j].is_equation || std::find(result.reference.begin(), end, j) != end) continue;
       const double excess = product(conditions[j].slope, result.unknowns, unknowns) - conditions[j].bound;
-      if (excess > most) {
+      const double size = conditions[j].slope[unknowns - 1] != 0
+                              ? std::max(largest_bound, std::abs(result.unknowns[unknowns - 1]))
+                              : std::max(1.0, std::abs(conditions[j].bound));
+      if (excess > most && excess > violation_floor * size) {
         most = excess;
         entering = j;
       }

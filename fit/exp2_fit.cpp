@@ -63,7 +63,8 @@ Exp2Fit fit_exp2(int degree) {
                                      return Cosine<double>{at.s, 1 - at.s};
                                    },
                                .error = curve,
-                               .form = curve};  // which no constraint asks for
+                               .bounded = {},  // no constraint asks for these
+                               .deviation = {}};
   const MinimaxOptimum optimum = solve_minimax(problem, start(degree, places));
   Exp2Fit fit{.degree = degree,
               .coefficients = {},

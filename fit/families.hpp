@@ -12,6 +12,8 @@
 /// - `Sample`: what of a place does not depend on the parameters, computed once; `sample`: the function that
 /// does;
 /// - `form`, `error` (form - target) and `relative_error` at a sample;
+/// - `log_form` and `log_ratio` (log(form/target)) of a positive form; `is_linear`: whether these, or else
+/// the form itself, are linear in the parameters;
 /// - `shape`: what the substitution has to know; `relative_end`: the smallest cosine at which a relative
 /// error has a
 ///   meaning, empty where there is no such number; `relative_to`: relative to what, in words.

@@ -18,6 +18,7 @@ namespace shadefit {
 /// families share.
 template <class Form, int N>
 struct FresnelFamily {
+  static constexpr bool is_linear = Form::is_linear;
   /// Errors are those of the reflectance F = f0 + (1 - f0) f; where the surface is none in particular,
   /// Schlick's formula stands for every f0 and has the errors of f.
   Surface surface = {};
@@ -72,10 +73,21 @@ struct FresnelFamily {
     return lift<P>(scale) * (form(s, p) - lift<P>(s.target));
   }
 
+  /// log(form), linear in the parameters of an exponential form.
+  template <class T, class P>
+  requires Form::is_exponential P log_form(const Sample<T>& s, const std::array<P, N>& p)
+  const { return log(form(s, p)); }
+
+  /// log(form/target), infinite where the target is 0 or, as a metal's may be, below.
+  template <class T, class P>
+  requires Form::is_exponential P log_ratio(const Sample<T>& s, const std::array<P, N>& p)
+  const { return log_form(s, p) - lift<P>(log(positive_part(s.target))); }
+
   static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
 };
 
 struct OneTermForm {
+  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 1>& p) {
     return fresnel_one_term(c, p[0]);
@@ -83,6 +95,7 @@ struct OneTermForm {
 };
 
 struct QuadraticForm {
+  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 2>& p) {
     return fresnel_quadratic(c, p[0], p[1]);
@@ -113,6 +126,7 @@ struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
 };
 
 struct CubicForm {
+  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 3>& p) {
     return fresnel_cubic(c, p[0], p[1], p[2]);
@@ -120,6 +134,7 @@ struct CubicForm {
 };
 
 struct QuarticForm {
+  static constexpr bool is_exponential = true, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 4>& p) {
     return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
@@ -127,6 +142,7 @@ struct QuarticForm {
 };
 
 struct FourthForm {
+  static constexpr bool is_exponential = false, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 1>& p) {
     return fresnel_fourth(c, p[0]);
@@ -134,6 +150,7 @@ struct FourthForm {
 };
 
 struct SquareForm {
+  static constexpr bool is_exponential = false, is_linear = true;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 2>& p) {
     return fresnel_square(c, p[0], p[1]);
@@ -141,6 +158,7 @@ struct SquareForm {
 };
 
 struct RationalForm {
+  static constexpr bool is_exponential = false, is_linear = false;
   template <class P>
   static P evaluate(const P& c, const std::array<P, 1>& p) {
     return fresnel_rational(c, p[0]);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "fit/descent.hpp"
@@ -41,6 +42,7 @@ struct Optimum {
   int digits = 0;        ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
   double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure); a weight of the error
                          ///< scales it too (`scale_of` in fit/solution.hpp)
+  std::string_view why = {};  ///< where it did not converge, in words
 };
 
 /// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
@@ -87,6 +89,7 @@ bool settle(Optimum<N>& optimum, const Candidate<N>& candidate, const LeastSquar
   const auto newton = newton_step<long double, double, N>(at.gradient, *candidate.hessian);
   if (!newton.is_finite) {
     optimum.status = Status::not_finite;
+    optimum.why = "a Newton step in long double is not finite";
     return false;
   }
   const long double size = relative_size(newton.step, p);
@@ -94,6 +97,7 @@ bool settle(Optimum<N>& optimum, const Candidate<N>& candidate, const LeastSquar
   optimum.rms_error = static_cast<double>(std::sqrt(at.square));
   if (size <= settled && !is_contradicted<N>(at, p)) {
     optimum.status = Status::converged;
+    optimum.why = {};
     return false;
   }
   if (rule == problem.first) return true;
@@ -110,10 +114,13 @@ Optimum<N> solve_least_squares(const LeastSquaresProblem<N>& problem, const Star
   auto candidate = common_optimum<N>(starts, problem.basin);
   // A step below 2e-16 hardly changes a double.
   if (candidate.status == Status::converged) polish<N>(problem.fine, candidate, 2e-16);
-  Optimum<N> optimum{
-      .parameters = candidate.parameters, .status = candidate.status, .iterations = candidate.iterations};
+  Optimum<N> optimum{.parameters = candidate.parameters,
+                     .status = candidate.status,
+                     .iterations = candidate.iterations,
+                     .why = candidate.why};
   if (candidate.status != Status::converged) return optimum;
   optimum.status = Status::not_converged;
+  optimum.why = "the largest quadrature rule still moves a parameter by more than 2e-15 of itself";
   // The smaller neighbour of the rule that was polished on is the cheapest that can settle it, and nearly
   // always does; larger ones are sampled as they are needed.
   bool goes_on = settle<N>(optimum, candidate, problem, problem.first);

@@ -67,6 +67,7 @@ LobeSample<T> lobe_sample(const T& variable, const CommonFactor<T>& base, const 
 /// approx/ is an exponential in its parameter.
 template <class Formulas>
 struct LobeFamily {
+  static constexpr bool is_linear = true;  ///< the logarithm is
   static constexpr std::array<std::string_view, 1> parameters{"x"};
   static std::string relative_to() { return "target >= 1/255"; }
 
@@ -109,6 +110,18 @@ struct LobeFamily {
     return lobe_relative_error(change(s, p), lift<P>(s.log_ratio));
   }
 
+  /// log(form), linear in the parameter.
+  template <class T, class P>
+  P log_form(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return lift<P>(Formulas::log_base(s.variable, lift<T>(exponent))) + change(s, p);
+  }
+
+  /// log(form/target), infinite where the target is 0.
+  template <class T, class P>
+  P log_ratio(const Sample<T>& s, const std::array<P, 1>& p) const {
+    return change(s, p) - lift<P>(s.log_ratio);
+  }
+
   std::optional<Cosine<double>> relative_end() const { return where_lobe_is_visible(exponent); }
 
  protected:
@@ -122,6 +135,10 @@ struct LobeFamily {
 struct GaussianFormulas {
   static constexpr int origin = 0;
   template <class T>
+  static T log_base(const T& variable, const T& exponent) {
+    return exponent * variable;
+  }
+  template <class T>
   static LobeSample<T> sample(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
     const T ratio = lobe_log_ratio(cos_theta, one_minus_cos, exponent);
     using B = CommonFactor<T>;
@@ -133,6 +150,10 @@ struct GaussianFormulas {
 /// cos^(x rho)(theta/2) = exp(4 rho h) exp((x - 4) rho h), h = log(cos(theta/2)).
 struct BlinnFormulas {
   static constexpr int origin = 4;
+  template <class T>
+  static T log_base(const T& variable, const T&) {
+    return integer<T>(origin) * variable;
+  }
   template <class T>
   static LobeSample<T> sample(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
     const T remainder = log1p_remainder(-(one_minus_cos / integer<T>(2)));
@@ -163,6 +184,7 @@ struct SgOffset : LobeFamily<GaussianFormulas> {
 struct SgScaled : LobeFamily<GaussianFormulas> {
   static constexpr const Family& info = sg_scaled;
   static constexpr std::array<std::string_view, 2> parameters{"A", "x"};
+  static constexpr bool is_linear = false;
 
   template <class T>
   static T form_of(const T& cos_theta, const T& exponent, const std::array<T, 2>& p) {
@@ -188,6 +210,16 @@ struct SgScaled : LobeFamily<GaussianFormulas> {
   template <class T, class P>
   P relative_error(const Sample<T>& s, const std::array<P, 2>& p) const {
     return scaled_lobe_relative_error(p[0], change(s, std::array{p[1]}), lift<P>(s.log_ratio));
+  }
+
+  template <class T, class P>
+  P log_form(const Sample<T>& s, const std::array<P, 2>& p) const {
+    return log(p[0]) + LobeFamily::log_form(s, std::array{p[1]});
+  }
+
+  template <class T, class P>
+  P log_ratio(const Sample<T>& s, const std::array<P, 2>& p) const {
+    return log(p[0]) + LobeFamily::log_ratio(s, std::array{p[1]});
   }
 
   /// The scale is near 1; the offset as without it.

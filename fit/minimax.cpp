@@ -35,6 +35,15 @@ class Exchange {
     return false;
   }
 
+  /// The programme has no answer: a proof where its conditions are those of the constraints, or where the
+  /// parameters do not move what is violated.
+  bool fail_to_satisfy() {
+    if (problem_.is_linear || here_.is_violation_fixed())
+      return fail(Status::infeasible, "no parameters " + here_.most_violated());
+    return fail(Status::not_converged,
+                "no step from least squares leads to parameters that " + here_.most_violated());
+  }
+
   /// The level, and more for a violation than it could gain.
   double merit() const { return here_.level() + penalty_ * here_.violation(); }
 
@@ -81,6 +90,7 @@ class Exchange {
     double best = HUGE_VAL, scale = 1, size = 1;
     for (; result_.iterations < most_steps; ++result_.iterations) {
       here_.look();
+      if (result_.iterations == 0 && here_.is_impossible()) return fail_to_satisfy();
       if (!(merit() < best)) {
         if (result_.iterations == 0) return fail(Status::not_finite, "the error at the start is not finite");
         scale /= 2;
@@ -96,8 +106,7 @@ class Exchange {
                     "the parameters do not move the error independently where it is largest");
       const LowestLevel lowest = lowest_level({conditions.data(), conditions.size()}, here_.unknowns(),
                                               {reference.data(), here_.unknowns()});
-      if (lowest.outcome == LowestLevel::Outcome::infeasible)
-        return fail(Status::infeasible, "no parameters near least squares " + here_.most_violated());
+      if (lowest.outcome == LowestLevel::Outcome::infeasible) return fail_to_satisfy();
       if (lowest.outcome == LowestLevel::Outcome::degenerate)
         return fail(Status::degenerate,
                     "the parameters do not move the error independently where it is largest");
@@ -188,9 +197,9 @@ class Exchange {
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
         Contact& c = reference_[i];
         const auto sign = static_cast<long double>(sign_of(c.touch));
-        const auto bound = static_cast<long double>(c.is_tangent ? 0 : here_.bound_of(c.touch));
+        const long double bound = c.is_tangent ? 0 : here_.bound_of(c.touch);
         lack[i] = sign * (bound - values[i]) + static_cast<long double>(here_.share_of_level(c)) * level;
-        const bool is_error = !c.is_tangent && !is_of_form(c.touch);
+        const bool is_error = here_.share_of_level(c) > 0;
         c.value = static_cast<double>(is_error ? values[i] : problem_.error.wide(c.place, wide));
       }
       std::array<long double, most_unknowns> step{};

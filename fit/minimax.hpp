@@ -55,7 +55,14 @@ struct MinimaxProblem {
   std::size_t size = 0;             ///< free parameters
   std::vector<SearchPlace> places;  ///< by panel, then by s
   std::function<Cosine<double>(const SearchPlace&)> cosine_at;
-  MinimaxCurve error, form;
+  MinimaxCurve error;
+  /// What `at_most` and `at_least` bound, and what is 0 where the form is its target: form and error; of a
+  /// positive form log(form) and log(form/target), which may be linear in the parameters.
+  MinimaxCurve bounded, deviation;
+  bool is_exponential = false;
+  /// Constraints are linear in the parameters: where they cannot be satisfied at some places at once they
+  /// cannot be satisfied.
+  bool is_linear = false;
   std::optional<Side> one_sided = std::nullopt;
   std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
   std::vector<SearchPlace> exact_at = {};

@@ -38,6 +38,15 @@ class Minimax {
  public:
   static constexpr std::size_t N = F::parameters.size();
   static_assert(N <= most_parameters);
+  static constexpr bool is_exponential =
+      requires(const F& f, const typename F::template Sample<double>& s, const std::array<double, N>& p) {
+    f.log_form(s, p);
+    f.log_ratio(s, p);
+  };
+  static constexpr bool is_linear = [] {
+    if constexpr (requires { F::is_linear; }) return F::is_linear;
+    return false;
+  }();
 
   /// `top` and `bottom` are the ends of the places that count.
   Minimax(const F& family, const Metric& metric, const Cosine<double>& top, const Cosine<double>& bottom)
@@ -72,15 +81,32 @@ class Minimax {
 
   MinimaxProblem problem() const {
     const auto error = [](const F& f, const auto& sample, const auto& p) { return f.error(sample, p); };
-    const auto form = [](const F& f, const auto& sample, const auto& p) { return f.form(sample, p); };
+    const auto bounded = [](const F& f, const auto& sample, const auto& p) {
+      if constexpr (is_exponential) {
+        return f.log_form(sample, p);
+      } else {
+        return f.form(sample, p);
+      }
+    };
+    const auto deviation = [](const F& f, const auto& sample, const auto& p) {
+      if constexpr (is_exponential) {
+        return f.log_ratio(sample, p);
+      } else {
+        return f.error(sample, p);
+      }
+    };
     MinimaxProblem result{.size = N,
                           .places = places_,
                           .cosine_at = [this](const SearchPlace& at) { return cosine(at.panel, at.s); },
                           .error = curve(error),
-                          .form = curve(form),
+                          .bounded = curve(bounded),
+                          .deviation = curve(deviation),
+                          .is_exponential = is_exponential,
+                          .is_linear = is_linear,
                           .one_sided = metric_.constraints.one_sided,
                           .at_most = metric_.constraints.at_most,
                           .at_least = metric_.constraints.at_least};
+    if (is_exponential && result.at_least && *result.at_least <= 0) result.at_least.reset();  // it is above
     for (const double c : metric_.constraints.exact_at)
       result.exact_at.push_back(c == metric_.domain.upper ? places_.front() : places_.back());
     return result;

@@ -87,7 +87,8 @@ PairForExp2 fit_pair_for_exp2(int degree) {
                                      return Cosine<double>{c, 1 - c};
                                    },
                                .error = curve,
-                               .form = curve};  // which no constraint asks for
+                               .bounded = {},  // no constraint asks for these
+                               .deviation = {}};
   const MinimaxOptimum optimum = solve_minimax(problem, start);
   return {optimum.parameters[0], optimum.parameters[1], optimum.level, optimum.status, optimum.why};
 }

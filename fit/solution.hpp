@@ -109,8 +109,12 @@ Solution solve_free(const Under<F, M>& family, const Metric& metric, const Cosin
   if (metric.norm == Norm::least_squares) {
     const auto optimum = solve_least_squares(family, narrowed);
     p = optimum.parameters;
-    return {all(), optimum.status, optimum.iterations, optimum.digits,
-            optimum.rms_error / scale_of(family.weight, narrowed)};
+    return {.parameters = all(),
+            .status = optimum.status,
+            .iterations = optimum.iterations,
+            .digits = optimum.digits,
+            .rms_error = optimum.rms_error / scale_of(family.weight, narrowed),
+            .why = std::string(optimum.why)};
   }
   const MinimaxOptimum optimum = Minimax<Under<F, M>>(family, metric, top, bottom).solve();
   std::copy_n(optimum.parameters.begin(), M, p.begin());

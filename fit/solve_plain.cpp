@@ -7,11 +7,12 @@ namespace {
 
 template <int N>
 Solution solution_of(const Optimum<N>& optimum) {
-  return {{optimum.parameters.begin(), optimum.parameters.end()},
-          optimum.status,
-          optimum.iterations,
-          optimum.digits,
-          optimum.rms_error};
+  return {.parameters = {optimum.parameters.begin(), optimum.parameters.end()},
+          .status = optimum.status,
+          .iterations = optimum.iterations,
+          .digits = optimum.digits,
+          .rms_error = optimum.rms_error,
+          .why = std::string(optimum.why)};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ enum class Status {
   not_converged,  ///< no quadrature rule settled the answer, or the gradient is not zero there
   not_finite,     ///< a value was infinite or not a number
   degenerate,     ///< of minimax: fewer alternation points than parameters + 1 hold the optimum
-  infeasible,     ///< of minimax: no parameters near least squares satisfy the constraints
+  infeasible,     ///< of minimax: no parameters satisfy the constraints
 };
 
 constexpr std::string_view name(Status status) {

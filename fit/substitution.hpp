@@ -26,6 +26,8 @@ struct Shape {
     bool is_kink = false;  ///< and a kink, with the behaviour of a square root on the side of the peak
   };
   std::optional<Joint> joint = std::nullopt;
+  /// It is singular at c = 0, below its domain: a lobe's relative error has log c and powers of 1/c.
+  bool is_singular_below = false;
   /// Where a weight on the error is not smooth: the part towards the peak ends at `above`, the other begins
   /// at `below`, the same place or its neighbour among the doubles. On both sides it is smooth in the
   /// `power`-th root of the distance.
@@ -59,6 +61,8 @@ struct Shape {
 /// q-th
 ///   power of 1 - s with q (k + 1) >= 8, after which Gauss-Legendre of n nodes converges like n^-16.
 /// - An edge of a weight, such as the end c = 1 of sqrt(1 - c), is smoothed alike, at either end of a panel.
+/// - A singularity below the domain is moved away from it: c is the eighth power of a variable that is linear
+///   in s.
 class Substitution {
  public:
   Substitution(const Metric& metric, const Shape& shape);
@@ -85,10 +89,10 @@ class Substitution {
   template <class T>
   Place<T> at(const T& s) const {
     const T one = integer<T>(1);
-    const T remaining = one - s;
-    const T& u = is_rooted_at_peak_ ? s : remaining;
+    const T start = lift<T>(start_), range = one - start, remaining = one - s;
+    const T u = start + range * (is_rooted_at_peak_ ? s : remaining);
     // 1 - u^q = (1 - u) (1 + u + .. + u^(q-1)): the distance from the other end without cancellation
-    const T& rest_of_u = is_rooted_at_peak_ ? remaining : s;
+    const T rest_of_u = range * (is_rooted_at_peak_ ? remaining : s);
     T sum = one, last = one;  // last = u^(q-1)
     for (int i = 1; i < power_; ++i) {
       sum = sum * u + one;
@@ -99,7 +103,7 @@ class Substitution {
     const T from_root = length * (u * last);
     const T& from_peak = is_rooted_at_peak_ ? from_root : from_other;
     const T& from_end = is_rooted_at_peak_ ? from_other : from_root;
-    const T density = length * integer<T>(power_) * last;
+    const T density = length * range * integer<T>(power_) * last;
     const T y = lift<T>(near_) + from_peak;
     const T rest = lift<T>(rest_) + from_end;
     if (measure_ == Measure::cosine) return {{rest, y}, density};
@@ -128,8 +132,9 @@ class Substitution {
   int power_ = 1;                   ///< q
   bool is_rooted_at_peak_ = false;  ///< the end that the q-th power is counted from: s = 0, not s = 1
   long double near_ = 0;            ///< the variable at s = 0
-  long double length_ = 1;          ///< and from there to s = 1
-  long double rest_ = 0;            ///< from s = 1 to c = 0
+  long double length_ = 1;          ///< and from there to where u is 0, or 1 where it is rooted at the peak
+  long double rest_ = 0;            ///< from there to c = 0
+  long double start_ = 0;           ///< u at the end that the power is counted from
   long double total_ = 1;
 };
 
@@ -236,6 +241,13 @@ inline Substitution::Substitution(const Metric& metric, const Shape& shape) : me
   const bool is_singular = shape.end_power != std::floor(shape.end_power);
   if (is_singular && !is_cut && metric.domain.lower == 0) {
     power_ = smoothing_power(shape.end_power);
+  }
+  if (shape.is_singular_below && metric.domain.lower > 0) {
+    power_ = 8;
+    length_ = variable(1.0L) - near_;
+    rest_ = 0;
+    const auto lower = static_cast<long double>(metric.domain.lower);
+    start_ = std::pow((measure_ == Measure::angle ? std::asin(lower) : lower) / length_, 0.125L);
   }
 }
 

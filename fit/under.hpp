@@ -26,6 +26,7 @@ struct Under {
   static_assert(0 < M && M <= all);
   /// As many names as there are free parameters; which ones they are, `given` says.
   static constexpr std::array<std::string_view, M> parameters{};
+  static constexpr bool is_linear = F::is_linear;
 
   F family;
   Error error_kind = Error::absolute;
@@ -55,11 +56,28 @@ struct Under {
     return family.form(s.inner, with_given(p));
   }
 
-  /// A relative error does not fall off with its target. Where a target falls, a weight may rise: then panels
-  /// that double take the place of a cut.
+  template <class T, class P>
+  P log_form(const Sample<T>& s, const std::array<P, M>& p) const requires
+      requires(const std::array<P, all>& q) {
+    family.log_form(s.inner, q);
+  }
+  { return family.log_form(s.inner, with_given(p)); }
+
+  template <class T, class P>
+  P log_ratio(const Sample<T>& s, const std::array<P, M>& p) const requires
+      requires(const std::array<P, all>& q) {
+    family.log_ratio(s.inner, q);
+  }
+  { return family.log_ratio(s.inner, with_given(p)); }
+
+  /// A relative error does not fall off with its target, and is singular where that is 0. Where a target
+  /// falls, a weight may rise: then panels that double take the place of a cut.
   Shape shape() const {
     Shape shape = family.shape();
-    if (error_kind == Error::relative) shape.concentration = shape.end_power = 0;
+    if (error_kind == Error::relative) {
+      shape.is_singular_below = shape.end_power > 0;
+      shape.concentration = shape.end_power = 0;
+    }
     if (weight.is_one()) return shape;
     shape.edges = weight.edges();
     const Domain& domain = weight.domain();

@@ -115,7 +115,7 @@ Json write_fit_json(const FittableFamily& family, const FitReport& report) {
           {"relative_to", fit.relative_to},
           {"status", name(fit.status)},
           {"iterations", fit.iterations},
-          {"digits", fit.digits},
+          {"digits", answer(fit.digits)},
           {"objective", objective_json(fit.metric, f0)},
           {"level", fit.level ? answer(*fit.level) : Json()},
           {"alternation", fit.level ? answer(alternation_json(fit)) : Json()},

@@ -77,7 +77,7 @@ void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, st
     append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
                  place(fit.max_abs_error.at), cells.max_abs_error, static_cast<long>(fit.digits)});
   } else {
-    append(row, {{}, {}, {}, {}, static_cast<long>(fit.digits)});
+    append(row, {{}, {}, {}, {}, {}});
   }
   row.push_back(cells.source);
   out.table.rows.push_back(row);
@@ -149,7 +149,7 @@ Table fits_overview(const Refit& refit) {
       verdicts.emplace_back(name(a.judgement.verdict));
     }
     row.insert(row.end(),
-               {std::string(name(fit.status)), static_cast<long>(fit.digits),
+               {std::string(name(fit.status)), is_answer ? Cell(static_cast<long>(fit.digits)) : Cell(),
                 is_answer ? Cell(Number{fit.rms_error, 4}) : Cell(),
                 is_answer ? Cell(Number{fit.max_abs_error.magnitude, 4}) : Cell(),
                 is_answer ? place(fit.max_abs_error.at) : Cell(), fmt::format("{}", fmt::join(printed, ", ")),

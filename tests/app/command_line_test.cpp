@@ -146,7 +146,15 @@ TEST(FitCommand, Latex) {
 TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
   const Outcome outcome = run_command_line({"fit", "sg-offset", "--exponent", "5,1e160"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err, "shadefit: sg-offset at exponent 1e+160 did not converge: not-converged\n");
+  EXPECT_EQ(
+      outcome.err,
+      "shadefit: sg-offset at exponent 1e+160 did not converge: not-converged: the square of the error is "
+      "below the least double\n");
+  // What is no answer has no digits.
+  const auto refused =
+      nlohmann::json::parse(run_command_line({"fit", "sg-offset", "--exponent", "1e160", "--json"}).out);
+  EXPECT_TRUE(refused["digits"].is_null());
+  EXPECT_EQ(refused["why"], "the square of the error is below the least double");
   EXPECT_NE(outcome.out.find("0.78754461967478"), std::string::npos) << "the others are still printed";
 }
 

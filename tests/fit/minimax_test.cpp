@@ -43,7 +43,7 @@ Metric metric_of(const std::string& error, const std::string& extra) {
 TEST(Minimax, HasThirteenDigitsOfEveryReference) {
   const std::string file = SHADEFIT_SOURCE_DIR "/tests/references/minimax.csv";
   const auto rows = parse_csv(read_file(file), "minimax.csv").rows;
-  EXPECT_EQ(rows.size(), 104U);
+  EXPECT_EQ(rows.size(), 109U);
   for (const auto& row : rows) {
     const FittableFamily& family = *find_family(row[0]);
     const Fit fit = family.fit(parse_number(row[2]).value_or(0), metric_of(row[3], row[4]));
@@ -144,18 +144,81 @@ TEST(Minimax, Constraints) {
             *tangent.level * (1 + 1e-12));
 }
 
+// form = exp((k + x)(c - 1)) is least at c = 0, where form >= bound holds it; far from least squares, where
+// the form is next to nothing at c = 0, its logarithm says how far. cos^(x k)(theta/2) is 2^(-x k/2) there.
+TEST(Minimax, KeepsToLowerBoundsFarFromLeastSquares) {
+  for (const double exponent : {3.0, 8.0, 36.6, 37.0, 100.0}) {
+    for (const char* bound : {"1e-6", "0.0087", "0.2", "0.9"}) {
+      Metric metric = minimax();
+      metric.constraints.at_least = *parse_number(bound);
+      const Decimal50 log_bound = log(Decimal50(bound));
+      const std::string what = std::to_string(exponent) + " >= " + bound;
+      const Fit gaussian = find_family("sg-offset")->fit(exponent, metric);
+      const Fit blinn = find_family("phong-blinn")->fit(exponent, metric);
+      // At a small exponent the best lobe is above the least of these bounds by itself.
+      if (exponent * 1.4427 < 12 && std::string(bound) == "1e-6") continue;
+      ASSERT_EQ(gaussian.status, Status::converged) << what << " " << gaussian.why;
+      EXPECT_TRUE(is_close(what, -log_bound - Decimal50(exponent), gaussian.parameters[0], minimax_promise));
+      ASSERT_EQ(blinn.status, Status::converged) << what << " " << blinn.why;
+      EXPECT_TRUE(is_close(what, -2 * log_bound / (exponent * log(Decimal50(2))), blinn.parameters[0],
+                           minimax_promise));
+    }
+  }
+  // A bound is met by a lobe with a scale too.
+  Metric metric = minimax();
+  metric.constraints.at_least = 0.0087;
+  for (const double exponent : {8.0, 37.0, 100.0}) {
+    const Fit scaled = find_family("sg-scaled")->fit(exponent, metric);
+    ASSERT_EQ(scaled.status, Status::converged) << exponent << " " << scaled.why;
+    EXPECT_NEAR(scaled.parameters[0] * std::exp(-exponent - scaled.parameters[1]), 0.0087, 1e-14);
+  }
+}
+
+// Where the target falls to 0 within the domain no positive form stays below it. The target is 0 at one end;
+// short of that end the form touches it there: the logarithm of form over target is convex.
+TEST(Minimax, StaysBelowTheTarget) {
+  Metric metric = minimax();
+  metric.constraints.one_sided = Side::below;
+  for (const double exponent : {0.5, 1.0, 5.74, 37.0, 100.0, 1000.0, 1e6}) {
+    for (const char* id : {"sg-offset", "phong-blinn"}) {
+      const Fit fit = find_family(id)->fit(exponent, metric);
+      EXPECT_EQ(fit.status, Status::infeasible) << id << " " << exponent;
+      EXPECT_EQ(fit.why, "no parameters keep the form <= target at c = 0") << id << " " << exponent;
+    }
+  }
+  for (const char* id : {"fresnel-one-term", "fresnel-quadratic", "fresnel-cubic", "fresnel-quartic"}) {
+    for (const Surface& surface : {Surface{}, exact_surface(1.5), exact_surface(1.5724, 7.7354)}) {
+      const Fit fit = find_family(id)->fit({0, surface}, metric);
+      EXPECT_EQ(fit.status, Status::infeasible) << id << " " << surface.ior << " " << fit.why;
+      EXPECT_EQ(fit.why.substr(0, 40), "no parameters keep the form <= target at")
+          << id << " " << surface.ior;
+    }
+  }
+  metric.domain = {0.01, 1};
+  for (const double exponent : {3.0, 20.0, 100.0}) {
+    const Fit fit = find_family("sg-offset")->fit(exponent, metric);
+    ASSERT_EQ(fit.status, Status::converged) << exponent << " " << fit.why;
+    // (k + x)(c - 1) = k log c at c = 1/100
+    const Decimal50 c(0.01);
+    EXPECT_TRUE(is_close("x", exponent * (log(c) / (c - 1) - 1), fit.parameters[0], minimax_promise));
+  }
+}
+
 TEST(Minimax, SaysWhatCannotBeSatisfied) {
-  const FittableFamily& family = *find_family("fresnel-quadratic");
-  const auto expect_infeasible = [&](const Constraints& constraints, const std::string& why) {
+  const auto expect_infeasible = [&](const char* id, const Constraints& constraints, const std::string& why) {
     Metric metric = minimax();
     metric.constraints = constraints;
-    const Fit fit = family.fit({}, metric);
-    EXPECT_EQ(fit.status, Status::infeasible) << describe(metric);
-    EXPECT_EQ(fit.why.substr(0, why.size()), why) << describe(metric);
+    const Fit fit = find_family(id)->fit({}, metric);
+    EXPECT_EQ(fit.status, Status::infeasible) << id << " " << describe(metric);
+    EXPECT_EQ(fit.why, why) << id << " " << describe(metric);
   };
-  expect_infeasible({.exact_at = {1}}, "the form cannot be exact at c = 1");
-  expect_infeasible({.at_most = 0.9}, "no parameters near least squares keep the form <= 0.9 at c = 0");
-  expect_infeasible({.one_sided = Side::below}, "no parameters near least squares keep the form <= target");
+  expect_infeasible("fresnel-quadratic", {.exact_at = {1}}, "the form cannot be exact at c = 1");
+  expect_infeasible("fresnel-quadratic", {.at_most = 0.9}, "no parameters keep the form <= 0.9 at c = 0");
+  expect_infeasible("fresnel-quadratic", {.at_most = 0}, "no parameters keep the form <= 0 at c = 0");
+  expect_infeasible("fresnel-quadratic", {.at_most = -1}, "no parameters keep the form <= -1 at c = 0");
+  expect_infeasible("fresnel-square", {.at_least = 0.001}, "no parameters keep the form >= 0.001 at c = 1");
+  expect_infeasible("fresnel-rational", {.at_least = 0.001}, "no parameters keep the form >= 0.001 at c = 1");
+  expect_infeasible("fresnel-rational", {.at_least = 1}, "no parameters keep the form >= 1 at c = 1");
 }
 
 /// p0 + p1 g(c) against (c - 1/2)^2.
