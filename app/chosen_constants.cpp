@@ -68,8 +68,9 @@ ChosenSubject chosen_constants(const std::optional<std::string>& parameters, con
   const Fit fit = family.fit(setting, metric);
   if (fit.status != Status::converged) {
     throw UserError(fmt::format(
-        "{}{}: nothing was published for it and its fit did not converge: give --parameters", family.info.id,
-        family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : ""));
+        "{}{}: nothing was published for it and its fit did not converge{}: give --parameters",
+        family.info.id, family.has_exponent() ? fmt::format(" at exponent {}", setting.exponent) : "",
+        fit.why.empty() ? "" : fmt::format(" ({})", fit.why)));
   }
   return {subject_of(fit, metric.error), "fitted"};
 }

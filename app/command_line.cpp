@@ -399,6 +399,8 @@ Outcome prepare_command_line(const std::vector<std::string>& arguments, const Ch
     return parse_and_run(arguments, work.checkpoint, work.progress);
   } catch (const UserError& error) {
     return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
+  } catch (const CheckFailed& error) {
+    return {1, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
   } catch (const Interrupted& interrupted) {
     return {128 + interrupted.signal, "", "shadefit: interrupted, nothing was written\n"};
   } catch (const std::exception& error) {

@@ -153,10 +153,17 @@ T fresnel_square(const T& cos_theta, const T& a, const T& b) {
   return grazing_power(cos_theta, 2) * (integer<T>(1) + (a * cos_theta + b) * cos_theta);
 }
 
-/// (1 - c)^4/(1 + a c), a > -1: 1 at c = 0 and 0 at c = 1, as the target; a division in place of the exp2.
+/// 1 + a c, the denominator of `fresnel_rational`. It is linear in c.
+template <class T>
+T fresnel_rational_denominator(const T& cos_theta, const T& a) {
+  return integer<T>(1) + a * cos_theta;
+}
+
+/// (1 - c)^4/(1 + a c): 1 at c = 0 and 0 at c = 1, as the target; a division in place of the exp2. On c in
+/// [0, 1] it has no pole for a > -1, on [A, B] for a > -1/B.
 template <class T>
 T fresnel_rational(const T& cos_theta, const T& a) {
-  return grazing_power(cos_theta, 4) / (integer<T>(1) + a * cos_theta);
+  return grazing_power(cos_theta, 4) / fresnel_rational_denominator(cos_theta, a);
 }
 
 /// The A of `fresnel_one_term` for a spherical Gaussian of (1 - c)^5 with offset x: (5 + x) / ln 2.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/admissible.hpp"
 #include "fit/certificate.hpp"
 #include "fit/certified_formula.hpp"
 #include "fit/curve_proof.hpp"
@@ -10,6 +11,30 @@
 
 namespace shadefit {
 namespace {
+
+std::string parameters_text(const Subject& subject) {
+  std::string text;
+  for (const auto& [name, value] : subject.parameters)
+    text += (text.empty() ? "" : ", ") + name + " = " + value;
+  return text;
+}
+
+/// No pole in the domain. The denominator is linear in c: the ends decide.
+void require_admissible(const Subject& subject) {
+  visit_family(subject.family, [&]<class F>(std::type_identity<F>) {
+    if constexpr (HasDenominator<F>) {
+      const F family = make_family<F>(subject.setting);
+      std::array<Interval, F::parameters.size()> p;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] = enclosed_constant(subject.parameters[i].second).value();
+      for (const double end : {subject.domain.lower, subject.domain.upper}) {
+        if (!(lower_end(family.denominator(Interval(end), p)) > 0))
+          throw UserError(subject.family + " with " + parameters_text(subject) + " has a pole: it must be " +
+                          rule_of_admission(family, subject.domain));
+      }
+    }
+  });
+}
 
 /// Where the error has a meaning; of a double end, the double.
 template <class F>
@@ -64,6 +89,7 @@ Certified certify(const Subject& asked, double width, const Checkpoint& checkpoi
   }
   if (const std::string fault = fault_of(asked); !fault.empty()) throw UserError(fault);
   const FittableFamily* family = find_family(asked.family);
+  require_admissible(asked);
   return visit_formula(asked, [&](const auto& error, const auto& form, const auto& formulas) {
     Certified result;
     Certificate& certificate = result.certificate;
@@ -76,6 +102,10 @@ Certified certify(const Subject& asked, double width, const Checkpoint& checkpoi
                                             {.width = width,
                                              .hint = probable_place(*family, formulas, certificate.subject),
                                              .checkpoint = checkpoint});
+    if (!std::isfinite(found.upper))
+      throw CheckFailed(asked.family + " with " + parameters_text(asked) + " on " +
+                        to_text(certificate.subject.domain) +
+                        ": no double was proven to bound the largest error");
     certificate.lower = found.lower;
     certificate.upper = found.upper;
     certificate.attained = found.attained;

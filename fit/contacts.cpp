@@ -119,6 +119,10 @@ void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
 /// All extrema at the parameters, their level, and by how much constraints are violated.
 void Contacts::look() {
   all_.clear();
+  if (!problem_.is_admissible(parameters)) {
+    level_ = HUGE_VAL;
+    return;
+  }
   problem_.error.everywhere(parameters, values_);
   if (problem_.one_sided != Side::below) find_extrema(problem_.error, Touch::highest);
   if (problem_.one_sided != Side::above) find_extrema(problem_.error, Touch::lowest);

@@ -51,7 +51,8 @@ class Contacts {
   /// The level is one more unknown than the parameters.
   std::size_t unknowns() const { return problem_.size + 1; }
   const Few<Contact>& all() const { return all_; }
-  /// Of what was looked at last: the largest error that counts for the level, the sum of all violations.
+  /// Of what was looked at last: the largest error that counts for the level, infinite where the parameters
+  /// are not admissible, and the sum of all violations.
   double level() const { return level_; }
   double violation() const { return violation_; }
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <string_view>
 
+#include "fit/admissible.hpp"
 #include "fit/jet.hpp"
 #include "fit/positive_definite.hpp"
 #include "fit/sampled_problem.hpp"
@@ -88,20 +89,24 @@ struct DescentProblem {
   std::function<SampledDerivatives<double, N>(const Parameters&)> derivatives;
   std::function<void(const Parameters&, std::span<double>, std::span<double>)> errors;
   std::function<double(std::size_t)> weight;
+  std::function<bool(const Parameters&)> is_admissible;  ///< at a start they are
 };
 
-/// What the functions ask is the sampled problem itself: it has to stay where it is.
+/// What the functions ask is the sampled problem itself: it has to stay where it is. So has the family.
 template <class F>
-auto descent_problem(const SampledProblem<F, double>& sampled) {
+auto descent_problem(const SampledProblem<F, double>& sampled, const F& family, const Domain& domain) {
   constexpr int N = SampledProblem<F, double>::N;
   using Parameters = typename DescentProblem<N>::Parameters;
   const auto* problem = &sampled;
-  return DescentProblem<N>{.square = [problem](const Parameters& p) { return problem->square(p); },
-                           .gradient = [problem](const Parameters& p) { return problem->gradient(p); },
-                           .derivatives = [problem](const Parameters& p) { return problem->derivatives(p); },
-                           .errors = [problem](const Parameters& p, std::span<double> r,
-                                               std::span<double> slopes) { problem->errors(p, r, slopes); },
-                           .weight = [problem](std::size_t node) { return problem->weight(node); }};
+  return DescentProblem<N>{
+      .square = [problem](const Parameters& p) { return problem->square(p); },
+      .gradient = [problem](const Parameters& p) { return problem->gradient(p); },
+      .derivatives = [problem](const Parameters& p) { return problem->derivatives(p); },
+      .errors = [problem](const Parameters& p, std::span<double> r,
+                          std::span<double> slopes) { problem->errors(p, r, slopes); },
+      .weight = [problem](std::size_t node) { return problem->weight(node); },
+      .is_admissible = [asked = &family,
+                        domain](const Parameters& p) { return shadefit::is_admissible(*asked, domain, p); }};
 }
 
 /// What ceres::TinySolver minimises: sqrt(weight) * error, scaled to norm 1 at the start. TinySolver stops at
@@ -126,11 +131,17 @@ class TinyFunction {
     return true;
   }
 
+  /// Whether the last place that was asked for is not admissible.
+  bool is_turned_back() const { return is_turned_back_; }
+
  private:
   void move_to(const double* parameters) const {
     place_.emplace();
     std::copy_n(parameters, N, place_->begin());
     problem_.errors(*place_, residuals_, jacobian_);
+    // An infinite cost turns a step back.
+    is_turned_back_ = !problem_.is_admissible(*place_);
+    if (is_turned_back_) residuals_.fill(HUGE_VAL);
     for (std::size_t node = 0; node < basin_nodes; ++node) {
       residuals_[node] *= roots_[node];
       for (std::size_t i = 0; i < N; ++i) jacobian_[i * basin_nodes + node] *= roots_[node];
@@ -140,6 +151,7 @@ class TinyFunction {
   const DescentProblem<N>& problem_;
   std::array<double, basin_nodes> roots_{};  ///< of the weights, scaled
   mutable std::optional<typename DescentProblem<N>::Parameters> place_ = std::nullopt;
+  mutable bool is_turned_back_ = false;
   mutable std::array<double, basin_nodes> residuals_{};
   mutable std::array<double, basin_nodes * N> jacobian_{};
 };
@@ -200,6 +212,20 @@ void correct(Eigen::Matrix<double, N, N>& hessian, const Eigen::Matrix<double, N
     hessian += surprise * surprise.transpose() / along;
 }
 
+/// Takes a step, or as much of it as leaves the parameters admissible: the first of a half, a quarter, ..
+/// False where it was cut; of parameters that are not admissible themselves nothing is taken.
+template <int N>
+bool take_step(const DescentProblem<N>& problem, typename DescentProblem<N>::Parameters& p,
+               typename DescentProblem<N>::Parameters step) {
+  const auto from = p;
+  for (bool is_whole = true;; is_whole = false) {
+    for (std::size_t j = 0; j < p.size(); ++j) p[j] = from[j] + step[j];
+    if (problem.is_admissible(p)) return is_whole;
+    if (p == from) return false;
+    for (double& part : step) part /= 2;
+  }
+}
+
 /// Newton in double to the bottom of the basin, until what is left of the way is below `rest` of the
 /// parameters. The Hessian is dearer than the gradient, up to seven times: it is kept for as long as steps
 /// shrink to a third or less, and corrected by the gradients.
@@ -228,8 +254,13 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
       candidate.why = "a Newton step is not finite: the parameters do not move the error independently";
       return;
     }
-    for (std::size_t j = 0; j < p.size(); ++j) p[j] += newton.step[j];
+    const bool is_cut = !take_step<N>(problem, p, newton.step);
     ++candidate.iterations;
+    candidate.status = is_cut ? Status::at_border : Status::not_converged;
+    if (is_cut) {
+      candidate.hessian.reset();
+      continue;
+    }
     // With the Hessian of the place a step squares what was left. With another's, what it leaves of itself is
     // the Hessian's error: as much as of the step before, and 1 % at least, where that one was small by
     // chance.
@@ -245,8 +276,7 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
     last_gradient = gradient;
     last_step = Eigen::Map<const Vector>(newton.step.data());
   }
-  candidate.status = Status::not_converged;
-  candidate.why = "thirty Newton steps did not settle";
+  if (candidate.status != Status::at_border) candidate.why = "thirty Newton steps did not settle";
 }
 
 /// Whether two points are one optimum: by their distance; or, where a parameter is near 0 and has few digits
@@ -297,12 +327,16 @@ Candidate<N> common_optimum_by(const Patience& patience, const Starts<N>& starts
   const auto descend = [&](Candidate<N> candidate) {
     typename TinySolver<N>::Parameters parameters(candidate.parameters.data());
     candidate.iterations = solver.Solve(function, &parameters).iterations;
+    const bool is_at_border = function.is_turned_back();
     std::copy_n(parameters.data(), N, candidate.parameters.begin());
     const auto before = candidate.parameters;
     polish<N>(problem, candidate, same_optimum / 10);
-    if (candidate.status != Status::converged && is_far_end<N>(problem, before))
+    if (candidate.status != Status::converged && is_at_border) {
+      candidate.status = Status::at_border;
+    } else if (candidate.status != Status::converged && is_far_end<N>(problem, before)) {
       candidate.why =
           "the error is no larger where all parameters are four times as large: none are the best";
+    }
     return candidate;
   };
   common = descend(common);

@@ -16,7 +16,8 @@
 /// the form itself, are linear in the parameters;
 /// - `shape`: what the substitution has to know; `relative_end`: the smallest cosine at which a relative
 /// error has a
-///   meaning, empty where there is no such number; `relative_to`: relative to what, in words.
+///   meaning, empty where there is no such number; `relative_to`: relative to what, in words;
+/// - where the form has one, its `denominator`, which parameters must keep positive (fit/admissible.hpp).
 namespace shadefit {
 
 /// Every family, in the order of the report; those of comparison come last.

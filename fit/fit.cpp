@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
+#include "fit/admissible.hpp"
 #include "fit/family_visit.hpp"
 #include "fit/solve.hpp"
 
@@ -21,10 +23,22 @@ constexpr bool is_fresnel_family() {
   };
 }
 
+/// The error of parameters with a pole in the domain: no search that samples finds it. Empty for others.
+template <class F>
+std::optional<Extremum> pole_of([[maybe_unused]] const F& family, [[maybe_unused]] const Domain& domain,
+                                [[maybe_unused]] std::span<const double> parameters) {
+  if constexpr (HasDenominator<F>) {
+    const auto p = parameter_array<F>(parameters);
+    if (!is_admissible(family, domain, p)) return Extremum{HUGE_VAL, pole_in(family, domain, p)};
+  }
+  return std::nullopt;
+}
+
 /// Extrema are places in c whatever the measure, so they are looked for in the cosine.
 template <class F>
 Extremum max_abs_error(const Setting& setting, const Domain& domain, std::span<const double> parameters) {
   const auto family = make_family<F>(setting);
+  if (const auto pole = pole_of(family, domain, parameters)) return *pole;
   const auto error =
       at_parameters(family, parameter_array<F>(parameters),
                     [](const F& f, const auto& sample, const auto& p) { return f.error(sample, p); });
@@ -51,6 +65,7 @@ std::optional<Extremum> max_rel_error(const Setting& setting, const Domain& doma
   const auto family = make_family<F>(setting);
   const auto ends = relative_ends(family, domain);
   if (!ends) return std::nullopt;
+  if (const auto pole = pole_of(family, domain, parameters)) return pole;
   const auto error = at_parameters(
       family, parameter_array<F>(parameters),
       [](const F& f, const auto& sample, const auto& p) { return f.relative_error(sample, p); });
@@ -82,17 +97,61 @@ double objective(const Setting& setting, const Metric& metric, std::span<const d
   const auto family = make_family<F>(setting);
   const auto ends = ends_under(family, metric);
   if (!ends) return std::numeric_limits<double>::quiet_NaN();
+  if (pole_of(family, metric.domain, parameters)) return HUGE_VAL;
   return objective_at(family, metric, ends->first, ends->second, parameter_array<F>(parameters));
+}
+
+/// The answer where the form, its free parameters 0, is its target at every place of a search, in value and
+/// slope: all of a domain of total reflection has the target 1 = exp2(0). A parameter that is 0 has no
+/// relative digits, and an error that is 0 no alternation: the solvers find neither. Empty in general, after
+/// one evaluation.
+template <class F>
+std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
+  using Jet = SearchedFunction::Jet;
+  constexpr std::size_t N = F::parameters.size();
+  std::array<double, N> p{};
+  std::array<Jet, N> q{};
+  const auto given = given_parameters<F>(metric.constraints);
+  for (std::size_t i = 0; i < N; ++i) q[i] = Jet(p[i] = given[i].value_or(0));
+  const auto& [held, exact_at, one_sided, at_most, at_least] = metric.constraints;
+  const auto panels = Substitution::panels({.domain = metric.domain}, family.shape().for_search());
+  const auto is_exact = [&](double s) {
+    return std::all_of(panels.begin(), panels.end(), [&](const Substitution& panel) {
+      const auto sample = family.sample(panel.at(s).cosine);
+      const double slope = family.error(family.sample(panel.at(Jet(s, 0)).cosine), q).v[0];
+      const double form = family.form(sample, p);
+      // On a panel without a length nothing has a slope; a form that has underflowed is not its target.
+      return panel.total() > 0 && family.error(sample, p) == 0 && slope == 0 && std::isnormal(form) &&
+             form <= at_most.value_or(form) && form >= at_least.value_or(form);
+    });
+  };
+  if (!is_exact(0.5) || !is_exact(0) || !is_exact(1)) return std::nullopt;
+  const auto places = search_points();
+  if (!std::all_of(places.begin(), places.end(), is_exact)) return std::nullopt;
+  Solution solution{.parameters = {p.begin(), p.end()}, .status = Status::converged, .digits = most_digits};
+  if (metric.norm == Norm::minimax) solution.level = 0;
+  return solution;
 }
 
 template <class F>
 Solution solve(const F& family, const Metric& metric) {
+  if (const auto exact = exact_solution(family, metric)) return *exact;
   if (is_plain(metric)) return solve_plain(family, metric);
   if (const auto ends = ends_under(family, metric))
     return solve_under(family, metric, ends->first, ends->second);
   return {.parameters = std::vector<double>(F::parameters.size()),
           .status = Status::not_finite,
           .why = "a relative error has no meaning on this domain"};
+}
+
+/// Why a solution is none after all: its parameters, or its errors, contradict what it says. Empty where it
+/// holds.
+template <class F>
+std::string contradiction_in(const F& family, const Fit& fit) {
+  if (pole_of(family, fit.metric.domain, fit.parameters)) return "the form has a pole in the domain";
+  const bool is_relative = fit.metric.error == Error::relative;
+  const double largest = is_relative ? fit.max_rel_error.value().magnitude : fit.max_abs_error.magnitude;
+  return fit.metric.weight.empty() ? contradiction_of(fit.rms_error, largest) : "";
 }
 
 template <class F>
@@ -123,6 +182,13 @@ Fit fit(const Setting& setting, const Metric& metric) {
     } else {
       result.relative_to = "nothing: the target is nowhere between 1/255 and what a double can reach";
     }
+    result.why = contradiction_in(family, result);
+    if (!result.why.empty()) result.status = Status::not_converged;
+  }
+  if constexpr (HasDenominator<F>) {
+    if (result.status == Status::at_border)
+      result.why = "the way down leads to the border of the admissible parameters, which is " +
+                   rule_of_admission(family, metric.domain);
   }
   return result;
 }
@@ -172,6 +238,14 @@ constexpr FittableFamily entry{
     &objective<F>, &target<F>,    &form<F>, reflectance_error_of<F>(), &relative_domain<F>};
 
 }  // namespace
+
+std::string contradiction_of(double rms_error, double largest_error) {
+  constexpr double rounding = 1e-15;  // a few units of a double at 1, which forms and targets do not exceed
+  // The search calls errors equal that differ by less.
+  if (rms_error <= largest_error * (1 + equal_extrema) + rounding) return "";
+  return "the rms error " + to_text(rms_error) + " exceeds the largest error found, " +
+         to_text(largest_error) + ": one of them is wrong";
+}
 
 std::span<const FittableFamily> fittable_families() {
   static constexpr auto all = []<class... F>(std::type_identity<std::tuple<F...>>) {

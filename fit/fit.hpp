@@ -77,6 +77,10 @@ struct FittableFamily {
   bool has_exponent() const { return !info.sweep.empty(); }
 };
 
+/// Why two errors of one curve cannot both be right: a root mean square is never above the largest magnitude.
+/// Empty where they can.
+std::string contradiction_of(double rms_error, double largest_error);
+
 /// The setting that a fit was made with.
 inline Setting setting_of(const Fit& fit) {
   return {fit.exponent.value_or(0), fit.surface};

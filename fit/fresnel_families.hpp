@@ -204,6 +204,11 @@ struct FresnelRational : FresnelFamily<RationalForm, 1> {
   static constexpr const Family& info = fresnel_rational_family;
   static constexpr std::array<std::string_view, 1> parameters{"a"};
   static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
+
+  template <class P>
+  static P denominator(const P& c, const std::array<P, 1>& p) {
+    return fresnel_rational_denominator(c, p[0]);
+  }
 };
 
 }  // namespace shadefit

@@ -137,6 +137,7 @@ class LeastSquares {
 
   LeastSquares(const F& family, const Metric& metric)
       : family_(family),
+        domain_(metric.domain),
         panels_(Substitution::panels(metric, family.shape())),
         first_(first_rule(metric, family.shape())),
         basin_(sampled_for_basin(family, metric, blunt(family.shape()))),
@@ -151,7 +152,9 @@ class LeastSquares {
       if (rule == first_) return wide_.gradient(p);
       return SampledProblem<F, long double>(family_, panels_, fit_rules[rule]).gradient(p);
     };
-    return solve_least_squares<N>({descent_problem(basin_), descent_problem(fine_), wide, first_}, starts);
+    return solve_least_squares<N>(
+        {descent_problem(basin_, family_, domain_), descent_problem(fine_, family_, domain_), wide, first_},
+        starts);
   }
 
  private:
@@ -163,6 +166,7 @@ class LeastSquares {
   }
 
   F family_;
+  Domain domain_;
   std::vector<Substitution> panels_;
   std::size_t first_;  ///< of `fit_rules`: the check's; the polish has the next
   SampledProblem<F, double> basin_, fine_;

@@ -15,6 +15,10 @@ constexpr double last_step = 1e-7;
 /// A multiplier below this holds nothing up.
 constexpr double no_multiplier = 1e-9;
 
+/// Errors in double that differ from those in wider arithmetic by this share of the level do not tell where
+/// they alternate.
+constexpr double largest_rounding = 0.1;
+
 /// From a start to the settled alternation.
 class Exchange {
  public:
@@ -132,11 +136,18 @@ class Exchange {
       }
       expected_ = lowest.unknowns[problem_.size];
       go_to(base, step);
+      leads_out_ = !problem_.is_admissible(here_.parameters);
+      while (!problem_.is_admissible(here_.parameters)) {
+        for (double& part : step) part /= 2;
+        size /= 2;
+        go_to(base, step);
+      }
       if (size < last_step) {
         ++result_.iterations;
-        return true;
+        return !leads_out_ || stop_at_border();
       }
     }
+    if (leads_out_) return stop_at_border();
     return fail(Status::not_converged,
                 "the alternation did not settle in " + std::to_string(most_steps) + " exchanges");
   }
@@ -144,6 +155,17 @@ class Exchange {
   bool go_to(const MinimaxParameters& base, const MinimaxParameters& step) {
     for (std::size_t i = 0; i < problem_.size; ++i) here_.parameters[i] = base[i] + step[i];
     return true;
+  }
+
+  /// The programme's step leads out of the admissible parameters still, after steps of which each took half
+  /// of the way to their border or more. What is violated there beyond such a rest, no admissible parameters
+  /// satisfy.
+  bool stop_at_border() {
+    constexpr double rest = 1e-6;
+    here_.look();
+    if (here_.violation() > rest * here_.level())
+      return fail(Status::infeasible, "no admissible parameters near least squares " + here_.most_violated());
+    return fail(Status::at_border, "");
   }
 
   /// No part of a step lowers the level any more, and yet it is no last step. Where it is short, the level is
@@ -200,6 +222,7 @@ class Exchange {
         const long double bound = c.is_tangent ? 0 : here_.bound_of(c.touch);
         lack[i] = sign * (bound - values[i]) + static_cast<long double>(here_.share_of_level(c)) * level;
         const bool is_error = here_.share_of_level(c) > 0;
+        if (is_error) rounding_ = std::max(rounding_, std::abs(c.value - static_cast<double>(values[i])));
         c.value = static_cast<double>(is_error ? values[i] : problem_.error.wide(c.place, wide));
       }
       std::array<long double, most_unknowns> step{};
@@ -208,6 +231,11 @@ class Exchange {
           step[i] += static_cast<long double>(inverse[i][j]) * lack[j];
       }
       result_.level = static_cast<double>(level + step[problem_.size]);
+      if (!(rounding_ < largest_rounding * result_.level)) {
+        fail(Status::degenerate, "the largest error, " + to_text(result_.level) +
+                                     ", is down to the rounding of the form: it has no alternation");
+        return;
+      }
       size = 0;
       for (std::size_t i = 0; i < problem_.size; ++i) {
         if (step[i] != 0) size = std::max(size, std::abs(step[i] / wide[i]));
@@ -246,7 +274,9 @@ class Exchange {
   Few<Contact> reference_;
   Unknowns multipliers_{};
   double penalty_ = 1;
-  double expected_ = 0;  ///< the level that the last programme promised
+  double rounding_ = 0;     ///< the largest of the errors in double, where they alternate
+  double expected_ = 0;     ///< the level that the last programme promised
+  bool leads_out_ = false;  ///< and its step led out of the admissible parameters, and was cut
 };
 
 }  // namespace

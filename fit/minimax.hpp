@@ -66,6 +66,7 @@ struct MinimaxProblem {
   std::optional<Side> one_sided = std::nullopt;
   std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
   std::vector<SearchPlace> exact_at = {};
+  std::function<bool(const MinimaxParameters&)> is_admissible = [](const MinimaxParameters&) { return true; };
 };
 
 struct MinimaxOptimum {

@@ -71,9 +71,12 @@ class Minimax {
   /// From least squares under the same error: Ceres from one start, polished on few nodes.
   MinimaxOptimum solve() const {
     const auto basin = sampled_for_basin(family_, metric_, family_.shape());
-    const auto start = common_optimum<static_cast<int>(N)>(family_.starts(), descent_problem(basin), 1);
+    const auto start = common_optimum<static_cast<int>(N)>(
+        family_.starts(), descent_problem(basin, family_, metric_.domain), 1);
     MinimaxParameters p{};
-    std::copy(start.parameters.begin(), start.parameters.end(), p.begin());
+    // At the border of the admissible parameters an error has a pole: from there no step leads back.
+    const auto from = start.status == Status::at_border ? family_.starts()[0] : start.parameters;
+    std::copy(from.begin(), from.end(), p.begin());
     MinimaxOptimum optimum = solve_minimax(problem(), p);
     optimum.iterations += start.iterations;
     return optimum;
@@ -105,7 +108,11 @@ class Minimax {
                           .is_linear = is_linear,
                           .one_sided = metric_.constraints.one_sided,
                           .at_most = metric_.constraints.at_most,
-                          .at_least = metric_.constraints.at_least};
+                          .at_least = metric_.constraints.at_least,
+                          .is_admissible =
+                              [this](const MinimaxParameters& p) {
+                                return shadefit::is_admissible(family_, metric_.domain, lifted<double>(p));
+                              }};
     if (is_exponential && result.at_least && *result.at_least <= 0) result.at_least.reset();  // it is above
     for (const double c : metric_.constraints.exact_at)
       result.exact_at.push_back(c == metric_.domain.upper ? places_.front() : places_.back());

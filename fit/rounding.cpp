@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "approx/encoding.hpp"
+#include "fit/admissible.hpp"
 #include "fit/decimal.hpp"
 #include "fit/enclosure.hpp"
 #include "fit/hex_float.hpp"
@@ -139,13 +140,20 @@ double rounding_bound(const F& family, Error kind, const Domain& domain,
   return bound_of_rounding(error, domain);
 }
 
-/// Bounds of the errors of constants of a wide format.
+/// Bounds of the errors of constants of a wide format; infinite where the form has a pole with them.
 template <class F, class Lattice>
 RoundedConstants assessed(const RealProblem<F, Lattice>& problem, const F& family,
                           const LatticePoint<F::parameters.size()>& point, const Setting& setting,
                           const Domain& domain, Error kind, bool is_float, const Checkpoint& checkpoint) {
   RoundedConstants constants = constants_at(problem.lattice(), point);
   const auto p = parameter_array<F>(constants.parameters);
+  if constexpr (HasDenominator<F>) {
+    if (!is_admissible(family, domain, p)) {
+      constants.max_error = HUGE_VAL;
+      constants.at = pole_in(family, domain, p).cos_theta;
+      return constants;
+    }
+  }
   Subject subject{.family = std::string(F::info.id), .setting = setting, .error = kind, .domain = domain};
   for (std::size_t i = 0; i < p.size(); ++i)
     subject.parameters.emplace_back(std::string(F::parameters[i]), hex_text(p[i]));

@@ -90,6 +90,13 @@ struct Under {
     return shape;
   }
 
+  template <class P>
+  P denominator(const P& c, const std::array<P, M>& p) const requires
+      requires(const F& f, const std::array<P, all>& q) {
+    f.denominator(c, q);
+  }
+  { return family.denominator(c, with_given(p)); }
+
   std::array<std::array<double, M>, 3> starts() const {
     std::array<std::array<double, M>, 3> result{};
     const auto of_family = family.starts();

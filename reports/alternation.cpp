@@ -46,6 +46,7 @@ std::string alternation_text(const Fit& fit) {
           fmt::format("The optimum sits on the constraint {} {}\n", what_holds(point, constraints), where));
     }
   }
+  if (fit.alternation.empty()) return "Level 0: the form is its target on all of the domain\n";
   const std::string exponent = fit.exponent ? fmt::format("k = {}: ", *fit.exponent) : "";
   return fmt::format("{}Level {:.10g}, the error is {}\n{}", exponent, *fit.level, fmt::join(places, ", "),
                      fmt::join(lines, ""));

@@ -50,7 +50,7 @@ std::string common_text(const Fit& fit, const std::optional<CommonDigits>& commo
   if (!common) return fmt::format("All constants within {}: no digits of a double do.\n", in_percent(part));
   return fmt::format("All constants within {}: {} digit{}, {}: worse by {:.2g} %\n", in_percent(part),
                      common->digits, common->digits == 1 ? "" : "s", named(fit, common->parameters),
-                     100 * (common->objective / objective - 1));
+                     objective > 0 ? 100 * (common->objective / objective - 1) : 0.0);
 }
 
 Table contracts_table(const Sensitivity& sensitivity) {

@@ -461,6 +461,7 @@ TEST(Status, HasNames) {
   EXPECT_EQ(name(Status::converged), "converged");
   EXPECT_EQ(name(Status::ambiguous), "ambiguous");
   EXPECT_EQ(name(Status::not_converged), "not-converged");
+  EXPECT_EQ(name(Status::at_border), "at-border");
   EXPECT_EQ(name(Status::not_finite), "not-finite");
 }
 

@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "tests/app/refusal.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using nlohmann::json;
+using testing::expect_refusal;
+using testing::snapshot;
+using testing::TemporaryDirectory;
+
+const std::vector<std::string> metal{"fresnel-rational", "--target", "exact", "--ior", "0.476",
+                                     "--extinction",     "1.52"};
+
+Outcome run(std::vector<std::string> arguments, const std::vector<std::string>& more) {
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_command_line(arguments);
+}
+
+TEST(Pole, AFitThatEndsAtTheBorderSaysSo) {
+  std::vector<std::string> fit{"fit"};
+  fit.insert(fit.end(), metal.begin(), metal.end());
+  const Outcome text = run(fit, {"--norm", "minimax"});
+  EXPECT_EQ(text.exit_code, 1);
+  EXPECT_NE(
+      text.err.find("fresnel-rational did not converge: at-border: the way down leads to the border of the "
+                    "admissible parameters, which is 1 + a c > 0 for c in [0, 1]"),
+      std::string::npos)
+      << text.err;
+  const Outcome machine = run(fit, {"--norm", "minimax", "--json"});
+  const json told = json::parse(machine.out);
+  EXPECT_EQ(machine.exit_code, 1);
+  EXPECT_EQ(told["status"], "at-border");
+  EXPECT_TRUE(told["parameters"]["a"].is_null());
+  EXPECT_NE(told["why"].get<std::string>().find("1 + a c > 0"), std::string::npos);
+}
+
+TEST(Pole, ConstraintsThatNoAdmissibleParameterMeets) {
+  const Outcome outcome = run_command_line({"fit", "fresnel-rational", "--target", "exact", "--ior", "1.5",
+                                            "--norm", "minimax", "--one-sided", "above"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("cannot satisfy the constraints, form >= target"), std::string::npos)
+      << outcome.err;
+}
+
+TEST(Pole, GivenParametersWithOneAreRefused) {
+  const std::string line = " has a pole: it must be 1 + a c > 0 for c in ";
+  expect_refusal({"certify", "fresnel-rational", "--parameters", "a=-2"},
+                 "fresnel-rational with a = -2" + line + "[0, 1]");
+  expect_refusal({"certify", "fresnel-rational", "--parameters", "a=-2", "--domain", "0:0.5"},
+                 "fresnel-rational with a = -2" + line + "[0, 0.5]");
+  // less than -1 by what no double holds
+  expect_refusal({"certify", "fresnel-rational", "--parameters", "a=-1.00000000000000000000001"},
+                 "fresnel-rational with a = -1.00000000000000000000001" + line + "[0, 1]");
+  expect_refusal({"emit", "fresnel-rational", "--lang", "c", "--parameters", "a=-1.5"},
+                 "fresnel-rational with a = -1.5" + line + "[0, 1]");
+  EXPECT_EQ(run_command_line({"certify", "fresnel-rational", "--parameters", "a=-2", "--domain", "0:0.4"})
+                .exit_code,
+            0);
+  EXPECT_EQ(run_command_line({"certify", "fresnel-rational", "--parameters", "a=-0.99"}).exit_code, 0);
+}
+
+TEST(Pole, NothingIsEmittedOfAFitThatHasNoAnswer) {
+  std::vector<std::string> emit{"emit"};
+  emit.insert(emit.end(), metal.begin(), metal.end());
+  const Outcome outcome = run(emit, {"--norm", "minimax", "--lang", "glsl"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("its fit did not converge (the way down leads to the border"), std::string::npos)
+      << outcome.err;
+}
+
+// exp2(2000 c) is beyond any double: an upper bound of infinity proves nothing.
+TEST(Bound, AnInfiniteOneIsNoProof) {
+  const TemporaryDirectory directory;
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"certify", "fresnel-one-term", "--parameters", "A=-2000"},
+           {"certify", "fresnel-one-term", "--parameters", "A=-2000", "--out", directory / "proof.json"},
+           {"certify", "fresnel-one-term", "--parameters", "A=-2000", "--json"},
+           {"emit", "fresnel-one-term", "--parameters", "A=-2000", "--lang", "c"}}) {
+    const Outcome outcome = run_command_line(arguments);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(
+        outcome.err,
+        "shadefit: fresnel-one-term with A = -2000 on 0:1: no double was proven to bound the largest error\n");
+  }
+  EXPECT_TRUE(snapshot(directory.path()).empty());
+}
+
+TEST(ExactFit, IsPrintedWithoutAnAlternation) {
+  const Outcome outcome = run_command_line({"fit", "fresnel-one-term", "--target", "exact", "--ior", "0.853",
+                                            "--domain", "0:0.298", "--norm", "minimax"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nLevel 0: the form is its target on all of the domain\n"), std::string::npos)
+      << outcome.out;
+}
+
+}  // namespace
+}  // namespace shadefit
