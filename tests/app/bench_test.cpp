@@ -158,7 +158,7 @@ TEST(ExhaustiveCommand, AStateThatWasChangedOrCutOffIsRefusedAndLeftAlone) {
     directory.file("state", bad);
     const Outcome outcome = bench(command);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_TRUE(outcome.err.starts_with("shadefit: state file '" + (directory / "state") + "' "))
+    EXPECT_TRUE(outcome.err.starts_with("shadefit: state file '" + (directory / "state") + "'"))
         << outcome.err;
     EXPECT_EQ(read_file(directory / "state"), bad);
   }
