@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/gnuplot_text.hpp"
 #include "reports/own_file.hpp"
 
 namespace shadefit {
@@ -13,6 +14,8 @@ namespace {
 
 /// Pixels: what GitHub shows of a README, and room for tics, labels, titles and rows of the legend.
 constexpr int picture_width = 900;
+/// CSS: 96 pixels an inch. The fonts and lines of a PDF and a PNG are scaled to look as those of the SVG do.
+constexpr double centimetres_a_pixel = 2.54 / 96;
 constexpr int left = 80, right_edge = 22, top = 18, below = 70;
 constexpr int title_height = 22, top_tics_height = 20, legend_height = 22;
 constexpr int between_columns = 76, between_rows = 50;
@@ -72,28 +75,30 @@ Layout layout_of(const Plot& plot) {
 std::string prelude(const Plot& plot) {
   const Layout layout = layout_of(plot);
   const auto across = [](int pixels) { return static_cast<double>(pixels) / picture_width; };
-  // A point of PDF, 1/72 inch, stands for a pixel.
-  const auto inches = [](int pixels) { return pixels / 72.0; };
   const auto up = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
   return fmt::format(
              "# {0}\n"
-             "# Draws {1}.svg from {1}.csv; gnuplot -e \"output='x.pdf'\" {1}.gnuplot draws a PDF.\n"
+             "# Draws {1}.svg from {1}.csv. As PDF or PNG: gnuplot -e \"output='{1}.pdf'\" {1}.gnuplot\n"
              "# To restyle it, copy it: a copy, x.gnuplot, draws x.svg. The next run replaces this file, or\n"
              "# refuses to where it was changed.\n"
              "if (!exists('ARG0')) ARG0 = ''\n"
              "if (!exists('output')) output = (strlen(ARG0) > 8 ? ARG0[1:strlen(ARG0)-8] : '{1}') . '.svg'\n"
              "set encoding utf8\n"
-             "if (strlen(output) > 4 && output[strlen(output)-3:*] eq '.pdf') {{\n"
-             "  set terminal pdfcairo size {4:.4f},{5:.4f} font 'sans-serif,13' background '#FFFFFF'\n"
+             "has_end(end) = output[strlen(output)-strlen(end)+1:] eq end\n"
+             "if (has_end('.pdf')) {{\n"
+             "  set terminal pdfcairo size {4:.5f}cm,{5:.5f}cm font 'sans-serif,13' fontscale 0.5625 "
+             "linewidth 1.33 background '#FFFFFF'\n"
+             "}} else {{ if (has_end('.png')) {{\n"
+             "  set terminal pngcairo size {2},{3} font 'sans-serif,9.75' background '#FFFFFF'\n"
              "}} else {{\n"
              "  set terminal svg size {2},{3} font 'sans-serif,13' background '#FFFFFF'\n"
-             "}}\n"
+             "}}}}\n"
              "set output output\n"
              "set datafile separator comma\n"
              "set datafile columnheaders\n"
              "set minussign\n",
-             plot.about, plot.name, picture_width, layout.height, inches(picture_width),
-             inches(layout.height)) +
+             plot.about, plot.name, picture_width, layout.height, picture_width * centimetres_a_pixel,
+             layout.height * centimetres_a_pixel) +
          std::string(styles) +
          fmt::format(
              "set border lc rgb '#404040'\n"
@@ -126,10 +131,10 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
       "\nunset arrow; unset label; unset logscale; unset x2tics; set autoscale; set format\n"
       "set tics nomirror out scale 0.5; set xtics auto; set ytics auto; set grid xtics ytics ls 9\n"
       "set border {}\n"
-      "set title '{}' offset 0,-0.4\n"
+      "set title {} offset 0,-0.4\n"
       "set xlabel '{}'\n"
       "set label '{}' at graph 0, graph 0.5 center rotate offset char -7.6,0\n",
-      panel.top_tics.empty() ? 3 : 7, panel.title, panel.x_label, panel.y_label);
+      panel.top_tics.empty() ? 3 : 7, gnuplot_quoted(panel.title), panel.x_label, panel.y_label);
   if (!panel.top_tics.empty())
     out += fmt::format("set x2tics ({}) out scale 0.5 textcolor '#606060'\n", panel.top_tics);
   out += panel.settings;

@@ -56,7 +56,7 @@ struct Plot {
 };
 
 /// The script: run in the directory of its data, it writes NAME.svg, or the file that the variable `output`
-/// names, a PDF where that ends in ".pdf". It is sealed (reports/own_file.hpp).
+/// names: a PDF or a PNG where that ends with .pdf or .png, else an SVG. It is sealed (reports/own_file.hpp).
 std::string write_script(const Plot& plot);
 
 /// "[low:high]" around all numbers of these columns, ends rounded outward to a twentieth or so of the span.

@@ -11,6 +11,7 @@
 #include "approx/encoding.hpp"
 #include "bench/trade/statistics.hpp"
 #include "fit/decimal.hpp"
+#include "reports/gnuplot_text.hpp"
 #include "reports/utf8.hpp"
 
 namespace shadefit::shade {
@@ -162,21 +163,6 @@ int amplification(const std::vector<ShownSphere>& spheres) {
   return factor;
 }
 
-/// A text for gnuplot. What has a meaning to it anywhere is an escape of three octal digits: in single
-/// quotes, a quote at the beginning cannot be told; in double quotes, a command between backticks would be
-/// run.
-std::string quoted(const std::string& text) {
-  constexpr std::string_view plain = " .,=-_()";
-  std::string result = "\"";
-  for (const char letter : printable(text)) {
-    const auto byte = static_cast<unsigned char>(letter);
-    const bool is_plain =
-        byte >= 0x80 || std::isalnum(byte) != 0 || plain.find(letter) != std::string_view::npos;
-    result += is_plain ? std::string(1, letter) : fmt::format("\\{:03o}", byte);
-  }
-  return result + "\"";
-}
-
 /// As much of a name as stands below a sphere.
 std::string shortened(const std::string& name) {
   constexpr std::size_t most = 15;
@@ -193,8 +179,8 @@ std::string power_text(double power) {
 }
 
 std::string label(const std::string& text, int x, int y, const char* place) {
-  return fmt::format("set label {} at {},{} {} noenhanced textcolor '#F4F4F4' front\n", quoted(text), x, y,
-                     place);
+  return fmt::format("set label {} at {},{} {} noenhanced textcolor '#F4F4F4' front\n",
+                     gnuplot_quoted(printable(text)), x, y, place);
 }
 
 std::string script_of(const scene::Scene& scene, const std::vector<Sphere>& spheres, int width, int height,

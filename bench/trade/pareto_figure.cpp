@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "bench/trade/labels.hpp"
+#include "reports/gnuplot_text.hpp"
 #include "reports/plot_script.hpp"
 
 namespace shadefit::bench {
@@ -138,9 +139,9 @@ void add_line(std::vector<Pixel>& points, const Pixel& from, const Pixel& to) {
 /// gnuplot's commands for a name: the text, and a line to its point where it stands off.
 std::string label_command(const Label& label, const std::string& name, const Pixel& point, bool is_on_front) {
   const Pixel& at = label.middle_left;
-  std::string commands =
-      fmt::format("set label '{}' at graph {:.5f}, graph {:.5f} left noenhanced textcolor '{}' front\n", name,
-                  at.x / area.x, 1 - at.y / area.y, is_on_front ? "#101010" : "#707070");
+  std::string commands = fmt::format(
+      "set label {} at graph {:.5f}, graph {:.5f} left noenhanced textcolor '{}' front\n",
+      gnuplot_quoted(name), at.x / area.x, 1 - at.y / area.y, is_on_front ? "#101010" : "#707070");
   if (!label.has_leader) return commands;
   const double end = std::clamp(point.x, at.x, at.x + letter_width * static_cast<double>(name.size()));
   const double edge = at.y + (point.y > at.y ? line_height / 2 : -line_height / 2);
@@ -211,7 +212,7 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
   const Axis time = axis_around(times, 0.06, 0.22), error = axis_around(errors, 0.08, 0.08);
   const std::string name = "pareto-" + target.id;
   Panel panel{
-      .title = fmt::format("{}, on {}", raised(target.title), trade.machine.cpu),
+      .title = fmt::format("{}, on {}", raised(target.title), gnuplot_unmarked(trade.machine.cpu)),
       .x_label = "ns an element, data in L1, one core",
       .y_label = "largest absolute error",
       .settings = fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"

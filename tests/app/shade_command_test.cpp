@@ -4,6 +4,7 @@
 
 #include "app/command_line.hpp"
 #include "reports/files.hpp"
+#include "reports/gnuplot.hpp"
 #include "reports/own_file.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/fake_gnuplot.hpp"

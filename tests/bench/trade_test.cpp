@@ -255,6 +255,13 @@ TEST(ParetoFigure, RaisesWholeExponents) {
   EXPECT_EQ(title_of("c"), "c");
 }
 
+TEST(ParetoFigure, DrawsTheProcessorsNameAsItIs) {
+  Trade trade = testing::made_up_trade();
+  trade.machine.cpu = "Intel(R) Xeon(R) CPU @ 2.20GHz";
+  EXPECT_TRUE(
+      has(pareto_figure(trade, trade.targets.front()).script, R"(on Intel(R) Xeon(R) CPU \@ 2.20GHz' off)"));
+}
+
 struct Rectangle {
   double left, right, top, bottom;
 };

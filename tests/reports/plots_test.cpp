@@ -8,11 +8,15 @@
 #include <set>
 
 #include "fit/multiprecision.hpp"
+#include "reports/gnuplot.hpp"
+#include "reports/gnuplot_text.hpp"
 #include "reports/plot_data.hpp"
 #include "reports/plot_script.hpp"
 #include "reports/report.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/reports/all_results.hpp"
+#include "tests/reports/compilers.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
@@ -74,6 +78,61 @@ TEST(Plots, EveryFigureHasDataAndAScriptThatReadsIt) {
   EXPECT_TRUE(
       files[0].content.starts_with("exponent,angle,target,offset_0,offset_0.775,offset_1\n2,0,1,1,1,1\n"));
   EXPECT_EQ(files[1].name, "plots/lobe.gnuplot");
+}
+
+/// Drawn by gnuplot itself, where it is installed; what it says stands in the file `said`.
+void draw(const std::string& call, const testing::TemporaryDirectory& directory) {
+  ASSERT_TRUE(
+      testing::runs("cd '" + directory.path().string() + "' && LC_ALL=C.UTF-8 gnuplot -d " + call, directory))
+      << read_file(directory / "said");
+  EXPECT_EQ(read_file(directory / "said"), "") << call;
+}
+
+TEST(Plots, TheEndingOfTheOutputIsItsKind) {
+  const auto figures = make_figures(all_results());
+  const Figure& offset = figure(figures, "offset");
+  for (const char* terminal : {"pdfcairo", "pngcairo", "svg"})
+    EXPECT_NE(offset.script.find(std::string("set terminal ") + terminal), std::string::npos);
+  if (!find_gnuplot()) return;
+  const testing::TemporaryDirectory directory;
+  for (const File& file : plot_files({offset}))
+    directory.file(file.name.substr(file.name.find('/') + 1), file.content);
+  for (const auto& [name, start] : {std::pair{"x.pdf", "%PDF-"},
+                                    {"x.png", "\x89PNG"},
+                                    {"x.svg", "<?xml"},
+                                    {".x.pdf.7.partial", "<?xml"},
+                                    {"x", "<?xml"}}) {
+    draw(std::string("-e \"output='") + name + "'\" offset.gnuplot", directory);
+    EXPECT_TRUE(read_file(directory / name).starts_with(start)) << name;
+  }
+}
+
+// Every pair of the letters that gnuplot gives a meaning to, at the start, in the middle and at the end.
+TEST(Plots, ATextIsDrawnAsItIs) {
+  EXPECT_EQ(gnuplot_quoted("a b"), "'a b'");
+  EXPECT_EQ(gnuplot_quoted("it's"), R"('it'."\047".'s')");
+  EXPECT_EQ(gnuplot_unmarked("x_1 @ 2^3"), R"(x\_1 \@ 2\^3)");
+  if (!find_gnuplot()) return;
+  const testing::TemporaryDirectory directory;
+  const std::string special = R"('"\`$@^_{}~#;,%a )";
+  std::string script = "set print 'printed'\n", texts;
+  for (const char one : special) {
+    for (const char two : special) {
+      for (const std::string& text : {std::string{one, two}, std::string{one, two, 'a'},
+                                      std::string{'a', one, two}, std::string{'a', one, two, 'b'}}) {
+        script += "print " + gnuplot_quoted(text) + "\n";
+        texts += text + "\n";
+      }
+    }
+  }
+  directory.file("a.gnuplot", script);
+  draw("a.gnuplot", directory);
+  EXPECT_EQ(read_file(directory / "printed"), texts);
+  directory.file("b.gnuplot", "set terminal svg\nset output 'b.svg'\nset title " +
+                                  gnuplot_quoted(gnuplot_unmarked(R"('x\y' @ a^b_c {d} ~e)")) +
+                                  "\nplot [0:1][0:1] 2 notitle\n");
+  draw("b.gnuplot", directory);
+  EXPECT_NE(read_file(directory / "b.svg").find(R"('x\y' @ a^b_c {d} ~e)"), std::string::npos);
 }
 
 TEST(Plots, ValuesAreFiniteAndOnlyRelativeErrorsMayBeMissing) {
