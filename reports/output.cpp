@@ -219,7 +219,11 @@ Output::~Output() = default;
 void Output::prepare(const std::vector<File>& files, const std::vector<File>& obsolete, Foreign foreign,
                      const Checkpoint& checkpoint) {
   Parts& parts = *parts_;
-  for (const File& file : files) require_free(parts.directory / file.name, file, foreign);
+  // A place in the working directory is named as it was asked for, without "./".
+  const auto place_of = [&](const File& file) {
+    return parts.directory == "." ? fs::path(file.name) : parts.directory / file.name;
+  };
+  for (const File& file : files) require_free(place_of(file), file, foreign);
   // What lies within another directory is removed before it.
   for (const File& file : files) parts.created.emplace_front((parts.directory / file.name).parent_path());
   const Workshop& workshop = parts.workshop.emplace(parts.directory);
@@ -230,10 +234,10 @@ void Output::prepare(const std::vector<File>& files, const std::vector<File>& ob
   };
   for (const File& file : files) {
     checkpoint();
-    change(parts.directory / file.name, true).write(file.content);
+    change(place_of(file), true).write(file.content);
   }
   for (const File& file : obsolete) {
-    if (is_own(parts.directory / file.name, file)) change(parts.directory / file.name, false);
+    if (is_own(place_of(file), file)) change(place_of(file), false);
   }
   checkpoint();
 }

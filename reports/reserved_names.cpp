@@ -53,7 +53,7 @@ constexpr WordList c_functions =
     "isunordered iseqsig sincos pow10 signgam float_t double_t abs labs llabs div ldiv lldiv abort exit atexit "
     "malloc calloc realloc free qsort bsearch rand srand random srandom system getenv memcpy memmove memset "
     "memcmp memchr strlen strcpy strcmp strcat strchr printf puts putchar scanf time clock select read write "
-    "index rindex";
+    "index rindex uint ushort ulong u_int u_char u_short u_long";
 
 constexpr WordList cpp_functions = "min max clamp lerp beta expint legendre assoc_legendre";
 
@@ -262,6 +262,7 @@ bool is_reserved_form(std::string_view name, Language language) {
       return has_two;
     case Language::c:
     case Language::cpp:
+      return has_two || name.starts_with('_') || name.ends_with("_t");  // the last by POSIX.1, 2.2.2
     case Language::msl:
       return has_two || name.starts_with('_');
   }

@@ -140,7 +140,7 @@ TEST(Files, ARenameThatFailsTakesTheEarlierOnesBack) {
                           {{"one", "new 1\n"}, {"two", "new 2\n"}, {"link", "new\n"}, {"last", "new\n"}},
                           appear);
             }),
-            "cannot write '" + (directory / "out/last") + "': Is a directory");
+            "cannot write '" + (directory / "out/last") + "': it is a directory");
   fs::remove(directory / "out/last");
   EXPECT_EQ(snapshot(directory.path()), before);
   EXPECT_TRUE(fs::is_symlink(directory / "out/link")) << "the link itself comes back, not a copy";

@@ -69,7 +69,7 @@ TEST(Plots, EveryFigureHasDataAndAScriptThatReadsIt) {
       read.insert((*match)[1]);
     EXPECT_EQ(read, std::set<std::string>(f.data.columns.begin(), f.data.columns.end())) << f.name;
     EXPECT_NE(f.script.find("'" + f.name + ".csv'"), std::string::npos);
-    EXPECT_NE(f.script.find("output = '" + f.name + ".svg'"), std::string::npos);
+    EXPECT_NE(f.script.find(": '" + f.name + "') . '.svg'"), std::string::npos);
     EXPECT_TRUE(f.caption.ends_with(".")) << f.name;
   }
   const auto files = plot_files(figures);
