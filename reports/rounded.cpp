@@ -99,7 +99,11 @@ std::string meaning_of_best(const Rounded& rounded) {
 
 RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint) {
   if (report.fit.status != Status::converged) return {.reason = "the fit did not converge"};
-  return {.rounded = round_fit(report.fit, format, published_values(report), checkpoint)};
+  RoundedFit fit{.rounded = round_fit(report.fit, format, published_values(report), checkpoint)};
+  if (!std::isfinite(fit.rounded->best.max_error))
+    throw CheckFailed(fmt::format("{} rounded to {}: no finite bound of its error was proven",
+                                  report.fit.family->id, to_text(format)));
+  return fit;
 }
 
 std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
