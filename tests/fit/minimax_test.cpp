@@ -147,7 +147,7 @@ TEST(Minimax, Constraints) {
 // form = exp((k + x)(c - 1)) is least at c = 0, where form >= bound holds it; far from least squares, where
 // the form is next to nothing at c = 0, its logarithm says how far. cos^(x k)(theta/2) is 2^(-x k/2) there.
 TEST(Minimax, KeepsToLowerBoundsFarFromLeastSquares) {
-  for (const double exponent : {3.0, 8.0, 36.6, 37.0, 100.0}) {
+  for (const double exponent : {36.6, 37.0, 50.0, 100.0}) {
     for (const char* bound : {"1e-6", "0.0087", "0.2", "0.9"}) {
       Metric metric = minimax();
       metric.constraints.at_least = *parse_number(bound);
@@ -155,8 +155,6 @@ TEST(Minimax, KeepsToLowerBoundsFarFromLeastSquares) {
       const std::string what = std::to_string(exponent) + " >= " + bound;
       const Fit gaussian = find_family("sg-offset")->fit(exponent, metric);
       const Fit blinn = find_family("phong-blinn")->fit(exponent, metric);
-      // At a small exponent the best lobe is above the least of these bounds by itself.
-      if (exponent * 1.4427 < 12 && std::string(bound) == "1e-6") continue;
       ASSERT_EQ(gaussian.status, Status::converged) << what << " " << gaussian.why;
       EXPECT_TRUE(is_close(what, -log_bound - Decimal50(exponent), gaussian.parameters[0], minimax_promise));
       ASSERT_EQ(blinn.status, Status::converged) << what << " " << blinn.why;
