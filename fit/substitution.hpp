@@ -158,13 +158,13 @@ std::vector<Substitution> Substitution::between_edges(const Cosine<double>& top,
     result.back().is_rooted_at_peak_ = is_rooted_at_peak;
     from = to;
   };
+  // A root draws the nodes to its end, and leaves the other half of a panel to a rule of its own.
   const auto go_to = [&](const Cosine<double>& to, int q) {
-    if (from_power > 1 && q > 1) {  // each half has one end that is not smooth
+    if (std::max(from_power, q) > 1) {
       const double middle = to.cos_theta + (from.cos_theta - to.cos_theta) / 2;
       add({middle, 1 - middle}, from_power, true);
-      from_power = 1;
     }
-    add(to, std::max(from_power, q), from_power > 1);
+    add(to, q, false);
   };
   int last_power = 1;
   for (const Shape::Edge& edge : edges) {

@@ -195,6 +195,20 @@ TEST(WeightedFit, AConstantFactorChangesNothing) {
   }
 }
 
+// The nodes that a root of the weight wants at c = 0 are not taken from the peak of a lobe.
+TEST(WeightedFit, ARootFarFromThePeakTakesNoDigits) {
+  for (const std::string_view id : {"sg-offset", "sg-scaled", "phong-blinn"}) {
+    for (const double k : {1.5, 5.0, 12.5, 37.5}) {
+      const Fit fit = find_family(id)->fit(k, {.weight = "sqrt(c)"});
+      const Fit same = find_family(id)->fit(k, {.measure = Measure::cosine_weighted});
+      ASSERT_EQ(fit.status, Status::converged) << id << " " << k;
+      for (std::size_t i = 0; i < fit.parameters.size(); ++i)
+        EXPECT_NEAR(fit.parameters[i] / same.parameters[i], 1, 1e-13) << id << " " << k;
+      EXPECT_NEAR(fit.rms_error / same.rms_error, 1, 1e-12) << id << " " << k;
+    }
+  }
+}
+
 // A lobe of exponent k has fallen to 1e-21 where a fit without a weight ends its sums. With y = 1 - c a
 // weight of y^8 has its largest share of the square not far from there.
 TEST(WeightedFit, NothingIsCutOffThatAWeightRaises) {
