@@ -28,7 +28,7 @@ Outcome run_command_line(const std::vector<std::string>& arguments, const Checkp
                          const Progress& progress = unwatched);
 
 /// The same in two steps, between which `out` can be printed: `put_files` calls `put`, and says what went
-/// wrong.
+/// wrong. `put` may call the checkpoint: both arguments have to stay until then.
 Outcome prepare_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
                              const Progress& progress);
 Outcome put_files(Outcome outcome);

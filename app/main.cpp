@@ -45,8 +45,8 @@ int main(int argc, char** argv) {
   fill_standard_streams();
   const auto signals = shadefit::hold_interrupts();
   const auto progress = shadefit::terminal_progress(STDERR_FILENO);
-  auto outcome =
-      shadefit::prepare_command_line({argv + 1, argv + argc}, shadefit::interruptible(signals), progress);
+  const auto checkpoint = shadefit::interruptible(signals);
+  auto outcome = shadefit::prepare_command_line({argv + 1, argv + argc}, checkpoint, progress);
   progress("");
   // Somebody who pressed Ctrl-C again while the first was being obeyed.
   const bool is_interrupted = outcome.exit_code > 128;
