@@ -4,8 +4,8 @@
 
 #include <system_error>
 
-#include "fit/user_error.hpp"
 #include "fit/bounded_file.hpp"
+#include "fit/user_error.hpp"
 #include "scene/place.hpp"
 #include "scene/short_text.hpp"
 #include "scene/uri.hpp"

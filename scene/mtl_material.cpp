@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "approx/fresnel.hpp"
-#include "fit/user_error.hpp"
 #include "fit/bounded_file.hpp"
+#include "fit/user_error.hpp"
 #include "scene/place.hpp"
 #include "scene/powers.hpp"
 #include "scene/reflectances.hpp"

@@ -7,13 +7,13 @@
 #include <set>
 
 #include "fit/bounded_file.hpp"
+#include "fit/json_document.hpp"
 #include "scene/extension.hpp"
 #include "scene/glb.hpp"
 #include "scene/gltf_extensions.hpp"
 #include "scene/gltf_images.hpp"
 #include "scene/gltf_lights.hpp"
 #include "scene/gltf_material.hpp"
-#include "fit/json_document.hpp"
 #include "scene/json_place.hpp"
 #include "scene/limits.hpp"
 #include "scene/place.hpp"

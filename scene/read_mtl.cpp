@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "fit/user_error.hpp"
 #include "fit/bounded_file.hpp"
+#include "fit/user_error.hpp"
 #include "scene/limits.hpp"
 #include "scene/mtl_material.hpp"
 #include "scene/uri.hpp"

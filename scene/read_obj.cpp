@@ -5,8 +5,8 @@
 #include <functional>
 #include <set>
 
-#include "fit/user_error.hpp"
 #include "fit/bounded_file.hpp"
+#include "fit/user_error.hpp"
 #include "scene/limits.hpp"
 #include "scene/place.hpp"
 #include "scene/read_mtl.hpp"

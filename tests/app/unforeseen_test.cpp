@@ -83,8 +83,7 @@ TEST(Outputs, AreTriedBeforeTheWork) {
     const Outcome outcome = run_command_line(arguments, [&] { ++calls; });
     EXPECT_EQ(calls, 0) << arguments.front();
     EXPECT_EQ(outcome.exit_code, 2) << arguments.front();
-    EXPECT_EQ(outcome.err,
-              "shadefit: cannot create directory '/proc/x': No such file or directory\n");
+    EXPECT_EQ(outcome.err, "shadefit: cannot create directory '/proc/x': No such file or directory\n");
   }
 }
 
