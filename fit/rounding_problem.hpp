@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "fit/admissible.hpp"
 #include "fit/family_visit.hpp"
 #include "fit/interval_ends.hpp"
 #include "fit/lattice.hpp"
@@ -218,6 +219,12 @@ class RealProblem {
   double bound(const LatticeBox<N>& box, double best) {
     using T = RoundedInterval<OutwardArithmetic>;
     const auto p = intervals_of<OutwardArithmetic>(lattice_, box);
+    if constexpr (HasDenominator<F>) {
+      // Constants that are not admissible have a pole each at a place of its own: no trial rules out many.
+      for (const double end : {domain_.lower, domain_.upper}) {
+        if (family_.denominator(T(end), p).upper() <= 0) return unbounded;
+      }
+    }
     const T k(exponent_of(family_));
     return trials_.least_error([&](double c) { return F::form_of(T(c), k, p); }, best);
   }

@@ -95,6 +95,17 @@ TEST(Bound, AnInfiniteOneIsNoProof) {
   EXPECT_TRUE(snapshot(directory.path()).empty());
 }
 
+// Half of all numbers have a pole: the search rules them out at once, and rounds to none of them.
+TEST(Pole, NoConstantsAreRoundedToOne) {
+  const Outcome outcome = run_command_line(
+      {"fit", "fresnel-rational", "--target", "exact", "--ior", "0.97", "--round", "decimal:1", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json rounded = json::parse(outcome.out)["rounded"];
+  EXPECT_EQ(rounded["proven"], true);
+  EXPECT_GT(rounded["parameters"]["a"], -1);
+  EXPECT_LT(rounded["boxes"], 10000);
+}
+
 TEST(ExactFit, IsPrintedWithoutAnAlternation) {
   const Outcome outcome = run_command_line({"fit", "fresnel-one-term", "--target", "exact", "--ior", "0.853",
                                             "--domain", "0:0.298", "--norm", "minimax"});
