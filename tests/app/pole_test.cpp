@@ -106,6 +106,16 @@ TEST(Pole, NoConstantsAreRoundedToOne) {
   EXPECT_LT(rounded["boxes"], 10000);
 }
 
+// The best float is the one next to -1, and what rounds near its pole has no finite bound.
+TEST(Bound, AnInfiniteOneOfRoundedConstantsIsNoProof) {
+  const Outcome outcome =
+      run_command_line({"fit", "fresnel-rational", "--target", "exact", "--ior", "0.97", "--round", "float"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err,
+            "shadefit: fresnel-rational rounded to float: no finite bound of its error was proven\n");
+}
+
 TEST(ExactFit, IsPrintedWithoutAnAlternation) {
   const Outcome outcome = run_command_line({"fit", "fresnel-one-term", "--target", "exact", "--ior", "0.853",
                                             "--domain", "0:0.298", "--norm", "minimax"});
