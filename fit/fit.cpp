@@ -151,7 +151,7 @@ std::string contradiction_in(const F& family, const Fit& fit) {
   if (pole_of(family, fit.metric.domain, fit.parameters)) return "the form has a pole in the domain";
   const bool is_relative = fit.metric.error == Error::relative;
   const double largest = is_relative ? fit.max_rel_error.value().magnitude : fit.max_abs_error.magnitude;
-  return fit.metric.weight.empty() ? contradiction_of(fit.rms_error, largest) : "";
+  return contradiction_of(fit.rms_error, largest);
 }
 
 template <class F>
