@@ -135,13 +135,14 @@ std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
 
 template <class F>
 Solution solve(const F& family, const Metric& metric) {
+  const auto ends = ends_under(family, metric);
+  if (!ends)
+    return {.parameters = std::vector<double>(F::parameters.size()),
+            .status = Status::not_finite,
+            .why = "a relative error has no meaning on this domain"};
   if (const auto exact = exact_solution(family, metric)) return *exact;
   if (is_plain(metric)) return solve_plain(family, metric);
-  if (const auto ends = ends_under(family, metric))
-    return solve_under(family, metric, ends->first, ends->second);
-  return {.parameters = std::vector<double>(F::parameters.size()),
-          .status = Status::not_finite,
-          .why = "a relative error has no meaning on this domain"};
+  return solve_under(family, metric, ends->first, ends->second);
 }
 
 /// Why a solution is none after all: its parameters, or its errors, contradict what it says. Empty where it

@@ -8,6 +8,7 @@
 #include "bench/shade/tables.hpp"
 #include "bench/trade/labels.hpp"
 #include "fit/decimal.hpp"
+#include "reports/gnuplot_text.hpp"
 #include "reports/plot_script.hpp"
 
 namespace shadefit::shade {
@@ -83,8 +84,8 @@ std::string name_commands(const std::vector<Point>& points, const LogarithmicAxi
   std::string commands;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const bench::Pixel& at = labels[i].middle_left;
-    commands += fmt::format("set label '{}' at graph {:.5f}, graph {:.5f} left noenhanced front\n", names[i],
-                            at.x / drawn_area.x, 1 - at.y / drawn_area.y);
+    commands += fmt::format("set label {} at graph {:.5f}, graph {:.5f} left noenhanced front\n",
+                            gnuplot_quoted(names[i]), at.x / drawn_area.x, 1 - at.y / drawn_area.y);
     if (!labels[i].has_leader) continue;
     const double width = bench::letter_width * static_cast<double>(names[i].size());
     const double end = std::clamp(pixels[i].x, at.x, at.x + width);

@@ -178,10 +178,9 @@ TEST(BadInput, Constraints) {
   refuse({"--at-most", "one"}, "--at-most 'one' is not a finite number");
   refuse({"--at-most", "0.5", "--at-least", "0.75"},
          "--at-least '0.75' exceeds --at-most '0.5': no value lies between");
-  refuse(
-      {"--at-most", "0.9"},
-      "fresnel-quadratic cannot satisfy the constraints, form <= 0.9: no parameters near least squares keep the "
-      "form <= 0.9 at c = 0");
+  refuse({"--at-most", "0.9"},
+         "fresnel-quadratic cannot satisfy the constraints, form <= 0.9: no parameters keep the "
+         "form <= 0.9 at c = 0");
   refuse(
       {"--exact-at", "1"},
       "fresnel-quadratic cannot satisfy the constraints, exact at c = 1: the form cannot be exact at c = 1");

@@ -110,6 +110,9 @@ std::vector<double> panels_of(const Drawn& drawn) {
     ends.push_back(first + std::ldexp(length, -j));
     ends.push_back(last - std::ldexp(length, -j));
   }
+  // A relative error of a blunt lobe is steep towards the horizon.
+  for (int j = 13; drawn.exponent > 0 && drawn.is_relative && j <= 20; ++j)
+    ends.push_back(last - std::ldexp(length, -j));
   if (drawn.exponent > 0) {
     for (const double width : {0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0})
       ends.push_back(width / std::sqrt(drawn.exponent));
