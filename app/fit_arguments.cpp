@@ -92,7 +92,13 @@ Surface parse_surface(const FittableFamily& family, const FitOptions& options) {
     throw UserError(fmt::format(
         "--ior '{}' is no index of an interface: it must be greater than 0, and without extinction not 1",
         index));
-  return {is_exact ? Surface::Formula::exact : Surface::Formula::schlick, ior, extinction, std::nullopt};
+  const Surface surface{is_exact ? Surface::Formula::exact : Surface::Formula::schlick, ior, extinction,
+                        std::nullopt};
+  if (!(normal_reflectance<double>(surface) < 1))
+    throw UserError(fmt::format(
+        "--ior '{}' reflects all light at normal incidence, as doubles have it: no reflectance lies above f0",
+        index));
+  return surface;
 }
 
 std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,

@@ -45,6 +45,8 @@ std::string fault_of_surface(const Surface& surface) {
   if (!(surface.extinction >= 0 && std::isfinite(surface.extinction))) return "the extinction is negative";
   if (surface.ior == 1 && surface.extinction == 0)
     return "the index of refraction is 1 without extinction: nothing is reflected";
+  if (!(normal_reflectance<double>(surface) < 1))
+    return "the surface reflects all light at normal incidence: no reflectance lies above f0";
   return "";
 }
 

@@ -127,6 +127,14 @@ TEST(BadInput, Targets) {
               "' is no index of an interface: it must be greater than 0, and without extinction not 1");
     }
   }
+  for (const char* verb : {"fit", "better"}) {
+    for (const char* ior : {"1e300", "1e17", "1e-300"}) {
+      expect_refusal({verb, "fresnel-quadratic", "--target", "exact", "--ior", ior},
+                     "--ior '" + std::string(ior) +
+                         "' reflects all light at normal incidence, as doubles have it: no reflectance lies "
+                         "above f0");
+    }
+  }
   expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", "nan"},
                  "--ior 'nan' is not a finite number");
 }

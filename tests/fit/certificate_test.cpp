@@ -127,6 +127,7 @@ TEST(Certificate, AFalseOneIsRefused) {
   expect_no_surface(exact_surface(-1.5, 2), "the index of refraction is not greater than 0");
   expect_no_surface(exact_surface(1.5, -2), "the extinction is negative");
   expect_no_surface(schlick_surface(1), "the index of refraction is 1 without extinction");
+  expect_no_surface(exact_surface(1e17), "the surface reflects all light at normal incidence");
   expect_no_surface(exact_surface(0, 2), "the surface has no index of refraction");
   Surface bright;
   bright.f0 = 1;
