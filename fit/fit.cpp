@@ -113,7 +113,7 @@ std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
   std::array<Jet, N> q{};
   const auto given = given_parameters<F>(metric.constraints);
   for (std::size_t i = 0; i < N; ++i) q[i] = Jet(p[i] = given[i].value_or(0));
-  const auto& [held, exact_at, one_sided, at_most, at_least] = metric.constraints;
+  const Constraints& constraints = metric.constraints;
   const auto panels = Substitution::panels({.domain = metric.domain}, family.shape().for_search());
   const auto is_exact = [&](double s) {
     return std::all_of(panels.begin(), panels.end(), [&](const Substitution& panel) {
@@ -122,7 +122,7 @@ std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
       const double form = family.form(sample, p);
       // On a panel without a length nothing has a slope; a form that has underflowed is not its target.
       return panel.total() > 0 && family.error(sample, p) == 0 && slope == 0 && std::isnormal(form) &&
-             form <= at_most.value_or(form) && form >= at_least.value_or(form);
+             form <= constraints.at_most.value_or(form) && form >= constraints.at_least.value_or(form);
     });
   };
   if (!is_exact(0.5) || !is_exact(0) || !is_exact(1)) return std::nullopt;
