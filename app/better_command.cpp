@@ -6,14 +6,14 @@
 #include "app/commands.hpp"
 #include "app/fit_arguments.hpp"
 #include "app/metric_options.hpp"
-#include "approx/optical_constants.hpp"
-#include "fit/better.hpp"
-#include "fit/enclosure.hpp"
-#include "fit/user_error.hpp"
-#include "reports/comparisons.hpp"
-#include "reports/fit_json.hpp"
-#include "reports/tables.hpp"
-#include "reports/writers.hpp"
+#include "approx/records/optical_constants.hpp"
+#include "fit/better/better.hpp"
+#include "fit/proof/enclosure.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/rows/comparisons.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/rows/tables.hpp"
+#include "reports/table/writers.hpp"
 
 /// The subcommand `better`.
 namespace shadefit {

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "approx/catalogue.hpp"
-#include "fit/refit.hpp"
-#include "fit/sweep.hpp"
-#include "fit/user_error.hpp"
+#include "approx/ledger/catalogue.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+#include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "app/fit_arguments.hpp"
-#include "fit/certificate.hpp"
+#include "fit/proof/certificate.hpp"
 
 /// Which constants of a form `certify` and `emit` are about.
 namespace shadefit {

@@ -17,9 +17,9 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/scene_options.hpp"
-#include "fit/user_error.hpp"
-#include "reports/results.hpp"
-#include "reports/utf8.hpp"
+#include "fit/run/results.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/progress.hpp"
-#include "fit/checkpoint.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// The command `shadefit`: arguments in, texts and exit code out.
 namespace shadefit {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "reports/gnuplot.hpp"
-#include "reports/plots.hpp"
-#include "reports/utf8.hpp"
+#include "reports/figures/plots.hpp"
+#include "reports/io/gnuplot.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 

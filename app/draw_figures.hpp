@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/checkpoint.hpp"
-#include "reports/figure.hpp"
-#include "reports/files.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "reports/figures/figure.hpp"
+#include "reports/io/files.hpp"
 
 namespace shadefit {
 

@@ -9,14 +9,14 @@
 #include "app/metric_options.hpp"
 #include "app/output_file.hpp"
 #include "app/parse_name.hpp"
-#include "approx/catalogue.hpp"
-#include "fit/certificate.hpp"
-#include "fit/decimal.hpp"
-#include "fit/hex_float.hpp"
-#include "fit/user_error.hpp"
-#include "reports/reserved_names.hpp"
-#include "reports/shader_code.hpp"
-#include "reports/utf8.hpp"
+#include "approx/ledger/catalogue.hpp"
+#include "fit/proof/certificate.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/code/reserved_names.hpp"
+#include "reports/code/shader_code.hpp"
+#include "reports/io/utf8.hpp"
 
 /// The subcommand `emit`.
 namespace shadefit {

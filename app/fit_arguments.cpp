@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "app/metric_options.hpp"
-#include "approx/catalogue.hpp"
-#include "approx/ledger.hpp"
-#include "fit/ledger.hpp"
-#include "fit/sweep.hpp"
-#include "fit/user_error.hpp"
-#include "reports/results.hpp"
+#include "approx/ledger/catalogue.hpp"
+#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/ledger.hpp"
+#include "fit/run/results.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "approx/record.hpp"
+#include "approx/records/record.hpp"
 #include "fit/fit.hpp"
 
 /// What the arguments of `fit` and `certify` name. Each throws UserError for what they do not.

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "fit/user_error.hpp"
-#include "reports/files.hpp"
-#include "reports/utf8.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "fit/checkpoint.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// SIGINT, SIGTERM and SIGHUP as something that work looks for at its checkpoints, instead of a handler that
 /// strikes anywhere.

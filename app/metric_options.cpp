@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "app/parse_name.hpp"
-#include "fit/parse_formula.hpp"
-#include "fit/sweep.hpp"
-#include "fit/user_error.hpp"
-#include "fit/weight.hpp"
+#include "fit/scalars/parse_formula.hpp"
+#include "fit/solve/weight.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {

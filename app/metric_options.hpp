@@ -5,7 +5,7 @@
 
 #include "app/commands.hpp"
 #include "fit/fit.hpp"
-#include "fit/metric.hpp"
+#include "fit/quadrature/metric.hpp"
 
 /// What the options of `fit` say of a metric: read, and held against the family they are for.
 namespace shadefit {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "fit/user_error.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {

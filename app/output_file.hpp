@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "fit/checkpoint.hpp"
-#include "reports/output.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "reports/io/output.hpp"
 
 namespace shadefit {
 

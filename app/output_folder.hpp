@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "reports/output.hpp"
+#include "reports/io/output.hpp"
 
 namespace shadefit {
 

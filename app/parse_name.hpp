@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/user_error.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 

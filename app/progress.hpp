@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "fit/checkpoint.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// How far long work has come, for somebody who watches.
 namespace shadefit {

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "app/draw_figures.hpp"
-#include "bench/shade/measure.hpp"
-#include "bench/shade/picture.hpp"
-#include "bench/shade/tables.hpp"
-#include "reports/gnuplot.hpp"
-#include "reports/utf8.hpp"
-#include "reports/writers.hpp"
+#include "bench/shading/measure.hpp"
+#include "bench/shading/picture.hpp"
+#include "bench/shading/tables.hpp"
+#include "reports/io/gnuplot.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "app/progress.hpp"
-#include "fit/checkpoint.hpp"
-#include "reports/files.hpp"
-#include "scene/plan.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "reports/io/files.hpp"
+#include "scene/plan/plan.hpp"
 
 namespace shadefit {
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "app/progress.hpp"
-#include "fit/checkpoint.hpp"
-#include "reports/files.hpp"
-#include "reports/stress_tables.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "reports/io/files.hpp"
+#include "reports/rows/stress_tables.hpp"
 
 /// The tables that take seconds: `check --all` compares them, `check` and `run` leave them out.
 namespace shadefit {

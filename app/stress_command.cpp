@@ -5,10 +5,10 @@
 #include "app/slow_tables.hpp"
 #include "fit/stress/starts.hpp"
 #include "fit/stress/stress.hpp"
-#include "reports/files.hpp"
-#include "reports/stress_tables.hpp"
-#include "reports/utf8.hpp"
-#include "reports/writers.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/rows/stress_tables.hpp"
+#include "reports/table/writers.hpp"
 
 /// The subcommand `stress`.
 namespace shadefit {

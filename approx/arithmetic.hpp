@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
 #include "approx/gloss.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// What half, float and double make of a lobe: claims about zero, NaN and banding. A = k/ln 2 is the power
 /// for exp2 of `base_two_power`.

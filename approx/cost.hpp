@@ -3,9 +3,9 @@
 #include <array>
 #include <string_view>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Instruction counts: what a form costs, counted from the formula itself by the symbolic scalar.
 namespace shadefit {
@@ -62,8 +62,8 @@ inline constexpr std::array compiled_costs{
     CompiledCost{"phong-pow", 5, 2, 5, 2},  // with max(r.l, 0)
 };
 
-/// The rows of the ledger on this topic. Forms are named as fit/ledger/shader_forms.cpp names them; printed
-/// are both how many instructions there are and which.
+/// The rows of the ledger on this topic. Forms are named as fit/ledger/lobes/shader_forms.cpp names them;
+/// printed are both how many instructions there are and which.
 inline constexpr std::array cost_claims{
     Claim{.id = "cost-pow",
           .statement = "c^k as exp2(log2(c) k) is three instructions",

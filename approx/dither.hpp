@@ -3,9 +3,9 @@
 #include <array>
 #include <string_view>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Dithering and marching through volumes.
 namespace shadefit {

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
 #include "approx/gloss.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Environment maps: solid angles of caps, lobes and texels, and which mip level serves which specular power.
 /// Solid angles are in steradians; s > 0 is a specular power, w the texels along an edge of a cube face at

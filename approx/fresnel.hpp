@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
-#include "approx/record.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/record.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Schlick's Fresnel term and its approximations by one exp2. c = cos of the angle between view (or light)
 /// and half vector, in [0, 1]; reflectances are linear, in [0, 1].

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Gloss: how a stored gloss in [0, 1] becomes a specular power, and the identities of logarithms behind it.
 /// g is the gloss, s = k the specular power, M = s/ln 2 the same power for exp2.

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Spherical harmonics of low order, and what storing them costs. Real harmonics, orthonormal over the sphere
 /// of 4 pi steradians; (x, y, z) is a unit direction, band l has 2 l + 1 of them.

@@ -3,9 +3,9 @@
 #include <array>
 #include <span>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Other kernels for a lobe: Gauss-Weierstrass and Abel-Poisson, as printed and on the sphere. All have their
 /// peak scaled to 1. theta is the angle to the lobe's axis in radians, c its cosine, y = 1 - c.

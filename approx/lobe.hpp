@@ -3,10 +3,10 @@
 #include <array>
 #include <string_view>
 
-#include "approx/claim.hpp"
-#include "approx/record.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/record.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// The cosine lobe c^k and its spherical Gaussian. c = cos of the angle to the lobe's axis in [0, 1],
 /// k > 0 the specular exponent, x the offset added to it, y = 1 - c.

@@ -3,9 +3,9 @@
 #include <array>
 #include <string_view>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Materials: colour charts, metals and dielectrics, and the energy that a workflow keeps. Colours, albedos
 /// and reflectances are linear, one channel, in [0, 1].

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/reflectance.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Microfacet distributions and Smith's masking.
 ///

@@ -4,11 +4,11 @@
 #include <tuple>
 #include <type_traits>
 
-#include "approx/claim.hpp"
 #include "approx/lobe.hpp"
-#include "approx/record.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/record.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Normalisation constants of BRDFs and of the microfacet distribution, with view and normal aligned (v = n).
 /// theta is the angle to the normal, y = 1 - cos(theta) in [0, 1], alpha > 0 the specular exponent. Each lobe

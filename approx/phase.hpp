@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// Phase functions of volumes: Henyey-Greenstein. c = cos of the angle between the directions of the light
 /// before and after it is scattered, y = 1 - c, g in (-1, 1) the mean of c. Per steradian.

@@ -2,11 +2,11 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
 #include "approx/lobe.hpp"
-#include "approx/record.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/record.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// The Phong lobe cos^rho(theta), theta between reflected ray and view, by the Blinn lobe cos^(x
 /// rho)(theta/2) of the half vector: in a plane the Phong angle is twice the Blinn angle. rho > 0 is the

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "approx/claim.hpp"
 #include "approx/lobe.hpp"
+#include "approx/records/claim.hpp"
+#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
-#include "approx/sources.hpp"
 
 /// The von Mises-Fisher density: a spherical Gaussian that integrates to 1 over the sphere. c = cos of the
 /// angle to its axis in [-1, 1], y = 1 - c in [0, 2], k > 0 the concentration; in 1/sr.

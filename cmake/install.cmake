@@ -9,7 +9,8 @@ set(shadefit_package ${CMAKE_INSTALL_LIBDIR}/cmake/shadefit)
 function(shadefit_install_library name)
   set_target_properties(shadefit_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(shadefit_${name} INTERFACE $<INSTALL_INTERFACE:${shadefit_headers}>)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${shadefit_headers} COMPONENT ${name} FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${shadefit_headers} COMPONENT ${name} FILES_MATCHING
+    PATTERN "*.hpp" ${ARGN})
   install(TARGETS shadefit_${name} EXPORT shadefit-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${name})
   install(EXPORT shadefit-${name} NAMESPACE shadefit:: DESTINATION ${shadefit_package} COMPONENT ${name})
 endfunction()
@@ -21,7 +22,8 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/shadefitConfig.cmake ${PROJECT_BINARY_
   DESTINATION ${shadefit_package} COMPONENT approx)
 
 if(TARGET shadefit_fit)
-  shadefit_install_library(fit)
+  # The rooms of proofs belong to a library that is not installed.
+  shadefit_install_library(fit PATTERN proof EXCLUDE PATTERN rounding EXCLUDE PATTERN better EXCLUDE PATTERN run EXCLUDE)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindCeresHeaders.cmake DESTINATION ${shadefit_package} COMPONENT fit)
 endif()
 if(TARGET shadefit)

@@ -10,9 +10,9 @@
 #include <type_traits>
 
 #include "approx/cosine.hpp"
-#include "fit/families.hpp"
+#include "fit/families/families.hpp"
 #include "fit/fit.hpp"
-#include "fit/jet.hpp"
+#include "fit/scalars/jet.hpp"
 
 /// From a family's id, a setting and parameter values to its templates.
 namespace shadefit {

@@ -9,9 +9,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "fit/admissible.hpp"
+#include "fit/families/admissible.hpp"
 #include "fit/family_visit.hpp"
-#include "fit/solve.hpp"
+#include "fit/solve/solve.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,15 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "approx/record.hpp"
-#include "fit/alternation.hpp"
-#include "fit/effect.hpp"
-#include "fit/exact_fresnel.hpp"
-#include "fit/extremum.hpp"
-#include "fit/metric.hpp"
-#include "fit/status.hpp"
-#include "fit/surface.hpp"
-#include "fit/symbolic.hpp"
+#include "approx/records/record.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/errors/exact_fresnel.hpp"
+#include "fit/errors/extremum.hpp"
+#include "fit/families/surface.hpp"
+#include "fit/least_squares/status.hpp"
+#include "fit/minimax/alternation.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/scalars/symbolic.hpp"
 
 /// One fit and its report, and the table of the families that can be fitted.
 namespace shadefit {

@@ -4,11 +4,11 @@
 
 #include <iterator>
 
-#include "fit/user_error.hpp"
-#include "scene/extension.hpp"
-#include "scene/limits.hpp"
-#include "scene/read_gltf.hpp"
-#include "scene/read_mtl.hpp"
+#include "fit/support/user_error.hpp"
+#include "scene/files/limits.hpp"
+#include "scene/gltf/extension.hpp"
+#include "scene/gltf/read_gltf.hpp"
+#include "scene/mtl/read_mtl.hpp"
 
 namespace shadefit::scene {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <span>
 
-#include "scene/material.hpp"
+#include "scene/materials/material.hpp"
 
 /// Scenes of any number of files.
 namespace shadefit::scene {

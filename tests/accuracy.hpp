@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "fit/multiprecision.hpp"
-#include "fit/ulps.hpp"
+#include "fit/errors/ulps.hpp"
+#include "fit/scalars/multiprecision.hpp"
 
 /// The ruler of the tests.
 namespace shadefit::testing {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/interval.hpp"
-#include "fit/multiprecision.hpp"
+#include "fit/proof/interval.hpp"
+#include "fit/scalars/multiprecision.hpp"
 
 /// Looking into an interval, in 100 digits.
 namespace shadefit::testing {

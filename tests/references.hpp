@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "fit/metric.hpp"
-#include "fit/multiprecision.hpp"
-#include "fit/sweep.hpp"
-#include "reports/csv.hpp"
-#include "reports/files.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/support/sweep.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/io/files.hpp"
 
 /// The stored reference values, made by the programs beside them: fits.csv by power series, integrals.csv by
 /// tanh-sinh.

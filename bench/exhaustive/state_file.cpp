@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <limits>
 
-#include "fit/bounded_file.hpp"
-#include "fit/hex_float.hpp"
-#include "fit/json_document.hpp"
-#include "fit/user_error.hpp"
-#include "reports/digest.hpp"
-#include "reports/files.hpp"
-#include "reports/output.hpp"
+#include "fit/support/bounded_file.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/json_document.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/digest.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/output.hpp"
 
 namespace shadefit::bench {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string_view>
 
-#include "fit/hex_float.hpp"
-#include "fit/user_error.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit::bench {
 namespace {

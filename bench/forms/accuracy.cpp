@@ -12,9 +12,9 @@
 #include "bench/forms/compiled.hpp"
 #include "bench/forms/library_kernels.hpp"
 #include "bench/forms/pairing.hpp"
-#include "fit/decimal.hpp"
-#include "fit/effect.hpp"
-#include "fit/half.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/support/decimal.hpp"
 
 namespace shadefit::forms {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fit/checkpoint.hpp"
-#include "reports/table.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "reports/table/table.hpp"
 
 /// How wrong every form is: what `accuracy.csv` holds.
 namespace shadefit::forms {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fit/exp2/pair_for_exp2.hpp"
 #include "fit/fit.hpp"
-#include "fit/pair_for_exp2.hpp"
-#include "fit/published_curve.hpp"
+#include "fit/verdicts/published_curve.hpp"
 
 namespace shadefit::forms {
 namespace {

@@ -9,9 +9,9 @@
 #include "approx/exp2_polynomial.hpp"
 #include "bench/forms/forms.hpp"
 #include "bench/forms/pairing.hpp"
-#include "fit/enclosure.hpp"
-#include "fit/exponent_bits.hpp"
-#include "fit/interval.hpp"
+#include "fit/proof/enclosure.hpp"
+#include "fit/proof/exponent_bits.hpp"
+#include "fit/proof/interval.hpp"
 
 /// How wrong a form of the cosine is at given constants, with an exact exp2 and with a polynomial: proven.
 namespace shadefit::forms {

@@ -4,7 +4,7 @@
 
 #include "bench/forms/library.hpp"
 #include "bench/forms/loops.hpp"
-#include "fit/half.hpp"
+#include "fit/scalars/half.hpp"
 
 namespace shadefit::forms {
 

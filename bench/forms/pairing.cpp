@@ -8,11 +8,11 @@
 
 #include "approx/exp2_polynomial.hpp"
 #include "bench/forms/form_errors.hpp"
-#include "fit/families.hpp"
+#include "fit/families/families.hpp"
 #include "fit/family_visit.hpp"
-#include "fit/interval.hpp"
-#include "fit/interval_ends.hpp"
-#include "fit/running_error.hpp"
+#include "fit/proof/interval.hpp"
+#include "fit/proof/interval_ends.hpp"
+#include "fit/proof/running_error.hpp"
 
 namespace shadefit::forms {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/forms/catalogue.hpp"
-#include "fit/checkpoint.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// The cheapest exp2 that a form has use for.
 namespace shadefit::forms {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "approx/scalar.hpp"
-#include "fit/decimal.hpp"
-#include "fit/effect.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/support/decimal.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "approx/claim.hpp"
-#include "fit/verdict.hpp"
+#include "approx/records/claim.hpp"
+#include "fit/verdicts/verdict.hpp"
 
 /// What computing a claim gave, and what the computations of the ledger share.
 namespace shadefit {
@@ -17,8 +17,8 @@ struct Finding {
   std::optional<Verdict> verdict;  ///< empty where the evidence is weaker than the printed digits
   std::string computed;            ///< what stands beside the printed numbers
   std::string evidence;            ///< one sentence with its numbers, without a full stop
-  /// What the difference does to a picture, by `sentence` of fit/effect.hpp, parts between semicolons; or
-  /// "none", or "none: " with the reason.
+  /// What the difference does to a picture, by `sentence` of fit/errors/effect.hpp, parts between semicolons;
+  /// or "none", or "none: " with the reason.
   std::string effect = "none";
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "fit/half.hpp"
+#include "fit/scalars/half.hpp"
 
 /// The floating-point formats that a record names.
 namespace shadefit {

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "approx/catalogue.hpp"
-#include "fit/decimal.hpp"
-#include "fit/effect.hpp"
-#include "fit/refit.hpp"
-#include "fit/sweep.hpp"
+#include "approx/ledger/catalogue.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
 namespace {

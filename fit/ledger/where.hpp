@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "fit/decimal.hpp"
-#include "fit/extremum.hpp"
-#include "fit/verdict.hpp"
+#include "fit/errors/extremum.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/verdicts/verdict.hpp"
 
 /// On which part something holds.
 namespace shadefit {

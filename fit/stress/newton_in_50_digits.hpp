@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/families.hpp"
-#include "fit/multiprecision.hpp"
+#include "fit/families/families.hpp"
+#include "fit/scalars/multiprecision.hpp"
 
 /// How far a fit is from its optimum, by arithmetic, quadrature and formulas that its solver does not use.
 namespace shadefit {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fit/errors/ulps.hpp"
 #include "fit/stress/sequence.hpp"
-#include "fit/ulps.hpp"
 
 /// The numbers of a format that forms are tried at. Numbers of half and float are held as doubles, exactly.
 namespace shadefit {

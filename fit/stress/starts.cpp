@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "fit/family_visit.hpp"
-#include "fit/solve.hpp"
+#include "fit/solve/solve.hpp"
 #include "fit/stress/newton_in_50_digits.hpp"
 #include "fit/stress/sequence.hpp"
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/checkpoint.hpp"
-#include "fit/metric.hpp"
-#include "fit/status.hpp"
+#include "fit/least_squares/status.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// Fits under stress: from many starts, for exponents from 1e-3 to 1e9, on domains shrunk to a thousandth.
 namespace shadefit {

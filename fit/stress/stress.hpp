@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/checkpoint.hpp"
 #include "fit/stress/trial.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// Forms where they are hardest.
 namespace shadefit {

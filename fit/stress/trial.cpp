@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/hex_float.hpp"
-#include "fit/metric.hpp"
+#include "fit/quadrature/metric.hpp"
 #include "fit/stress/numbers.hpp"
+#include "fit/support/hex_float.hpp"
 
 namespace shadefit {
 namespace {

@@ -9,10 +9,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "fit/checkpoint.hpp"
+#include "fit/errors/ulps.hpp"
 #include "fit/ledger/formats.hpp"
 #include "fit/stress/numbers.hpp"
-#include "fit/ulps.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// Forms of one quantity, naive and robust, tried in half, float and double at the same inputs, against its
 /// exact formula in 50 digits of these inputs.

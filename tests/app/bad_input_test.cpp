@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/command_line.hpp"
-#include "reports/baseline.hpp"
-#include "reports/files.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -9,8 +9,8 @@
 #include "app/bench_options.hpp"
 #include "app/command_line.hpp"
 #include "app/interrupt.hpp"
-#include "reports/csv.hpp"
-#include "reports/files.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/io/files.hpp"
 #include "tests/process.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/command_line.hpp"
-#include "reports/csv.hpp"
-#include "reports/files.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 

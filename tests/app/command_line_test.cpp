@@ -7,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "approx/ledger.hpp"
+#include "approx/ledger/ledger.hpp"
 #include "approx/phong_blinn.hpp"
 #include "fit/fit.hpp"
-#include "fit/sweep.hpp"
-#include "reports/baseline.hpp"
-#include "reports/csv.hpp"
-#include "reports/files.hpp"
+#include "fit/support/sweep.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/io/files.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/references.hpp"
 #include "tests/temporary_directory.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/command_line.hpp"
-#include "reports/files.hpp"
+#include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 

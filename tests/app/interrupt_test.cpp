@@ -13,8 +13,8 @@
 
 #include "app/command_line.hpp"
 #include "app/print.hpp"
-#include "reports/files.hpp"
-#include "reports/output.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/output.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {

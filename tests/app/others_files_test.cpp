@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/command_line.hpp"
-#include "reports/files.hpp"
+#include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/fake_gnuplot.hpp"
 #include "tests/process.hpp"

@@ -4,9 +4,9 @@
 #include <set>
 
 #include "app/command_line.hpp"
-#include "reports/files.hpp"
-#include "reports/gnuplot.hpp"
-#include "reports/own_file.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/gnuplot.hpp"
+#include "reports/io/own_file.hpp"
 #include "tests/fake_gnuplot.hpp"
 
 namespace shadefit {

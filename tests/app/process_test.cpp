@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "reports/files.hpp"
+#include "reports/io/files.hpp"
 #include "tests/fake_gnuplot.hpp"
 #include "tests/temporary_directory.hpp"
 

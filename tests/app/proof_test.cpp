@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/command_line.hpp"
-#include "fit/certificate.hpp"
-#include "reports/certificate_json.hpp"
-#include "reports/files.hpp"
+#include "fit/proof/certificate.hpp"
+#include "reports/io/files.hpp"
+#include "reports/rows/certificate_json.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 

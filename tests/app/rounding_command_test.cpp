@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
-#include "fit/hex_float.hpp"
+#include "fit/support/hex_float.hpp"
 #include "tests/app/refusal.hpp"
 
 namespace shadefit {

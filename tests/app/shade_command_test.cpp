@@ -3,9 +3,9 @@
 #include <string>
 
 #include "app/command_line.hpp"
-#include "reports/files.hpp"
-#include "reports/gnuplot.hpp"
-#include "reports/own_file.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/gnuplot.hpp"
+#include "reports/io/own_file.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/fake_gnuplot.hpp"
 #include "tests/temporary_directory.hpp"

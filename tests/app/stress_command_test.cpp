@@ -11,9 +11,9 @@
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "app/slow_tables.hpp"
-#include "fit/user_error.hpp"
-#include "reports/baseline.hpp"
-#include "reports/stress_tables.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/rows/stress_tables.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit {

@@ -15,8 +15,8 @@
 
 #include "app/command_line.hpp"
 #include "app/progress.hpp"
-#include "reports/baseline.hpp"
-#include "reports/files.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/io/files.hpp"
 #include "tests/temporary_directory.hpp"
 
 /// What the command says of a machine, a disk or a file that is not as it should be, and how soon.

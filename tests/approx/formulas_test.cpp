@@ -4,8 +4,8 @@
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
-#include "approx/optical_constants.hpp"
 #include "approx/phong_blinn.hpp"
+#include "approx/records/optical_constants.hpp"
 #include "tests/accuracy.hpp"
 
 namespace shadefit {

@@ -28,7 +28,7 @@ TEST(Headers, OfApproxIncludeOnlyApproxAndTheStandardLibrary) {
 
 TEST(Headers, WhatIsNotAllowedIsSeen) {
   for (const char* line : {"#include <boost/math/constants.hpp>", "#include <mpfi.h>", "#include <Eigen>",
-                           "#include \"fit/jet.hpp\"", "#include \"approx/../fit/jet.hpp\""}) {
+                           "#include \"fit/scalars/jet.hpp\"", "#include \"approx/../fit/jet.hpp\""}) {
     EXPECT_FALSE(is_allowed(line)) << line;
   }
   EXPECT_TRUE(is_allowed("#include <cmath>"));

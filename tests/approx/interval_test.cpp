@@ -1,11 +1,11 @@
-#include "fit/interval.hpp"
+#include "fit/proof/interval.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "approx/encoding.hpp"
-#include "fit/multiprecision.hpp"
+#include "fit/scalars/multiprecision.hpp"
 #include "tests/intervals.hpp"
 
 namespace shadefit {

@@ -4,11 +4,11 @@
 #include <set>
 #include <string>
 
-#include "approx/catalogue.hpp"
+#include "approx/ledger/catalogue.hpp"
 #include "fit/fit.hpp"
-#include "fit/refit.hpp"
-#include "fit/sweep.hpp"
-#include "fit/verdict.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/verdicts/refit.hpp"
+#include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {
 namespace {

@@ -6,12 +6,12 @@
 #include <tuple>
 #include <vector>
 
-#include "fit/half.hpp"
-#include "fit/half_result.hpp"
-#include "fit/interval.hpp"
-#include "fit/jet.hpp"
-#include "fit/multiprecision.hpp"
-#include "fit/symbolic.hpp"
+#include "fit/proof/interval.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/scalars/half_result.hpp"
+#include "fit/scalars/jet.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/symbolic.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/approx/formulas/cost.hpp"
 #include "tests/approx/formulas/environment_map.hpp"

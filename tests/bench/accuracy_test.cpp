@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bench/forms/pairing.hpp"
-#include "fit/pair_for_exp2.hpp"
+#include "fit/exp2/pair_for_exp2.hpp"
 
 namespace shadefit::forms {
 namespace {

@@ -10,9 +10,9 @@
 #include "bench/exhaustive/float_errors.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "bench/exhaustive/sweep.hpp"
-#include "fit/user_error.hpp"
-#include "reports/digest.hpp"
-#include "reports/files.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/digest.hpp"
+#include "reports/io/files.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit::bench {

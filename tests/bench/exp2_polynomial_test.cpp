@@ -11,10 +11,10 @@
 #include "approx/fresnel.hpp"
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
-#include "fit/binary_logarithm.hpp"
-#include "fit/exp2_fit.hpp"
-#include "fit/exp2_proof.hpp"
-#include "fit/exponent_bits.hpp"
+#include "fit/exp2/exp2_fit.hpp"
+#include "fit/proof/exp2_proof.hpp"
+#include "fit/proof/exponent_bits.hpp"
+#include "fit/scalars/binary_logarithm.hpp"
 #include "tests/bench/exp2_choices.hpp"
 
 namespace shadefit {

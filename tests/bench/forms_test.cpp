@@ -12,8 +12,8 @@
 #include "bench/forms/kernel.hpp"
 #include "bench/forms/library_kernels.hpp"
 #include "bench/forms/pairing.hpp"
-#include "fit/integrate.hpp"
-#include "fit/multiprecision.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/scalars/multiprecision.hpp"
 #include "tests/accuracy.hpp"
 
 namespace shadefit::forms {

@@ -1,4 +1,4 @@
-#include "bench/trade/google_json.hpp"
+#include "bench/tradeoff/google_json.hpp"
 
 #include <gtest/gtest.h>
 

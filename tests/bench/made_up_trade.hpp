@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "bench/trade/trade.hpp"
+#include "bench/tradeoff/trade.hpp"
 
 namespace shadefit::bench::testing {
 

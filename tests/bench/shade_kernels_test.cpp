@@ -7,10 +7,10 @@
 
 #include "approx/exp2_polynomial.hpp"
 #include "approx/microfacet.hpp"
-#include "bench/shade/full_terms.hpp"
-#include "bench/shade/geometry.hpp"
-#include "bench/shade/shaded_scene.hpp"
-#include "bench/shade/workload.hpp"
+#include "bench/shading/geometry.hpp"
+#include "bench/shading/kernels/full_terms.hpp"
+#include "bench/shading/shaded_scene.hpp"
+#include "bench/shading/workload.hpp"
 
 namespace shadefit::shade {
 namespace {

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/shade/measure.hpp"
-#include "bench/shade/operations.hpp"
-#include "bench/shade/picture.hpp"
-#include "bench/shade/tables.hpp"
+#include "bench/shading/measure.hpp"
+#include "bench/shading/operations.hpp"
+#include "bench/shading/picture.hpp"
+#include "bench/shading/tables.hpp"
 #include "tests/bench/shaded_scenes.hpp"
 
 namespace shadefit::shade {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/material.hpp"
+#include "scene/materials/material.hpp"
 
 /// Small scenes that are shaded in tests.
 namespace shadefit::testing {

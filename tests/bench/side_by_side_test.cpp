@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "bench/side_by_side/truth.hpp"
-#include "bench/side_by_side/verdict.hpp"
+#include "bench/peers/truth.hpp"
+#include "bench/peers/verdict.hpp"
 
 namespace shadefit::side_by_side {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/trade/trade.hpp"
+#include "bench/tradeoff/trade.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,15 +6,15 @@
 #include <limits>
 #include <set>
 
-#include "bench/trade/advice.hpp"
-#include "bench/trade/front.hpp"
-#include "bench/trade/labels.hpp"
-#include "bench/trade/machine.hpp"
-#include "bench/trade/pareto_figure.hpp"
-#include "bench/trade/report.hpp"
-#include "bench/trade/tables.hpp"
-#include "bench/trade/timing.hpp"
-#include "reports/writers.hpp"
+#include "bench/timing/machine.hpp"
+#include "bench/timing/timing.hpp"
+#include "bench/tradeoff/advice.hpp"
+#include "bench/tradeoff/front.hpp"
+#include "bench/tradeoff/labels.hpp"
+#include "bench/tradeoff/pareto_figure.hpp"
+#include "bench/tradeoff/report.hpp"
+#include "bench/tradeoff/tables.hpp"
+#include "reports/table/writers.hpp"
 #include "tests/bench/made_up_trade.hpp"
 
 namespace shadefit::bench {

@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "fit/user_error.hpp"
-#include "reports/certificate_json.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/rows/certificate_json.hpp"
 
 // One input is a certificate: refused, or read back as it was written.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "fit/user_error.hpp"
-#include "reports/csv.hpp"
-#include "reports/utf8.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace {
 

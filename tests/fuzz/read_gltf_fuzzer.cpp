@@ -1,8 +1,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fit/user_error.hpp"
-#include "scene/read_gltf.hpp"
+#include "fit/support/user_error.hpp"
+#include "scene/gltf/read_gltf.hpp"
 #include "tests/fuzz/scene_holds.hpp"
 
 // One input is a .glb if it begins as one, else a .gltf. The folder that it would be in does not exist.

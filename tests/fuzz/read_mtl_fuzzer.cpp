@@ -1,8 +1,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fit/user_error.hpp"
-#include "scene/read_mtl.hpp"
+#include "fit/support/user_error.hpp"
+#include "scene/mtl/read_mtl.hpp"
 #include "tests/fuzz/scene_holds.hpp"
 
 // One input is an .mtl. The folder that it would be in does not exist.

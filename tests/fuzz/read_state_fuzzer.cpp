@@ -5,8 +5,8 @@
 #include <string>
 
 #include "bench/exhaustive/state_file.hpp"
-#include "fit/user_error.hpp"
-#include "reports/digest.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/digest.hpp"
 
 namespace {
 

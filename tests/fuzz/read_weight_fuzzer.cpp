@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "fit/user_error.hpp"
-#include "fit/weight.hpp"
+#include "fit/solve/weight.hpp"
+#include "fit/support/user_error.hpp"
 
 // One input is the text of a weight: read, looked at for faults and evaluated.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "scene/material.hpp"
+#include "scene/materials/material.hpp"
 
 /// What has to be true of every scene that a reader returns; a fuzzer ends where it is not.
 namespace shadefit::fuzz {

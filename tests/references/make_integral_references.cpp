@@ -113,7 +113,7 @@ void write_references(std::ostream& out) {
          {"0.1", "0.5", "1", "2", "2.5", "4", "7.3", "8", "16", "23.9", "64", "333.3", "2048", "1000000"}) {
       row("phong-blinn", "x", rho, whole, best(phong_blinn(Real(rho)), whole, Real(rho), Real("4.5")));
     }
-    // The other powers of two up to 2048, which bench/peers sweeps.
+    // The other powers of two up to 2048, which bench/peers/run sweeps.
     if (whole.measure == std::string("cosine")) {
       for (const char* rho : {"32", "128", "256", "512", "1024"})
         row("phong-blinn", "x", rho, whole, best(phong_blinn(Real(rho)), whole, Real(rho), Real("4.5")));

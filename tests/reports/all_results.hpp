@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/results.hpp"
+#include "fit/run/results.hpp"
 
 namespace shadefit::testing {
 

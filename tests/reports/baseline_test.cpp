@@ -1,14 +1,14 @@
-#include "reports/baseline.hpp"
+#include "reports/check/baseline.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 
-#include "fit/sweep.hpp"
-#include "fit/user_error.hpp"
-#include "reports/csv.hpp"
-#include "reports/report.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/sections/report.hpp"
 #include "tests/reports/all_results.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fit/certificate.hpp"
+#include "fit/proof/certificate.hpp"
 
 /// Certificates of every family, every kind of target and error.
 namespace shadefit::testing {

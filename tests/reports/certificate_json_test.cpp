@@ -1,14 +1,14 @@
-#include "reports/certificate_json.hpp"
+#include "reports/rows/certificate_json.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "fit/curve_proof.hpp"
-#include "fit/enclosure.hpp"
-#include "fit/user_error.hpp"
-#include "reports/digest.hpp"
+#include "fit/proof/curve_proof.hpp"
+#include "fit/proof/enclosure.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/digest.hpp"
 
 namespace shadefit {
 namespace {

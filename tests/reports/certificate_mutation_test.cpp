@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "fit/hex_float.hpp"
-#include "fit/interval_ends.hpp"
-#include "fit/sweep.hpp"
-#include "fit/user_error.hpp"
-#include "reports/certificate_json.hpp"
-#include "reports/digest.hpp"
-#include "reports/files.hpp"
+#include "fit/proof/interval_ends.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/digest.hpp"
+#include "reports/io/files.hpp"
+#include "reports/rows/certificate_json.hpp"
 #include "tests/reports/certificate_cases.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "reports/files.hpp"
+#include "reports/io/files.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -9,9 +9,9 @@
 #include <functional>
 #include <map>
 
-#include "fit/user_error.hpp"
-#include "reports/output.hpp"
-#include "reports/own_file.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/output.hpp"
+#include "reports/io/own_file.hpp"
 #include "tests/reports/stop.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "reports/gnuplot.hpp"
+#include "reports/io/gnuplot.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <csignal>
 
-#include "fit/user_error.hpp"
-#include "reports/files.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
 #include "tests/fake_gnuplot.hpp"
 #include "tests/reports/stop.hpp"
 

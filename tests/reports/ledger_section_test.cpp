@@ -1,11 +1,11 @@
-#include "reports/ledger_section.hpp"
+#include "reports/sections/ledger_section.hpp"
 
 #include <gtest/gtest.h>
 
-#include "approx/ledger.hpp"
-#include "reports/csv.hpp"
-#include "reports/results.hpp"
-#include "reports/writers.hpp"
+#include "approx/ledger/ledger.hpp"
+#include "fit/run/results.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

@@ -1,4 +1,4 @@
-#include "reports/plots.hpp"
+#include "reports/figures/plots.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,12 @@
 #include <regex>
 #include <set>
 
-#include "fit/multiprecision.hpp"
-#include "reports/gnuplot.hpp"
-#include "reports/gnuplot_text.hpp"
-#include "reports/plot_data.hpp"
-#include "reports/plot_script.hpp"
-#include "reports/report.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "reports/figures/plot_data.hpp"
+#include "reports/figures/plot_script.hpp"
+#include "reports/io/gnuplot.hpp"
+#include "reports/io/gnuplot_text.hpp"
+#include "reports/sections/report.hpp"
 #include "tests/accuracy.hpp"
 #include "tests/reports/all_results.hpp"
 #include "tests/reports/compilers.hpp"

@@ -1,10 +1,10 @@
-#include "reports/reflectance_section.hpp"
+#include "reports/sections/reflectance_section.hpp"
 
 #include <gtest/gtest.h>
 
-#include "reports/csv.hpp"
-#include "reports/results.hpp"
-#include "reports/writers.hpp"
+#include "fit/run/results.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/table/writers.hpp"
 
 namespace shadefit {
 namespace {

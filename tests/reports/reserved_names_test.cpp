@@ -1,4 +1,4 @@
-#include "reports/reserved_names.hpp"
+#include "reports/code/reserved_names.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "reports/files.hpp"
+#include "reports/io/files.hpp"
 #include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "reports/scene_code.hpp"
+#include "reports/code/scene_code.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "approx/gloss.hpp"
-#include "fit/user_error.hpp"
-#include "reports/files.hpp"
-#include "scene/lobes.hpp"
-#include "scene/powers.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
+#include "scene/materials/powers.hpp"
+#include "scene/plan/lobes.hpp"
 #include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
 

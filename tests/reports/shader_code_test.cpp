@@ -1,4 +1,4 @@
-#include "reports/shader_code.hpp"
+#include "reports/code/shader_code.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fit/fit.hpp"
-#include "fit/user_error.hpp"
-#include "reports/files.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
 #include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
 

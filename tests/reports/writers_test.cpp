@@ -1,4 +1,4 @@
-#include "reports/writers.hpp"
+#include "reports/table/writers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 #include <limits>
 #include <sstream>
 
-#include "fit/user_error.hpp"
-#include "reports/csv.hpp"
-#include "reports/fit_json.hpp"
-#include "reports/report.hpp"
-#include "reports/tables.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/rows/tables.hpp"
+#include "reports/sections/report.hpp"
 
 namespace shadefit {
 namespace {

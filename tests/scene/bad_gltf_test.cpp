@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "fit/json_document.hpp"
-#include "scene/limits.hpp"
-#include "scene/read_gltf.hpp"
+#include "fit/support/json_document.hpp"
+#include "scene/files/limits.hpp"
+#include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 

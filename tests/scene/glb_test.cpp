@@ -1,4 +1,4 @@
-#include "scene/glb.hpp"
+#include "scene/gltf/glb.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "scene/read_gltf.hpp"
+#include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 
 namespace shadefit::scene {

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "scene/read_gltf.hpp"
+#include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -1,4 +1,4 @@
-#include "scene/lobe_error.hpp"
+#include "scene/plan/lobe_error.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "approx/encoding.hpp"
-#include "fit/half.hpp"
-#include "scene/lobe_fit.hpp"
-#include "scene/rounding_error.hpp"
+#include "fit/scalars/half.hpp"
+#include "scene/plan/lobe_fit.hpp"
+#include "scene/plan/rounding_error.hpp"
 
 namespace shadefit::scene {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "scene/limits.hpp"
-#include "scene/read_mtl.hpp"
+#include "scene/files/limits.hpp"
+#include "scene/mtl/read_mtl.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 

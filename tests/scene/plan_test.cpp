@@ -1,14 +1,14 @@
-#include "scene/plan.hpp"
+#include "scene/plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "scene/choose_exp2.hpp"
-#include "scene/lobe_error.hpp"
-#include "scene/lobe_fit.hpp"
-#include "scene/lobes.hpp"
+#include "scene/plan/choose_exp2.hpp"
+#include "scene/plan/lobe_error.hpp"
+#include "scene/plan/lobe_fit.hpp"
+#include "scene/plan/lobes.hpp"
 
 namespace shadefit::scene {
 namespace {

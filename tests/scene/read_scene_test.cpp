@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/limits.hpp"
+#include "scene/files/limits.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/user_error.hpp"
+#include "fit/support/user_error.hpp"
 
 /// Small scenes and pictures, made where they are wanted.
 namespace shadefit::testing {

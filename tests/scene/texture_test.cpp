@@ -1,4 +1,4 @@
-#include "scene/texture.hpp"
+#include "scene/textures/texture.hpp"
 
 #include <gtest/gtest.h>
 #include <cstdio>

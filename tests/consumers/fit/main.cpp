@@ -1,9 +1,9 @@
 #include <cstdio>
 #include <string_view>
 
-#include "fit/families.hpp"
+#include "fit/families/families.hpp"
 #include "fit/fit.hpp"
-#include "fit/least_squares.hpp"
+#include "fit/least_squares/least_squares.hpp"
 
 /// Refits the Fresnel pair twice: by the compiled library and by the headers, instantiated here. Exits with 1
 /// unless both give the published a = -5.55473.

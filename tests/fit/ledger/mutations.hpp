@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "approx/claim.hpp"
-#include "fit/ledger.hpp"
+#include "approx/records/claim.hpp"
+#include "fit/ledger/ledger.hpp"
 
 /// Nothing in a finding is typed in: what is printed and what is given decide it.
 namespace shadefit {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "fit/multiprecision.hpp"
+#include "fit/scalars/multiprecision.hpp"
 
 /// Vectors of 50 digits.
 namespace shadefit::testing {

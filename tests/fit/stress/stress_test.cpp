@@ -7,7 +7,7 @@
 #include "approx/full_range.hpp"
 #include "fit/stress/regimes.hpp"
 #include "fit/stress/starts.hpp"
-#include "reports/stress_tables.hpp"
+#include "reports/rows/stress_tables.hpp"
 
 namespace shadefit {
 namespace {

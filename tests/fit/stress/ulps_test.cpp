@@ -1,4 +1,4 @@
-#include "fit/ulps.hpp"
+#include "fit/errors/ulps.hpp"
 
 #include <gtest/gtest.h>
 

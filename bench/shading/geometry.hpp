@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "bench/shading/kernels/kernel.hpp"
+
+/// What is looked at: a sphere seen from nearby, lit from all sides of the viewer.
+namespace shadefit::shade {
+
+/// The cosines of one sample.
+struct Sample {
+  double n_dot_h, l_dot_h, n_dot_l;
+};
+
+/// Of a point of the unit sphere around the origin, seen from (0, 0, `eye_distance`), and a light in a
+/// direction.
+Sample sample_of(const std::array<double, 3>& normal, const std::array<double, 3>& light);
+
+/// Radii from the sphere's middle to the eye: so near that the view, and with it l.h, varies as in a room.
+inline constexpr double eye_distance = 4;
+
+/// The cosines of a block's samples, as `Block` has them: each a float, in float and in double, so that all
+/// ways see the same.
+class Cosines {
+ public:
+  /// Room for tiles under so many lights each.
+  Cosines(std::size_t tiles, std::size_t lights);
+
+  std::size_t tiles() const { return tiles_; }
+  std::size_t lights() const { return lights_; }
+  void set(std::size_t tile, std::size_t light, std::size_t pixel, const Sample& sample);
+
+  /// A block of them all, without powers or results.
+  template <class Real>
+  Block<Real> block() const;
+
+ private:
+  std::size_t tiles_, lights_;
+  std::array<std::vector<float>, 3> narrow_;
+  std::array<std::vector<double>, 3> wide_;
+};
+
+template <>
+Block<float> Cosines::block() const;
+template <>
+Block<double> Cosines::block() const;
+
+/// Lit and visible tiles of the sphere, spread evenly over it and the same in every run: so many of blocks of
+/// so many tiles.
+std::vector<Cosines> sphere_blocks(std::size_t blocks, std::size_t tiles, std::size_t lights);
+
+}  // namespace shadefit::shade

@@ -1,0 +1,157 @@
+#include "bench/shading/measure.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "bench/shading/operations.hpp"
+#include "bench/timing/statistics.hpp"
+
+namespace shadefit::shade {
+namespace {
+
+/// Codes of white: a tolerance on their scale is one of 255.
+double white(scene::ShownScale scale) {
+  return scene::on_scale(scale, 1);
+}
+
+/// What one light may be off by. A plan that says itself that it cannot keep the tolerance has promised its
+/// own error.
+double allowed_of(const scene::Plan& plan) {
+  return std::max(plan.wanted.tolerance, plan.error) / plan.wanted.lights;
+}
+
+std::string form_of(const scene::Plan& plan) {
+  return plan.has_lobes() ? to_text(plan.shading.lobe) : "no lobe";
+}
+
+std::vector<scene::Plan> plans_of_sweep(const scene::Scene& scene, const scene::Plan& plan,
+                                        const Checkpoint& checkpoint) {
+  std::vector<scene::Plan> plans;
+  for (const double tolerance : swept_tolerances) {
+    scene::Wanted wanted = plan.wanted;
+    wanted.tolerance = tolerance * white(wanted.scale);
+    plans.push_back(scene::make_plan(scene, wanted, checkpoint));
+  }
+  return plans;
+}
+
+/// One after the other, the whole workload by each way.
+class Timed {
+ public:
+  Timed(const Workload& workload, std::span<const FloatWay> ways, std::size_t samples)
+      : workload_(workload), results_(workload.tiles()) {
+    for (const FloatWay& way : ways)
+      work_.push_back({.once = [this, &way] { shade(way); }, .elements = std::max<std::size_t>(1, samples)});
+  }
+
+  /// ns a sample: the median of the rounds, of this thread's own time.
+  std::vector<double> times(const bench::Plan& timing, const std::function<void(double)>& between) const {
+    std::vector<double> times;
+    for (const bench::Samples& samples : bench::time_interleaved(work_, timing, bench::now, between))
+      times.push_back(bench::spread_of(samples.cpu).median);
+    return times;
+  }
+
+ private:
+  void shade(const FloatWay& way) {
+    for (const Visit& visit : workload_.visits()) {
+      if (!way.has_lobe(visit.material)) continue;
+      Block<float> block = workload_.block<float>(visit);
+      block.out = results_.out();
+      way.shade(block, visit.material);
+      bench::keep(block.out[0]);
+    }
+  }
+
+  const Workload& workload_;
+  Results<float> results_;
+  std::vector<bench::Work> work_;
+};
+
+std::size_t shaded_samples(const scene::Scene& scene, const Workload& workload) {
+  const auto shaded =
+      std::count_if(workload.visits().begin(), workload.visits().end(),
+                    [&](const Visit& visit) { return !is_black(scene.materials[visit.material]); });
+  return static_cast<std::size_t>(shaded) * workload.samples_of_visit();
+}
+
+Skipped skipped_by(const scene::Scene& scene, const scene::Plan& plan, const Workload& workload,
+                   const FloatWay& way) {
+  Results<float> results(workload.tiles());
+  double all = 0, with_lobe = 0, culled = 0, full = 0, planned = 0;
+  for (const Visit& visit : workload.visits()) {
+    const scene::Material& material = scene.materials[visit.material];
+    if (is_black(material)) continue;
+    const auto samples = static_cast<double>(workload.samples_of_visit());
+    all += samples;
+    const auto constants = planned_material(material, plan.materials[visit.material], plan.shading);
+    if (!constants) continue;
+    with_lobe += samples;
+    full += full_operations(material.is_power_textured());
+    planned += planned_operations(*constants);
+    Block<float> block = workload.block<float>(visit);
+    block.out = results.out();
+    culled += static_cast<double>(way.shade(block, visit.material));
+  }
+  Skipped skipped{.by_materials = all > 0 ? 1 - with_lobe / all : 1};
+  if (with_lobe > 0) {
+    skipped.by_terms = 1 - planned / full;
+    skipped.by_culling = culled / with_lobe;
+  }
+  return skipped;
+}
+
+}  // namespace
+
+std::vector<MeasuredWay> broken_promises(const Measurement& measurement) {
+  std::vector<MeasuredWay> all{measurement.planned};
+  all.insert(all.end(), measurement.sweep.begin(), measurement.sweep.end());
+  std::erase_if(all,
+                [&](const MeasuredWay& way) { return way.errors.most_on(measurement.scale) <= way.allowed; });
+  return all;
+}
+
+Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
+                    const bench::Plan& timing, const Checkpoint& checkpoint,
+                    const std::function<void(double)>& watch) {
+  std::vector<scene::Plan> plans{plan};
+  for (scene::Plan& swept : plans_of_sweep(scene, plan, checkpoint)) plans.push_back(std::move(swept));
+  const Workload workload(scene, plan.wanted.lights);
+  const ReferenceWay reference(scene, kernels);
+  std::vector<FloatWay> ways{
+      {scene, kernels.reference}, {scene, kernels.published}, {scene, with_published_lobe(plan), kernels}};
+  const std::size_t first_planned = ways.size();
+  for (const scene::Plan& some : plans) ways.emplace_back(scene, some, kernels);
+  const std::vector<Errors> errors = errors_of(workload, reference, ways, checkpoint);
+  const auto between = [&](double share) {
+    checkpoint();
+    watch(share);
+  };
+  Measurement result{.width = kernels.width, .scale = plan.wanted.scale};
+  result.samples = shaded_samples(scene, workload);
+  result.lights = workload.lights();
+  result.is_half = plan.wanted.precision == scene::PixelPrecision::float16;
+  const std::vector<double> ns = Timed(workload, ways, result.samples).times(timing, between);
+  const std::string published = "exp2(A c - A), A = (n + 0.775)/ln 2";
+  result.reference = {.name = "reference", .form = "pow", .ns = ns[0], .errors = errors[0]};
+  result.published = {.name = "published", .form = published, .ns = ns[1], .errors = errors[1]};
+  result.published_culled = {
+      .name = "published, culled", .form = published, .ns = ns[2], .errors = errors[2]};
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const MeasuredWay way{.name = "planned",
+                          .tolerance = plans[i].wanted.tolerance,
+                          .form = form_of(plans[i]),
+                          .ns = ns[first_planned + i],
+                          .errors = errors[first_planned + i],
+                          .allowed = allowed_of(plans[i])};
+    if (i == 0) {
+      result.planned = way;
+    } else {
+      result.sweep.push_back(way);
+    }
+  }
+  result.skipped = skipped_by(scene, plan, workload, ways[first_planned]);
+  return result;
+}
+
+}  // namespace shadefit::shade

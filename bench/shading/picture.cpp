@@ -1,0 +1,273 @@
+#include "bench/shading/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include "approx/encoding.hpp"
+#include "bench/timing/statistics.hpp"
+#include "fit/support/decimal.hpp"
+#include "reports/io/gnuplot_text.hpp"
+#include "reports/io/utf8.hpp"
+
+namespace shadefit::shade {
+namespace {
+
+/// Pixels: of a sphere, of its place in a row, of what stands left of the rows and below them.
+constexpr int diameter = 116, cell = 132, left_of_rows = 136, below_rows = 52, above_rows = 10;
+/// A picture of few spheres is still wide enough for its words.
+constexpr int least_cells = 3;
+
+/// Of the display: grey, neither dark nor bright.
+constexpr double ground_code = 118;
+
+using Colour = std::array<double, 3>;
+
+/// From the upper left, before the spheres.
+constexpr std::array<double, 3> key_light{-0.5, 0.6, 0.6244997998398398};
+
+/// Where a pixel of a sphere lies, from -1 to 1; rows run downwards.
+double coordinate(int pixel) {
+  return (2 * pixel + 1) / static_cast<double>(diameter) - 1;
+}
+
+/// How much of a pixel its sphere covers: all or nothing but for a pixel's width around the edge.
+double coverage(double x, double y) {
+  return std::clamp((1 - std::hypot(x, y)) * diameter / 2 + 0.5, 0.0, 1.0);
+}
+
+/// The cosines of all pixels of a sphere, row by row, tile after tile.
+Cosines cosines_of_sphere() {
+  constexpr std::size_t pixels = diameter * diameter;
+  Cosines cosines((pixels + tile_pixels - 1) / tile_pixels, 1);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    double x = coordinate(static_cast<int>(i % diameter)), y = -coordinate(static_cast<int>(i / diameter));
+    // What lies beyond the edge is as the edge is: some of it is blended with the ground.
+    constexpr double edge = 0.999;
+    const double length = std::hypot(x, y), inwards = length > edge ? edge / length : 1;
+    x *= inwards;
+    y *= inwards;
+    cosines.set(i / tile_pixels, 0, i % tile_pixels,
+                sample_of({x, y, std::sqrt(1 - x * x - y * y)}, key_light));
+  }
+  return cosines;
+}
+
+/// What two ways show of a sphere, in sRGB codes, pixel by pixel.
+struct ShownSphere {
+  std::vector<Colour> reference, planned;
+};
+
+class Studio {
+ public:
+  Studio(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels)
+      : scene_(scene),
+        reference_(scene, kernels),
+        planned_(scene, plan, kernels),
+        cosines_(cosines_of_sphere()) {}
+
+  ShownSphere shown(const Sphere& sphere) const {
+    const std::size_t tiles = cosines_.tiles();
+    const bool is_textured = scene_.materials[sphere.material].is_power_textured();
+    const std::vector<float> alpha(tiles * tile_pixels, static_cast<float>(alpha_of_power(sphere.power)));
+    const std::vector<double> wide_alpha(alpha.begin(), alpha.end());
+    Results<double> truth(tiles);
+    Results<float> result(tiles);
+    Block<double> wide = cosines_.block<double>();
+    Block<float> narrow = cosines_.block<float>();
+    wide.alpha = is_textured ? wide_alpha.data() : nullptr;
+    narrow.alpha = is_textured ? alpha.data() : nullptr;
+    wide.out = truth.out();
+    narrow.out = result.out();
+    reference_.shade(wide, sphere.material);
+    planned_.shade(narrow, sphere.material);
+    ShownSphere shown;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(diameter) * diameter; ++i) {
+      Colour exact{}, near{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        exact[c] = srgb_code(truth.channel(c)[i]);
+        near[c] = srgb_code(static_cast<double>(result.channel(planned_.is_coloured() ? c : 0)[i]));
+      }
+      shown.reference.push_back(exact);
+      shown.planned.push_back(near);
+    }
+    return shown;
+  }
+
+ private:
+  const scene::Scene& scene_;
+  ReferenceWay reference_;
+  FloatWay planned_;
+  Cosines cosines_;
+};
+
+/// Three bytes a pixel, rows downwards.
+class Canvas {
+ public:
+  Canvas(int width, int height)
+      : width_(width), bytes_(static_cast<std::size_t>(3 * width * height), static_cast<char>(ground_code)) {}
+
+  /// A sphere with its upper left corner there, blended with the ground around it.
+  void put(int left, int top, const std::vector<Colour>& colours) {
+    for (int row = 0; row < diameter; ++row) {
+      for (int column = 0; column < diameter; ++column) {
+        const double share = coverage(coordinate(column), coordinate(row));
+        const Colour& colour = colours[static_cast<std::size_t>(row * diameter + column)];
+        const auto at = static_cast<std::size_t>(3 * ((top + row) * width_ + left + column));
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double code = share * std::min(colour[c], 255.0) + (1 - share) * ground_code;
+          bytes_[at + c] = static_cast<char>(static_cast<unsigned char>(std::lround(code)));
+        }
+      }
+    }
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  int width_;
+  std::string bytes_;
+};
+
+std::vector<Colour> difference(const ShownSphere& sphere, double factor) {
+  std::vector<Colour> colours;
+  for (std::size_t i = 0; i < sphere.reference.size(); ++i) {
+    Colour colour{};
+    for (std::size_t c = 0; c < 3; ++c)
+      colour[c] = factor * std::abs(sphere.planned[i][c] - sphere.reference[i][c]);
+    colours.push_back(colour);
+  }
+  return colours;
+}
+
+/// The largest power of two, at most 4096, by which next to all differences stay on the display: what is
+/// beyond is a few pixels at an edge.
+int amplification(const std::vector<ShownSphere>& spheres) {
+  std::vector<double> all;
+  for (const ShownSphere& sphere : spheres) {
+    for (const Colour& colour : difference(sphere, 1)) {
+      const double largest = *std::max_element(colour.begin(), colour.end());
+      if (largest > 0) all.push_back(largest);
+    }
+  }
+  if (all.empty()) return 1;
+  std::sort(all.begin(), all.end());
+  constexpr double next_to_all = 0.99;
+  const double shown = bench::quantile(all, next_to_all);
+  int factor = 1;
+  constexpr int most = 4096;
+  while (factor < most && 2 * factor * shown <= 255) factor *= 2;
+  return factor;
+}
+
+/// As much of a name as stands below a sphere.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t most = 15;
+  std::string result;
+  const std::vector<std::string> pieces = printable_pieces(name);
+  for (std::size_t i = 0; i < pieces.size() && i < most; ++i) result += pieces[i];
+  return pieces.size() > most ? result + ".." : result;
+}
+
+/// Without an exponent of ten where a power is one that anybody uses.
+std::string power_text(double power) {
+  constexpr double few_digits = 1000, usual = 1e6;
+  return power < few_digits || power > usual ? decimal(power, 3) : fmt::format("{:.0f}", power);
+}
+
+std::string label(const std::string& text, int x, int y, const char* place) {
+  return fmt::format("set label {} at {},{} {} noenhanced textcolor '#F4F4F4' front\n",
+                     gnuplot_quoted(printable(text)), x, y, place);
+}
+
+std::string script_of(const scene::Scene& scene, const std::vector<Sphere>& spheres, int width, int height,
+                      int factor) {
+  // From the middle of the first pixel to that of the last: so gnuplot draws each as it is, but for those at
+  // the border, which it blends with the same grey.
+  std::string script = fmt::format(
+      "# A scene's materials: reference, planned, difference\n"
+      "if (!exists('output')) output = 'scene.png'\n"
+      "set encoding utf8\n"
+      "set terminal pngcairo size {0},{1} font 'sans-serif,10' background '#{2:02X}{2:02X}{2:02X}'\n"
+      "set output output\n"
+      "unset border\nunset tics\nunset key\n"
+      "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen 1\n"
+      "set xrange [0.5:{3}]\nset yrange [0.5:{4}]\n",
+      width, height, static_cast<int>(ground_code), width - 0.5, height - 0.5);
+  const std::array<std::string, 3> rows{"reference", "planned", fmt::format("difference x {}", factor)};
+  for (int row = 0; row < 3; ++row)
+    script +=
+        label(rows[static_cast<std::size_t>(row)], 12, height - above_rows - row * cell - cell / 2, "left");
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    const int middle = left_of_rows + static_cast<int>(i) * cell + cell / 2;
+    script += label(shortened(scene.materials[spheres[i].material].name), middle, below_rows - 14, "center");
+    script += label("n = " + power_text(spheres[i].power), middle, below_rows - 32, "center");
+  }
+  return script + fmt::format(
+                      "plot 'scene.rgb' binary array=({0},{1}) flipy origin=(0.5,0.5) format='%uchar' using "
+                      "1:2:3 with rgbimage\n",
+                      width, height);
+}
+
+/// The power of which so much of the texels is below.
+double quantile_of(const std::vector<scene::PowerShare>& powers, double share) {
+  double below = 0;
+  for (const scene::PowerShare& some : powers) {
+    below += some.share;
+    if (share <= below) return some.power;
+  }
+  return powers.back().power;
+}
+
+}  // namespace
+
+std::vector<Sphere> spheres_of(const scene::Scene& scene, const scene::Plan& plan) {
+  std::vector<std::size_t> order;
+  const auto add = [&](const auto& belongs) {
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+      if (belongs(i)) order.push_back(i);
+  };
+  add([&](std::size_t i) { return plan.materials[i].has_lobe; });
+  add([&](std::size_t i) { return !plan.materials[i].has_lobe && !is_black(scene.materials[i]); });
+  // A black sphere says nothing, unless there is no other.
+  if (order.empty()) add([](std::size_t) { return true; });
+  order.resize(std::min(order.size(), most_spheres));
+  // What the materials leave of the row is for the powers of textured ones.
+  const auto is_textured = [&](std::size_t i) { return scene.materials[i].is_power_textured(); };
+  const auto textured = static_cast<std::size_t>(std::count_if(order.begin(), order.end(), is_textured));
+  const std::size_t more = textured == 0 ? 0 : (most_spheres - order.size()) / textured;
+  std::vector<Sphere> spheres;
+  for (const std::size_t i : order) {
+    const auto& powers = scene.materials[i].powers;
+    const std::size_t count = is_textured(i) ? 1 + more : 1;
+    for (std::size_t k = 0; k < count; ++k)
+      spheres.push_back(
+          {i, quantile_of(powers, (static_cast<double>(k) + 0.5) / static_cast<double>(count))});
+  }
+  return spheres;
+}
+
+std::vector<File> picture_files(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels) {
+  const std::vector<Sphere> spheres = spheres_of(scene, plan);
+  const Studio studio(scene, plan, kernels);
+  std::vector<ShownSphere> shown;
+  for (const Sphere& sphere : spheres) shown.push_back(studio.shown(sphere));
+  const int factor = amplification(shown);
+  const int width = left_of_rows + cell * std::max(static_cast<int>(spheres.size()), least_cells);
+  const int height = above_rows + 3 * cell + below_rows;
+  Canvas canvas(width, height);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const int left = left_of_rows + static_cast<int>(i) * cell + (cell - diameter) / 2;
+    const int top = above_rows + (cell - diameter) / 2;
+    canvas.put(left, top, shown[i].reference);
+    canvas.put(left, top + cell, shown[i].planned);
+    canvas.put(left, top + 2 * cell, difference(shown[i], factor));
+  }
+  return {{"plots/scene.rgb", canvas.bytes()},
+          {"plots/scene.gnuplot", script_of(scene, spheres, width, height, factor)}};
+}
+
+}  // namespace shadefit::shade

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "bench/shading/measure.hpp"
+#include "reports/figures/figure.hpp"
+#include "reports/table/table.hpp"
+
+/// A measurement for people and for programs.
+namespace shadefit::shade {
+
+/// `way,tolerance,form,ns_per_sample,max_error,mean_error,max_codes,mean_codes`: the ways, then the
+/// sweep. What `shade.csv` holds.
+Table shade_table(const Measurement& measurement);
+
+/// The ways and what they say, on a terminal.
+std::string shade_text(const Measurement& measurement);
+
+/// A line for each plan that is not within what it promises.
+std::string broken_lines(const Measurement& measurement);
+
+/// "shade": error against time of the plans for all tolerances and of the published constants, both
+/// logarithmic, the reference's time beside them.
+Figure shade_figure(const Measurement& measurement);
+
+}  // namespace shadefit::shade

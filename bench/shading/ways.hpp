@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "bench/shading/workload.hpp"
+#include "scene/plan/plan.hpp"
+
+/// The ways to shade a workload.
+namespace shadefit::shade {
+
+/// Every material of a scene with all of its terms, by the reference's formulas in double.
+class ReferenceWay {
+ public:
+  ReferenceWay(const scene::Scene& scene, const Kernels& kernels);
+  void shade(const Block<double>& block, std::size_t material) const;
+
+ private:
+  Kernels kernels_;
+  std::vector<FullMaterial<double>> materials_;
+};
+
+/// Whether a material reflects nothing, or nothing of it is shaded: every way asks that before it starts.
+bool is_black(const scene::Material& material);
+
+/// A way in float: with all terms of the materials that are not black, or as a plan has it.
+class FloatWay {
+ public:
+  FloatWay(const scene::Scene& scene, FullKernel<float> kernel);
+  FloatWay(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels);
+
+  /// Returns how many samples were culled. A material without a lobe writes nothing; one whose plan has one
+  /// channel, the first alone.
+  std::size_t shade(const Block<float>& block, std::size_t material) const;
+
+  bool has_lobe(std::size_t material) const;
+  bool is_coloured() const { return is_coloured_; }
+
+ private:
+  using Full = std::vector<std::optional<FullMaterial<float>>>;
+  using Planned = std::vector<std::optional<PlannedMaterial>>;
+
+  std::variant<Full, Planned> materials_;
+  FullKernel<float> full_ = nullptr;
+  PlannedKernel planned_ = nullptr;
+  bool is_coloured_ = true;
+};
+
+/// The plan with the published constant of the Gaussian for its lobe: what these are worth in the same
+/// kernel.
+scene::Plan with_published_lobe(scene::Plan plan);
+
+}  // namespace shadefit::shade

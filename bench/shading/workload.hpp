@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bench/shading/geometry.hpp"
+#include "bench/shading/shaded_scene.hpp"
+#include "scene/materials/material.hpp"
+
+/// What is shaded, the same in every run: tiles of a sphere, in each of the scene's materials.
+namespace shadefit::shade {
+
+/// One block in one material.
+struct Visit {
+  std::size_t material;  ///< of the scene's
+  std::size_t block;
+  /// The roughness of each pixel where it is a texture, tile by tile, else empty: a float, in both formats.
+  std::vector<float> alpha;
+  std::vector<double> wide_alpha;
+};
+
+/// Every material has as many visits as another. Within a tile the power is one, as a texture that is seen
+/// magnified has it; the tiles of a material take its powers by their shares.
+class Workload {
+ public:
+  /// Under `lights` lights, of which `most_lights` are shaded at most. Of more than `most_materials` so many,
+  /// evenly chosen.
+  Workload(const scene::Scene& scene, int lights);
+
+  const std::vector<Visit>& visits() const { return visits_; }
+  std::size_t samples() const { return visits_.size() * samples_of_visit(); }
+  std::size_t samples_of_visit() const { return tiles_ * lights_ * tile_pixels; }
+  std::size_t tiles() const { return tiles_; }
+  std::size_t lights() const { return lights_; }
+
+  /// What a visit reads, without results.
+  template <class Real>
+  Block<Real> block(const Visit& visit) const;
+
+  static constexpr std::size_t most_materials = 256;
+
+ private:
+  std::size_t lights_, tiles_;
+  std::vector<Cosines> blocks_;
+  std::vector<Visit> visits_;
+};
+
+template <>
+Block<float> Workload::block(const Visit& visit) const;
+template <>
+Block<double> Workload::block(const Visit& visit) const;
+
+/// Where results of a visit go.
+template <class Real>
+class Results {
+ public:
+  explicit Results(std::size_t tiles);
+  std::array<Real*, 3> out() { return {channels_[0].data(), channels_[1].data(), channels_[2].data()}; }
+  void clear();
+  const std::vector<Real>& channel(std::size_t i) const { return channels_[i]; }
+
+ private:
+  std::array<std::vector<Real>, 3> channels_;
+};
+
+extern template class Results<float>;
+extern template class Results<double>;
+
+}  // namespace shadefit::shade

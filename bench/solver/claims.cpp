@@ -1,0 +1,54 @@
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <string>
+
+#include "approx/ledger/ledger.hpp"
+#include "bench/solver/benchmarks.hpp"
+#include "fit/ledger/ledger.hpp"
+
+namespace shadefit::bench {
+namespace {
+
+void register_claim(const Claim& claim) {
+  benchmark::RegisterBenchmark(("claim/" + std::string(claim.id)).c_str(), [&claim](benchmark::State& state) {
+    for (auto _ : state) {
+      const Finding finding = evaluate(claim);
+      benchmark::DoNotOptimize(finding.evidence.data());
+    }
+  })->Unit(benchmark::kMillisecond);
+}
+
+/// All claims one after another; the label names the one that took longest, `longest_ms` how long.
+void measure_ledger(benchmark::State& state) {
+  using Clock = std::chrono::steady_clock;
+  double longest = 0;
+  std::string_view slowest;
+  for (auto _ : state) {
+    longest = 0;
+    for (const Topic& topic : ledger) {
+      for (const Claim& claim : topic.claims) {
+        const auto start = Clock::now();
+        const Finding finding = evaluate(claim);
+        benchmark::DoNotOptimize(finding.evidence.data());
+        const double time = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+        if (time <= longest) continue;
+        longest = time;
+        slowest = claim.id;
+      }
+    }
+  }
+  state.counters["longest_ms"] = longest;
+  state.SetLabel(std::string(slowest));
+}
+
+}  // namespace
+
+void register_claims() {
+  benchmark::RegisterBenchmark("ledger", measure_ledger)->Unit(benchmark::kMillisecond);
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) register_claim(claim);
+  }
+}
+
+}  // namespace shadefit::bench

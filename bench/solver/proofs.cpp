@@ -1,0 +1,79 @@
+#include <benchmark/benchmark.h>
+
+#include <string>
+#include <vector>
+
+#include "bench/solver/benchmarks.hpp"
+#include "fit/fit.hpp"
+#include "fit/proof/certificate.hpp"
+#include "fit/proof/stationary.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit::bench {
+namespace {
+
+Subject published_pair() {
+  return {.family = "fresnel-quadratic", .parameters = {{"a", "-5.55473"}, {"b", "-6.98316"}}};
+}
+
+/// Bounds so near to each other; the counter `boxes` is what the proof took.
+void register_width(const std::string& name, const Subject& subject, double width) {
+  benchmark::RegisterBenchmark(("certify/" + name).c_str(), [subject, width](benchmark::State& state) {
+    Certified made;
+    for (auto _ : state) {
+      made = certify(subject, width);
+      benchmark::DoNotOptimize(made.certificate.upper);
+    }
+    if (!made.is_reached) state.SkipWithError("the width was not reached");
+    state.counters["boxes"] =
+        static_cast<double>(made.certificate.horizon.size() + made.certificate.peak.size());
+  })->Unit(benchmark::kMillisecond);
+}
+
+/// Every fit of the catalogue: each family at each exponent of its own sweep under every measure.
+std::vector<Fit> catalogue() {
+  std::vector<Fit> fits;
+  for (const Measure measure : measures) {
+    for (const FittableFamily& family : fittable_families()) {
+      for (const double k : family.has_exponent() ? parse_sweep(family.info.sweep) : std::vector{0.0})
+        fits.push_back(family.fit(Setting(k), {.measure = measure}));
+    }
+  }
+  return fits;
+}
+
+}  // namespace
+
+void register_proofs() {
+  register_width("published-pair/1e-9", published_pair(), 1e-9);
+  register_width("published-pair/1e-12", published_pair(), 1e-12);
+  benchmark::RegisterBenchmark("certify/catalogue/1e-9", [](benchmark::State& state) {
+    const std::vector<Fit> fits = catalogue();
+    for (auto _ : state) {
+      for (const Fit& fit : fits) {
+        if (!certify(subject_of(fit), 1e-9).is_reached) state.SkipWithError("a width was not reached");
+      }
+    }
+    state.counters["fits"] = static_cast<double>(fits.size());
+  })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("verify/published-pair/1e-9", [](benchmark::State& state) {
+    const Certificate certificate = certify(published_pair(), 1e-9).certificate;
+    for (auto _ : state) {
+      if (!reason_to_refuse(certificate).empty()) state.SkipWithError("a certificate was refused");
+    }
+  })->Unit(benchmark::kMillisecond);
+  for (const FittableFamily& family : fittable_families()) {
+    // 5: an ordinary exponent, for which the lobe is not cut.
+    const Fit fit = family.fit(Setting(family.has_exponent() ? 5 : 0), {});
+    benchmark::RegisterBenchmark(("stationary/" + std::string(family.info.id)).c_str(),
+                                 [fit](benchmark::State& state) {
+                                   for (auto _ : state) {
+                                     if (!prove_stationary(fit).is_proven)
+                                       state.SkipWithError("a stationary point was not proven");
+                                   }
+                                 })
+        ->Unit(benchmark::kMillisecond);
+  }
+}
+
+}  // namespace shadefit::bench

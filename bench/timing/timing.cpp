@@ -1,0 +1,71 @@
+#include "bench/timing/timing.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <numeric>
+
+namespace shadefit::bench {
+
+Instant now() {
+  const auto real = std::chrono::steady_clock::now().time_since_epoch();
+  std::timespec cpu{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &cpu);
+  return {std::chrono::duration<double>(real).count(),
+          static_cast<double>(cpu.tv_sec) + 1e-9 * static_cast<double>(cpu.tv_nsec)};
+}
+
+std::vector<std::size_t> visits(int round, std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (round % 2 == 1) std::reverse(order.begin(), order.end());
+  return order;
+}
+
+long calls_that_take(const Work& work, double seconds, const Clock& clock) {
+  constexpr long most = 1L << 30;
+  for (long calls = 1;; calls *= 2) {
+    const double before = clock().real;
+    for (long i = 0; i < calls; ++i) work.once();
+    if (clock().real - before >= seconds || calls >= most) return calls;
+  }
+}
+
+namespace {
+
+/// One visit: a warm call or a few, then the timed ones.
+void sample(const Work& work, Samples& samples, const Clock& clock) {
+  // An eighth of a visit brings data and branches back, and a core that slows down for wide registers does
+  // so.
+  for (long i = 0; work.is_warm && i < samples.calls / 8 + 1; ++i) work.once();
+  const Instant before = clock();
+  for (long i = 0; i < samples.calls; ++i) work.once();
+  const Instant after = clock();
+  const double to_ns = 1e9 / (static_cast<double>(samples.calls) * static_cast<double>(work.elements));
+  samples.real.push_back((after.real - before.real) * to_ns);
+  samples.cpu.push_back((after.cpu - before.cpu) * to_ns);
+}
+
+}  // namespace
+
+std::vector<Samples> time_interleaved(std::span<const Work> work, const Plan& plan, const Clock& clock,
+                                      const std::function<void(double)>& between) {
+  std::vector<Samples> all(work.size());
+  // Finding how often to call takes about as long as two rounds.
+  const double steps = static_cast<double>(work.size()) * (plan.rounds + 2);
+  double done = 0;
+  for (std::size_t i = 0; i < work.size(); ++i, done += 2) {
+    between(done / steps);
+    all[i].calls = calls_that_take(work[i], plan.seconds, clock);
+  }
+  for (int round = 0; round < plan.rounds; ++round) {
+    for (const std::size_t i : visits(round, work.size())) {
+      between(done++ / steps);
+      sample(work[i], all[i], clock);
+    }
+  }
+  between(1);
+  return all;
+}
+
+}  // namespace shadefit::bench

@@ -1,0 +1,107 @@
+#include "bench/tradeoff/grid_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadefit::bench {
+namespace {
+
+/// Places of a grid: a multiple of 64. The largest error of a form of a few extrema is met to a millionth of
+/// it.
+constexpr std::size_t grid_places = 16384;
+
+/// What the errors of a target are taken at, in float, which is exact in double.
+struct Grid {
+  std::vector<float> in[3];
+  std::vector<std::uint8_t> codes;
+};
+
+Grid grid_of(const forms::Target& target) {
+  Grid grid;
+  for (std::size_t i = 0; i < grid_places; ++i) {
+    if (target.arguments == forms::Arguments::normal_to_lights) {
+      const auto direction = forms::spread_direction(i);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        grid.in[axis].push_back(static_cast<float>(direction[axis]));
+      continue;
+    }
+    const bool has_codes = target.arguments == forms::Arguments::cosine_and_code;
+    // With codes: each of the 256 at every 64th of the cosines.
+    const std::size_t step = has_codes ? i / 256 : i,
+                      last = has_codes ? grid_places / 256 - 1 : grid_places - 1;
+    const double share = static_cast<double>(step) / static_cast<double>(last);
+    grid.in[0].push_back(static_cast<float>(target.from + share * (target.to - target.from)));
+    if (has_codes) grid.codes.push_back(static_cast<std::uint8_t>(i % 256));
+  }
+  return grid;
+}
+
+template <class Real>
+std::vector<Real> values_of(forms::Kernel<Real> kernel, const Grid& grid, const std::vector<double>& given) {
+  std::vector<Real> parameters(given.size()), in[3], out(grid_places);
+  std::transform(given.begin(), given.end(), parameters.begin(),
+                 [](double x) { return static_cast<Real>(x); });
+  forms::Arrays<Real> arrays;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    in[axis].assign(grid.in[axis].begin(), grid.in[axis].end());
+    arrays.in[axis] = in[axis].empty() ? nullptr : in[axis].data();
+  }
+  arrays.codes = grid.codes.empty() ? nullptr : grid.codes.data();
+  arrays.out = out.data();
+  arrays.size = grid_places;
+  kernel(arrays, parameters);
+  return out;
+}
+
+template <class Real>
+double largest_error(const std::vector<Real>& values, const std::vector<double>& truth) {
+  double largest = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    largest = std::max(largest, std::abs(static_cast<double>(values[i]) - truth[i]));
+  return largest;
+}
+
+const forms::CompiledForm* find(const std::vector<forms::CompiledForm>& all, std::string_view id) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const forms::CompiledForm& form) { return form.form == id; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::vector<FormError> grid_errors(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
+                                   const std::function<void()>& between) {
+  const auto scalar = forms::scalar_forms(), compiled = forms::sse2_forms();
+  std::vector<FormError> errors;
+  const forms::Target* target = nullptr;
+  Grid grid;
+  std::vector<double> truth;
+  for (const forms::FormEntry& form : catalogue.forms) {
+    const bool is_wanted =
+        targets.empty() || std::find(targets.begin(), targets.end(), form.target) != targets.end();
+    if (!is_wanted) continue;
+    if (target == nullptr || target->id != form.target) {  // the first of a target is the target itself
+      target = &forms::target_of(catalogue, form.target);
+      grid = grid_of(*target);
+      truth = values_of(find(scalar, form.id)->in_double, grid,
+                        forms::parameters_of(*target, form.constants.front()));
+    }
+    for (const forms::CompiledForm& version : compiled) {
+      if (version.form != form.id) continue;
+      for (const forms::Constants& constants : form.constants) {
+        between();
+        const auto given = forms::parameters_of(*target, constants);
+        FormError error{std::string(form.target), std::string(form.id), constants.id, version.exp2_degree};
+        error.max_abs_error = largest_error(values_of(version.in_float, grid, given), truth);
+        errors.push_back(error);
+        if (version.in_double == nullptr) continue;
+        error.is_double = true;
+        error.max_abs_error = largest_error(values_of(version.in_double, grid, given), truth);
+        errors.push_back(error);
+      }
+    }
+  }
+  return errors;
+}
+
+}  // namespace shadefit::bench

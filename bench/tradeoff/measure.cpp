@@ -1,0 +1,238 @@
+#include "bench/tradeoff/measure.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "bench/timing/workload.hpp"
+#include "bench/tradeoff/goals.hpp"
+
+namespace shadefit::bench {
+
+std::vector<forms::CompiledForm> compiled_for(forms::Width width) {
+  switch (width) {
+    case forms::Width::scalar:
+      return forms::scalar_forms();
+    case forms::Width::sse2:
+      return forms::sse2_forms();
+    case forms::Width::avx2:
+      return forms::avx2_forms();
+    case forms::Width::avx512:
+      return forms::avx512_forms();
+  }
+  throw std::logic_error("a width without forms");
+}
+
+namespace {
+
+/// A kernel that is timed, before its constants: what its rows have in common.
+struct Timed {
+  TimedForm row;
+  const forms::FormEntry* form;  ///< null: the copy
+};
+
+/// Long arrays, and where the next call goes on.
+template <class Real>
+struct Memory {
+  Workload<Real> arrays;
+  std::size_t next = 0;
+
+  forms::Arrays<Real> slice() {
+    const std::size_t first = next;
+    next = (next + memory_slice) % (arrays.size() / memory_slice * memory_slice);
+    return arrays.slice(first, memory_slice);
+  }
+};
+
+/// The arrays of all targets of a precision, made where they are first needed. Targets that read the same
+/// share them; those in memory, of which there should be few, are of cosines in [0, 1] with codes beside
+/// them, or of normals.
+template <class Real>
+class Workloads {
+ public:
+  explicit Workloads(std::size_t last_cache) : bytes_(memory_bytes(last_cache)) {}
+
+  std::shared_ptr<Workload<Real>> in_cache(const forms::Target& target) {
+    auto& found = near_[{target.arguments, target.from, target.to}];
+    if (!found) {
+      found = std::make_shared<Workload<Real>>(target, first_cache_elements(target.arguments, sizeof(Real)));
+    }
+    return found;
+  }
+  std::shared_ptr<Memory<Real>> in_memory(const forms::Target& target) {
+    const bool has_normals = target.arguments == forms::Arguments::normal_to_lights;
+    auto& found = far_[has_normals];
+    if (!found) {
+      const forms::Target like{
+          .id = {},
+          .text = {},
+          .arguments = has_normals ? forms::Arguments::normal_to_lights : forms::Arguments::cosine_and_code,
+          .parameters = {}};
+      const std::size_t size = bytes_ / sizeof(Real) / (has_normals ? 2 : 1);
+      found = std::make_shared<Memory<Real>>(Memory<Real>{Workload<Real>(like, size)});
+    }
+    return found;
+  }
+
+ private:
+  std::size_t bytes_;
+  std::map<std::tuple<forms::Arguments, double, double>, std::shared_ptr<Workload<Real>>> near_;
+  std::map<bool, std::shared_ptr<Memory<Real>>> far_;
+};
+
+template <class Real>
+Work work_of(forms::Kernel<Real> kernel, const forms::Target& target, std::vector<Real> parameters,
+             Place place, Workloads<Real>& workloads) {
+  if (place == Place::first_cache) {
+    const auto arrays = workloads.in_cache(target);
+    const std::size_t size = arrays->size();
+    return {[=] {
+              const auto all = arrays->slice(0, size);
+              kernel(all, parameters);
+              keep(all.out);
+            },
+            size};
+  }
+  const auto memory = workloads.in_memory(target);
+  return {[=] {
+            const auto slice = memory->slice();
+            kernel(slice, parameters);
+            keep(slice.out);
+          },
+          memory_slice, false};
+}
+
+/// What is to be timed, in the order of the catalogue.
+class Programme {
+ public:
+  Programme(const forms::Catalogue& catalogue, const Wanted& wanted, std::size_t last_cache)
+      : has_little_memory_(wanted.has_little_memory), floats_(last_cache), doubles_(last_cache) {
+    for (const forms::Width width : wanted.widths) {
+      const auto compiled = compiled_for(width);
+      add_all(compiled, "copy", catalogue.targets.front(), nullptr, width);
+      for (const forms::FormEntry& form : catalogue.forms) {
+        if (is_wanted(wanted, form.target))
+          add_all(compiled, form.id, forms::target_of(catalogue, form.target), &form, width);
+      }
+    }
+  }
+
+  std::vector<Timed> timed;
+  std::vector<Work> work;
+
+ private:
+  static bool is_wanted(const Wanted& wanted, std::string_view target) {
+    return wanted.targets.empty() ||
+           std::find(wanted.targets.begin(), wanted.targets.end(), target) != wanted.targets.end();
+  }
+
+  /// Every version of a form at a width.
+  void add_all(const std::vector<forms::CompiledForm>& compiled, std::string_view id,
+               const forms::Target& target, const forms::FormEntry* form, forms::Width width) {
+    for (const forms::CompiledForm& version : compiled) {
+      if (version.form != id) continue;
+      const auto given =
+          form == nullptr ? std::vector<double>{} : forms::parameters_of(target, form->constants.front());
+      add(version, version.in_float, target, form, given, width, Place::first_cache, floats_);
+      add(version, version.in_double, target, form, given, width, Place::first_cache, doubles_);
+      if (!has_little_memory_ || target.arguments != forms::Arguments::normal_to_lights)
+        add(version, version.in_float, target, form, given, width, Place::memory, floats_);
+      if (!has_little_memory_)
+        add(version, version.in_double, target, form, given, width, Place::memory, doubles_);
+    }
+  }
+
+  template <class Real>
+  void add(const forms::CompiledForm& version, forms::Kernel<Real> kernel, const forms::Target& target,
+           const forms::FormEntry* form, const std::vector<double>& given, forms::Width width, Place place,
+           Workloads<Real>& workloads) {
+    if (kernel == nullptr) return;
+    TimedForm row;
+    row.target = form == nullptr ? "" : target.id;
+    row.form = version.form;
+    row.exp2_degree = version.exp2_degree;
+    row.is_double = sizeof(Real) == sizeof(double);
+    row.width = width;
+    row.place = place;
+    timed.push_back({row, form});
+    std::vector<Real> parameters;
+    for (const double value : given) parameters.push_back(static_cast<Real>(value));
+    work.push_back(work_of(kernel, target, std::move(parameters), place, workloads));
+  }
+
+  bool has_little_memory_;
+  Workloads<float> floats_;
+  Workloads<double> doubles_;
+};
+
+/// "sg, published-sg-offset-mean, exp2 of degree 3".
+std::string label_of(const TimedForm& row) {
+  std::string label = row.form;
+  if (row.constants != "none" && !row.constants.empty()) label += ", " + row.constants;
+  if (row.exp2_degree > 0) label += ", exp2 of degree " + std::to_string(row.exp2_degree);
+  return label;
+}
+
+std::optional<double> error_of(const std::vector<FormError>& errors, const TimedForm& row) {
+  for (const FormError& error : errors) {
+    if (error.target == row.target && error.form == row.form && error.constants == row.constants &&
+        error.exp2_degree == row.exp2_degree && error.is_double == row.is_double)
+      return error.max_abs_error;
+  }
+  return std::nullopt;
+}
+
+/// The first form of a target is the target itself, by the library.
+bool is_reference(const forms::Catalogue& catalogue, const forms::FormEntry& form) {
+  for (const forms::FormEntry& other : catalogue.forms) {
+    if (other.target == form.target) return &other == &form;
+  }
+  return false;
+}
+
+}  // namespace
+
+Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& errors, const Wanted& wanted,
+              const Clock& clock, const std::function<void(double)>& between) {
+  Trade trade;
+  trade.machine = this_machine();
+  trade.widths = wanted.widths;
+  const Programme programme(catalogue, wanted, trade.machine.last_cache);
+  const auto samples = time_interleaved(programme.work, wanted.plan, clock, between);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    TimedForm row = programme.timed[i].row;
+    row.real = samples[i].real;
+    row.cpu = samples[i].cpu;
+    row.ns = spread_of(row.real);
+    row.elements = samples[i].calls * static_cast<long>(programme.work[i].elements);
+    const forms::FormEntry* form = programme.timed[i].form;
+    if (form == nullptr) {
+      row.label = row.form;
+      trade.copies.push_back(std::move(row));
+      continue;
+    }
+    row.is_reference = is_reference(catalogue, *form);
+    for (const forms::Constants& constants : form->constants) {
+      row.constants = constants.id;
+      row.label = label_of(row);
+      row.max_abs_error = error_of(errors, row);
+      trade.forms.push_back(row);
+    }
+  }
+  for (const forms::Target& target : catalogue.targets) {
+    const bool is_timed = std::any_of(trade.forms.begin(), trade.forms.end(),
+                                      [&](const TimedForm& row) { return row.target == target.id; });
+    if (is_timed) {
+      trade.targets.push_back(
+          {std::string(target.id), std::string(target.id) + ": " + std::string(target.text)});
+    }
+  }
+  relate(trade);
+  trade.goals = goals_of(trade);
+  return trade;
+}
+
+}  // namespace shadefit::bench

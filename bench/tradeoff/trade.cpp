@@ -1,0 +1,86 @@
+#include "bench/tradeoff/trade.hpp"
+
+#include <algorithm>
+
+#include "bench/tradeoff/front.hpp"
+
+namespace shadefit::bench {
+
+std::string name(Place place) {
+  return place == Place::first_cache ? "L1" : "memory";
+}
+
+std::string full_id(const TimedForm& timed) {
+  return timed.exp2_degree == 0 ? timed.form : timed.form + "/exp2-" + std::to_string(timed.exp2_degree);
+}
+
+namespace {
+
+bool are_alike(const TimedForm& a, const TimedForm& b) {
+  return a.is_double == b.is_double && a.place == b.place;
+}
+
+template <class Condition>
+const TimedForm* first_where(const std::vector<TimedForm>& rows, const Condition& condition) {
+  const auto found = std::find_if(rows.begin(), rows.end(), condition);
+  return found == rows.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+bool is_same_kernel(const TimedForm& a, const TimedForm& b) {
+  return a.target == b.target && a.form == b.form && a.exp2_degree == b.exp2_degree && a.width == b.width &&
+         a.is_double == b.is_double;
+}
+
+bool is_same_way(const TimedForm& a, const TimedForm& b) {
+  return is_same_kernel(a, b) && a.constants == b.constants && a.place == b.place;
+}
+
+const TimedForm* in_memory(const Trade& trade, const TimedForm& timed) {
+  return first_where(trade.forms, [&](const TimedForm& other) {
+    return is_same_kernel(other, timed) && other.constants == timed.constants && other.place == Place::memory;
+  });
+}
+
+void relate(Trade& trade) {
+  for (TimedForm& timed : trade.forms) {
+    const auto* copy = first_where(trade.copies, [&](const TimedForm& floor) {
+      return floor.width == timed.width && are_alike(floor, timed);
+    });
+    if (copy != nullptr) timed.copies = timed.ns.median / copy->ns.median;
+    const auto* reference = first_where(trade.forms, [&](const TimedForm& other) {
+      return other.is_reference && other.target == timed.target && other.width == forms::Width::scalar &&
+             are_alike(other, timed);
+    });
+    if (reference != nullptr) timed.pows = reference->ns.median / timed.ns.median;
+  }
+}
+
+std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target) {
+  std::vector<TimedForm> fastest;
+  for (const TimedForm& timed : trade.forms) {
+    if (timed.target != target || timed.place != Place::first_cache || !timed.max_abs_error) continue;
+    const auto same = std::find_if(fastest.begin(), fastest.end(), [&](const TimedForm& known) {
+      return known.form == timed.form && known.constants == timed.constants &&
+             known.exp2_degree == timed.exp2_degree && known.is_double == timed.is_double;
+    });
+    if (same == fastest.end()) {
+      fastest.push_back(timed);
+    } else if (timed.ns.median < same->ns.median) {
+      *same = timed;
+    }
+  }
+  return fastest;
+}
+
+std::vector<TimedForm> front_of_target(const Trade& trade, const std::string& target) {
+  const std::vector<TimedForm> all = fastest_of(trade, target);
+  std::vector<Offer> offers;
+  for (const TimedForm& timed : all) offers.push_back({timed.ns.median, *timed.max_abs_error});
+  std::vector<TimedForm> front;
+  for (const std::size_t i : front_of(offers)) front.push_back(all[i]);
+  return front;
+}
+
+}  // namespace shadefit::bench

@@ -1,0 +1,190 @@
+#include "fit/better/better.hpp"
+
+#include <algorithm>
+
+#include "approx/fresnel.hpp"
+#include "fit/scalars/symbolic.hpp"
+#include "fit/verdicts/published_curve.hpp"
+
+namespace shadefit {
+namespace {
+
+using Kind = Contender::Kind;
+
+/// What a shader executes for a form with constants, as `shadefit emit` writes it at one exponent: what is
+/// made of constants alone is computed before.
+Operations executed(const FittableFamily& family, const Setting& setting, const std::vector<double>& values) {
+  const auto value_of = [&](const std::string& variable) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (family.parameters[i] == variable) return Symbolic::number(to_text(values[i]));
+    }
+    return variable == "k" ? Symbolic::number(to_text(setting.exponent)) : Symbolic::variable(variable);
+  };
+  return count_operations(evaluate<Symbolic>(family.form(), value_of));
+}
+
+/// A form with constants, of the family and in the setting that the subject names; `alternation` is that of a
+/// minimax fit.
+Contender contender(Kind kind, const FittableFamily& family, const Subject& subject,
+                    const std::vector<double>& values, double width, const Checkpoint& checkpoint,
+                    const std::vector<AlternationPoint>& alternation = {}) {
+  const auto relative = family.max_rel_error(subject.setting, subject.domain, values);
+  const Cosine<double> at = family.max_abs_error(subject.setting, subject.domain, values).at;
+  std::vector<Cosine<double>> peaks{at};
+  for (const AlternationPoint& point : alternation) peaks.push_back(point.at);
+  return {.kind = kind,
+          .family = family.info.id,
+          .published = "",
+          .form = to_text(family.form()),
+          .origin = "",
+          .parameters = subject.parameters,
+          .values = values,
+          .operations = executed(family, subject.setting, values),
+          .max_abs_error = bound_error(subject, peaks, width, checkpoint),
+          .at = at,
+          .max_rel_error = relative ? std::optional(relative->magnitude) : std::nullopt,
+          .rms_error = family.objective(subject.setting, {.domain = subject.domain}, values)};
+}
+
+/// The printed constants of a family, each set once.
+void append_published(Comparison& comparison, const FittableFamily& family, const Contest& contest,
+                      const Checkpoint& checkpoint) {
+  auto& contenders = comparison.contenders;
+  for (const Published* number : numbers_of(family.info)) {
+    if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
+    Subject subject{.family = std::string(family.info.id),
+                    .parameters = {},
+                    .setting = comparison.setting,
+                    .domain = contest.domain};
+    for (const auto& [parameter, printed] : printed_parameters(family, *number))
+      subject.parameters.emplace_back(parameter, printed);
+    const bool is_known = std::any_of(contenders.begin(), contenders.end(), [&](const Contender& other) {
+      return other.family == family.info.id && other.parameters == subject.parameters;
+    });
+    if (is_known) continue;
+    Contender found = contender(Kind::published, family, subject, published_parameters(family, *number),
+                                contest.width, checkpoint);
+    found.published = number->id;
+    found.origin = std::string(number->source.author) + " " + std::to_string(number->source.year);
+    contenders.push_back(std::move(found));
+  }
+}
+
+void append_fit(Comparison& comparison, const FittableFamily& family, Metric metric, double width,
+                const Checkpoint& checkpoint) {
+  metric.domain = comparison.domain;
+  Metric everywhere = metric;
+  everywhere.domain = {};
+  const std::string objective =
+      (metric.norm == Norm::minimax ? "" : "least squares, ") + describe(everywhere);
+  const Fit fit = family.fit(comparison.setting, metric);
+  if (fit.status != Status::converged) {
+    comparison.left_out.push_back(to_text(family.form()) + " under " + objective + ": " +
+                                  std::string(name(fit.status)) + (fit.why.empty() ? "" : ", " + fit.why));
+    return;
+  }
+  Contender found =
+      contender(Kind::fitted, family, subject_of(fit), fit.parameters, width, checkpoint, fit.alternation);
+  found.origin = objective;
+  comparison.contenders.push_back(std::move(found));
+}
+
+void append_fits(Comparison& comparison, const FittableFamily& family, const Contest& contest,
+                 const Checkpoint& checkpoint) {
+  const auto append = [&](const Metric& metric) {
+    append_fit(comparison, family, metric, contest.width, checkpoint);
+  };
+  append({.norm = Norm::minimax});
+  if (contest.only_minimax) return;
+  append({.norm = Norm::minimax, .error = Error::relative});
+  if (family.info.id != comparison.family->info.id) return;
+  for (const Measure measure : measures) append({.measure = measure});
+}
+
+/// Schlick's formula where it is not the target.
+void append_schlick(Comparison& comparison, const Contest& contest, const Checkpoint& checkpoint) {
+  const SchlickError error =
+      schlick_error(comparison.setting.surface, contest.domain, contest.width, checkpoint);
+  const Symbolic form = comparison.family->target();
+  comparison.contenders.push_back({.kind = Kind::published,
+                                   .family = "",
+                                   .published = "schlick",
+                                   .form = to_text(form),
+                                   .origin = "Schlick 1994",
+                                   .parameters = {},
+                                   .values = {},
+                                   .operations = count_operations(form),
+                                   .max_abs_error = error.bounds,
+                                   .at = error.absolute.at,
+                                   .max_rel_error = error.relative.magnitude,
+                                   .rms_error = error.rms});
+}
+
+/// The target as a formula that a shader could run, its constants known before; of an exact surface the
+/// reflectance F.
+Symbolic runnable_target(const FittableFamily& family, const Surface& surface) {
+  if (!surface.is_exact()) return family.target();
+  const Symbolic c = Symbolic::variable("c"), n = Symbolic::number(to_text(surface.ior));
+  if (surface.extinction == 0) return dielectric_reflectance(c, n);
+  return conductor_reflectance(c, n, Symbolic::number(to_text(surface.extinction)));
+}
+
+void append_target(Comparison& comparison) {
+  const Surface& surface = comparison.setting.surface;
+  const std::string text = !surface.is_exact()       ? to_text(comparison.family->target())
+                           : surface.extinction == 0 ? "Fresnel's equations of a dielectric"
+                                                     : "Fresnel's equations of a conductor";
+  comparison.contenders.push_back(
+      {.kind = Kind::target,
+       .family = "",
+       .published = "",
+       .form = text,
+       .origin = "the target itself",
+       .parameters = {},
+       .values = {},
+       .operations = count_operations(runnable_target(*comparison.family, surface)),
+       .max_abs_error = {},
+       .at = std::nullopt,
+       .max_rel_error = 0,
+       .rms_error = 0});
+}
+
+/// Less error, proven, at no more instructions.
+bool is_better(const Contender& contender, const Contender& published) {
+  return contender.max_abs_error.upper < published.max_abs_error.lower &&
+         contender.operations.total() <= published.operations.total();
+}
+
+}  // namespace
+
+bool have_same_target(const FittableFamily& a, const FittableFamily& b) {
+  return to_text(a.target()) == to_text(b.target());
+}
+
+Comparison compare_forms(const FittableFamily& family, const Setting& setting, const Contest& contest,
+                         const Checkpoint& checkpoint) {
+  Comparison comparison{.family = &family, .setting = setting, .domain = contest.domain};
+  auto& contenders = comparison.contenders;
+  if (family.is_fresnel() && setting.surface.is_exact()) append_schlick(comparison, contest, checkpoint);
+  append_target(comparison);
+  for (const FittableFamily& other : fittable_families()) {
+    if (!have_same_target(family, other)) continue;
+    checkpoint();
+    append_published(comparison, other, contest, checkpoint);
+    append_fits(comparison, other, contest, checkpoint);
+  }
+  std::stable_sort(contenders.begin(), contenders.end(), [](const Contender& a, const Contender& b) {
+    const bool is_first = a.kind == Kind::published, is_other_first = b.kind == Kind::published;
+    return is_first != is_other_first ? is_first : a.max_abs_error.upper < b.max_abs_error.upper;
+  });
+  for (Contender& contender : contenders) {
+    if (contender.kind == Kind::target) continue;
+    for (const Contender& other : contenders) {
+      if (other.kind == Kind::published && is_better(contender, other))
+        contender.beats.push_back(other.published);
+    }
+  }
+  return comparison;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,87 @@
+#include "fit/errors/effect.hpp"
+
+#include <limits>
+
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+void keep_larger(Change& largest, const Change& other) {
+  if (other.magnitude > largest.magnitude * (1 + equal_extrema)) largest = other;
+}
+
+Change beside(Change change, const Coordinate& coordinate) {
+  change.at.second = coordinate;
+  return change;
+}
+
+std::string words(const Coordinate& coordinate) {
+  constexpr double longest = 1e7;  // a whole number of more digits is not read as one
+  const bool is_whole = std::round(coordinate.value) == coordinate.value && coordinate.value < longest;
+  return std::string(coordinate.before) + decimal(coordinate.value, is_whole ? 7 : 3) +
+         std::string(coordinate.after);
+}
+
+/// "0.48 ulps", "1 ulp"; whole numbers below a thousand in full.
+std::string counted_share(double value, std::string_view noun) {
+  const std::string number = decimal(value, value >= 100 && value < 1000 ? 3 : 2);
+  return number + " " + std::string(noun) + (number == "1" ? "" : "s");
+}
+
+std::string relative_words(const Effect& effect) {
+  if (!effect.reaches_visible) return "no relative change as no value reaches 1/255";
+  if (effect.relative.magnitude == 0) return "0 of any value from 1/255 on";
+  return decimal(effect.relative.magnitude, 2) + " of its value (at " + words(effect.relative.at) + ")";
+}
+
+}  // namespace
+
+void Effect::show(double before, double after, const Place& at) {
+  const double step = std::abs(after - before);
+  if (!std::isfinite(step)) {
+    absolute = {std::numeric_limits<double>::infinity(), at};
+    return;
+  }
+  keep_larger(absolute, {step, at});
+  if (std::abs(before) >= visible) {
+    reaches_visible = true;
+    keep_larger(relative, {step / std::abs(before), at});
+  }
+  half_ulps = std::max(half_ulps, step / half_ulp(before));
+  srgb_codes = std::max(srgb_codes, std::abs(srgb_code(after) - srgb_code(before)));
+}
+
+void Effect::include(const Effect& other, const Coordinate& coordinate) {
+  const bool has_coordinate = !coordinate.before.empty();
+  keep_larger(absolute, has_coordinate ? beside(other.absolute, coordinate) : other.absolute);
+  keep_larger(relative, has_coordinate ? beside(other.relative, coordinate) : other.relative);
+  reaches_visible = reaches_visible || other.reaches_visible;
+  half_ulps = std::max(half_ulps, other.half_ulps);
+  srgb_codes = std::max(srgb_codes, other.srgb_codes);
+}
+
+std::string words(const Place& place) {
+  return words(place.first) + (place.second.before.empty() ? "" : ", " + words(place.second));
+}
+
+std::string sentence(const Effect& effect, std::string_view what, std::string_view lead) {
+  if (effect.absolute.magnitude == 0) return "none";
+  const std::string start =
+      std::string(lead) + (lead.empty() ? "" : " ") + "moves " + std::string(what) + " ";
+  const std::string place = " (at " + words(effect.absolute.at) + ")";
+  if (!std::isfinite(effect.absolute.magnitude)) return start + "beyond the range of a double" + place;
+  return start + "by at most " + decimal(effect.absolute.magnitude, 2) + place + ", " +
+         relative_words(effect) + ", " + counted_share(effect.half_ulps, "ulp") + " of a half float, " +
+         counted_share(effect.srgb_codes, "8-bit sRGB code") + ", each at its worst";
+}
+
+std::string sentences(const std::vector<std::string>& effects) {
+  std::string out;
+  for (const std::string& effect : effects) {
+    if (effect != "none") out += (out.empty() ? "" : "; ") + effect;
+  }
+  return out.empty() ? "none" : out;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "approx/encoding.hpp"
+#include "fit/errors/extremum.hpp"
+
+/// What a difference does to a picture, in the units that a renderer programmer feels. Every effect of the
+/// project is made here: values before and after are shown to an `Effect`, and `sentence` says it.
+namespace shadefit {
+
+/// A number that says where: "c = 0.284", "80 degrees", "code 251". The words have to outlive it: literals.
+struct Coordinate {
+  std::string_view before = {};  ///< the words in front of the number; empty: no coordinate
+  double value = 0;
+  std::string_view after = {};
+};
+
+/// One coordinate, or two: "c = 0.735, k = 3".
+struct Place {
+  Coordinate first;
+  Coordinate second = {};
+};
+
+struct Change {
+  double magnitude = 0;
+  Place at{};
+};
+
+/// The largest changes of all that were shown, each at its own worst place.
+struct Effect {
+  Change absolute;               ///< the largest |change|
+  Change relative;               ///< the largest |change / value|, where the value is at least `visible`
+  bool reaches_visible = false;  ///< a value was
+  double half_ulps = 0;          ///< the largest |change| in units of the last place of a half
+  double srgb_codes = 0;         ///< the largest |change| in 8-bit sRGB codes (a real number: 1 is one code)
+
+  /// A value goes from `before` to `after` at that place. Of changes that are equal within `equal_extrema`
+  /// the first one shown is kept. A change that is not finite makes `absolute` infinite.
+  void show(double before, double after, const Place& at);
+
+  /// What another effect was shown, too; `beside` is added to its places.
+  void include(const Effect& other, const Coordinate& beside = {});
+};
+
+/// A relative change is stated where the value is at least one code of an 8-bit linear target.
+inline constexpr double visible = 1.0 / 255;
+
+/// The distance from |value| to the next half: 2^(e-10) in [2^e, 2^(e+1)), 2^-24 in the subnormals.
+inline double half_ulp(double value) {
+  const int exponent = std::max(-14, std::ilogb(std::max(std::abs(value), 0x1p-24)));
+  return std::ldexp(1.0, exponent - 10);
+}
+
+/// "c = 0.284"; where c says little, near the peak, "c = 1 - 0.00031".
+inline Place at_cosine(const Cosine<double>& c) {
+  constexpr double near = 0.005;
+  const bool is_near = c.one_minus_cos > 0 && c.one_minus_cos < near;
+  return is_near ? Place{{"c = 1 - ", c.one_minus_cos}} : Place{{"c = ", c.cos_theta}};
+}
+
+/// The effect of a change over the domain of the substitution. Absolute: a refined extremum; the others: the
+/// largest over the `search_points` and both ends. `values` maps a Cosine<T> to the value before and the
+/// value after, an std::array<T, 2>, for double and ceres::Jet<double, 1>.
+template <class Values>
+Effect effect_over(const Values& values, const Substitution& substitution) {
+  Effect effect;
+  std::vector<double> points{0, 1};  // first: of equal changes an end is the plainer place
+  const std::vector<double> inside = search_points();
+  points.insert(points.end(), inside.begin(), inside.end());
+  for (const double s : points) {
+    const Cosine<double> c = substitution.at(s).cosine;
+    const auto [before, after] = values(c);
+    effect.show(before, after, at_cosine(c));
+  }
+  const Extremum largest = largest_magnitude(
+      [&]<class T>(const Cosine<T>& c) {
+        const std::array<T, 2> value = values(c);
+        return T(value[1] - value[0]);
+      },
+      substitution);
+  effect.absolute = {largest.magnitude, at_cosine(largest.at)};
+  return effect;
+}
+
+/// The effect of going from one function of the cosine to another; both map a Cosine<T> to a T.
+template <class Before, class After>
+Effect effect_between(const Before& before, const After& after, const Substitution& substitution) {
+  return effect_over(
+      [&]<class T>(const Cosine<T>& c) {
+        return std::array<T, 2>{before(c), after(c)};
+      },
+      substitution);
+}
+
+/// The effect of going from parameters `from` to `to`: a place is sampled once for both.
+template <class F, std::size_t N>
+Effect effect_of_change(const F& family, const Domain& domain, const std::array<double, N>& from,
+                        const std::array<double, N>& to) {
+  const auto values = [&]<class T>(const Cosine<T>& c) {
+    std::array<T, N> p, q;
+    for (std::size_t i = 0; i < N; ++i) {
+      p[i] = lift<T>(from[i]);
+      q[i] = lift<T>(to[i]);
+    }
+    const auto sample = family.sample(c);
+    return std::array<T, 2>{family.form(sample, p), family.form(sample, q)};
+  };
+  return effect_over(values, Substitution({.measure = Measure::cosine, .domain = domain}, family.shape()));
+}
+
+/// "c = 0.735, k = 3": whole numbers in full, others to three digits.
+std::string words(const Place& place);
+
+/// "moves the curve by at most 3.7e-06 (at c = 0.284), 0.00013 of its value (at c = 0.0684), 0.48 ulps of a
+/// half float, 0.0017 8-bit sRGB codes, each at its worst", or "none" where nothing was moved. A lead comes
+/// in front: "at k = 5 the form moves ..".
+std::string sentence(const Effect& effect, std::string_view what = "the curve", std::string_view lead = {});
+
+/// The sentences of several effects but for those that are "none"; "none" where all are.
+std::string sentences(const std::vector<std::string>& effects);
+
+}  // namespace shadefit

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string_view>
+
+#include "fit/scalars/multiprecision.hpp"
+
+/// The ruler: how far a computed number of a format is from the truth, in units of the last place.
+namespace shadefit {
+
+/// A binary format of IEEE 754. Its normal numbers are +-m 2^(e - digits + 1) with a whole m in
+/// [2^(digits - 1), 2^digits) and e from `least_exponent` to `greatest_exponent`; below them the subnormal
+/// ones have the spacing of the least.
+struct BinaryFormat {
+  std::string_view name;
+  int digits;
+  int least_exponent;
+  int greatest_exponent;
+};
+
+inline constexpr BinaryFormat half_format{"half", 11, -14, 15};
+inline constexpr BinaryFormat float_format{"float", 24, -126, 127};
+inline constexpr BinaryFormat double_format{"double", 53, -1022, 1023};
+
+/// The unit of the last place of a format at `truth`: the spacing of the format's numbers in the binade
+/// [2^e, 2^(e+1)) that holds |truth|, 2^(e - digits + 1). A power of two belongs to the binade above it: just
+/// below 1 the numbers lie half an ulp of 1 apart. Below the normal numbers, and at 0, it is the least
+/// subnormal number; beyond the largest number, the spacing in the last binade.
+Decimal50 ulp_at(const Decimal50& truth, const BinaryFormat& format);
+
+/// Whether rounding to nearest makes an infinity of `truth`: from half an ulp beyond the largest number on.
+bool overflows(const Decimal50& truth, const BinaryFormat& format);
+
+/// |computed - truth| / ulp_at(truth). `computed` is a number of the format, widened; `truth` is no NaN. Zero
+/// is 0 whatever its sign, and a number of the wrong sign is simply further away. Infinite for a NaN and for
+/// an infinity, except that the infinity which the truth rounds to is 0 ulps off; where the truth overflows,
+/// a finite number is measured from the largest finite one's binade like any other.
+double ulps_off(double computed, const Decimal50& truth, const BinaryFormat& format);
+
+}  // namespace shadefit

@@ -1,0 +1,214 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "approx/cosine.hpp"
+#include "approx/fresnel.hpp"
+#include "fit/families/surface.hpp"
+#include "fit/quadrature/substitution.hpp"
+#include "fit/scalars/jet.hpp"
+
+/// The families of Fresnel's weight; what a family brings says fit/families/families.hpp.
+namespace shadefit {
+
+/// The weight of a surface's reflectance, (1-c)^5 where it is none in particular, by a form: what the Fresnel
+/// families share.
+template <class Form, int N>
+struct FresnelFamily {
+  static constexpr bool is_linear = Form::is_linear;
+  /// Errors are those of the reflectance F = f0 + (1 - f0) f; where the surface is none in particular,
+  /// Schlick's formula stands for every f0 and has the errors of f.
+  Surface surface = {};
+
+  template <class T>
+  static T target_of(const T& cos_theta, const T&) {
+    return schlick_weight(cos_theta);
+  }
+  template <class T>
+  static T form_of(const T& cos_theta, const T&, const std::array<T, N>& p) {
+    return Form::evaluate(cos_theta, p);
+  }
+
+  std::string relative_to() const {
+    if (!surface.is_named())
+      return "F = f0 + (1 - f0) f, f0 = " + (surface.f0 ? to_text(*surface.f0) : std::string(reference_f0));
+    return surface.is_exact() ? "the exact F" : "Schlick's F, f0 of the surface";
+  }
+
+  Shape shape() const { return {.joint = joint_of(surface)}; }
+
+  /// Where a form falls to one half by 2^-1 at the cosine where its target does.
+  double half_sharpness() const { return 1 / half_weight_cosine(surface); }
+
+  template <class T>
+  struct Sample {
+    T cos_theta;
+    T target;
+  };
+
+  template <class T>
+  Sample<T> sample(const Cosine<T>& c) const {
+    return {c.cos_theta, target_weight(surface, c.cos_theta)};
+  }
+
+  template <class T, class P>
+  P form(const Sample<T>& s, const std::array<P, N>& p) const {
+    return Form::evaluate(lift<P>(s.cos_theta), p);
+  }
+
+  template <class T, class P>
+  P error(const Sample<T>& s, const std::array<P, N>& p) const {
+    const P difference = form(s, p) - lift<P>(s.target);
+    return surface.is_named() ? (integer<P>(1) - normal_reflectance<P>(surface)) * difference : difference;
+  }
+
+  /// (Fhat - F)/F = (1 - f0)/F (form - target): what a shader's reader sees.
+  template <class T, class P>
+  P relative_error(const Sample<T>& s, const std::array<P, N>& p) const {
+    const T f0 = normal_reflectance<T>(surface);
+    const T scale = (integer<T>(1) - f0) / schlick_reflectance(f0, s.target);
+    return lift<P>(scale) * (form(s, p) - lift<P>(s.target));
+  }
+
+  /// log(form), linear in the parameters of an exponential form.
+  template <class T, class P>
+  requires Form::is_exponential P log_form(const Sample<T>& s, const std::array<P, N>& p)
+  const { return log(form(s, p)); }
+
+  /// log(form/target), infinite where the target is 0 or, as a metal's may be, below.
+  template <class T, class P>
+  requires Form::is_exponential P log_ratio(const Sample<T>& s, const std::array<P, N>& p)
+  const { return log_form(s, p) - lift<P>(log(positive_part(s.target))); }
+
+  static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
+};
+
+struct OneTermForm {
+  static constexpr bool is_exponential = true, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_one_term(c, p[0]);
+  }
+};
+
+struct QuadraticForm {
+  static constexpr bool is_exponential = true, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 2>& p) {
+    return fresnel_quadratic(c, p[0], p[1]);
+  }
+};
+
+/// (1-c)^5, or what an exact surface has in its place, by exp2(-A c).
+struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
+  static constexpr const Family& info = fresnel_one_term_family;
+  static constexpr std::array<std::string_view, 1> parameters{"A"};
+  std::array<std::array<double, 1>, 3> starts() const {
+    const double half = half_sharpness();
+    return {{{half / 3}, {half}, {2 * half}}};
+  }
+};
+
+/// The same by exp2((a c + b) c).
+struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
+  static constexpr const Family& info = fresnel_quadratic_family;
+  static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
+  /// From inside, all is reflected down to the critical angle: the curve leaves 1 rising before it falls.
+  std::array<std::array<double, 2>, 3> starts() const {
+    const double b = half_sharpness(), a = b * b;
+    if (surface.is_exact() && surface.ior < 1 && surface.extinction < surface.ior)
+      return {{{-2 * a, b}, {-a, 0}, {-4 * a, 3 * b}}};
+    return {{{0, -b}, {-a / 2, -b / 2}, {-a, 0}}};
+  }
+};
+
+struct CubicForm {
+  static constexpr bool is_exponential = true, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 3>& p) {
+    return fresnel_cubic(c, p[0], p[1], p[2]);
+  }
+};
+
+struct QuarticForm {
+  static constexpr bool is_exponential = true, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 4>& p) {
+    return fresnel_quartic(c, p[0], p[1], p[2], p[3]);
+  }
+};
+
+struct FourthForm {
+  static constexpr bool is_exponential = false, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_fourth(c, p[0]);
+  }
+};
+
+struct SquareForm {
+  static constexpr bool is_exponential = false, is_linear = true;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 2>& p) {
+    return fresnel_square(c, p[0], p[1]);
+  }
+};
+
+struct RationalForm {
+  static constexpr bool is_exponential = false, is_linear = false;
+  template <class P>
+  static P evaluate(const P& c, const std::array<P, 1>& p) {
+    return fresnel_rational(c, p[0]);
+  }
+};
+
+/// The same by exp2(((a c + b) c + d) c); the starts are those of the quadratic, and beside them.
+struct FresnelCubic : FresnelFamily<CubicForm, 3> {
+  static constexpr const Family& info = fresnel_cubic_family;
+  static constexpr std::array<std::string_view, 3> parameters{"a", "b", "d"};
+  std::array<std::array<double, 3>, 3> starts() const {
+    const double d = half_sharpness(), b = d * d;
+    return {{{-b / 8, -b / 8, -d}, {b / 8, -b / 8, -d}, {-b / 8, -b / 4, -d / 2}}};
+  }
+};
+
+/// The same by exp2((((a c + b) c + d) c + g) c).
+struct FresnelQuartic : FresnelFamily<QuarticForm, 4> {
+  static constexpr const Family& info = fresnel_quartic_family;
+  static constexpr std::array<std::string_view, 4> parameters{"a", "b", "d", "g"};
+  std::array<std::array<double, 4>, 3> starts() const {
+    const double g = half_sharpness(), d = g * g;
+    return {{{-d / 16, -d / 16, -d / 8, -g}, {d / 16, -d / 8, -d / 8, -g}, {-d / 8, d / 16, -d / 8, -g}}};
+  }
+};
+
+/// The same by s (1-c)^4.
+struct FresnelFourth : FresnelFamily<FourthForm, 1> {
+  static constexpr const Family& info = fresnel_fourth_family;
+  static constexpr std::array<std::string_view, 1> parameters{"s"};
+  static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
+};
+
+/// The same by (1-c)^2 (1 + (a c + b) c).
+struct FresnelSquare : FresnelFamily<SquareForm, 2> {
+  static constexpr const Family& info = fresnel_square_family;
+  static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
+  static std::array<std::array<double, 2>, 3> starts() { return {{{1, -1}, {2, -3}, {4, -4}}}; }
+};
+
+/// The same by (1-c)^4/(1 + a c).
+struct FresnelRational : FresnelFamily<RationalForm, 1> {
+  static constexpr const Family& info = fresnel_rational_family;
+  static constexpr std::array<std::string_view, 1> parameters{"a"};
+  static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
+
+  template <class P>
+  static P denominator(const P& c, const std::array<P, 1>& p) {
+    return fresnel_rational_denominator(c, p[0]);
+  }
+};
+
+}  // namespace shadefit

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <concepts>
+#include <optional>
+#include <string_view>
+
+#include "approx/fresnel.hpp"
+#include "fit/quadrature/substitution.hpp"
+#include "fit/scalars/jet.hpp"
+
+/// What a Fresnel form is fitted to: Schlick's formula or the exact one, of a surface or of none in
+/// particular.
+namespace shadefit {
+
+/// A smooth surface, and by which formula it reflects.
+struct Surface {
+  enum class Formula { schlick, exact };
+
+  Formula formula = Formula::schlick;
+  double ior = 0;         ///< index of refraction, behind over in front; 0: no surface in particular
+  double extinction = 0;  ///< 0: a dielectric; above: a conductor
+  /// Of no surface in particular, the reflectance at normal incidence that relative errors are stated for;
+  /// empty: the `reference_f0`.
+  std::optional<double> f0 = std::nullopt;
+
+  auto operator<=>(const Surface&) const = default;
+
+  bool is_named() const { return ior != 0; }
+  bool is_exact() const { return formula == Formula::exact; }
+};
+
+/// The exact formula for an index of refraction and an extinction.
+constexpr Surface exact_surface(double ior, double extinction = 0) {
+  return {Surface::Formula::exact, ior, extinction, std::nullopt};
+}
+
+/// Schlick's formula for the same surface.
+constexpr Surface schlick_surface(double ior, double extinction = 0) {
+  return {Surface::Formula::schlick, ior, extinction, std::nullopt};
+}
+
+/// The `reference_f0`; its text is read once.
+template <class T>
+T reference_reflectance() {
+  if constexpr (std::floating_point<T>) {
+    static const T value = constant<T>(reference_f0);
+    return value;
+  } else if constexpr (requires { typename T::Scalar; }) {
+    return T(reference_reflectance<typename T::Scalar>());
+  } else {
+    return constant<T>(reference_f0);
+  }
+}
+
+/// The reflectance at normal incidence, where the surface has none its f0.
+template <class T>
+T normal_reflectance(const Surface& surface) {
+  if (!surface.is_named()) return surface.f0 ? lift<T>(*surface.f0) : reference_reflectance<T>();
+  if (surface.extinction == 0) return reflectance_at_normal(lift<T>(surface.ior));
+  return conductor_reflectance_at_normal(lift<T>(surface.ior), lift<T>(surface.extinction));
+}
+
+/// The exact reflectance of a named surface at the cosine c.
+template <class T>
+T exact_reflectance(const Surface& surface, const T& cos_theta) {
+  if (surface.extinction == 0) return dielectric_reflectance(cos_theta, lift<T>(surface.ior));
+  return conductor_reflectance(cos_theta, lift<T>(surface.ior), lift<T>(surface.extinction));
+}
+
+/// How far the reflectance has gone from f0 to 1 at the cosine c: (F - f0)/(1 - f0).
+template <class T>
+T target_weight(const Surface& surface, const T& cos_theta) {
+  if (!surface.is_exact()) return schlick_weight(cos_theta);
+  return weight_of_reflectance(exact_reflectance(surface, cos_theta), normal_reflectance<T>(surface));
+}
+
+/// From inside a dielectric (index below 1) everything beyond the critical angle, sin = n, is reflected: the
+/// cosine there, where the exact reflectance has a kink.
+inline std::optional<double> critical_cosine(const Surface& surface) {
+  const bool is_inside = surface.is_exact() && surface.extinction == 0 && surface.ior < 1;
+  return is_inside ? std::optional(std::sqrt((1 - surface.ior) * (1 + surface.ior))) : std::nullopt;
+}
+
+/// The cosine at which the target's weight has first fallen to one half on the way from grazing (c = 0) to
+/// normal incidence: the scale of what is to be fitted. 1 - 2^(-1/5) of Schlick's; a metal may lose its
+/// grazing reflectance within a hundredth. Between powers of 2^(1/4), which is near enough for a scale.
+inline double half_weight_cosine(const Surface& surface) {
+  double c = std::ldexp(1.0, -40);
+  while (c < 1 && target_weight(surface, c) > 0.5) c *= std::exp2(0.25);
+  return std::min(c, 1.0);
+}
+
+/// Where the domain of a surface's target is cut: at its kink; or, where it falls within a small part of the
+/// domain, at eight times the cosine at which it has fallen to one half, so that the fall and the long rest
+/// each have their nodes.
+inline std::optional<Shape::Joint> joint_of(const Surface& surface) {
+  if (const auto kink = critical_cosine(surface)) return Shape::Joint{*kink, true};
+  if (!surface.is_exact()) return std::nullopt;
+  const double joint = 8 * half_weight_cosine(surface);
+  return joint < 0.6 ? std::optional(Shape::Joint{joint}) : std::nullopt;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "approx/records/record.hpp"
+#include "fit/verdicts/verdict.hpp"
+
+/// Published normalisation constants against numeric integration over the hemisphere.
+namespace shadefit {
+
+struct NormalisationCheck {
+  const Normalisation* record;
+  std::optional<double> exponent;
+  double closed_form;          ///< the constant as published
+  double integral;             ///< 1 over the numerical integral
+  double relative_difference;  ///< |closed_form / integral - 1|
+  double
+      estimated_error;  ///< relative, of `integral`: both rules' estimates, their difference and the cut tail
+  std::optional<Verdict> verdict;  ///< empty where the integral is not good enough to say
+};
+
+/// Largest relative difference that confirms a constant, and largest estimated error with which a check may
+/// speak: the integrands carry a few 1e-15, and 1e-12 is what is promised.
+inline constexpr double normalisation_tolerance = 1e-12;
+
+/// The exponents checked by default.
+inline constexpr double normalisation_exponents[] = {0.1, 1, 2, 8, 64, 2048, 1e5, 1e6};
+
+/// Checks the constant of that id at each exponent, all greater than 0 (once, without one, where the constant
+/// has none).
+std::vector<NormalisationCheck> check_normalisation(
+    const Normalisation& record, std::span<const double> exponents = normalisation_exponents);
+
+/// The verdict on a closed form: confirmed where the integral agrees within the tolerance, or within what the
+/// record says of itself, else refuted; empty where the estimated error of the integral exceeds the
+/// tolerance.
+std::optional<Verdict> judge_normalisation(double relative_difference, double estimated_error,
+                                           double closeness = 0);
+
+/// Where a stand-in for a constant is furthest above it.
+struct LargestRatio {
+  double exponent;
+  double ratio;  ///< stand-in over constant
+};
+
+/// The largest ratio of the cheap Blinn-Phong constant to the exact one over all exponents: a root of the
+/// ratio's slope, looked for on a grid of an eighth of a power of two from 2^-10 to 2^20.
+LargestRatio largest_cheap_ratio();
+
+}  // namespace shadefit

@@ -1,0 +1,226 @@
+#include "fit/ledger/colour/colour_chart.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "approx/encoding.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/colour/transfer_function.hpp"
+#include "fit/ledger/list.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The record's conventions, the one that codes are stored in first.
+std::vector<TransferFunction> conventions_of(const Claim& claim) {
+  std::vector<TransferFunction> conventions{transfer_function(claim.inputs.at("convention"))};
+  for (TransferFunction& other : transfer_functions(claim.inputs.at("other conventions")))
+    conventions.push_back(std::move(other));
+  return conventions;
+}
+
+/// "0.0212 under sRGB, 0.017 under gamma 2.2", of a value that every convention gives.
+template <class Value>
+std::string under_each(const std::vector<TransferFunction>& conventions, const Value& value, int digits) {
+  std::vector<std::string> parts;
+  for (const TransferFunction& convention : conventions)
+    parts.push_back(decimal(value(convention), digits) + " under " + convention.name);
+  return enumerated(parts);
+}
+
+std::string linear_under_each(const std::vector<TransferFunction>& conventions, double code) {
+  return under_each(
+      conventions, [&](const TransferFunction& t) { return t.linear(code); }, 4);
+}
+
+std::string code_under_each(const std::vector<TransferFunction>& conventions, double linear) {
+  return under_each(
+      conventions, [&](const TransferFunction& t) { return t.code(linear); }, 4);
+}
+
+/// `printed` against a value that every convention gives, the first of them first.
+template <class Value>
+Judgement judge_under(const std::vector<TransferFunction>& conventions, std::string_view printed,
+                      const Value& value) {
+  std::vector<Alternative> alternatives;
+  for (const TransferFunction& convention : conventions)
+    alternatives.push_back({convention.name, value(convention)});
+  return judge(printed, alternatives.front(), std::span(alternatives).subspan(1));
+}
+
+/// What one linear value in the place of another, at a code, does to a picture.
+std::string effect_of_linear(double used, double right, double code) {
+  Effect effect;
+  effect.show(right, used, {{"code ", code}});
+  return sentence(effect, "a linear value", decimal(used, 4) + " in the place of " + decimal(right, 4));
+}
+
+struct Range {
+  double from, to;
+};
+
+/// The exponents for which (code/255)^exponent rounds to `printed`: those of the ends of what rounds to it.
+/// Empty (from > to) where code/255 is 1 and printed is not.
+Range exponents_that_give(std::string_view printed, double code) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const double log_encoded = std::log(code / 255);
+  if (log_encoded == 0) return units_off(printed, 1) == 0 ? Range{0, any} : Range{any, 0};
+  const double value = number_of(printed), half = last_unit(printed) / 2;
+  return {std::log(value + half) / log_encoded, std::log(value - half) / log_encoded};
+}
+
+std::string exponents_sentence(const Range& range) {
+  if (!(range.from <= range.to)) return "no power of code/255 gives both";
+  return "a power of code/255 gives both for exponents from " + decimal(range.from, 4) + " to " +
+         decimal(range.to, 4);
+}
+
+/// The names of the conventions under which every printed number has all its digits.
+std::string conventions_that_give_all(const std::vector<TransferFunction>& conventions, const Claim& claim,
+                                      const std::vector<double>& codes) {
+  std::vector<std::string> names;
+  for (const TransferFunction& convention : conventions) {
+    bool gives_all = true;
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      gives_all = gives_all && units_off(claim.printed[i].value, convention.linear(codes[i])) == 0;
+    if (gives_all) names.push_back(convention.name);
+  }
+  return names.empty() ? "no convention of these" : enumerated(names);
+}
+
+}  // namespace
+
+Finding chart_range(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const std::vector<double> codes{given(claim, "from code"), given(claim, "to code")};
+  // Both numbers under one convention: the first that gives all digits, else the first of all.
+  const auto gives_all = [&](const TransferFunction& convention) {
+    bool all = true;
+    for (std::size_t i = 0; i < codes.size(); ++i)
+      all = all && units_off(claim.printed[i].value, convention.linear(codes[i])) == 0;
+    return all;
+  };
+  const auto found = std::find_if(conventions.begin(), conventions.end(), gives_all);
+  const TransferFunction& convention = found == conventions.end() ? conventions.front() : *found;
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> values, computed, effects;
+  Range exponents{0, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const auto& [name, printed] = claim.printed[i];
+    verdicts.push_back(judge(printed, {"", convention.linear(codes[i])}, {}).verdict);
+    computed.push_back(std::string(name) + " = " + decimal(convention.linear(codes[i]), 7));
+    values.push_back("code " + decimal(codes[i], 6) + " is " + linear_under_each(conventions, codes[i]));
+    const Range own = exponents_that_give(printed, codes[i]);
+    exponents = {std::max(exponents.from, own.from), std::min(exponents.to, own.to)};
+    effects.push_back(effect_of_linear(number_of(printed), conventions.front().linear(codes[i]), codes[i]));
+  }
+  const bool is_other = found != conventions.end() && found != conventions.begin();
+  return {is_other ? Verdict::other_objective : worst(verdicts),
+          computed[0] + ", " + computed[1] + " under " + convention.name,
+          values[0] + "; " + values[1] + "; both printed numbers have all their digits under " +
+              conventions_that_give_all(conventions, claim, codes) + "; " + exponents_sentence(exponents),
+          sentences(effects)};
+}
+
+Finding chart_range_given_twice(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const std::string_view printed_first = claim.printed[0].value, printed_second = claim.printed[1].value;
+  const double first = number_of(printed_first), second = number_of(printed_second);
+  const double code = given(claim, "code");
+  const auto closer_to_first =
+      std::count_if(conventions.begin(), conventions.end(), [&](const TransferFunction& t) {
+        return std::abs(t.linear(code) - first) < std::abs(t.linear(code) - second);
+      });
+  return {judge(printed_second, {std::string(printed_first), first}, {}).verdict,
+          decimal(conventions.front().linear(code), 7) + " under " + conventions.front().name,
+          std::string(printed_second) + " is " + counted(units_off(printed_second, first), "unit") +
+              " of its last digit from " + std::string(printed_first) + "; code " + decimal(code, 6) +
+              " is " + linear_under_each(conventions, code) + ", closer to " + std::string(printed_first) +
+              " under " + std::to_string(closer_to_first) + " of " + std::to_string(conventions.size()) +
+              "; " + std::string(printed_first) + " is code " + code_under_each(conventions, first) + ", " +
+              std::string(printed_second) + " code " + code_under_each(conventions, second),
+          effect_of_linear(second, first, code)};
+}
+
+namespace {
+
+/// Whether the common values lie within the decoded codes: under the first convention, under another, or in
+/// part.
+Finding holds_common(const std::vector<TransferFunction>& conventions, std::string_view material,
+                     const std::vector<double>& codes, const std::vector<double>& common) {
+  const auto chart = [&](const TransferFunction& t) {
+    return Range{t.linear(codes.at(0)), t.linear(codes.at(1))};
+  };
+  const auto holds = [&](const TransferFunction& t) {
+    return chart(t).from <= common.at(0) && common.at(1) <= chart(t).to;
+  };
+  const auto overlaps = [&](const TransferFunction& t) {
+    return chart(t).from <= common.at(1) && common.at(0) <= chart(t).to;
+  };
+  std::vector<std::string> ranges;
+  for (const TransferFunction& t : conventions) {
+    ranges.push_back(decimal(chart(t).from, 4) + " to " + decimal(chart(t).to, 4) + " under " + t.name +
+                     (holds(t) ? " (holds them)" : " (leaves some out)"));
+  }
+  const TransferFunction& stored = conventions.front();
+  const Range own = chart(stored);
+  const bool holds_elsewhere = std::any_of(conventions.begin() + 1, conventions.end(), holds);
+  const Verdict verdict = holds(stored)      ? Verdict::confirmed
+                          : holds_elsewhere  ? Verdict::other_objective
+                          : overlaps(stored) ? Verdict::conditional
+                                             : Verdict::refuted;
+  Effect effect;  // of keeping a common value within the chart
+  for (const double value : common)
+    effect.show(value, std::clamp(value, own.from, std::max(own.from, own.to)), {{"linear ", value}});
+  return {verdict, decimal(own.from, 7) + " .. " + decimal(own.to, 7),
+          std::string(material) + " of " + decimal(common.at(0), 4) + " to " + decimal(common.at(1), 4) +
+              ", codes " + decimal(stored.code(common.at(0)), 4) + " to " +
+              decimal(stored.code(common.at(1)), 4) + " of " + stored.name + ": the chart's " +
+              decimal(codes.at(0), 6) + " to " + decimal(codes.at(1), 6) + " are " + enumerated(ranges) +
+              ", and overlap them under " +
+              std::to_string(std::count_if(conventions.begin(), conventions.end(), overlaps)) + " of " +
+              std::to_string(conventions.size()),
+          sentence(effect, "a linear value", "keeping " + std::string(material) + " within the chart")};
+}
+
+}  // namespace
+
+Finding chart_holds_common_materials(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const auto part = [&](std::string_view material, std::string_view codes, std::string_view common) {
+    return holds_common(conventions, material, numbers_of(claim.inputs.at(codes)),
+                        numbers_of(claim.inputs.at(common)));
+  };
+  const Finding dielectrics = part("dielectrics", "dielectric codes", "common dielectrics");
+  const Finding metals = part("metals", "metal codes", "common metals");
+  const std::array verdicts{*dielectrics.verdict, *metals.verdict};
+  return {worst(verdicts), "dielectrics " + dielectrics.computed + ", metals " + metals.computed,
+          dielectrics.evidence + "; " + metals.evidence, sentences({dielectrics.effect, metals.effect})};
+}
+
+Finding middle_grey(const Claim& claim) {
+  const auto conventions = conventions_of(claim);
+  const double linear = given(claim, "linear");
+  const double naive = given(claim, "not");
+  const double photographic = given(claim, "photographic grey");
+  const std::string_view printed = claim.printed[0].value;
+  const TransferFunction& stored = conventions.front();
+  const auto judged =
+      judge_under(conventions, printed, [&](const TransferFunction& t) { return t.code(linear); });
+  const double exact = stored.code(linear);
+  return {judged.verdict, decimal(judged.value, 6),
+          decimal(linear, 4) + " of the light of white is code " + code_under_each(conventions, linear) +
+              "; the first is " + decimal(std::round(exact), 6) + " rounded and " +
+              decimal(std::floor(exact), 6) + " cut off; code " + std::string(printed) + " is " +
+              decimal(stored.linear(number_of(printed)), 4) + " and code " + decimal(naive, 6) + " is " +
+              decimal(stored.linear(naive), 4) + " of the light under " + stored.name + "; the grey card's " +
+              decimal(photographic, 4) + " is code " + decimal(stored.code(photographic), 4),
+          effect_of_linear(stored.linear(number_of(printed)), linear, number_of(printed))};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,198 @@
+#include "fit/ledger/colour/half_banding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "approx/arithmetic.hpp"
+#include "approx/lobe.hpp"
+#include "fit/errors/banding.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/formats.hpp"
+#include "fit/scalars/half_result.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+/// What rounding each operation to half makes of a form of c^k.
+using Rounded = HalfResult (*)(const HalfResult& cos_theta, const HalfResult& exponent);
+
+struct RoundedForm {
+  std::string_view name;
+  Rounded curve;
+  bool is_published;  ///< one of the two that the claim speaks of
+  /// How many roundings the exponent of its exp2 goes through with a float cosine, each relative to the
+  /// exponent itself; 0: one of them is relative to something larger.
+  int relative_roundings;
+};
+
+constexpr std::array rounded_forms{
+    RoundedForm{"pow", power_by_exp2<HalfResult>, true, 2},  // of log2(c) and of the product
+    RoundedForm{
+        "exp2(A c - A)",
+        [](const HalfResult& c, const HalfResult& k) { return gaussian_lobe_base_two(c, base_two_power(k)); },
+        true, 0},  // A c is rounded relative to A
+    RoundedForm{"exp2(A (c - 1))",
+                [](const HalfResult& c, const HalfResult& k) {
+                  return gaussian_lobe_base_two_of_difference(c, base_two_power(k));
+                },
+                false, 2}};  // of c - 1 and of the product; that of A makes another smooth lobe
+
+/// A curve of a float or half cosine at one power, sampled as the inputs say.
+struct Highlight {
+  double exponent;
+  bool half_cosine;
+  int samples;       ///< of a float cosine
+  double least = 0;  ///< jumps up to this, in codes, are not looked into
+};
+
+template <class Curve>
+Banding banding_of(const Curve& curve, const Highlight& highlight) {
+  if (highlight.half_cosine)
+    return banding(
+        halves_near_the_peak(), curve, [](double) { return 1.0; }, highlight.least);
+  return banding(
+      floats_over_the_highlight(highlight.exponent, highlight.samples), curve,
+      [&](double c) { return power_lobe(c, highlight.exponent); }, highlight.least);
+}
+
+Banding banding_of(const RoundedForm& form, const Highlight& highlight) {
+  const HalfResult k = HalfResult::rounded(highlight.exponent);
+  return banding_of([&](double c) { return static_cast<double>(form.curve(HalfResult(c), k)); }, highlight);
+}
+
+/// The largest step, in 8-bit sRGB codes, that roundings can put into a smooth highlight of peak 1 and of any
+/// power up to `last`, where those of the exponent t of 2^-t are relative to it. With u = 2^-11 each value is
+/// within 2^-t e^(+-r), r = ((1+u)^n - 1) t ln 2 + u, of the exact one, and a step is at most one such
+/// interval. Subnormal halves add 2^-25 to the result, and `last` times that to t. Searched over the value.
+double largest_step_of_roundings(int roundings, double last) {
+  constexpr double unit = 0x1p-11, subnormal = 0x1p-25;
+  const double relative = std::pow(1 + unit, roundings) - 1;
+  return largest_sampled([&](double value) {
+    if (value == 0) return 0.0;
+    const double r = -std::log(value) * relative + unit + ln2<double>() * last * subnormal;
+    return srgb_code(value * std::exp(r) + subnormal) - srgb_code(value * std::exp(-r) - subnormal);
+  });
+}
+
+/// Whether those roundings prove that a form with a float cosine bands at no power up to `last`.
+bool never_bands(const RoundedForm& form, double visible, double last) {
+  return form.relative_roundings > 0 && largest_step_of_roundings(form.relative_roundings, last) <= visible;
+}
+
+/// The first whole power up to `last` that bands, each one tried from 1 on. Empty where none does: proved by
+/// the roundings where that can be.
+std::optional<int> first_banding_power(const RoundedForm& form, Highlight highlight, double visible,
+                                       double last) {
+  if (!highlight.half_cosine && never_bands(form, visible, last)) return std::nullopt;
+  highlight.least = visible;
+  for (int k = 1; k <= last; ++k) {
+    highlight.exponent = k;
+    if (banding_of(form, highlight).step > visible) return k;
+  }
+  return std::nullopt;
+}
+
+/// What rounding does to c^k at that power. A half cosine stands for all that round to it, up to half a step
+/// of the halves in [0.5, 1] on either side.
+Effect effect_of_rounding(const RoundedForm& form, const Highlight& highlight) {
+  const HalfResult k = HalfResult::rounded(highlight.exponent);
+  Effect effect;
+  const auto show = [&](double cosine, double stored) {
+    effect.show(power_lobe(cosine, highlight.exponent),
+                static_cast<double>(form.curve(HalfResult(stored), k)), at_cosine({cosine, 1 - cosine}));
+  };
+  if (!highlight.half_cosine) {
+    for (const double c : floats_over_the_highlight(highlight.exponent, highlight.samples)) show(c, c);
+    return effect;
+  }
+  for (const double c : halves_near_the_peak()) {
+    show(c - 0x1p-12, c);
+    show(std::min(1.0, c + 0x1p-12), c);
+  }
+  return effect;
+}
+
+/// A case of the claim: how many of the published forms band at the power, how many at the low one.
+struct BandingCase {
+  std::size_t bands = 0, low_bands = 0, forms = 0;
+  Effect effect;  ///< of the published forms at the power
+  std::string computed, evidence;
+};
+
+BandingCase banding_case(const Claim& claim, bool half_cosine) {
+  const double power = number_of(claim.printed[0].value), low = given(claim, "low power");
+  const double visible = given(claim, "visible step in 8-bit sRGB codes");
+  const double last = given(claim, "powers up to");
+  const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
+  BandingCase found;
+  std::vector<std::string> steps, codes, low_steps, first;
+  for (const RoundedForm& form : rounded_forms) {
+    const Banding at_power = banding_of(form, {power, half_cosine, samples});
+    const Banding at_low = banding_of(form, {low, half_cosine, samples});
+    if (form.is_published) {
+      ++found.forms;
+      found.bands += at_power.step > visible ? 1 : 0;
+      found.low_bands += at_low.step > visible ? 1 : 0;
+      found.effect.include(effect_of_rounding(form, {power, half_cosine, samples}));
+    }
+    const auto from = first_banding_power(form, {power, half_cosine, samples}, visible, last);
+    steps.push_back(decimal(at_power.step, 2));
+    codes.push_back(std::to_string(at_power.codes));
+    low_steps.push_back(decimal(at_low.step, 2));
+    first.push_back(from ? std::to_string(*from) : "none");
+  }
+  found.computed = "steps of " + enumerated(steps);
+  found.evidence = enumerated(steps) + " codes, showing " + enumerated(codes) + " of the 256, and at power " +
+                   decimal(low, 4) + " " + enumerated(low_steps) + " codes, the first whole power up to " +
+                   decimal(last, 6) + " (each tried, from 1 on) that bands being " + enumerated(first);
+  for (const RoundedForm& form : rounded_forms) {
+    if (half_cosine || !never_bands(form, visible, last)) continue;
+    found.evidence += " (none because its roundings leave at most " +
+                      decimal(largest_step_of_roundings(form.relative_roundings, last), 2) +
+                      " codes at any of them)";
+    break;  // the same for all of them
+  }
+  return found;
+}
+
+/// The remedy of the post's comments: cosine and arithmetic in float, sharpness and result in half.
+double step_of_remedy(double power, int samples) {
+  const auto sharpness = static_cast<float>(base_two_power(round_to_half(power)));
+  return banding_of(
+             [&](double c) {
+               return widened(round_to_half(
+                   static_cast<double>(gaussian_lobe_base_two(static_cast<float>(c), sharpness))));
+             },
+             {power, false, samples})
+      .step;
+}
+
+}  // namespace
+
+Finding evaluate_half_banding(const Claim& claim) {
+  const BandingCase half = banding_case(claim, true), wide = banding_case(claim, false);
+  const std::size_t forms = half.forms + wide.forms;
+  const std::array parts{verdict_of_cases(half.bands + wide.bands, forms),
+                         verdict_of_cases(forms - half.low_bands - wide.low_bands, forms)};
+  const std::string exponent(claim.printed[0].value);
+  std::vector<std::string> names;
+  for (const RoundedForm& form : rounded_forms) names.emplace_back(form.name);
+  const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
+  return {
+      worst(parts), half.computed + " codes with a half cosine, " + wide.computed + " with a float one",
+      "largest steps of " + enumerated(names) + " at power " + exponent + ": with the cosine in half " +
+          half.evidence + "; with the cosine in float and half arithmetic " + wide.evidence +
+          "; with cosine and arithmetic in float and only the result in half, the remedy of the comments, "
+          "the largest step at power " +
+          exponent + " is " + decimal(step_of_remedy(number_of(exponent), samples), 2) + " codes",
+      sentences({sentence(half.effect, "a smooth highlight of peak 1",
+                          "at power " + exponent + " rounding, with the cosine in half,"),
+                 sentence(wide.effect, "it", "with the cosine in float it")})};
+}
+
+}  // namespace shadefit

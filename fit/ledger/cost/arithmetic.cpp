@@ -1,0 +1,215 @@
+#include "approx/arithmetic.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "approx/encoding.hpp"
+#include "approx/lobe.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/colour/half_banding.hpp"
+#include "fit/ledger/formats.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/ledger/words.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+/// "zero in half and float, not in double", each list only where it has members.
+std::string split_list(const std::vector<std::string>& yes, std::string_view word,
+                       const std::vector<std::string>& no, std::string_view other) {
+  std::string out;
+  if (!yes.empty()) out += std::string(word) + " in " + enumerated(yes);
+  if (!yes.empty() && !no.empty()) out += " and ";
+  if (!no.empty()) out += std::string(other) + " in " + enumerated(no);
+  return out;
+}
+
+/// What a format makes of exp(-k).
+struct Underflow {
+  bool power_is_zero;     ///< 0^k == 0
+  bool gaussian_is_zero;  ///< exp(k 0 - k) == 0
+  double last;            ///< the largest power of the format with exp(-k) > 0
+  double last_normal;     ///< and with exp(-k) normal: where subnormals are flushed to zero
+};
+
+Underflow underflow_in(std::string_view format, double power) {
+  return in_format(format, [&]<class T>() {
+    const auto gaussian = [](T k) { return gaussian_lobe(integer<T>(0), k, integer<T>(0)); };
+    const T k = rounded_to<T>(power);
+    const double least_normal = widened(std::numeric_limits<T>::min());
+    // exp(-1) is normal in all of them, exp(-1024) below the least double
+    return Underflow{widened(power_lobe(integer<T>(0), k)) == 0, widened(gaussian(k)) == 0,
+                     last_that_holds<T>(1, 1024, [&](T x) { return widened(gaussian(x)) > 0; }),
+                     last_that_holds<T>(1, 1024, [&](T x) { return widened(gaussian(x)) >= least_normal; })};
+  });
+}
+
+/// The power up to which exp(-k), at the edge of a lobe of peak 1, is at least one 8-bit sRGB code: there the
+/// encoding is straight, 12.92 x.
+double last_visible_power() {
+  const double slope = srgb_code(0x1p-20) / 0x1p-20;
+  return std::log(slope);
+}
+
+Finding gaussian_at_zero(const Claim& claim) {
+  const double power = given(claim, "power");
+  const auto formats = words_of(claim.inputs.at("formats"));
+  std::vector<std::string> zero, nonzero, last, last_normal;
+  bool power_is_zero = true;
+  for (const std::string& format : formats) {
+    const Underflow found = underflow_in(format, power);
+    power_is_zero = power_is_zero && found.power_is_zero;
+    (found.gaussian_is_zero ? zero : nonzero).push_back(format);
+    last.push_back(decimal(found.last, 6));
+    last_normal.push_back(decimal(found.last_normal, 4));
+  }
+  const Decimal50 exact = gaussian_lobe(Decimal50(0), Decimal50(power), Decimal50(0));
+  const double magnitude = static_cast<double>(log10(exact));
+  // Exactly it holds whatever the power: the formats decide between `confirmed` and `conditional`.
+  const Verdict verdict = power_is_zero && exact > 0
+                              ? verdict_of_cases(1 + nonzero.size(), 1 + formats.size())
+                              : Verdict::refuted;
+  const std::string value = "exp(-" + decimal(power, 6) + ")";
+  Effect left;
+  left.show(power_lobe(0.0, power), static_cast<double>(exact), at_cosine({0, 1}));
+  const std::string effect = sentence(left, "the edge of a highlight", "the Gaussian");
+  return {
+      verdict, split_list(zero, "0", nonzero, "not 0") + ", exactly 10^" + decimal(magnitude, 7),
+      "exactly " + value + " is 10^" + decimal(magnitude, 7) + ", but it is " +
+          split_list(zero, "0", nonzero, "not 0") + "; exp(-k) is above 0 up to k = " + enumerated(last) +
+          " in " + enumerated(formats) + ", and where subnormals are flushed up to about " +
+          enumerated(last_normal) + "; 0^" + decimal(power, 6) + " is " + (power_is_zero ? "" : "not ") +
+          "0 in each; of a highlight of peak 1 the Gaussian leaves an 8-bit sRGB code or more at c = 0 up "
+          "to power " +
+          decimal(last_visible_power(), 3) + " alone",
+      effect == "none" ? none_because(value + " is below the least positive double") : effect};
+}
+
+/// How exp2(log2(0) b) fares in a format.
+double power_of_zero(std::string_view format, std::string_view exponent) {
+  return in_format(format,
+                   [&]<class T>() { return widened(power_by_exp2(integer<T>(0), constant<T>(exponent))); });
+}
+
+/// "b = 0 and 1e-09 (in half alone)", of the exponents for which `is_so` in some format; how many cases those
+/// are goes into `cases`.
+template <class Predicate>
+std::string exponents_that(const std::vector<std::string>& exponents, const std::vector<std::string>& formats,
+                           const Predicate& is_so, std::size_t& cases) {
+  std::vector<std::string> found;
+  for (const std::string& b : exponents) {
+    std::vector<std::string> where;
+    std::copy_if(formats.begin(), formats.end(), std::back_inserter(where),
+                 [&](const std::string& format) { return is_so(power_of_zero(format, b)); });
+    cases += where.size();
+    if (where.empty()) continue;
+    found.push_back(b + (where.size() == formats.size() ? "" : " (in " + enumerated(where) + " alone)"));
+  }
+  return found.empty() ? "no b" : "b = " + enumerated(found);
+}
+
+/// What a render target of fixed point stores: NaN becomes 0. Source: Microsoft, Direct3D 11.3 Functional
+/// Specification, 3.2.3.6, "FLOAT -> UNORM".
+double as_stored(double value) {
+  return std::isnan(value) ? 0 : value;
+}
+
+/// What exp2(log2(0) b) for 0^b stores, over all exponents and formats.
+Effect effect_of_power_of_zero(const std::vector<std::string>& exponents,
+                               const std::vector<std::string>& formats) {
+  Effect effect;
+  for (const std::string& format : formats) {
+    for (const std::string& b : exponents) {
+      const double exponent = number_of(b);
+      effect.show(exponent == 0 ? 1 : power_lobe(0.0, exponent), as_stored(power_of_zero(format, b)),
+                  {{"c = ", 0}, {"b = ", exponent}});
+    }
+  }
+  return effect;
+}
+
+/// Where the sharpness A = k/ln 2 overflows a format, and what becomes of the Gaussian then.
+struct Overflow {
+  double last_power;              ///< the largest power of the format whose sharpness is finite
+  bool is_nan = true;             ///< beyond it exp2(A c - A) is NaN at c = 0, 0.5 and 1
+  Effect effect = {};             ///< of that on the lobe, at the last power of the format
+  bool is_nan_at_peak = true;     ///< exp2(A (c - 1)) is NaN at c = 1
+  bool is_nan_elsewhere = false;  ///< or at c = 0 or 0.5
+};
+
+Overflow overflow_in(std::string_view format) {
+  return in_format(format, [&]<class T>() {
+    const double largest = widened(std::numeric_limits<T>::max());
+    Overflow found{
+        last_that_holds<T>(1, largest, [](T k) { return std::isfinite(widened(base_two_power(k))); })};
+    const T infinite = base_two_power(rounded_to<T>(largest));
+    for (const char* c : {"0", "0.5", "1"}) {
+      const T cosine = constant<T>(c);
+      const double value = widened(gaussian_lobe_base_two(cosine, infinite));
+      found.is_nan &= std::isnan(value);
+      found.effect.show(power_lobe(widened(cosine), largest), as_stored(value),
+                        {{"c = ", widened(cosine)}, {"k = ", largest}});
+      const bool difference = std::isnan(widened(gaussian_lobe_base_two_of_difference(cosine, infinite)));
+      (widened(cosine) == 1 ? found.is_nan_at_peak : found.is_nan_elsewhere) = difference;
+    }
+    return found;
+  });
+}
+
+Finding nan_at_zero(const Claim& claim) {
+  const auto formats = words_of(claim.inputs.at("formats"));
+  const auto exponents = words_of(claim.inputs.at("exponents"));
+  const double largest = given(claim, "powers up to");
+  std::size_t nan = 0, zero = 0;
+  const std::string of_nan = exponents_that(
+      exponents, formats, [](double y) { return std::isnan(y); }, nan);
+  const std::string of_zero = exponents_that(
+      exponents, formats, [](double y) { return y == 0; }, zero);
+  double least = largest;  // the power up to which no format overflows
+  Effect lost;             // where one does
+  bool is_nan = true, is_peak_alone = true;
+  std::vector<std::string> last, safe;
+  for (const std::string& format : formats) {
+    const Overflow found = overflow_in(format);
+    last.push_back(decimal(found.last_power, 5) + " in " + format);
+    least = std::min(least, found.last_power);
+    if (largest > found.last_power) lost.include(found.effect);
+    is_nan = is_nan && found.is_nan;
+    is_peak_alone = is_peak_alone && found.is_nan_at_peak && !found.is_nan_elsewhere;
+    if (largest <= found.last_power) safe.push_back(format);
+  }
+  const std::array parts{verdict_of_cases(nan, formats.size() * exponents.size()),
+                         verdict_of_cases(safe.size(), formats.size())};
+  return {
+      worst(parts), "NaN for " + of_nan + ", 0 for " + of_zero,
+      "exp2(log2(0) b) is NaN for " + of_nan + " and 0, the right value, for " + of_zero + " in " +
+          enumerated(formats) + "; exp2(A c - A) is never NaN while A = k/ln 2 is finite, up to k = " +
+          enumerated(last) + ", which covers the powers up to " + decimal(largest, 6) + " in " +
+          (safe.empty() ? "none of them" : enumerated(safe)) +
+          (is_nan ? "; beyond, it is NaN at c = 0, 0.5 and 1" : "") +
+          (is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : "") + "; for a power above 0 and up to " +
+          decimal(least, 5) +
+          " no pixel is without a value; elsewhere one is, which every filter that reads it spreads and a "
+          "target of fixed point stores as 0",
+      sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
+                          "NaN stored as 0, exp2(log2(0) b)"),
+                 sentence(lost, "the curve", "exp2(A c - A)")})};
+}
+
+}  // namespace
+
+std::span<const Evaluator> arithmetic_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"sg-nonzero-at-zero", gaussian_at_zero},
+                                         Evaluator{"pow-nan-at-zero", nan_at_zero},
+                                         Evaluator{"half-banding", evaluate_half_banding}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,256 @@
+#include "approx/cost.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/ledger/lobes/shader_forms.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/ledger/words.hpp"
+#include "fit/scalars/symbolic.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The instructions that a source names, as in "SUB LOG2 MUL EXP2". Throws std::invalid_argument for one that
+/// is not known.
+Operations instructions_of(std::string_view text) {
+  struct Named {
+    std::string_view name;
+    int Operations::*count;
+  };
+  static constexpr std::array known{
+      Named{"ADD", &Operations::add},      Named{"SUB", &Operations::add},
+      Named{"MUL", &Operations::multiply}, Named{"MAD", &Operations::multiply_add},
+      Named{"EXP2", &Operations::exp2},    Named{"LOG2", &Operations::log2},
+      Named{"DOT3", &Operations::dot3},    Named{"DOT4", &Operations::dot4}};
+  Operations found;
+  for (const std::string& word : words_of(text)) {
+    const auto named =
+        std::find_if(known.begin(), known.end(), [&](const Named& k) { return k.name == word; });
+    if (named == known.end()) throw std::invalid_argument("no instruction '" + word + "'");
+    ++(found.*(named->count));
+  }
+  return found;
+}
+
+/// What is printed of a form: how many instructions, and which.
+struct PrintedCount {
+  double total;
+  Operations instructions;
+
+  /// The i-th of a claim, whose printed quantities are a number and a list by turns.
+  static PrintedCount of(const Claim& claim, std::size_t i) {
+    return {number_of(claim.printed[2 * i].value), instructions_of(claim.printed[2 * i + 1].value)};
+  }
+  bool is(const Operations& counted) const { return counted.total() == total && counted == instructions; }
+};
+
+Operations count_form(std::string_view name, const InstructionSet& instructions = {}) {
+  return count_operations(shader_form(name), instructions);
+}
+
+std::string text_of_form(std::string_view name) {
+  return to_text(shader_form(name).front());
+}
+
+/// "MAD, EXP2 (2)".
+std::string with_total(const Operations& count) {
+  return to_text(count) + " (" + std::to_string(count.total()) + ")";
+}
+
+/// "; compilers emit .. for pow (..)", or nothing where none of the forms was compiled.
+std::string compiled_text(const std::vector<std::string_view>& forms) {
+  std::vector<std::string> words;
+  const auto pair = [](int alu, int transcendental) {
+    return std::to_string(alu) + "+" + std::to_string(transcendental);
+  };
+  for (const std::string_view form : forms) {
+    for (const CompiledCost& cost : compiled_costs) {
+      if (cost.form != form) continue;
+      const std::string nvidia = pair(cost.nvidia_alu, cost.nvidia_transcendental);
+      const std::string amd = pair(cost.amd_alu, cost.amd_transcendental);
+      words.push_back(std::string(form) + " " + nvidia + (nvidia == amd ? "" : " and " + amd));
+    }
+  }
+  if (words.empty()) return "";
+  return "; compilers emit, as vector arithmetic + transcendental instructions, " + enumerated(words) +
+         " (own measurement: " + std::string(nvidia_compiler) + "; " + std::string(amd_compiler) + ")";
+}
+
+/// What a wrong count means: "1 instruction more than printed".
+std::string effect_of_count(double printed, int counted_total) {
+  const double difference = counted_total - printed;
+  if (difference == 0) return "the number is right, the instructions are others";
+  return counted(std::lround(std::abs(difference)), "instruction") + (difference > 0 ? " more" : " fewer") +
+         " than printed";
+}
+
+/// The parts of a finding, joined as they come. A count changes no picture: what it means is the reason of a
+/// "none".
+struct Parts {
+  std::vector<Verdict> verdicts;
+  std::vector<std::string> computed;
+  std::string evidence, effect;
+
+  void add(Verdict verdict, const std::string& value, const std::string& sentence,
+           const std::string& what = "") {
+    verdicts.push_back(verdict);
+    computed.push_back(value);
+    evidence += (evidence.empty() ? "" : "; ") + sentence;
+    if (!what.empty()) effect += (effect.empty() ? "" : "; ") + what;
+  }
+  Finding finding(const std::string& context) const {
+    std::string values;
+    for (const std::string& value : computed) values += (values.empty() ? "" : "; ") + value;
+    return {worst(verdicts), values, evidence + context,
+            effect.empty() ? "none" : none_because("no value changes; " + effect)};
+  }
+};
+
+/// Each printed count is that of the form which the input of the same place names.
+Finding count_forms(const Claim& claim) {
+  Parts parts;
+  std::vector<std::string_view> forms;
+  for (std::size_t i = 0; i < claim.inputs.size(); ++i) {
+    const auto& [what, form] = claim.inputs[i];
+    const Operations count = count_form(form);
+    const PrintedCount printed = PrintedCount::of(claim, i);
+    const bool is_right = printed.is(count);
+    parts.add(verdict_of(is_right), std::string(what) + ": " + with_total(count),
+              text_of_form(form) + " is " + with_total(count),
+              is_right ? "" : std::string(what) + ": " + effect_of_count(printed.total, count.total()));
+    forms.push_back(form);
+  }
+  return parts.finding(compiled_text(forms));
+}
+
+/// A count under a named convention.
+struct Convention {
+  std::string name;
+  Operations count;
+};
+
+/// `confirmed` where the formula as written has the printed instructions, `other-objective` where it has them
+/// under one of the conventions; a count has no last digit to be off by one.
+Verdict judge_count(const PrintedCount& printed, const Operations& as_written,
+                    std::span<const Convention> conventions) {
+  if (printed.is(as_written)) return Verdict::confirmed;
+  for (const Convention& convention : conventions) {
+    if (printed.is(convention.count)) return Verdict::other_objective;
+  }
+  return Verdict::refuted;
+}
+
+std::string conventions_text(std::span<const Convention> conventions) {
+  std::string out;
+  for (const auto& [name, count] : conventions) out += ", " + name + " " + with_total(count);
+  return out;
+}
+
+Finding mip_level_cost(const Claim& claim) {
+  const std::string_view form = claim.inputs.at("level"), with_sum = claim.inputs.at("level, s + 1 given");
+  const Operations count = count_form(form);
+  const std::array conventions{Convention{"with s + 1 given", count_form(with_sum)}};
+  const PrintedCount printed = PrintedCount::of(claim, 0);
+  const Verdict verdict = judge_count(printed, count, conventions);
+  Parts parts;
+  parts.add(verdict, with_total(count),
+            text_of_form(form) + " is " + with_total(count) + conventions_text(conventions),
+            verdict == Verdict::confirmed
+                ? ""
+                : effect_of_count(printed.total, count.total()) + ": " +
+                      to_text(count - conventions.front().count) + " a pixel, unless s + 1 is stored");
+  return parts.finding("");
+}
+
+Finding power_four_cost(const Claim& claim) {
+  InstructionSet with_scales;
+  for (const std::string& scale : words_of(claim.inputs.at("free scales of a result")))
+    with_scales.free_scales.push_back(number_of(scale));
+  const std::string_view form = claim.inputs.at("by exp2"), squared = claim.inputs.at("by squaring");
+  const Operations count = count_form(form), scaled = count_form(form, with_scales);
+  const Operations squaring = count_form(squared);
+  const std::array conventions{Convention{"with a free scale of the result", scaled},
+                               Convention{"with 1 - c given besides",
+                                          count_form(claim.inputs.at("by exp2, 1 - c given"), with_scales)}};
+  const PrintedCount printed = PrintedCount::of(claim, 0), printed_squaring = PrintedCount::of(claim, 1);
+  Parts parts;
+  parts.add(judge_count(printed, count, conventions), with_total(count),
+            text_of_form(form) + " is " + with_total(count) + conventions_text(conventions));
+  parts.add(verdict_of(printed_squaring.is(squaring)), with_total(squaring),
+            text_of_form(squared) + " by squaring is " + with_total(squaring));
+  parts.effect = "with the subtraction on both sides the free scale leaves " +
+                 std::to_string(scaled.total()) + " against " + std::to_string(squaring.total()) +
+                 " by squaring: it saves " + counted(squaring.total() - scaled.total(), "instruction") +
+                 " where " + counted(std::lround(printed_squaring.total - printed.total), "instruction") +
+                 " is printed";
+  return parts.finding("");
+}
+
+Finding light_cost(const Claim& claim) {
+  const int lights = static_cast<int>(given(claim, "lights"));
+  const auto per_light = [&](std::string_view form, const InstructionSet& instructions) {
+    return count_operations(shader_form(form, lights), instructions) -
+           count_operations(shader_form(form, lights - 1), instructions);
+  };
+  const std::string_view form = claim.inputs.at("per light"), other = claim.inputs.at("with pow");
+  const InstructionSet vector{.dot_products = true};
+  const Operations count = per_light(form, vector), scalar = per_light(form, {}),
+                   pow = per_light(other, vector);
+  const PrintedCount printed = PrintedCount::of(claim, 0);
+  const bool is_right = printed.is(count);
+  Parts parts;
+  parts.add(verdict_of(is_right), with_total(count),
+            "the last of " + counted(lights, "light") + ", " + text_of_form(form) + ", adds " +
+                with_total(count) + ", by " + text_of_form(other) + " " + with_total(pow) +
+                "; without dot products " + with_total(scalar) + " against " +
+                with_total(per_light(other, {})),
+            is_right ? "" : effect_of_count(printed.total, count.total()));
+  return parts.finding(compiled_text({form, other}));
+}
+
+Finding saved_cost(const Claim& claim) {
+  const auto total = [&](std::string_view input) { return count_form(claim.inputs.at(input)).total(); };
+  const auto from_to = [](int before, int after) {
+    return std::to_string(after) + " instructions instead of " + std::to_string(before);
+  };
+  const auto percent = [](int before, int after) { return 100.0 * (before - after) / before; };
+  const int pow = total("with pow"), gaussian = total("with the Gaussian");
+  const int fresnel_pow = total("Fresnel with pow"), one_term = total("Fresnel with one term");
+  const int whole_pow = total("whole Fresnel with pow"), whole = total("whole Fresnel with one term");
+  const bool is_saved = number_of(claim.printed[0].value) == pow - gaussian;
+  Parts parts;
+  parts.add(verdict_of(is_saved), std::to_string(pow - gaussian),
+            "decode, lobe, normalisation and product are " + from_to(pow, gaussian),
+            is_saved ? "" : effect_of_count(number_of(claim.printed[0].value), pow - gaussian));
+  parts.add(judge(claim.printed[1].value, {"(1-c)^5", percent(fresnel_pow, one_term)}, {}).verdict,
+            decimal(percent(fresnel_pow, one_term), 4) + " %",
+            "(1-c)^5 is " + from_to(fresnel_pow, one_term) + ", " +
+                decimal(percent(fresnel_pow, one_term), 4) + " % less; the whole F0 + (1 - F0) (1-c)^5 is " +
+                from_to(whole_pow, whole) + ", " + decimal(percent(whole_pow, whole), 2) + " % less");
+  return parts.finding(
+      compiled_text({claim.inputs.at("Fresnel with pow"), claim.inputs.at("Fresnel with one term")}));
+}
+
+}  // namespace
+
+std::span<const Evaluator> cost_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"cost-pow", count_forms},
+                                         Evaluator{"cost-sg", count_forms},
+                                         Evaluator{"cost-gloss-decode", count_forms},
+                                         Evaluator{"cost-saved", saved_cost},
+                                         Evaluator{"cost-power-four", power_four_cost},
+                                         Evaluator{"cost-phong-per-light", light_cost},
+                                         Evaluator{"cost-fresnel", count_forms},
+                                         Evaluator{"cost-mip", mip_level_cost}};
+  return evaluators;
+}
+
+}  // namespace shadefit

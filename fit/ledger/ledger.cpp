@@ -1,0 +1,59 @@
+#include "fit/ledger/ledger.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "approx/ledger/catalogue.hpp"
+#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/published.hpp"
+#include "fit/ledger/topics.hpp"
+
+namespace shadefit {
+
+Finding evaluate(const Claim& claim) {
+  const std::array topics{
+      lobe_evaluators(),          gloss_evaluators(),
+      arithmetic_evaluators(),    cost_evaluators(),
+      kernels_evaluators(),       von_mises_fisher_evaluators(),
+      fresnel_evaluators(),       phong_blinn_evaluators(),
+      normalisation_evaluators(), environment_map_evaluators(),
+      harmonics_evaluators(),     material_evaluators(),
+      phase_evaluators(),         dither_evaluators(),
+      microfacet_evaluators(),
+  };
+  for (const auto& evaluators : topics) {
+    for (const Evaluator& evaluator : evaluators) {
+      if (evaluator.id == claim.id) return evaluator.evaluate(claim);
+    }
+  }
+  for (const Published& published : published_constants) {
+    if (published.id == claim.id) return evaluate_published(claim, {published.id});
+  }
+  throw std::logic_error("nothing computes the claim " + std::string(claim.id));
+}
+
+std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted,
+                                      const Checkpoint& checkpoint) {
+  std::vector<JudgedClaim> judged;
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) {
+      if (!is_wanted(claim.id)) continue;
+      checkpoint();
+      judged.push_back({&topic, &claim, evaluate(claim)});
+    }
+  }
+  return judged;
+}
+
+const Claim* find_claim(std::string_view id) {
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) {
+      if (claim.id == id) return &claim;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "approx/records/claim.hpp"
+#include "fit/ledger/finding.hpp"
+#include "fit/support/checkpoint.hpp"
+
+/// The ledger computed: a finding for each claim.
+namespace shadefit {
+
+struct JudgedClaim {
+  const Topic* topic;
+  const Claim* claim;
+  Finding finding;
+};
+
+/// Computes one claim. Throws std::logic_error where nothing computes a claim of that id.
+Finding evaluate(const Claim& claim);
+
+/// Computes every claim that is wanted, in the order of the ledger. The checkpoint is called before each.
+std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted,
+                                      const Checkpoint& checkpoint = keep_going);
+
+/// The claim of that id, or null.
+const Claim* find_claim(std::string_view id);
+
+}  // namespace shadefit

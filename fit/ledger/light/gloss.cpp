@@ -1,0 +1,265 @@
+#include "approx/gloss.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "approx/cosine.hpp"
+#include "approx/encoding.hpp"
+#include "approx/lobe.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/scalars/binary_logarithm.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Truth is in 50 digits; two ways to it agree to this, relative to values of the order of one.
+constexpr double truths_agree = 1e-45;
+
+double rounded(const Decimal50& x) {
+  return x.convert_to<double>();
+}
+
+/// The numbers from `from` to `to` in `steps` equal steps that a claim is given.
+template <class T>
+std::vector<T> places(const Claim& claim) {
+  const auto from = constant<T>(claim.inputs.at("from")), to = constant<T>(claim.inputs.at("to"));
+  const int steps = static_cast<int>(given(claim, "steps"));
+  std::vector<T> result;
+  for (int i = 0; i <= steps; ++i) result.push_back(from + (to - from) * T(i) / T(steps));
+  return result;
+}
+
+/// The powers of the glosses that a claim is given.
+std::vector<double> powers(const Claim& claim) {
+  std::vector<double> result;
+  for (const double gloss : places<double>(claim))
+    result.push_back(decode_gloss(gloss, given(claim, "doublings"), given(claim, "first")));
+  return result;
+}
+
+std::string agreement(const Decimal50& a, const Decimal50& b) {
+  return (abs(a - b) < truths_agree ? "agree below " : "differ by more than ") + decimal(truths_agree, 1);
+}
+
+/// "17 glosses from 0 to 1 (powers 2 to 2048)"
+std::string glosses(const Claim& claim) {
+  const auto all = powers(claim);
+  return std::to_string(all.size()) + " glosses from " + std::string(claim.inputs.at("from")) + " to " +
+         std::string(claim.inputs.at("to")) + " (powers " + decimal(all.front(), 6) + " to " +
+         decimal(all.back(), 6) + ")";
+}
+
+/// What decoding to M with the printed constant does to exp2(M c - M), at the gloss where it is most.
+std::string effect_on_lobe(const Claim& claim, double ratio) {
+  Effect most;
+  for (const double exponent : powers(claim)) {
+    const auto lobe = [](double of) {
+      return [of]<class T>(const Cosine<T>& c) {
+        return gaussian_lobe_near_peak(c.one_minus_cos, lift<T>(of), integer<T>(0));
+      };
+    };
+    most.include(
+        effect_between(lobe(exponent), lobe(exponent * ratio), {Metric{}, {.concentration = 2 * exponent}}),
+        {"power ", exponent});
+  }
+  return sentence(most, "the lobe",
+                  "every power is " + decimal(std::abs(ratio - 1), 2) + " of itself too " +
+                      (ratio < 1 ? "low" : "high") + ", which over " + glosses(claim));
+}
+
+Finding log2_constant(const Claim& claim) {
+  const auto first = constant<Decimal50>(claim.inputs.at("first"));
+  const Decimal50 exact = base_two_first(first);
+  const Decimal50 other = first + log2_by_squares(Decimal50(1 / ln2<Decimal50>()));
+  const Quantity& printed = claim.printed[0];
+  // 2^(10 g + constant) over 2^(10 g + first)/ln 2
+  const Decimal50 ratio = exp2(Decimal50(constant<Decimal50>(printed.value) - exact));
+  return {
+      judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))), decimal(rounded(exact), 10),
+      decimal(rounded(first), 4) + " + log2(1/ln 2) = " + decimal(rounded(exact), 10) +
+          " at 50 digits, by the natural logarithm and by squaring, which " + agreement(exact, other) +
+          "; it decodes " + glosses(claim) + " to M = " + decimal(base_two_power(powers(claim).front()), 6) +
+          " to " + decimal(base_two_power(powers(claim).back()), 6),
+      effect_on_lobe(claim, rounded(ratio))};
+}
+
+/// What a printed factor does to the normalisation, at the gloss where it is most.
+std::string effect_on_normalisation(const Claim& claim, double factor, double constant_term) {
+  const auto printed = [&](double exponent) {
+    return base_two_normalisation(base_two_power(exponent), factor, constant_term);
+  };
+  const auto off = [&](double exponent) {
+    return std::abs(printed(exponent) / game_normalisation(exponent) - 1);
+  };
+  const auto all = powers(claim);
+  const double worst =
+      *std::max_element(all.begin(), all.end(), [&](double a, double b) { return off(a) < off(b); });
+  return effect_of_factor(
+      printed(worst), game_normalisation(worst),
+      "the normalisation is furthest off at the power " + decimal(worst, 5) + ", where it");
+}
+
+Finding ln2_over_eight(const Claim& claim) {
+  const auto exact = base_two_normalisation_factor<Decimal50>();
+  const Decimal50 other = 1 / (8 * log2_by_squares(exp(Decimal50(1))));
+  const Quantity& printed = claim.printed[0];
+  return {judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))),
+          decimal(rounded(exact), 10),
+          "ln 2/8 = " + decimal(rounded(exact), 10) +
+              " at 50 digits; the constant and the binary logarithm of e by squaring " +
+              agreement(exact, other) + "; it normalises " + glosses(claim),
+          effect_on_normalisation(claim, number_of(printed.value), game_normalisation(0.0))};
+}
+
+Finding gloss_decode(const Claim& claim) {
+  const RootsOfTwo<Decimal50> roots;
+  const auto doublings = constant<Decimal50>(claim.inputs.at("doublings"));
+  const auto first = constant<Decimal50>(claim.inputs.at("first"));
+  const auto decode = [&](std::string_view gloss) {
+    return roots.exp2(doublings * constant<Decimal50>(gloss) + first);
+  };
+  const Decimal50 lowest = decode(claim.inputs.at("from")), highest = decode(claim.inputs.at("to"));
+  const double steps = given(claim, "levels") - 1;
+  const double span = given(claim, "to") - given(claim, "from");
+  const double ratio = exp2(given(claim, "doublings") * span / steps);
+  const std::array parts{judge_known_to(claim.printed.at("lowest"), rounded(lowest), 0),
+                         judge_known_to(claim.printed.at("highest"), rounded(highest), 0)};
+  const auto exactly = [](const Decimal50& s) {
+    return std::string(s == floor(s) ? "exactly " : "") + decimal(rounded(s), 10);
+  };
+  return {worst(parts),
+          "lowest = " + decimal(rounded(lowest), 10) + ", highest = " + decimal(rounded(highest), 10),
+          "s is " + exactly(lowest) + " at g = " + std::string(claim.inputs.at("from")) + " and " +
+              exactly(highest) + " at g = " + std::string(claim.inputs.at("to")) + ", and " +
+              (ratio > 1 ? "rises" : "does not rise") + " between: " + counted(std::lround(steps), "step") +
+              " of a stored gloss, each times " + decimal(ratio, 6),
+          sentences(
+              {effect_of_power(rounded(lowest), number_of(claim.printed.at("lowest")), "at the lowest gloss"),
+               effect_of_power(rounded(highest), number_of(claim.printed.at("highest")),
+                               "at the highest gloss")})};
+}
+
+/// Two sides of an identity at the places of a claim: the largest difference, and whether it is rounding.
+struct Sides {
+  Decimal50 difference = 0;
+
+  void compare(const Decimal50& left, const Decimal50& right) {
+    difference = std::max(difference, Decimal50(abs(left - right)));
+  }
+  bool agree(const Claim& claim) const {
+    return difference < constant<Decimal50>(claim.inputs.at("agreement"));
+  }
+  /// "agree below 1e-45 of themselves", or by how much they differ
+  std::string words(const Claim& claim) const {
+    return agree(claim) ? "agree below " + std::string(claim.inputs.at("agreement"))
+                        : "differ by up to " + decimal(rounded(difference), 3);
+  }
+};
+
+std::string domain(const Claim& claim) {
+  return "[" + std::string(claim.inputs.at("from")) + ", " + std::string(claim.inputs.at("to")) + "]";
+}
+
+Finding exp2_identity(const Claim& claim) {
+  const RootsOfTwo<Decimal50> roots;
+  const auto all = places<Decimal50>(claim);
+  Sides sides;
+  for (const Decimal50& a : all) {
+    const Decimal50 truth = exp(a);
+    sides.compare(exp_by_exp2(a) / truth, 1);
+    sides.compare(roots.exp2(a / ln2<Decimal50>()) / truth, 1);
+  }
+  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
+          "at " + counted(std::ssize(all), "place") + " a of " + domain(claim) + " both sides " +
+              sides.words(claim) + " of themselves, with 2^x from square roots of 2 alone"};
+}
+
+Finding normalised_mad(const Claim& claim) {
+  const auto constant_term = constant<Decimal50>(claim.inputs.at("constant"));
+  const auto factor = base_two_normalisation_factor<Decimal50>();
+  Sides sides;
+  for (const double s : powers(claim)) {
+    const Decimal50 exponent(s), wanted = game_normalisation(exponent);
+    sides.compare(base_two_normalisation(base_two_power(exponent), factor, constant_term) / wanted, 1);
+  }
+  const std::string_view printed = claim.inputs.at("factor");
+  const std::array parts{verdict_of(sides.agree(claim)), judge(printed, {"", rounded(factor)}, {}).verdict};
+  return {worst(parts), identity_if(worst(parts)),
+          "with the factor ln 2/8 = " + decimal(rounded(factor), 10) + " both sides " + sides.words(claim) +
+              " of themselves at " + glosses(claim) + "; " + std::string(printed) + " is off by " +
+              decimal(number_of(printed) - rounded(factor), 2),
+          effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
+}
+
+/// What c = exp(log(c)) becomes with it.
+Effect effect_of_misprinted_log() {
+  Effect effect;
+  effect.show(1, exp(misprinted_log_by_log2(1.0)), at_cosine({1, 0}));
+  for (const double y : search_points())
+    effect.show(1 - y, exp(misprinted_log_by_log2(1 - y)), at_cosine({1 - y, y}));
+  return effect;
+}
+
+Finding log2_first(const Claim& claim) {
+  const RootsOfTwo<Decimal50> roots;
+  const auto excess = [&](const Decimal50& u) {
+    const Decimal50 a = roots.exp2(u);
+    return Decimal50(log2_by_squares(Decimal50(a * ln2<Decimal50>())) - log(a));
+  };
+  Sides sides, formulas;
+  const auto all = places<Decimal50>(claim);
+  for (const Decimal50& u : all) {
+    sides.compare(excess(u), 0);
+    formulas.compare(misprinted_log_by_log2(roots.exp2(u)) - log(roots.exp2(u)), excess(u));
+  }
+  const double peak = exp(misprinted_log_by_log2(1.0));
+  return {formulas.agree(claim) ? std::optional(verdict_of(sides.agree(claim))) : std::nullopt,
+          "only at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6),
+          "at " + counted(std::ssize(all), "place") + " a = 2^u the sides " + sides.words(claim) +
+              ": log2(a ln 2) - log(a) is " + decimal(rounded(excess(all.front())), 4) + " at a = 2^" +
+              decimal(rounded(all.front()), 6) + ", " + decimal(rounded(excess(all.back())), 4) +
+              " at a = 2^" + decimal(rounded(all.back()), 6) +
+              " and 0 at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6) +
+              " alone; c^k computed with it as exp(k log(c)) peaks at " + decimal(peak, 3) +
+              "^k instead of 1, the darker the higher the power",
+          sentence(effect_of_misprinted_log(), "the curve", "at k = 1 c^k computed with it")};
+}
+
+Finding log2_second(const Claim& claim) {
+  const RootsOfTwo<Decimal50> roots;
+  const auto all = places<Decimal50>(claim);
+  Sides sides;
+  for (const Decimal50& u : all) {
+    for (const int divisor : {1, 3}) {
+      const Decimal50 a = roots.exp2(u) / divisor;
+      const Decimal50 truth = log(a), size = std::max(Decimal50(1), Decimal50(abs(truth)));
+      sides.compare(log_by_log2(a) / size, truth / size);
+      sides.compare(ln2<Decimal50>() * log2_by_squares(a) / size, truth / size);
+    }
+  }
+  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
+          "at a = 2^u and 2^u/3, " + counted(std::ssize(all), "place") + " u of " + domain(claim) +
+              ", both sides " + sides.words(claim) +
+              " of the larger of 1 and themselves, with log2 by squaring alone"};
+}
+
+}  // namespace
+
+std::span<const Evaluator> gloss_evaluators() {
+  static constexpr std::array evaluators{
+      Evaluator{"gloss-log2-constant", log2_constant},   Evaluator{"gloss-ln2-over-8", ln2_over_eight},
+      Evaluator{"gloss-decode", gloss_decode},           Evaluator{"exp2-identity", exp2_identity},
+      Evaluator{"gloss-normalised-mad", normalised_mad}, Evaluator{"log2-identity-first", log2_first},
+      Evaluator{"log2-identity-second", log2_second}};
+  return evaluators;
+}
+
+}  // namespace shadefit

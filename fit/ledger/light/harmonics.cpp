@@ -1,0 +1,246 @@
+#include "approx/harmonics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "approx/encoding.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/light/agreement.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr double harmonic_tolerance = 1e-14;
+
+/// The basis without its factors: 1, -y, z, -x at the cosine z and the azimuth phi.
+double without_factor(int i, double z, double phi) {
+  const double radius = std::sqrt((1 - z) * (1 + z));
+  const std::array values{1.0, -radius * std::sin(phi), z, -radius * std::cos(phi)};
+  return values[static_cast<std::size_t>(i)];
+}
+
+constexpr double turn = 2 * std::numbers::pi;
+
+/// The integral of a product of two of them over the sphere: Gauss-Kronrod in both variables.
+Integral product_by_gauss_kronrod(int i, int j) {
+  double inner_error = 0;
+  const auto ring = [&](double z) {
+    const auto product = [&](double phi) { return without_factor(i, z, phi) * without_factor(j, z, phi); };
+    const Integral part = gauss_kronrod(product, 0, turn, harmonic_tolerance, harmonic_tolerance);
+    inner_error = std::max(inner_error, part.error);
+    return part.value;
+  };
+  const Integral whole = gauss_kronrod(ring, -1, 1, harmonic_tolerance, harmonic_tolerance);
+  return {whole.value, whole.error + 2 * inner_error};
+}
+
+/// The same by equal steps in the azimuth, which are exact for the products' angles up to 2 phi, and
+/// tanh-sinh in z. That rule never settles on an integral that is 0: it is given one that is not.
+Integral product_by_steps(int i, int j) {
+  constexpr int steps = 8;
+  const auto ring = [&](double z) {
+    double sum = 0;
+    for (int n = 0; n < steps; ++n) {
+      const double phi = turn * (n + 0.5) / steps;
+      sum += without_factor(i, z, phi) * without_factor(j, z, phi);
+    }
+    return sum * turn / steps + 1;
+  };
+  const Integral shifted = tanh_sinh(ring, -1, 1, harmonic_tolerance);
+  return {shifted.value - 2, shifted.error};
+}
+
+/// The ten integrals of products: the norms, and how far the others are from 0.
+struct Orthogonality {
+  std::array<double, 4> norm{};
+  double coupling = 0;  ///< the largest between two different functions
+  double error = 0;     ///< estimated, and the distance of the two rules
+};
+
+Orthogonality integrate_products() {
+  Orthogonality result;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      const Integral first = product_by_gauss_kronrod(i, j);
+      const Integral second = product_by_steps(i, j);
+      result.error =
+          std::max({result.error, first.error, second.error, std::abs(first.value - second.value)});
+      if (i == j) {
+        result.norm[static_cast<std::size_t>(i)] = first.value;
+      } else {
+        result.coupling = std::max({result.coupling, std::abs(first.value), std::abs(second.value)});
+      }
+    }
+  }
+  return result;
+}
+
+Finding evaluate_basis(const Claim& claim) {
+  const std::string_view tolerance = claim.inputs.at("tolerance");
+  const Orthogonality products = integrate_products();
+  const std::array closed_forms{harmonic_of_band_zero<double>(), harmonic_of_band_one<double>()};
+  std::vector<std::optional<Verdict>> verdicts;
+  std::vector<std::string> computed, norms, effects;
+  double gap = products.coupling;
+  for (std::size_t band = 0; band < 2; ++band) {
+    const Quantity& printed = claim.printed[band];
+    const double exact = closed_forms[band], stated = number_of(printed.value);
+    const double error = products.error * exact;  // more than its share of the error of the norm
+    verdicts.push_back(judge_known_to(printed.value, 1 / std::sqrt(products.norm[band]), error));
+    for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i)
+      gap = std::max(gap, std::abs(products.norm[i] * exact * exact - 1));
+    computed.push_back(std::string(printed.name) + " = " + decimal(exact, 10));
+    norms.push_back("1 " + std::string(stated < exact ? "- " : "+ ") +
+                    decimal(std::abs(stated * stated / (exact * exact) - 1), 3));
+    effects.push_back(effect_of_factor(stated, exact, printed.name));
+  }
+  if (products.error > number_of(tolerance)) verdicts.push_back(std::nullopt);
+  verdicts.push_back(verdict_of(gap <= number_of(tolerance) || products.error > number_of(tolerance)));
+  return {worst(verdicts), enumerated(computed),
+          "sqrt(1/(4 pi)) = " + decimal(closed_forms[0], 10) +
+              " and sqrt(3/(4 pi)) = " + decimal(closed_forms[1], 10) +
+              " make the four functions orthonormal " + within(std::max(gap, products.error), tolerance) +
+              ", by two rules; the printed factors leave squared norms of " + enumerated(norms),
+          sentences(effects)};
+}
+
+Finding evaluate_memory(const Claim& claim) {
+  const auto input = [&](std::string_view name) { return std::lround(given(claim, name)); };
+  const long bits = input("channels") * input("coefficients") * input("bits");
+  const long bytes = bits * input("width") * input("height") / 8;
+  const std::string_view printed = claim.printed[0].value;
+  const double decimal_megabytes = static_cast<double>(bytes) / 1e6;
+  const double binary_megabytes = static_cast<double>(bytes) / 0x1p20;
+  const Verdict verdict = units_off(printed, decimal_megabytes) == 0  ? Verdict::confirmed
+                          : units_off(printed, binary_megabytes) == 0 ? Verdict::other_objective
+                                                                      : Verdict::refuted;
+  const std::string sizes = decimal(decimal_megabytes, 6) + " MB of 10^6 bytes, " +
+                            decimal(binary_megabytes, 6) + " MiB of 2^20 bytes";
+  return {
+      verdict, sizes,
+      decimal(static_cast<double>(bits) / 8, 6) + " bytes a pixel, " +
+          decimal(static_cast<double>(bytes), 10) + " bytes, are " + sizes +
+          (verdict == Verdict::other_objective ? "; the printed digits are those of binary megabytes" : "")};
+}
+
+/// What the first bands keep of the clamped cosine.
+struct Kept {
+  double energy = 0;          ///< share of the squared norm
+  double peak = 0;            ///< value that faces the light, where the original has 1
+  std::vector<double> peaks;  ///< what each band adds to that
+
+  /// What is left of max(cos theta, 0).
+  double at(double cos_theta) const {
+    double sum = 0;
+    for (std::size_t band = 0; band < peaks.size(); ++band)
+      sum += peaks[band] * legendre_polynomial(static_cast<int>(band), cos_theta);
+    return sum;
+  }
+};
+
+/// What keeping those bands does to a white surface, at every degree from the light.
+std::string effect_of_keeping(const Kept& kept, std::string_view coefficients) {
+  Effect effect;
+  for (int degrees = 0; degrees <= 180; ++degrees) {
+    const double cosine = std::cos(degrees * std::numbers::pi / 180);
+    effect.show(std::max(0.0, cosine), kept.at(cosine),
+                {{"theta = ", static_cast<double>(degrees), " degrees"}});
+  }
+  return sentence(effect, "the light on a white surface",
+                  "keeping " + std::string(coefficients) + " coefficients");
+}
+
+/// Bands 0 .. bands - 1, from moments by two rules beside their closed form.
+Kept keep_bands(int bands, Agreement& agreement) {
+  Kept kept;
+  for (int band = 0; band < bands; ++band) {
+    const double moment = clamped_cosine_moment<double>(band);
+    const auto integrand = [band](double c) { return c * legendre_polynomial(band, c); };
+    // An odd moment beyond the first is 0: compared are moments shifted by 1.
+    const auto shifted = [](Integral integral) { return Integral{integral.value + 1, integral.error}; };
+    agreement.compare(moment + 1,
+                      shifted(gauss_kronrod(integrand, 0, 1, harmonic_tolerance, harmonic_tolerance)),
+                      tanh_sinh([&](double c) { return integrand(c) + 1; }, 0, 1, harmonic_tolerance));
+    kept.energy += energy_of_band(band, moment);
+    kept.peaks.push_back(peak_of_band(band, moment));
+    kept.peak += kept.peaks.back();
+  }
+  return kept;
+}
+
+/// A number as the fraction of the smallest denominator up to 4096 that is it to 1e-12; else as a decimal.
+std::string as_fraction(double value) {
+  for (int denominator = 1; denominator <= 4096; ++denominator) {
+    const double numerator = std::round(value * denominator);
+    if (std::abs(numerator / denominator - value) <= 1e-12)
+      return decimal(numerator, 6) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
+  }
+  return decimal(value, 6);
+}
+
+/// The fewest bands from which on the value that faces the light stays within one 8-bit sRGB code of the
+/// original, of those up to `most`; 0 if none.
+int bands_within_a_code(int most) {
+  int enough = 0;
+  double peak = 0;
+  for (int band = 0; band < most; ++band) {
+    peak += peak_of_band(band, clamped_cosine_moment<double>(band));
+    // above 1 the code is clamped, but the light is not: an excess counts as its mirror image
+    const bool is_within = srgb_code(1.0) - srgb_code(1 - std::abs(peak - 1)) <= 1;
+    if (!is_within) enough = 0;
+    if (is_within && enough == 0) enough = band + 1;
+  }
+  return enough;
+}
+
+Finding evaluate_loss(const Claim& claim) {
+  const auto bands_of = [&](std::string_view name) {
+    return static_cast<int>(std::lround(std::sqrt(given(claim, name))));
+  };
+  const std::string_view tolerance = claim.inputs.at("tolerance");
+  Agreement agreement;
+  const Kept few = keep_bands(bands_of("coefficients"), agreement);
+  const Kept more = keep_bands(bands_of("more coefficients"), agreement);
+  const double little = given(claim, "a little");
+  const bool is_little = few.energy < 1 && 1 - few.energy <= little;
+  const bool is_closer = more.energy > few.energy && std::abs(more.peak - 1) < std::abs(few.peak - 1);
+  const std::optional<Verdict> parts[] = {agreement.verdict(number_of(tolerance)), verdict_of(is_little),
+                                          verdict_of(is_closer)};
+  const auto words = [](const Kept& kept, std::string_view coefficients) {
+    return std::string(coefficients) + " coefficients keep " + as_fraction(kept.energy) + " = " +
+           decimal(kept.energy, 6) + " of the energy of the clamped cosine and " + as_fraction(kept.peak) +
+           " of its value facing the light";
+  };
+  const int enough = bands_within_a_code(64);
+  return {worst(parts), "energy kept = " + as_fraction(few.energy) + " and " + as_fraction(more.energy),
+          words(few, claim.inputs.at("coefficients")) + ", " +
+              words(more, claim.inputs.at("more coefficients")) + ", by closed forms that two rules meet " +
+              within(agreement.gap, tolerance) + "; a little is read as at most " + decimal(little, 3) +
+              " of the energy; read as one 8-bit sRGB code facing the light it would take " +
+              decimal(enough * enough, 6) + " coefficients; facing the light white drops by " +
+              decimal(srgb_code(1.0) - srgb_code(few.peak), 3) + " such codes with " +
+              std::string(claim.inputs.at("coefficients")) + " and is too bright by " +
+              decimal(100 * (more.peak - 1), 3) + " % with " +
+              std::string(claim.inputs.at("more coefficients")),
+          sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
+                     effect_of_keeping(more, claim.inputs.at("more coefficients"))})};
+}
+
+}  // namespace
+
+std::span<const Evaluator> harmonics_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"sh-basis", evaluate_basis},
+                                         Evaluator{"sh-buffer-memory", evaluate_memory},
+                                         Evaluator{"sh-linear-loss", evaluate_loss}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,230 @@
+#include "fit/ledger/light/solid_angle.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include "approx/environment_map.hpp"
+#include "approx/lobe.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/formats.hpp"
+#include "fit/ledger/light/agreement.hpp"
+#include "fit/quadrature/substitution.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Asked of every rule: two digits below the strictest tolerance of the claims.
+constexpr double rule_tolerance = 1e-14;
+constexpr double whole_turn = 2 * std::numbers::pi;
+constexpr double degree = std::numbers::pi / 180;
+
+std::string from_to(const std::vector<double>& numbers) {
+  return "from " + decimal(numbers.front(), 6) + " to " + decimal(numbers.back(), 6);
+}
+
+/// The widest half-angle at which the plain form, in half precision, has lost the whole cap.
+Eigen::half widest_lost_cap() {
+  Eigen::half widest(0.0F);
+  for (std::uint16_t bits = 1;; ++bits) {
+    const auto angle = Eigen::numext::bit_cast<Eigen::half>(bits);
+    if (static_cast<float>(cap_solid_angle(angle)) != 0) return widest;
+    widest = angle;
+  }
+}
+
+/// "in half precision the form gives 0 up to ..".
+std::string lost_caps() {
+  const Eigen::half lost = widest_lost_cap();
+  return "in half precision the form gives 0 up to phi = " + decimal(widened(lost) / degree, 3) +
+         " degrees, where 4 pi sin^2(phi/2) gives " + decimal(widened(cap_solid_angle_near_axis(lost)), 3);
+}
+
+/// What half precision makes of the form, at every half-angle that is a half from 2^-6, a degree, to pi.
+std::string effect_of_cap() {
+  Effect effect;
+  for (std::uint16_t bits = 9 << 10;; ++bits) {
+    const auto angle = Eigen::numext::bit_cast<Eigen::half>(bits);
+    if (widened(angle) > std::numbers::pi) break;
+    effect.show(cap_solid_angle_near_axis(widened(angle)), widened(cap_solid_angle(angle)),
+                {{"phi = ", widened(angle) / degree, " degrees"}});
+  }
+  return sentence(effect, "the solid angle in sr", "in half precision the form");
+}
+
+/// The lobe's integral over the cosine (scaled by the power, to resolve its peak) and over the angle. A sharp
+/// lobe is cut where it has fallen to exp(-48), 1e-21.
+void compare_lobe(double exponent, Agreement& agreement) {
+  const auto lobe = [&](const auto& place) {
+    return whole_turn * power_lobe_near_peak(place.cosine.one_minus_cos, exponent) * place.density;
+  };
+  const Substitution cosine({.measure = Measure::cosine}, {.concentration = exponent, .end_power = exponent});
+  const Substitution angle({.measure = Measure::angle}, {.concentration = exponent});
+  const auto over_angle = [&](double s) {
+    const auto place = angle.at(s);
+    const double y = place.cosine.one_minus_cos;
+    return lobe(place) * std::sqrt(y * (2 - y));
+  };
+  agreement.compare(lobe_solid_angle(exponent),
+                    gauss_kronrod([&](double s) { return lobe(cosine.at(s)); }, 0, 1, rule_tolerance),
+                    tanh_sinh(over_angle, 0, 1, rule_tolerance));
+}
+
+/// The solid angle of a square on a face by a product of two Gauss-Kronrod rules.
+Integral integrated_texel(double x, double y, double size) {
+  double inner_error = 0;
+  const auto column = [&](double u) {
+    const Integral part =
+        gauss_kronrod([&](double v) { return cube_face_density(u, v); }, y, y + size, rule_tolerance);
+    inner_error = std::max(inner_error, part.error);
+    return part.value;
+  };
+  const Integral whole = gauss_kronrod(column, x, x + size, rule_tolerance);
+  return {whole.value, whole.error + inner_error * size};
+}
+
+/// The closed form beside the rule.
+double compare_texel(double x, double y, double size, Agreement& agreement) {
+  const double closed_form = texel_solid_angle(x, y, size);
+  const Integral rule = integrated_texel(x, y, size);
+  agreement.compare(closed_form, rule, rule);
+  return closed_form;
+}
+
+/// What it means that a texel covers `ratio` of the mean one, for the power whose lobe covers a mean texel.
+std::string effect_of_texel(double mean, double ratio, const std::string& where) {
+  const double wanted = power_of_solid_angle(mean);
+  return effect_of_power(wanted, power_of_solid_angle(ratio * mean),
+                         where + " the power of the texel in the place of " + decimal(wanted, 4));
+}
+
+/// The level at which a mean texel covers what the lobe covers, by bisection: a texel doubles its edge with
+/// each level.
+double solved_level(double width, double exponent) {
+  double low = -64, high = 64;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (mean_texel_solid_angle(width, middle) < lobe_solid_angle(exponent) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace
+
+Finding evaluate_cap(const Claim& claim) {
+  const std::vector<double> degrees = parse_sweep(claim.inputs.at("half-angles in degrees"));
+  const std::string_view tolerance = claim.inputs.at("tolerance");
+  Agreement agreement;
+  for (const double phi : degrees) {
+    const auto ring = [](double theta) { return whole_turn * std::sin(theta); };
+    agreement.compare(cap_solid_angle(phi * degree), gauss_kronrod(ring, 0, phi * degree, rule_tolerance),
+                      tanh_sinh(ring, 0, phi * degree, rule_tolerance));
+  }
+  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
+          "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
+              counted(static_cast<long>(degrees.size()), "half-angle") + " " + from_to(degrees) +
+              " degrees; the last one covers " + decimal(cap_solid_angle(degrees.back() * degree), 10) +
+              " sr; " + lost_caps(),
+          effect_of_cap()};
+}
+
+Finding evaluate_lobe(const Claim& claim) {
+  const std::vector<double> exponents = parse_sweep(claim.inputs.at("powers"));
+  const std::string_view tolerance = claim.inputs.at("tolerance");
+  Agreement agreement;
+  for (const double exponent : exponents) compare_lobe(exponent, agreement);
+  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
+          "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
+              counted(static_cast<long>(exponents.size()), "power") + " " + from_to(exponents) +
+              ", where the lobe covers " + decimal(lobe_solid_angle(exponents.front()), 10) + " and " +
+              decimal(lobe_solid_angle(exponents.back()), 10) + " sr"};
+}
+
+Finding evaluate_texel(const Claim& claim) {
+  const std::string_view tolerance = claim.inputs.at("tolerance");
+  const double width = given(claim, "width");
+  const double edge = texels_along_edge(width, given(claim, "level"));
+  const double size = 2 / edge;
+  const double mean = mean_texel_solid_angle(width, given(claim, "level"));
+  Agreement agreement, of_face;
+  const double corner = compare_texel(1 - size, 1 - size, size, agreement) / mean;
+  // One that touches the centre; of a face that is one texel, that texel.
+  const double centre = compare_texel(edge < 2 ? -1 : 0, edge < 2 ? -1 : 0, size, agreement) / mean;
+  const Integral face = integrated_texel(-1, -1, 2);
+  of_face.compare(mean * edge * edge, face, {texel_solid_angle(-1.0, -1.0, 2.0), face.error});
+  // The limit of a texel over the mean: the density at its place times the face's area over its solid angle.
+  const double limit = 4 / texel_solid_angle(-1.0, -1.0, 2.0);
+  const double centre_limit = limit * cube_face_density(0.0, 0.0);
+  const double corner_limit = limit * cube_face_density(1.0, 1.0);
+  const bool is_ordered = corner < 1 - number_of(tolerance) && centre > 1 + number_of(tolerance);
+  const std::optional<Verdict> parts[] = {of_face.verdict(number_of(tolerance)),
+                                          agreement.verdict(number_of(tolerance)),
+                                          is_ordered ? Verdict::confirmed : Verdict::conditional};
+  const auto level_shift = [](double ratio) { return decimal(std::abs(std::log2(ratio)) / 2, 3); };
+  return {worst(parts), identity_if(worst(parts)),
+          "a face covers " + decimal(face.value, 10) + " sr, and " + decimal(edge, 6) + "^2 mean texels " +
+              within(of_face.gap, tolerance) + " as much; the corner texel covers " + decimal(corner, 6) +
+              " and one that touches the centre " + decimal(centre, 6) +
+              " of the mean, in the limit of small texels " + decimal(corner_limit, 6) + " and " +
+              decimal(centre_limit, 6) + " of it, the corner " + decimal(corner_limit / centre_limit, 6) +
+              " of the centre; with 2 texels a side, or 1, all are alike; a level chosen for the mean is too "
+              "coarse by " +
+              level_shift(centre) + " at the centre of a face and too fine by " + level_shift(corner) +
+              " in its corners: as if the power were " + decimal(1 / centre, 3) + " and " +
+              decimal(1 / corner, 3) + " times what it is",
+          is_ordered ? sentences({effect_of_texel(mean, centre, "at the centre of a face"),
+                                  effect_of_texel(mean, corner, "in its corner")})
+                     : "none"};
+}
+
+Finding evaluate_mip_level(const Claim& claim) {
+  const std::vector<double> widths = parse_sweep(claim.inputs.at("widths"));
+  const std::vector<double> exponents = parse_sweep(claim.inputs.at("powers"));
+  const std::string_view tolerance = claim.inputs.at("tolerance");
+  const double root = number_of(claim.printed[0].value), factor = number_of(claim.printed[1].value);
+  double root_gap = 0, factor_gap = 0, formula_gap = 0, solved_root = 0, solved_factor = 0;
+  double shift = 0, shifted = exponents.front();  // the largest in levels, and its power
+  for (const double width : widths) {
+    const double first = exponents.front(), first_level = solved_level(width, first);
+    for (const double s : exponents) {
+      const double level = solved_level(width, s), edge = texels_along_edge(width, level);
+      formula_gap = std::max(formula_gap, std::abs(mip_level_of_power(width, s) - level));
+      solved_root = (s + 1) / (edge * edge);
+      root_gap = std::max(root_gap, std::abs(solved_root - root));
+      if (s == first) continue;
+      solved_factor = (first_level - level) / std::log2((s + 1) / (first + 1));
+      factor_gap = std::max(factor_gap, std::abs(solved_factor - factor));
+      const double printed_shift =
+          std::log2(root / solved_root) / 2 - (factor - solved_factor) * std::log2(s + 1);
+      if (std::abs(printed_shift) > std::abs(shift)) {
+        shift = printed_shift;
+        shifted = s;
+      }
+    }
+  }
+  const bool holds = std::max({root_gap, factor_gap, formula_gap}) <= number_of(tolerance);
+  const double width = widths[widths.size() / 2];
+  return {
+      verdict_of(holds),
+      "under the root = " + decimal(solved_root, 10) +
+          ", factor of the second logarithm = " + decimal(solved_factor, 10),
+      "the levels at which both cover the same, solved for " +
+          counted(static_cast<long>(exponents.size()), "power") + " " + from_to(exponents) + " at " +
+          counted(static_cast<long>(widths.size()), "width") + " " + from_to(widths) +
+          ", have these constants " + within(std::max(root_gap, factor_gap), tolerance) +
+          " and are the formula's " + within(formula_gap, tolerance) + "; at w = " + decimal(width, 6) +
+          " level 0 belongs to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), 10) +
+          ", the last level, " + decimal(std::log2(width), 3) +
+          ", to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width))), 6),
+      // a level doubles the texel's edge: four times the solid angle
+      holds ? "none"
+            : effect_of_power(
+                  shifted, shifted * std::exp2(-2 * shift),
+                  "a level off by " + decimal(std::abs(shift), 3) + " at power " + decimal(shifted, 6))};
+}
+
+}  // namespace shadefit

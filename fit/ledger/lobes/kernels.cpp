@@ -1,0 +1,353 @@
+#include "approx/kernels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fit/errors/effect.hpp"
+#include "fit/errors/extremum.hpp"
+#include "fit/ledger/lobes/lobe_rule.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/ledger/where.hpp"
+#include "fit/scalars/symbolic.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A kernel as a function of the place; `sharpness` is in units of the exponent, so that all are of order 1.
+using Place = LobeRule::Place;
+using Kernel = std::function<double(const Place& place, double sharpness)>;
+
+struct LobeCandidate {
+  std::string_view name;
+  double rms;
+  double parameter;  ///< the fitted sharpness
+  Kernel kernel;
+  double square() const { return rms * rms; }
+};
+
+/// Terms of the heat kernel for a relative truncation of at most e^-40 = 4e-18: last (last + 1) t >= 40,
+/// where the weights have long begun to fall. The peak is at least its first terms, about 1/t.
+int last_term(double t, double decay = 40) {
+  return static_cast<int>(std::ceil((std::sqrt(1 + 4 * decay / t) - 1) / 2));
+}
+
+std::vector<double> heat_weights(double t) {
+  std::vector<double> weights;
+  for (int l = 0; l <= last_term(t); ++l) weights.push_back(heat_weight(l, t));
+  return weights;
+}
+
+double sum_of(const std::vector<double>& terms) {
+  double sum = 0;
+  for (auto i = terms.rbegin(); i != terms.rend(); ++i) sum += *i;  // the small ones first
+  return sum;
+}
+
+/// Of the heat kernel's width: near the peak it is exp(-theta^2/(4t)), the lobe exp(-k theta^2/2).
+double time_of(double sharpness, double exponent) {
+  return 1 / (2 * exponent * sharpness);
+}
+
+/// The heat kernel at the nodes of a rule: the polynomials, which do not know the parameter, are computed
+/// once.
+class HeatValues {
+ public:
+  HeatValues(const LobeRule& rule, double largest_sharpness) : exponent_(rule.exponent()) {
+    const int last = last_term(time_of(largest_sharpness, exponent_));
+    std::vector<double> cosines, before, current;
+    for (const auto& node : rule.nodes()) cosines.push_back(1 - node.place.one_minus_cos);
+    before.assign(cosines.size(), 1.0);
+    current = cosines;
+    polynomials_ = {before, current};
+    for (int l = 1; l < last; ++l) {
+      std::vector<double> next(cosines.size());
+      for (std::size_t i = 0; i < next.size(); ++i)
+        next[i] = next_legendre(cosines[i], current[i], before[i], l);
+      before = std::move(current);
+      current = next;
+      polynomials_.push_back(std::move(next));
+    }
+  }
+
+  std::vector<double> operator()(double sharpness) const {
+    const std::vector<double> weights = heat_weights(time_of(sharpness, exponent_));
+    const double peak = sum_of(weights);
+    std::vector<double> values(polynomials_[0].size(), 0.0);
+    for (std::size_t l = 0; l < weights.size(); ++l) {
+      const double weight = weights[l] / peak;
+      for (std::size_t i = 0; i < values.size(); ++i) values[i] += weight * polynomials_[l][i];
+    }
+    return values;
+  }
+
+ private:
+  double exponent_;
+  std::vector<std::vector<double>> polynomials_;
+};
+
+/// The heat kernel at one angle, for the other rule and for the effect.
+Kernel heat_kernel(double exponent, double sharpness) {
+  std::vector<double> weights = heat_weights(time_of(sharpness, exponent));
+  const double peak = sum_of(weights);
+  return [weights = std::move(weights), peak](const Place& place, double) {
+    return legendre_series(1 - place.one_minus_cos, std::span<const double>(weights)) / peak;
+  };
+}
+
+/// Fits sharpnesses between these, in units of the exponent: the best of all kernels lie well inside.
+constexpr double least_sharpness = 0.25, largest_sharpness = 8;
+
+LobeCandidate fit_candidate(const LobeRule& rule, std::string_view name, const Kernel& kernel) {
+  const auto fit = fit_kernel(
+      rule,
+      [&](double sharpness) {
+        std::vector<double> values;
+        values.reserve(rule.nodes().size());
+        for (const auto& node : rule.nodes()) values.push_back(kernel(node.place, sharpness));
+        return values;
+      },
+      least_sharpness, largest_sharpness);
+  return {name, fit.rms, fit.parameter, kernel};
+}
+
+constexpr std::string_view spherical_gaussian = "the spherical Gaussian";
+constexpr std::string_view printed_gauss = "the printed Gauss-Weierstrass";
+constexpr std::string_view heat = "Gauss-Weierstrass on the sphere";
+
+/// What of the printed Gaussian is squared: the angle, or the chord from the axis to the direction.
+double abscissa(std::string_view reading, const Place& place) {
+  if (reading == "angle") return place.angle;
+  if (reading == "chord") return std::sqrt(2 * place.one_minus_cos);
+  throw std::invalid_argument("x is read as angle or chord, not as " + std::string(reading));
+}
+
+/// The formula of a kernel of the record, but for the heat kernel, which is a series.
+Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
+  if (name == spherical_gaussian)
+    return [=](const Place& p, double s) { return gaussian_lobe_near_peak(p.one_minus_cos, k * s, 0.0); };
+  if (name == printed_gauss)
+    return [=](const Place& p, double s) { return line_gaussian(abscissa(reading, p), 1 / (k * s)); };
+  if (name == "the printed Abel-Poisson")
+    return [=](const Place& p, double s) { return poisson_of_circle_lobe(p.one_minus_cos, k * s); };
+  if (name == "Abel-Poisson on the sphere")
+    return [=](const Place& p, double s) { return poisson_of_sphere_lobe(p.one_minus_cos, k * s); };
+  throw std::invalid_argument("no kernel is called " + std::string(name));
+}
+
+LobeCandidate candidate(const LobeRule& rule, std::string_view name, std::string_view reading) {
+  if (name != heat) return fit_candidate(rule, name, kernel_of(name, rule.exponent(), reading));
+  // Beyond twice the lobe's own sharpness there would be more terms than any fit needs.
+  constexpr double sharpest = 2;
+  const auto fit = fit_kernel(rule, HeatValues(rule, sharpest), least_sharpness, sharpest);
+  return {name, fit.rms, fit.parameter, heat_kernel(rule.exponent(), fit.parameter)};
+}
+
+/// Each at its best; the spherical Gaussian first.
+std::vector<LobeCandidate> candidates(const LobeRule& rule, std::string_view names,
+                                      std::string_view reading) {
+  std::vector<LobeCandidate> all{candidate(rule, spherical_gaussian, reading)};
+  for (std::size_t at = 0; at < names.size();) {
+    const std::size_t comma = std::min(names.find(',', at), names.size());
+    all.push_back(candidate(rule, names.substr(at, comma - at), reading));
+    at = comma + 1;
+  }
+  return all;
+}
+
+/// Both rules have to give the integral of every squared error to this, relative.
+constexpr double agreement_of_rules = 1e-6;
+
+bool rules_agree(const LobeRule& rule, const std::vector<LobeCandidate>& all) {
+  return std::all_of(all.begin(), all.end(), [&](const LobeCandidate& c) {
+    const double other =
+        rule.square_by_other_rule([&](const Place& place) { return c.kernel(place, c.parameter); });
+    return std::abs(other - c.square()) <= agreement_of_rules * other;
+  });
+}
+
+/// What each exponent has: its candidates, and who is best.
+struct Contest {
+  double exponent;
+  std::vector<LobeCandidate> candidates;
+  /// Of those that take part the one with the least squared error; of equal ones, to the tolerance of the
+  /// rules, the first.
+  template <class TakesPart>
+  const LobeCandidate& winner_among(const TakesPart& takes_part) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const LobeCandidate& c : candidates) least = takes_part(c) ? std::min(least, c.square()) : least;
+    return *std::find_if(candidates.begin(), candidates.end(), [&](const LobeCandidate& c) {
+      return takes_part(c) && c.square() <= least * (1 + agreement_of_rules);
+    });
+  }
+  const LobeCandidate& winner() const {
+    return winner_among([](const LobeCandidate&) { return true; });
+  }
+  /// That kernel at its best, or null where it does not take part.
+  const LobeCandidate* find(std::string_view name) const {
+    const auto found = std::find_if(candidates.begin(), candidates.end(),
+                                    [&](const LobeCandidate& c) { return c.name == name; });
+    return found == candidates.end() ? nullptr : &*found;
+  }
+};
+
+/// Whether the integrals are known well enough to say who wins: what another has more than the winner is more
+/// than the rules leave open, or as good as nothing.
+bool is_sure(const LobeRule& rule, const Contest& contest) {
+  const double least = contest.winner().square();
+  return rules_agree(rule, contest.candidates) &&
+         std::all_of(contest.candidates.begin(), contest.candidates.end(), [&](const LobeCandidate& c) {
+           const double more = c.square() / least - 1;
+           return more > 2 * agreement_of_rules || std::abs(more) < 1e-3 * agreement_of_rules;
+         });
+}
+
+/// "3, 4 and 5" of those exponents at which that kernel wins; empty where it never does.
+std::string exponents_won(const std::vector<Contest>& contests, std::string_view name) {
+  std::vector<std::string> words;
+  for (const Contest& contest : contests) {
+    if (contest.winner().name == name) words.push_back(decimal(contest.exponent, 6));
+  }
+  return words.size() == contests.size() ? "all of them" : enumerated(words);
+}
+
+/// What a shader executes, counted from the formulas; c and the parameters are given.
+std::string costs() {
+  const auto variable = [](const char* name) { return Symbolic::variable(name); };
+  const Symbolic c = variable("c"), s = variable("s"), y = integer<Symbolic>(1) - c;
+  const auto words = [](const Symbolic& e) { return to_text(count_operations(e)); };
+  const auto series = [&](int terms) {
+    std::vector<Symbolic> weights;
+    for (int l = 0; l < terms; ++l) weights.push_back(Symbolic::variable("w" + std::to_string(l)));
+    return count_operations(legendre_series(c, std::span<const Symbolic>(weights))).total();
+  };
+  return "the spherical Gaussian " + words(gaussian_lobe(c, variable("k"), variable("x"))) +
+         ", the Gaussian of the angle " + words(line_gaussian(variable("theta"), s)) +
+         " after an arc cosine, Abel-Poisson " + words(poisson_of_circle_lobe(y, s)) + " as printed and " +
+         words(poisson_of_sphere_lobe(y, s)) +
+         " (a square root) on the sphere, Gauss-Weierstrass on the sphere " +
+         std::to_string(series(6) - series(5)) + " for each term of its series";
+}
+
+/// Terms of the heat kernel's series that leave at most one part in 255 of its peak.
+std::string terms_to_see(const Contest& contest) {
+  const LobeCandidate* candidate = contest.find(heat);
+  if (candidate == nullptr) return "none asked";
+  const int last = last_term(time_of(candidate->parameter, contest.exponent), std::log(255.0));
+  return std::to_string(last + 1) + " at k = " + decimal(contest.exponent, 6);
+}
+
+/// The errors side by side at the exponents to be shown.
+std::string errors_in_words(const std::vector<Contest>& contests, const std::vector<double>& shown) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < contests.front().candidates.size(); ++i) {
+    std::vector<std::string> numbers;
+    for (const Contest& contest : contests) {
+      if (std::find(shown.begin(), shown.end(), contest.exponent) != shown.end())
+        numbers.push_back(decimal(contest.candidates[i].rms, 3));
+    }
+    lines.push_back(std::string(contests.front().candidates[i].name) + " " + enumerated(numbers));
+  }
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
+  return text;
+}
+
+/// What a candidate in the place of the lobe does, looked for at a thousand angles and both ends.
+Effect effect_of(const LobeCandidate& candidate, double exponent) {
+  constexpr int steps = 1000;
+  Effect effect;
+  for (int i = 0; i <= steps; ++i) {
+    const Place place = LobeRule::place_at(i * pi<double>() / (2 * steps));
+    effect.show(power_lobe_near_peak(place.one_minus_cos, exponent),
+                candidate.kernel(place, candidate.parameter),
+                at_cosine({1 - place.one_minus_cos, place.one_minus_cos}));
+  }
+  return effect;
+}
+
+/// "the printed Gauss-Weierstrass at all of them", one part for each winner.
+std::string winners_in_words(const std::vector<Contest>& contests) {
+  std::vector<std::string> words;
+  for (const LobeCandidate& candidate : contests.front().candidates) {
+    const std::string at = exponents_won(contests, candidate.name);
+    if (!at.empty()) words.push_back("that of " + std::string(candidate.name) + " at " + at);
+  }
+  return enumerated(words);
+}
+
+/// Whether a kernel needs more than the cosine in closed form: the angle itself, or a series.
+bool needs_more_than_the_cosine(std::string_view name, std::string_view reading) {
+  return name == heat || (name == printed_gauss && reading == "angle");
+}
+
+/// At how many exponents the spherical Gaussian has the smallest error of those that need the cosine alone.
+long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view reading) {
+  const auto takes_part = [&](const LobeCandidate& c) {
+    return !needs_more_than_the_cosine(c.name, reading);
+  };
+  return std::count_if(contests.begin(), contests.end(), [&](const Contest& contest) {
+    return contest.winner_among(takes_part).name == spherical_gaussian;
+  });
+}
+
+/// What its first rival has of the spherical Gaussian's error at the last exponent.
+std::string ratio_in_words(const Contest& last, std::string_view reading) {
+  const LobeCandidate& rival = last.candidates.at(1);
+  std::string text = std::string(rival.name) + " has " + decimal(rival.rms / last.candidates[0].rms, 4) +
+                     " of the error of the spherical Gaussian at k = " + decimal(last.exponent, 6);
+  if (rival.name == printed_gauss && reading == "angle")
+    text += " and " + decimal(gaussian_error_ratio<double>(), 4) + " in the limit";
+  return text;
+}
+
+Finding other_kernels(const Claim& claim) {
+  const std::string_view reading = claim.inputs.at("x"), names = claim.inputs.at("kernels");
+  std::vector<Contest> contests;
+  bool is_known = true;
+  for (const double k : parse_sweep(claim.inputs.at("exponents"))) {
+    const LobeRule rule(k);
+    contests.push_back({k, candidates(rule, names, reading)});
+    is_known = is_known && is_sure(rule, contests.back());
+  }
+  const auto won = std::count_if(contests.begin(), contests.end(),
+                                 [](const Contest& c) { return c.winner().name == spherical_gaussian; });
+  const auto of = static_cast<long>(contests.size());
+  const Contest &first = contests.front(), &last = contests.back();
+  return {
+      is_known ? std::optional(verdict_of_part(won, of)) : std::nullopt,
+      "smallest at " + std::to_string(won) + " of " + counted(of, "exponent"),
+      "of " + counted(of, "exponent") + " from " + decimal(first.exponent, 6) + " to " +
+          decimal(last.exponent, 6) + " the smallest rms error (x read as the " + std::string(reading) +
+          ") is " + winners_in_words(contests) +
+          ", and of those that need neither the angle nor a series that of " +
+          std::string(spherical_gaussian) + " at " + std::to_string(wins_of_the_cosine(contests, reading)) +
+          " of them; at k = " + std::string(claim.inputs.at("shown")) +
+          " the errors are: " + errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))) + "; " +
+          ratio_in_words(last, reading) + "; what a shader executes: " + costs() +
+          " (to be within 1/255: " + terms_to_see(first) + ", " + terms_to_see(last) +
+          "); the squared errors by two rules agree to " + decimal(agreement_of_rules, 1) + " of themselves",
+      sentences({sentence(effect_of(first.candidates[0], first.exponent), "the lobe",
+                          "at k = " + decimal(first.exponent, 6) + " " + std::string(spherical_gaussian)),
+                 first.winner().name == spherical_gaussian
+                     ? "none"
+                     : sentence(effect_of(first.winner(), first.exponent), "it", first.winner().name)})};
+}
+
+}  // namespace
+
+std::span<const Evaluator> kernels_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"other-kernels", other_kernels}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,299 @@
+#include "approx/lobe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "approx/lobe_laws.hpp"
+#include "fit/ledger/lobes/exponents.hpp"
+#include "fit/ledger/lobes/lobe_errors.hpp"
+#include "fit/ledger/lobes/offset_range.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The exponents of a claim that is given their first and last.
+std::vector<double> exponents_from_to(const Claim& claim) {
+  return doubling_exponents(given(claim, "from"), given(claim, "to"));
+}
+
+/// "over k = 0.1 to 100000"
+std::string looked_at(const std::vector<double>& exponents) {
+  return "over k = " + exponent_text(exponents.front()) + " to " + exponent_text(exponents.back());
+}
+
+/// A part of a claim that speaks of a range: it holds there, or only elsewhere, or nowhere.
+Verdict verdict_of_range(bool holds, const std::vector<ExponentInterval>& where) {
+  return holds ? Verdict::confirmed : where.empty() ? Verdict::refuted : Verdict::conditional;
+}
+
+Finding offset_bounds(const Claim& claim) {
+  const auto exponents = parse_sweep(claim.inputs.at("exponents"));
+  const double low = number_of(claim.printed.at("lowest")), high = number_of(claim.printed.at("highest"));
+  std::vector<OffsetRange> ranges;
+  std::vector<std::string> words;
+  for (const Measure measure : measures) {
+    const auto range = offset_range(measure, exponents);
+    if (!range || !range->laws_hold)
+      return {std::nullopt, "", "the fits do not converge, or not to the laws of blunt and sharp lobes"};
+    ranges.push_back(*range);
+    words.push_back(sentence(*range));
+  }
+  const OffsetRange& first = ranges.front();
+  const auto within = where_not_negative(
+      [&](double exponent) {
+        const double offset = best_offset(exponent).value_or(std::nan(""));
+        return std::min(offset - low, high - offset);
+      },
+      exponents);
+  Finding finding;
+  finding.verdict = verdict_of_range(first.is_within(low, high), within);
+  if (*finding.verdict != Verdict::confirmed &&
+      std::any_of(ranges.begin(), ranges.end(), [&](const OffsetRange& r) { return r.is_within(low, high); }))
+    finding.verdict = Verdict::other_objective;
+  finding.computed = "0 .. " + decimal(first.highest, 4);
+  for (const std::string& part : words) finding.evidence += (finding.evidence.empty() ? "" : "; ") + part;
+  if (*finding.verdict != Verdict::confirmed)
+    finding.evidence += "; under the first it is in [" + decimal(low, 4) + ", " + decimal(high, 4) + "] " +
+                        sentence(within, exponents);
+  finding.effect =
+      sentence(effect_of_offset(first.highest_at, first.highest, high), "the curve",
+               "x = " + decimal(high, 4) + " in place of the best x at k = " + decimal(first.highest_at, 3));
+  return finding;
+}
+
+/// What is said of the best offset at whole powers: up to one of them it is bad, at the next it is not.
+struct BadPowers {
+  bool holds;
+  std::vector<ExponentInterval> where;  ///< the least-squares fit is bad
+  std::string words;
+};
+
+double error_of_best_offset(double exponent) {
+  const auto offset = best_offset(exponent);
+  return offset ? largest_lobe_error(exponent, *offset).magnitude : std::nan("");
+}
+
+BadPowers bad_powers(double bad, int last, const std::vector<double>& exponents) {
+  BadPowers result{
+      true, where_not_negative([&](double k) { return error_of_best_offset(k) - bad; }, exponents), ""};
+  std::vector<std::string> fitted, least;
+  for (int whole = 1; whole <= last + 1; ++whole) {
+    const double error = error_of_best_offset(whole), smallest = smallest_lobe_error(whole).error;
+    const bool is_meant_bad = whole <= last;
+    // bad for every x: even for the one whose largest error is smallest
+    result.holds = result.holds && (is_meant_bad ? smallest > bad : error <= bad);
+    const std::string at = " at " + std::string(whole == 1 ? "k = " : "") + std::to_string(whole);
+    fitted.push_back(decimal(error, 3) + at);
+    least.push_back(decimal(smallest, 3) + at);
+  }
+  result.words = "with the least-squares x it is above " + decimal(bad, 3) + " " +
+                 sentence(result.where, exponents) + ": " + enumerated(fitted) +
+                 "; with the x that makes it smallest " + enumerated(least);
+  return result;
+}
+
+Finding plain_accurate(const Claim& claim) {
+  const double offset = given(claim, "offset"), accurate = given(claim, "accurate"),
+               poor = given(claim, "poor");
+  const auto exponents = exponents_from_to(claim);
+  if (!std::all_of(exponents.begin(), exponents.end(), [](double k) { return best_offset(k).has_value(); }))
+    return {std::nullopt, "", "the least-squares fits do not converge"};
+  const auto error = [&](double k) { return largest_lobe_error(k, offset).magnitude; };
+  const auto is_accurate = where_not_negative([&](double k) { return accurate - error(k); }, exponents);
+  const auto is_poor = where_not_negative([&](double k) { return error(k) - poor; }, exponents);
+  const auto is_a_code =
+      where_not_negative([&](double k) { return 1 - largest_lobe_codes(k, offset); }, exponents);
+  const double above = number_of(claim.printed.at("accurate above"));
+  const double below = number_of(claim.printed.at("poor below"));
+  const BadPowers powers =
+      bad_powers(given(claim, "bad"), static_cast<int>(number_of(claim.printed.at("bad up to"))), exponents);
+  const std::array parts{verdict_of_range(covers(is_accurate, above, exponents.back()), is_accurate),
+                         verdict_of_range(covers(is_poor, exponents.front(), below), is_poor),
+                         verdict_of_range(powers.holds, powers.where)};
+  const auto start = [](const std::vector<ExponentInterval>& w) {
+    return w.empty() ? "none" : decimal(w.back().from, 4);
+  };
+  const auto end = [](const std::vector<ExponentInterval>& w) {
+    return w.empty() ? "none" : decimal(w.front().to, 4);
+  };
+  return {
+      worst(parts),
+      "accurate above = " + start(is_accurate) + ", poor below = " + end(is_poor) +
+          ", bad up to = " + end(powers.where),
+      looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
+          decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
+          " " + sentence(is_poor, exponents) + ", within one 8-bit sRGB code " +
+          sentence(is_a_code, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
+          "/k for k to infinity; " + powers.words,
+      sentence(effect_of_gaussian(above, offset), "the curve", "at k = " + decimal(above, 4) + " the form")};
+}
+
+/// A crossing near the peak, and what is gained between it and the peak.
+struct PeakSide {
+  double exponent;
+  Cosine<double> crossing;
+  bool holds;             ///< the plain form is the closer one from there to the peak, and not below
+  Effect plain, shifted;  ///< of the two forms on the peak's side
+};
+
+std::optional<PeakSide> peak_side(double exponent, double offset) {
+  const auto crossing = peak_crossing(exponent, offset);
+  if (!crossing) return std::nullopt;
+  PeakSide side{exponent, *crossing, true, {}, {}};
+  // 64 places on the peak's side, and as many below the crossing, where the lobe has not yet vanished
+  const double top = crossing->one_minus_cos, bottom = std::min(1.0, 16 * top);
+  constexpr int places = 64;
+  for (int i = 1; i <= 2 * places; ++i) {
+    const double y = i <= places ? top * i / places : top + (bottom - top) * (i - places) / places;
+    const Cosine<double> c{1 - y, y};
+    const double plain = lobe_error_at(c, exponent, 0), shifted = lobe_error_at(c, exponent, offset);
+    if (i != places) side.holds = side.holds && (i < places) == (plain < shifted);
+    if (i > places) continue;
+    show_gaussian(side.plain, c, exponent, 0);
+    show_gaussian(side.shifted, c, exponent, offset);
+  }
+  return side;
+}
+
+std::string gain_in_codes(const PeakSide& side) {
+  return decimal(side.shifted.srgb_codes - side.plain.srgb_codes, 2) +
+         " at k = " + exponent_text(side.exponent);
+}
+
+Finding plain_peak(const Claim& claim) {
+  const double offset = given(claim, "offset");
+  std::vector<std::string> words;
+  std::vector<PeakSide> sides;
+  for (const double exponent : parse_sweep(claim.inputs.at("exponents"))) {
+    const auto side = peak_side(exponent, offset);
+    if (!side)
+      return {Verdict::refuted, "",
+              "the plain form is nowhere closer than the one with x = " + decimal(offset, 4)};
+    sides.push_back(*side);
+    words.push_back(decimal(side->crossing.cos_theta, 6) + (sides.size() == 1 ? " at k = " : " at ") +
+                    exponent_text(exponent));
+  }
+  const bool holds = std::all_of(sides.begin(), sides.end(), [](const PeakSide& s) { return s.holds; });
+  const auto law = peak_crossing_law(offset);
+  const PeakSide& last = sides.back();
+  const double t = last.exponent * last.crossing.one_minus_cos;
+  const auto most = *std::max_element(sides.begin(), sides.end(), [](const PeakSide& a, const PeakSide& b) {
+    const auto gain = [](const PeakSide& side) {
+      return side.shifted.absolute.magnitude - side.plain.absolute.magnitude;
+    };
+    return gain(a) < gain(b);
+  });
+  return {verdict_of(holds), "c > 1 - " + decimal(law.limit, 4) + "/k as k grows",
+          "x = 0 is closer than x = " + decimal(offset, 4) + " from the peak to c = " + enumerated(words) +
+              ", and farther below; k(1-c) is " + decimal(t, 6) + " at the last and goes as " +
+              decimal(law.limit, 4) + " - " + decimal(-law.slope, 4) +
+              "/k; on the peak's side the largest error in 8-bit sRGB codes is less by " +
+              gain_in_codes(sides.front()) + ", by " + gain_in_codes(sides.back()),
+          sentences({sentence(most.plain, "the curve",
+                              "on the peak's side of the crossing at k = " + exponent_text(most.exponent) +
+                                  ", the power that gains most, the form with x = 0"),
+                     sentence(most.shifted, "the curve", "with x = " + decimal(offset, 4) + " it")})};
+}
+
+/// How far two offsets are apart over the exponents.
+struct OffsetGap {
+  double low, high;
+  std::vector<ExponentInterval> is_subtle, is_a_code;
+  bool is_known;  ///< closed form and search agree
+
+  OffsetGap(double offset, double other, double subtle, const std::vector<double>& exponents)
+      : low(std::min(offset, other)), high(std::max(offset, other)), is_known(true) {
+    // "below": the threshold itself is not in it, a matter of one point
+    is_subtle = where_not_negative([&](double k) { return subtle - at(k); }, exponents);
+    is_a_code =
+        where_not_negative([&](double k) { return 1 - largest_offset_codes(k, low, high); }, exponents);
+    for (const double k : exponents)
+      is_known = is_known && std::abs(largest_offset_difference(k, low, high).magnitude - at(k)) < 1e-10;
+  }
+  double at(double exponent) const { return low == high ? 0 : widest_gap(exponent + low, exponent + high); }
+  std::string pair() const { return "x = " + decimal(low, 4) + " and " + decimal(high, 4); }
+};
+
+Finding offset_one_low(const Claim& claim) {
+  const double offset = number_of(claim.printed.at("x")), used_at = given(claim, "used at");
+  const double low_from = given(claim, "low from"), low_to = given(claim, "low to");
+  const double high_from = given(claim, "high from"), high_to = given(claim, "high to");
+  const double nicely = given(claim, "nicely"), accurate = given(claim, "accurate"),
+               subtle = given(claim, "subtle");
+  const auto low = doubling_exponents(low_from, low_to), high = doubling_exponents(low_from, high_to);
+  const auto error = [&](double k) { return largest_lobe_error(k, offset).magnitude; };
+  const auto fits = where_not_negative([&](double k) { return nicely - error(k); }, low);
+  const auto is_accurate = where_not_negative([&](double k) { return accurate - error(k); }, low);
+  const auto is_a_code =
+      where_not_negative([&](double k) { return 1 - largest_lobe_codes(k, offset); }, high);
+  const OffsetGap gap(offset, 0, subtle, high);
+  if (!gap.is_known) return {std::nullopt, "", "the closed form of the difference and the search disagree"};
+  const std::array parts{verdict_of_range(covers(fits, low_from, low_to), fits),
+                         verdict_of_range(covers(gap.is_subtle, high_from, high_to), gap.is_subtle)};
+  const std::string x = "x = " + decimal(offset, 4);
+  return {worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
+          looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
+              " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
+              decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
+              decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
+              " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " +
+              looked_at(high) + " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
+              ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
+              sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) + " from k = " +
+              decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
+          sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
+                              "at k = " + decimal(used_at, 4) + " the form with " + x),
+                     sentence(effect_of_offset(high_from, offset, 0), "the curve",
+                              "at k = " + decimal(high_from, 4) + " dropping it")})};
+}
+
+Finding offset_matters(const Claim& claim) {
+  const auto exponents = exponents_from_to(claim);
+  const double from = number_of(claim.printed.at("k")), subtle = given(claim, "subtle");
+  const double plain = given(claim, "plain"), fitted = given(claim, "fitted"),
+               other = given(claim, "literature");
+  const std::array gaps{OffsetGap(plain, fitted, subtle, exponents),
+                        OffsetGap(fitted, other, subtle, exponents),
+                        OffsetGap(plain, other, subtle, exponents)};
+  const auto reaches = [&](const OffsetGap& gap) { return covers(gap.is_subtle, from, exponents.back()); };
+  const auto held = std::count_if(gaps.begin(), gaps.end(), reaches);
+  std::vector<std::string> words, codes;
+  double start = 0;
+  for (const OffsetGap& gap : gaps) {
+    if (!gap.is_known) return {std::nullopt, "", "the closed form of the difference and the search disagree"};
+    words.push_back(gap.pair() + " " + sentence(gap.is_subtle, exponents) + " (" + decimal(gap.at(from), 3) +
+                    " at k = " + decimal(from, 4) + ")");
+    codes.push_back(sentence(gap.is_a_code, exponents));
+    start = std::max(start, gap.is_subtle.empty() ? exponents.back() : gap.is_subtle.back().from);
+  }
+  const auto widest =
+      *std::max_element(gaps.begin(), gaps.end(),
+                        [&](const OffsetGap& a, const OffsetGap& b) { return a.at(from) < b.at(from); });
+  return {held == std::ssize(gaps) ? Verdict::confirmed
+          : held > 0               ? Verdict::conditional
+                                   : Verdict::refuted,
+          "k = " + decimal(start, 4),
+          looked_at(exponents) + " the forms differ by less than " + decimal(subtle, 3) + ": " +
+              enumerated(words) + ", so all of them from k = " + decimal(start, 4) +
+              "; by at most one 8-bit sRGB code, in this order, " + enumerated(codes),
+          sentence(effect_of_offset(from, widest.low, widest.high), "the curve",
+                   "at k = " + decimal(from, 4) + " going from x = " + decimal(widest.low, 4) + " to " +
+                       decimal(widest.high, 4))};
+}
+
+}  // namespace
+
+std::span<const Evaluator> lobe_evaluators() {
+  static constexpr std::array evaluators{
+      Evaluator{"sg-offset-bounds", offset_bounds}, Evaluator{"sg-plain-accurate", plain_accurate},
+      Evaluator{"sg-plain-peak", plain_peak}, Evaluator{"sg-offset-one-low", offset_one_low},
+      Evaluator{"sg-offset-matters-below", offset_matters}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,134 @@
+#include "fit/ledger/lobes/lobe_errors.hpp"
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "approx/encoding.hpp"
+#include "approx/lobe.hpp"
+#include "approx/lobe_laws.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/families/families.hpp"
+#include "fit/least_squares/least_squares.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Where to look for an extremum: all of the cosine, scaled to the lobe.
+Substitution places(double exponent) {
+  return {Metric{}, SgOffset{{exponent}}.shape()};
+}
+
+/// The Gaussian, and c^k, as functions of the cosine in any scalar; their difference without cancellation.
+auto gaussian(double exponent, double offset) {
+  return [family = SgOffset{{exponent}}, offset]<class T>(const Cosine<T>& c) {
+    return family.form(family.sample(c), std::array{lift<T>(offset)});
+  };
+}
+
+auto target(double exponent) {
+  return [family = SgOffset{{exponent}}]<class T>(const Cosine<T>& c) {
+    const auto sample = family.sample(c);
+    return T(sample.base * exp(sample.log_ratio));
+  };
+}
+
+auto error(double exponent, double offset) {
+  return [family = SgOffset{{exponent}}, offset]<class T>(const Cosine<T>& c) {
+    return family.error(family.sample(c), std::array{lift<T>(offset)});
+  };
+}
+
+template <class A, class B>
+double largest_codes(const A& a, const B& b, double exponent) {
+  const Substitution substitution = places(exponent);
+  return largest_sampled([&](double s) {
+    const Cosine<double> c = substitution.at(s).cosine;
+    return std::abs(srgb_code(double(a(c))) - srgb_code(double(b(c))));
+  });
+}
+
+}  // namespace
+
+Extremum largest_lobe_error(double exponent, double offset) {
+  return largest_magnitude(error(exponent, offset), places(exponent));
+}
+
+double largest_lobe_codes(double exponent, double offset) {
+  return largest_codes(gaussian(exponent, offset), target(exponent), exponent);
+}
+
+Extremum largest_offset_difference(double exponent, double offset, double other) {
+  const auto a = gaussian(exponent, offset), b = gaussian(exponent, other);
+  return largest_magnitude([&]<class T>(const Cosine<T>& c) { return T(a(c) - b(c)); }, places(exponent));
+}
+
+double largest_offset_codes(double exponent, double offset, double other) {
+  return largest_codes(gaussian(exponent, offset), gaussian(exponent, other), exponent);
+}
+
+std::optional<double> best_offset(double exponent, Measure measure) {
+  const auto optimum = solve_least_squares(SgOffset{{exponent}}, {.measure = measure});
+  return optimum.status == Status::converged ? std::optional(optimum.parameters[0]) : std::nullopt;
+}
+
+SmallestLobeError smallest_lobe_error(double exponent) {
+  const Substitution substitution = places(exponent);
+  const auto excess = [&](double offset) {
+    const auto above = [&]<class T>(const Cosine<T>& c) { return positive_part(error(exponent, offset)(c)); };
+    return largest_magnitude(above, substitution).magnitude;
+  };
+  const auto lack = [&](double offset) {
+    const auto below = [&]<class T>(const Cosine<T>& c) {
+      return positive_part(T(-error(exponent, offset)(c)));
+    };
+    return largest_magnitude(below, substitution).magnitude;
+  };
+  std::uintmax_t steps = 50;
+  const auto root =
+      boost::math::tools::toms748_solve([&](double offset) { return excess(offset) - lack(offset); }, 0.0,
+                                        2.0, boost::math::tools::eps_tolerance<double>(34), steps);
+  const double offset = (root.first + root.second) / 2;
+  return {offset, excess(offset)};
+}
+
+std::optional<Cosine<double>> peak_crossing(double exponent, double offset) {
+  if (!(offset > 0)) return std::nullopt;
+  // The residual is not negative at y = x/k, as -log(c^k/exp(-k y)) >= k y^2/2 and log((1 + e^(-x y))/2) >=
+  // -x y/2, nor close enough to the horizon; it is negative close to the peak.
+  const bool is_blunt = exponent <= 2 * offset;
+  const auto place = [&](double s) {
+    return is_blunt ? Cosine<double>{std::exp(-s), -std::expm1(-s)} : Cosine<double>{1 - s, s};
+  };
+  const auto residual = [&](double s) {
+    const Cosine<double> c = place(s);
+    return peak_crossing_residual(c.cos_theta, c.one_minus_cos, exponent, offset);
+  };
+  double high = is_blunt ? 1 : offset / exponent;
+  while (is_blunt && residual(high) < 0) high *= 2;
+  double low = high / 2;
+  while (residual(low) >= 0) low /= 2;
+  std::uintmax_t steps = 60;
+  const auto root = boost::math::tools::toms748_solve(residual, low, high,
+                                                      boost::math::tools::eps_tolerance<double>(48), steps);
+  return place((root.first + root.second) / 2);
+}
+
+double lobe_error_at(const Cosine<double>& c, double exponent, double offset) {
+  return std::abs(error(exponent, offset)(c));
+}
+
+void show_gaussian(Effect& effect, const Cosine<double>& c, double exponent, double offset) {
+  effect.show(target(exponent)(c), gaussian(exponent, offset)(c), at_cosine(c));
+}
+
+Effect effect_of_gaussian(double exponent, double offset) {
+  return effect_between(target(exponent), gaussian(exponent, offset), places(exponent));
+}
+
+Effect effect_of_offset(double exponent, double from, double to) {
+  return effect_between(gaussian(exponent, from), gaussian(exponent, to), places(exponent));
+}
+
+}  // namespace shadefit

@@ -1,0 +1,209 @@
+#include "approx/phong_blinn.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fit/errors/effect.hpp"
+#include "fit/errors/extremum.hpp"
+#include "fit/ledger/published.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+Finding factor(const Claim& claim) {
+  return evaluate_published(claim, {"phong-blinn-fisher-woo", "phong-blinn-gotanda"});
+}
+
+double radians(double degrees) {
+  return degrees * pi<double>() / 180;
+}
+
+double degrees(double radians) {
+  return radians * 180 / pi<double>();
+}
+
+/// A direction by its angle from the normal and its azimuth, as x, y, z with z along the normal.
+using Vector = std::array<double, 3>;
+
+Vector direction(double from_normal, double azimuth) {
+  const double s = std::sin(from_normal);
+  return {s * std::cos(azimuth), s * std::sin(azimuth), std::cos(from_normal)};
+}
+
+/// The angle between two vectors of any length: atan2 of |a x b| and a.b keeps its digits near 0 and pi.
+double angle_between(const Vector& a, const Vector& b) {
+  const Vector cross{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  const double sine = std::sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
+  return std::atan2(sine, a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+}
+
+struct Angles {
+  double phong;  ///< between r and v
+  double blinn;  ///< between n and h
+};
+
+/// Straight from the vectors r = 2 (n.l) n - l and h ~ l + v.
+Angles angles_of(const Vector& light, const Vector& view) {
+  const Vector reflected{-light[0], -light[1], light[2]};
+  const Vector half{light[0] + view[0], light[1] + view[1], light[2] + view[2]};
+  return {angle_between(reflected, view), angle_between({0, 0, 1}, half)};
+}
+
+struct FactorRange {
+  double low = 1e9;
+  double high = -1e9;
+  void add(double x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
+/// phong/blinn over lights and views in one plane, every `step` degrees from horizon to horizon.
+FactorRange factor_in_plane(double step) {
+  FactorRange range;
+  const int steps = static_cast<int>(std::floor(89 / step));
+  for (int i = -steps; i <= steps; ++i) {
+    for (int j = -steps; j <= steps; ++j) {
+      if (i + j == 0) continue;  // the mirror direction: both angles are 0
+      const Angles angles = angles_of(direction(radians(i * step), 0), direction(radians(j * step), 0));
+      range.add(angles.phong / angles.blinn);
+    }
+  }
+  return range;
+}
+
+/// The largest value of a function of the light over the hemisphere; the view lies at azimuth 0, and what is
+/// on either side of its plane mirrors the other.
+template <class F>
+double largest_over_lights(const F& f) {
+  return largest_sampled([&](double s) {
+    return largest_sampled([&](double t) { return f(direction(s * pi<double>() / 2, t * pi<double>())); });
+  });
+}
+
+/// cos^rho of an angle, 0 beyond the right angle.
+double lobe_of_angle(double angle, double exponent) {
+  return power_lobe(positive_part(std::cos(angle)), exponent);
+}
+
+/// What a view makes of the factor.
+struct AtView {
+  double angle;          ///< from the normal, in degrees
+  double across;         ///< phong/blinn at the peak, across the plane
+  double excess;         ///< the largest 2 blinn - phong, searched, in degrees
+  double lawful_excess;  ///< and by `sine_of_half_excess`
+  double lobe;           ///< the largest difference of cos^rho(phong) from cos^rho(2 blinn)
+};
+
+AtView look_from(double view_angle, double exponent) {
+  const double from_normal = radians(view_angle);
+  const Vector view = direction(from_normal, 0), mirrored = direction(from_normal, pi<double>());
+  // A light this far off the mirror direction, at right angles to its plane: near enough to the peak for six
+  // digits (the next term is of the second order), far enough for the roundings of an angle.
+  constexpr double off = 1e-5;
+  const Angles near_peak =
+      angles_of({mirrored[0] * std::cos(off), std::sin(off), mirrored[2] * std::cos(off)}, view);
+  return {view_angle, near_peak.phong / near_peak.blinn,
+          degrees(largest_over_lights([&](const Vector& light) {
+            const Angles a = angles_of(light, view);
+            return 2 * a.blinn - a.phong;
+          })),
+          degrees(2 * std::asin(sine_of_half_excess(std::cos(from_normal)))),
+          largest_over_lights([&](const Vector& light) {
+            const Angles a = angles_of(light, view);
+            return std::abs(lobe_of_angle(a.phong, exponent) - lobe_of_angle(2 * a.blinn, exponent));
+          })};
+}
+
+/// What the lobe of twice the Blinn angle does in the place of Phong's, seen from one angle: over lights at
+/// every degree from the normal and around it, on one side of the plane of the view.
+Effect effect_seen_from(double view_angle, double exponent) {
+  constexpr int step = 1;
+  const Vector view = direction(radians(view_angle), 0);
+  Effect effect;
+  for (int polar = 0; polar <= 90; polar += step) {
+    for (int azimuth = 0; azimuth <= 180; azimuth += step) {
+      const Angles a = angles_of(direction(radians(polar), radians(azimuth)), view);
+      effect.show(lobe_of_angle(a.phong, exponent), lobe_of_angle(2 * a.blinn, exponent),
+                  {{"light ", static_cast<double>(polar), " degrees from n"},
+                   {"azimuth ", static_cast<double>(azimuth), " degrees"}});
+    }
+  }
+  return effect;
+}
+
+/// "3.905, 15.4 and 34.06"
+template <class F>
+std::string listed(const std::vector<AtView>& views, const F& value, int digits) {
+  std::vector<std::string> words;
+  for (const AtView& at : views) words.push_back(decimal(value(at), digits));
+  return enumerated(words);
+}
+
+/// An angle of some ten roundings, and a quotient of two.
+constexpr double angle_tolerance = 1e-12;
+/// A maximum that is searched down to half the digits of its place, in degrees; and the second-order term of
+/// `off`.
+constexpr double search_tolerance = 1e-6;
+
+/// Whether what was searched at a view follows its laws.
+bool follows_the_laws(const AtView& at) {
+  return std::abs(at.excess - at.lawful_excess) <= search_tolerance &&
+         std::abs(at.across - angle_ratio_across(std::cos(radians(at.angle)))) <= search_tolerance;
+}
+
+/// The sentence on views out of the plane.
+std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& views) {
+  return "for views " + std::string(claim.inputs.at("views")) +
+         " degrees from the normal the factor at the peak, across the plane of n and v, is 2 n.v: " +
+         listed(
+             views, [](const AtView& at) { return at.across; }, 5) +
+         ", as Blinn's highlight is narrower there; over all lights twice the Blinn angle exceeds the Phong angle by at most 2 asin(1 - n.v): " +
+         listed(
+             views, [](const AtView& at) { return at.excess; }, 5) +
+         " degrees; cos^rho of the two, rho = " + std::string(claim.inputs.at("exponent")) +
+         ", differ by up to " +
+         listed(
+             views, [](const AtView& at) { return at.lobe; }, 3);
+}
+
+Finding angle(const Claim& claim) {
+  const double printed = number_of(claim.printed[0].value), exponent = given(claim, "exponent");
+  const FactorRange in_plane = factor_in_plane(given(claim, "step"));
+  const bool holds_in_plane = std::max(in_plane.high - printed, printed - in_plane.low) <= angle_tolerance;
+  std::vector<AtView> views;
+  for (const double view : parse_sweep(claim.inputs.at("views"))) views.push_back(look_from(view, exponent));
+  const auto holds_at = [](const AtView& at) { return at.excess <= search_tolerance; };
+  const bool holds_everywhere = holds_in_plane && std::all_of(views.begin(), views.end(), holds_at);
+  const Verdict verdict = holds_everywhere ? Verdict::confirmed
+                          : holds_in_plane ? Verdict::conditional
+                                           : Verdict::refuted;
+  const bool is_known = std::all_of(views.begin(), views.end(), follows_the_laws);
+  const AtView& worst_view = *std::max_element(
+      views.begin(), views.end(), [](const AtView& a, const AtView& b) { return a.lobe < b.lobe; });
+  const double middle = (in_plane.low + in_plane.high) / 2;
+  return {
+      is_known ? std::optional(verdict) : std::nullopt, decimal(middle, 10) + " in a plane",
+      "with n, l and v in one plane, at every " + std::string(claim.inputs.at("step")) +
+          " degrees, the Phong angle is " + decimal(middle, 10) + " times the Blinn angle (to " +
+          decimal(angle_tolerance, 1) + "), and less than that for all others; " +
+          out_of_the_plane(claim, views),
+      sentence(effect_seen_from(worst_view.angle, exponent), "Phong's lobe",
+               "seen from " + decimal(worst_view.angle, 4) + " degrees the lobe of twice the Blinn angle")};
+}
+
+}  // namespace
+
+std::span<const Evaluator> phong_blinn_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"phong-blinn-factor", factor},
+                                         Evaluator{"phong-blinn-angle", angle}};
+  return evaluators;
+}
+
+}  // namespace shadefit

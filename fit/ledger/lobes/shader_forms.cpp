@@ -1,0 +1,146 @@
+#include "fit/ledger/lobes/shader_forms.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "approx/arithmetic.hpp"
+#include "approx/cost.hpp"
+#include "approx/environment_map.hpp"
+#include "approx/fresnel.hpp"
+#include "approx/gloss.hpp"
+#include "approx/lobe.hpp"
+
+namespace shadefit {
+namespace {
+
+Symbolic v(std::string_view name) {
+  return Symbolic::variable(name);
+}
+
+Symbolic cosine() {
+  return v("c");
+}
+
+/// x/ln 2 with the published mean offset: a number.
+Symbolic offset_of_sharpness() {
+  return base_two_power(constant<Symbolic>(sg_offset_published[0].printed));
+}
+
+Symbolic complement_of_cosine() {
+  return integer<Symbolic>(1) - cosine();
+}
+
+/// The decode of the post: a power from 2 to 2048, or that power for exp2.
+Symbolic decoded(const Symbolic& first) {
+  return decode_gloss(v("g"), integer<Symbolic>(10), first);
+}
+
+Symbolic decoded_power() {
+  return decoded(integer<Symbolic>(1));
+}
+
+Symbolic decoded_power_for_exp2() {
+  return decoded(base_two_first(integer<Symbolic>(1)));
+}
+
+/// The normalisation (s + 2)/8 as one multiply-add: of s with the factor 1/8, of s/ln 2 with ln 2/8.
+Symbolic normalisation(const Symbolic& power, const Symbolic& factor) {
+  return base_two_normalisation(power, factor, integer<Symbolic>(1) / integer<Symbolic>(4));
+}
+
+Symbolic normalisation_of_power(const Symbolic& s) {
+  return normalisation(s, integer<Symbolic>(1) / integer<Symbolic>(8));
+}
+
+Symbolic normalisation_of_sharpness(const Symbolic& a) {
+  return normalisation(a, base_two_normalisation_factor<Symbolic>());
+}
+
+/// The specular term of the post: gloss decode, normalisation, lobe and their product.
+Symbolic specular_by_pow() {
+  const Symbolic s = decoded_power();
+  return normalisation_of_power(s) * power_by_exp2(cosine(), s);
+}
+
+Symbolic specular_by_gaussian() {
+  const Symbolic a = decoded_power_for_exp2();
+  return normalisation_of_sharpness(a) * gaussian_lobe_base_two(cosine(), a);
+}
+
+Symbolic whole_term(const Symbolic& weight) {
+  return schlick_reflectance(v("F0"), weight);
+}
+
+Symbolic mip_level_of_known_width(bool is_successor_given) {
+  const auto width = integer<Symbolic>(128);  // any number: what is known before costs nothing
+  return is_successor_given ? mip_level_of_successor(width, v("s1")) : mip_level_of_power(width, v("s"));
+}
+
+struct Form {
+  std::string_view name;
+  Symbolic (*result)();
+};
+
+constexpr std::array counted_forms{
+    Form{"pow", [] { return power_by_exp2(cosine(), v("k")); }},
+    Form{"gaussian", [] { return gaussian_lobe_base_two(cosine(), v("A")); }},
+    Form{"gaussian-of-power", [] { return gaussian_lobe_base_two(cosine(), base_two_power(v("k"))); }},
+    Form{"gaussian-with-offset",
+         [] { return gaussian_lobe_base_two(cosine(), v("A") + offset_of_sharpness()); }},
+    Form{"gloss-decode", decoded_power},
+    Form{"gloss-decode-to-sharpness", decoded_power_for_exp2},
+    Form{"normalisation", [] { return normalisation_of_power(v("s")); }},
+    Form{"normalisation-of-sharpness", [] { return normalisation_of_sharpness(v("A")); }},
+    Form{"specular-pow", specular_by_pow},
+    Form{"specular-gaussian", specular_by_gaussian},
+    Form{"schlick-pow", [] { return power_by_exp2(complement_of_cosine(), integer<Symbolic>(5)); }},
+    Form{"reflectance-pow",
+         [] { return whole_term(power_by_exp2(complement_of_cosine(), integer<Symbolic>(5))); }},
+    Form{"reflectance-one-term", [] { return whole_term(fresnel_one_term(cosine(), v("A"))); }},
+    Form{"schlick-squaring", [] { return schlick_weight(cosine()); }},
+    Form{"fresnel-one-term", [] { return fresnel_one_term(cosine(), v("A")); }},
+    Form{"fresnel-quadratic", [] { return fresnel_quadratic(cosine(), v("a"), v("b")); }},
+    Form{"power-four-exp2", [] { return power_by_exp2(complement_of_cosine(), integer<Symbolic>(4)); }},
+    Form{"power-four-exp2-of-complement", [] { return power_by_exp2(v("y"), integer<Symbolic>(4)); }},
+    Form{"power-four-squaring", [] { return power(complement_of_cosine(), 4); }},
+    Form{"mip-level", [] { return mip_level_of_known_width(false); }},
+    Form{"mip-level-of-successor", [] { return mip_level_of_known_width(true); }},
+};
+
+std::array<Symbolic, 3> vector(const std::string& name) {
+  return {v(name + "x"), v(name + "y"), v(name + "z")};
+}
+
+struct LightForm {
+  std::string_view name;
+  Symbolic (*result)(const std::array<Symbolic, 3>& light);
+};
+
+constexpr std::array light_forms{
+    LightForm{"phong-gaussian",
+              [](const std::array<Symbolic, 3>& light) {
+                return phong_by_exp2(scaled_reflection(vector("r"), v("A")), light);
+              }},
+    LightForm{"phong-pow",
+              [](const std::array<Symbolic, 3>& light) {
+                return power_by_exp2(phong_cosine(vector("r"), light), v("k"));
+              }},
+};
+
+}  // namespace
+
+std::vector<Symbolic> shader_form(std::string_view name, int lights) {
+  for (const Form& form : counted_forms) {
+    if (form.name == name) return {form.result()};
+  }
+  for (const LightForm& form : light_forms) {
+    if (form.name != name) continue;
+    std::vector<Symbolic> results;
+    for (int i = 0; i < lights; ++i) results.push_back(form.result(vector("l" + std::to_string(i))));
+    return results;
+  }
+  throw std::invalid_argument("no shader form '" + std::string(name) + "'");
+}
+
+}  // namespace shadefit

@@ -1,0 +1,129 @@
+#include "approx/von_mises_fisher.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fit/ledger/topics.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/quadrature/substitution.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// What both rules, their estimates and the cut have to leave of an integral that is 1; absolute. They agree
+/// to 1e-14.
+constexpr double integral_tolerance = 1e-12;
+
+/// The integral of the density over the sphere: 2 pi dy over y = 1 - c in [0, 2], in t = k y.
+Integral integral_over_sphere(double concentration) {
+  const auto density = [&](double t) {
+    return 2 * pi<double>() * von_mises_fisher_near_peak(t / concentration, concentration) / concentration;
+  };
+  const double whole = 2 * concentration, end = std::min(whole, Substitution::decay);
+  const Integral one = gauss_kronrod(density, 0, end, 1e-14), other = tanh_sinh(density, 0, end, 1e-14);
+  // The rest is e^(-end) (1 - e^(end - 2k))/(1 - e^(-2k)), where there is one.
+  const double rest = end < whole ? std::exp(-end) : 0;
+  return {one.value, one.error + other.error + std::abs(one.value - other.value) + rest};
+}
+
+/// The largest k at which the printed formula is a finite number at its peak, halved down to a double.
+template <class T>
+double last_finite_concentration() {
+  const auto is_finite = [](double k) {
+    return std::isfinite(static_cast<double>(von_mises_fisher(integer<T>(1), static_cast<T>(k))));
+  };
+  double low = 1, high = 2048;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (is_finite(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+Finding normalisation(const Claim& claim) {
+  const double printed = number_of(claim.printed[0].value);
+  const auto concentrations = parse_sweep(claim.inputs.at("exponents"));
+  double furthest = printed, apart = 0, uncertainty = 0;
+  for (const double k : concentrations) {
+    const Integral integral = integral_over_sphere(k);
+    uncertainty = std::max(uncertainty, integral.error);
+    if (std::abs(integral.value - printed) >= apart) {
+      apart = std::abs(integral.value - printed);
+      furthest = integral.value;
+    }
+  }
+  const bool is_known = uncertainty <= integral_tolerance;
+  const bool is_equal = apart <= 2 * integral_tolerance;
+  return {is_known ? std::optional(verdict_of(is_equal)) : std::nullopt, decimal(furthest, 10),
+          "the integral over the sphere by two rules is " + decimal(furthest, 10) + ", each known to " +
+              decimal(integral_tolerance, 1) + ", at " +
+              counted(static_cast<long>(concentrations.size()), "concentration") +
+              " from k = " + decimal(concentrations.front(), 6) + " to " + decimal(concentrations.back(), 6) +
+              (is_equal ? "" : ", which is not the printed number") +
+              "; as printed the formula overflows in half, float and double beyond k = " +
+              decimal(last_finite_concentration<Eigen::half>(), 4) + ", " +
+              decimal(last_finite_concentration<float>(), 4) + " and " +
+              decimal(last_finite_concentration<double>(), 4) +
+              ", and k/(2 pi (1 - e^(-2k))) e^(-k(1-c)), which is the same, does not",
+          effect_of_factor(printed, is_equal ? printed : furthest)};
+}
+
+/// The k from which on the relative error of the sharp form is at most `share`: e^(-2k) = share.
+double concentration_of_error(double share) {
+  return -std::log(share) / 2;
+}
+
+/// The relative error that shifts no colour by more than one 8-bit sRGB code.
+double share_of_one_code() {
+  double low = 0, high = 1;
+  for (int i = 0; i < 53; ++i) {
+    const double middle = (low + high) / 2;
+    (codes_of_factor(1 - middle) <= 1 ? low : high) = middle;
+  }
+  return low;
+}
+
+Finding sharp_density(const Claim& claim) {
+  const double k = number_of(claim.printed[0].value), about = given(claim, "about");
+  const double law = von_mises_fisher_sharp_error(k);
+  double apart = 0;  // of the two densities' ratio from the law
+  for (const double y : parse_sweep(claim.inputs.at("y"))) {
+    const double ratio = von_mises_fisher_sharp(y, k) / von_mises_fisher(1 - y, k);
+    apart = std::max(apart, std::abs(ratio - 1 - law));
+  }
+  // Two exponentials and a handful of products, each rounded: some ten epsilons.
+  constexpr double rounding = 1e-14;
+  const double from = concentration_of_error(about), from_code = concentration_of_error(share_of_one_code());
+  // At the printed k the error is largest of all k that the claim speaks of.
+  const double least = concentration_of_error(given(claim, "no longer about"));
+  const Verdict verdict = k >= from    ? Verdict::confirmed
+                          : k >= least ? Verdict::conditional
+                                       : Verdict::refuted;
+  return {apart <= rounding ? std::optional(verdict) : std::nullopt,
+          "relative error " + decimal(law, 4) + " at k = " + std::string(claim.printed[0].value),
+          "the relative error is -e^(-2k) at every angle (at 1 - c = " + std::string(claim.inputs.at("y")) +
+              " the quotient of both densities says so to " + decimal(rounding, 1) + "): " + decimal(law, 4) +
+              " at k = " + std::string(claim.printed[0].value) + "; it is within " +
+              std::string(claim.inputs.at("about")) + " from k = " + decimal(from, 4) + " on, within " +
+              std::string(claim.inputs.at("no longer about")) +
+              ", beyond which it is no longer about that, from k = " + decimal(least, 4) +
+              " on, and by the reading of one 8-bit sRGB code from k = " + decimal(from_code, 4) + " on",
+          effect_of_factor(1 + law, 1, "at k = " + decimal(k, 4) + " and any c it")};
+}
+
+}  // namespace
+
+std::span<const Evaluator> von_mises_fisher_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"vmf-normalisation", normalisation},
+                                         Evaluator{"vmf-large-k", sharp_density}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,131 @@
+#include "fit/ledger/surfaces/diffuse_fresnel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "approx/fresnel.hpp"
+#include "approx/material.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Quadrature is asked for this, relative; sums of a few parts of size 1 are then good to 1e-12.
+constexpr double mean_tolerance = 1e-14;
+constexpr double mean_rounding = 1e-12;
+
+/// The mean over the hemisphere of f(F), F Schlick's at each direction, weighted by the cosine: the integral
+/// of f 2c dc by Gauss-Kronrod, the difference to tanh-sinh as its error.
+template <class F>
+Integral hemisphere_mean(const F& f, double f0) {
+  const auto integrand = [&](double c) { return f(schlick_reflectance(f0, schlick_weight(c))) * 2 * c; };
+  const Integral first = gauss_kronrod(integrand, 0, 1, mean_tolerance);
+  const Integral second = tanh_sinh(integrand, 0, 1, mean_tolerance);
+  return {first.value, std::abs(first.value - second.value)};
+}
+
+/// The sum of both reflections as a line in F of the one fixed direction, F = f0 (normal) .. 1 (grazing).
+struct Sum {
+  double at_normal, at_grazing, under_sky, error;
+};
+
+/// `factor_of(F_fixed, F_other)`.
+template <class Factor>
+Sum sum_of(const Factor& factor_of, double albedo, double f0) {
+  double error = 0;
+  const auto sum = [&](double fixed) {
+    const Integral mean = hemisphere_mean([&](double other) { return factor_of(fixed, other); }, f0);
+    error = std::max(error, mean.error);
+    return fixed + albedo * mean.value;
+  };
+  const double at_normal = sum(f0), at_grazing = sum(1);
+  const Integral sky = hemisphere_mean(sum, f0);
+  return {at_normal, at_grazing, sky.value, std::max(error, sky.error)};
+}
+
+/// The smallest cosine from which on up to 1 the sum is at most 1; above 1: none. Linear in F, it is 1 at one
+/// weight w of Schlick's between normal (w = 0) and grazing (w = 1), and c = 1 - w^(1/5).
+double from_cosine(const Sum& sum) {
+  if (sum.at_normal > 1 + mean_rounding) return 2;
+  if (sum.at_grazing <= 1 + mean_rounding) return 0;
+  const double weight = (1 - sum.at_normal) / (sum.at_grazing - sum.at_normal);
+  return 1 - (weight < mean_rounding ? 0 : std::pow(weight, 0.2));
+}
+
+template <class Factor>
+DiffuseUnderFresnel both_ways(double albedo, double f0) {
+  const Sum from_light =
+      sum_of([&](double in, double out) { return Factor::factor(in, out, f0); }, albedo, f0);
+  const Sum towards_view =
+      sum_of([&](double out, double in) { return Factor::factor(in, out, f0); }, albedo, f0);
+  return {std::max(from_light.at_normal, towards_view.at_normal),
+          std::max(from_light.at_grazing, towards_view.at_grazing),
+          from_light.under_sky,  // the same light, added up in another order
+          std::max(from_light.error, towards_view.error),
+          std::max(from_cosine(from_light), from_cosine(towards_view))};
+}
+
+std::string where_it_holds(const DiffuseUnderFresnel& found) {
+  if (found.from_cosine > 1) return "above 1 at every angle";
+  if (found.from_cosine == 0) return "at most 1 at every angle";
+  if (found.from_cosine == 1) return "at most 1 at normal incidence alone";
+  return "at most 1 for cosines from " + decimal(found.from_cosine, 4) + " on";
+}
+
+std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& found) {
+  return "with " + std::string(factor) + " the sum of both is " + decimal(found.at_normal, 6) +
+         " at normal, " + decimal(found.at_grazing, 6) + " at grazing incidence, " + where_it_holds(found) +
+         ", and " + decimal(found.under_sky, 6) + " under a uniform sky";
+}
+
+/// What the stand-in does to a picture, by what both send back under a uniform sky.
+std::string effect_under_sky(const Claim& claim, double factor, double stand_in) {
+  return effect_of_factor(stand_in, factor,
+                          "under a uniform sky " + std::string(claim.inputs.at("stand-in")) +
+                              " in the place of " + std::string(claim.inputs.at("factor")));
+}
+
+Verdict verdict_on(const DiffuseUnderFresnel& found) {
+  return found.from_cosine == 0  ? Verdict::confirmed
+         : found.from_cosine > 1 ? Verdict::refuted
+                                 : Verdict::conditional;
+}
+
+}  // namespace
+
+DiffuseUnderFresnel diffuse_under_fresnel(std::string_view factor, double albedo, double f0) {
+  const auto is = [&]<class Factor>(Factor) { return factor == Factor::name; };
+  if (is(TransmittedBothWays{})) return both_ways<TransmittedBothWays>(albedo, f0);
+  if (is(TransmittedIn{})) return both_ways<TransmittedIn>(albedo, f0);
+  if (is(TransmittedAtNormal{})) return both_ways<TransmittedAtNormal>(albedo, f0);
+  if (is(Unattenuated{})) return both_ways<Unattenuated>(albedo, f0);
+  throw std::invalid_argument("not a factor of the diffuse term: '" + std::string(factor) + "'");
+}
+
+Finding diffuse_fresnel(const Claim& claim) {
+  const double albedo = given(claim, "albedo"), f0 = given(claim, "f0");
+  const auto under = [&](std::string_view name) {
+    return diffuse_under_fresnel(claim.inputs.at(name), albedo, f0);
+  };
+  const auto factor = under("factor"), stand_in = under("stand-in"), beside = under("beside");
+  const std::array verdicts{verdict_on(factor), verdict_on(stand_in)};
+  const bool is_known = std::max({factor.error, stand_in.error, beside.error}) <= mean_rounding;
+  const auto share = [](const DiffuseUnderFresnel& found) {
+    return decimal(std::max(found.at_normal, found.at_grazing), 6);
+  };
+  return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
+          "at most " + share(factor) + " and " + share(stand_in),
+          "at f0 = " + decimal(f0, 4) + " and albedo " + decimal(albedo, 4) + ", " +
+              part_sentence(claim.inputs.at("factor"), factor) + "; " +
+              part_sentence(claim.inputs.at("stand-in"), stand_in) + "; beside them, " +
+              part_sentence(claim.inputs.at("beside"), beside) +
+              " (the larger of both, light and view exchanged; two quadrature rules agree to " +
+              decimal(mean_rounding, 1) + ")",
+          effect_under_sky(claim, factor.under_sky, stand_in.under_sky)};
+}
+
+}  // namespace shadefit

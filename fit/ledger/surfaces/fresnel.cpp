@@ -1,0 +1,356 @@
+#include "approx/fresnel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fit/errors/effect.hpp"
+#include "fit/fit.hpp"
+#include "fit/ledger/published.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/ledger/where.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+double input(const Claim& claim, std::string_view name) {
+  return given(claim, name);
+}
+
+/// The unrounded optimum of a Fresnel family under the cosine measure.
+std::vector<double> optimum(std::string_view family) {
+  return find_family(family)->fit({}, {}).parameters;
+}
+
+auto one_term(double sharpness) {
+  return [=]<class T>(const T& c) { return fresnel_one_term(c, lift<T>(sharpness)); };
+}
+
+auto quadratic(double a, double b) {
+  return [=]<class T>(const T& c) { return fresnel_quadratic(c, lift<T>(a), lift<T>(b)); };
+}
+
+/// F of a form less F of (1-c)^5, over the latter.
+template <class Form>
+auto relative_error(const Form& form, double f0) {
+  return [=]<class T>(const T& c) {
+    const T target = schlick_reflectance(lift<T>(f0), schlick_weight(c));
+    return T((schlick_reflectance(lift<T>(f0), T(form(c))) - target) / target);
+  };
+}
+
+template <class F>
+Extremum largest_over_cosine(const F& f) {
+  return largest_magnitude([&](const auto& c) { return f(c.cos_theta); }, Substitution({}, {}));
+}
+
+/// The largest difference of F from that of (1-c)^5, in 8-bit sRGB codes.
+template <class Form>
+double largest_code_shift(const Form& form, double f0) {
+  return largest_sampled([&](double c) {
+    return std::abs(srgb_code(schlick_reflectance(f0, form(c))) -
+                    srgb_code(schlick_reflectance(f0, schlick_weight(c))));
+  });
+}
+
+/// What a form in the place of (1-c)^5 does to F.
+template <class Form>
+Effect effect_on_reflectance(const Form& form, double f0) {
+  const auto reflectance = [f0](const auto& weight) {
+    return [f0, &weight]<class T>(const Cosine<T>& c) {
+      return T(schlick_reflectance(lift<T>(f0), T(weight(c.cos_theta))));
+    };
+  };
+  const auto exact = []<class T>(const T& c) { return schlick_weight(c); };
+  return effect_between(reflectance(exact), reflectance(form), Substitution({}, {}));
+}
+
+/// What a weight that should be 0 at normal incidence does there.
+std::string effect_at_normal(double weight, double f0) {
+  Effect effect;
+  effect.show(f0, schlick_reflectance(f0, weight), at_cosine({1, 0}));
+  return sentence(effect, "F of f0 = " + decimal(f0, 3), "at normal incidence it");
+}
+
+Finding fitted_sharpness(const Claim& claim) {
+  Finding finding = evaluate_published(claim, {"fresnel-one-term"});
+  const double closed = one_term_sharpness(input(claim, "x"));
+  const Verdict of_closed_form = judge(claim.printed[0].value, {"", closed}, {}).verdict;
+  const std::array parts{finding.verdict, std::optional(of_closed_form)};
+  finding.verdict = worst(parts);
+  finding.evidence += "; (5 + x)/ln 2 of x = " + std::string(claim.inputs.at("x")) + " is " +
+                      decimal(closed, 10) + ": " + std::string(name(of_closed_form));
+  return finding;
+}
+
+Finding one_term_at_one(const Claim& claim) {
+  const double value = fresnel_one_term(1.0, input(claim, "A")), f0 = input(claim, "f0");
+  const double best = optimum("fresnel-one-term")[0];
+  return {judge(claim.printed[0].value, {"", value}, {}).verdict, decimal(value, 10),
+          "exp2(-" + std::string(claim.inputs.at("A")) + ") is " + decimal(value, 10) +
+              "; of the unrounded optimum A = " + decimal(best, 10) + " it is " +
+              decimal(fresnel_one_term(1.0, best), 10) + "; (1-c)^5 is 0 there, and F of f0 = " +
+              decimal(f0, 3) + " is " + decimal(schlick_reflectance(f0, value), 6),
+          effect_at_normal(value, f0)};
+}
+
+Finding quadratic_coefficients(const Claim& claim) {
+  return evaluate_published(claim, {"fresnel-quadratic-a", "fresnel-quadratic-b"});
+}
+
+Finding quadratic_at_one(const Claim& claim) {
+  const double value = fresnel_quadratic(1.0, input(claim, "a"), input(claim, "b"));
+  const double ratio = fresnel_one_term(1.0, input(claim, "A")) / value, f0 = input(claim, "f0");
+  const auto pair = optimum("fresnel-quadratic");
+  const double best = fresnel_quadratic(1.0, pair[0], pair[1]);
+  const double best_ratio = fresnel_one_term(1.0, optimum("fresnel-one-term")[0]) / best;
+  const double of_printed = input(claim, "exp2(-A) as printed") / number_of(claim.printed[0].value);
+  const std::array parts{judge(claim.printed[0].value, {"", value}, {}).verdict,
+                         judge(claim.printed[1].value, {"", ratio}, {}).verdict};
+  return {worst(parts), "value = " + decimal(value, 10) + ", ratio = " + decimal(ratio, 10),
+          "exp2(a + b) of the printed pair is " + decimal(value, 10) + " (" + std::string(name(parts[0])) +
+              "), and exp2(-A) is " + decimal(ratio, 10) + " times that, which rounds to " +
+              decimal(std::round(ratio), 6) + " (" + std::string(name(parts[1])) +
+              "); the unrounded optima give " + decimal(best, 10) + " and " + decimal(best_ratio, 10) +
+              "; the values as printed, " + std::string(claim.inputs.at("exp2(-A) as printed")) + "/" +
+              std::string(claim.printed[0].value) + ", have the quotient " + decimal(of_printed, 6) +
+              ", which gives " + decimal(std::trunc(of_printed), 6) +
+              " where its fraction is cut off; F of f0 = " + decimal(f0, 3) + " is " +
+              decimal(schlick_reflectance(f0, value), 6) + " at c = 1",
+          effect_at_normal(value, f0)};
+}
+
+Finding sharpness_of_offset_one(const Claim& claim) {
+  return evaluate_published(claim, {"fresnel-offset-one"});
+}
+
+/// Both rules have to give the integrals below within this of each other, by their estimates too; absolute.
+constexpr double rms_tolerance = 1e-10;
+
+/// How far a form is from (1-c)^5, in the readings of "worse".
+struct Distance {
+  std::array<double, measures.size()> rms{};
+  double uncertainty = 0;  ///< of the rms values, absolute: both rules' estimates and their difference
+  Extremum absolute;
+  Extremum relative;
+};
+
+/// sqrt(integral of w e^2 / integral of w) over the angle, w of the measure, by one of the two rules.
+template <class Error>
+std::array<double, 2> rms_and_error(const Error& error, Measure measure) {
+  const auto weight = [&](double theta) {
+    if (measure == Measure::angle) return 1.0;
+    return measure == Measure::cosine ? std::sin(theta) : std::sin(theta) * std::cos(theta);
+  };
+  const auto square = [&](double theta) {
+    const double e = error(std::cos(theta));
+    return weight(theta) * e * e;
+  };
+  const double end = pi<double>() / 2;
+  const Integral one = gauss_kronrod(square, 0, end, 1e-12), other = tanh_sinh(square, 0, end, 1e-12);
+  const double total = gauss_kronrod(weight, 0, end, 1e-12).value;
+  const double rms = std::sqrt(one.value / total);
+  // d sqrt(I) = dI / (2 sqrt(I)); an error that is nowhere but rounding has none to speak of
+  const double doubt = one.error + other.error + std::abs(one.value - other.value);
+  return {rms, rms > 0 ? doubt / total / (2 * rms) : std::sqrt(doubt / total)};
+}
+
+template <class Form>
+Distance distance_from_schlick(const Form& form, double f0) {
+  const auto error = [&]<class T>(const T& c) { return T(T(form(c)) - schlick_weight(c)); };
+  Distance distance{.absolute = largest_over_cosine(error),
+                    .relative = largest_over_cosine(relative_error(form, f0))};
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const auto [rms, doubt] = rms_and_error(error, measures[i]);
+    distance.rms[i] = rms;
+    distance.uncertainty = std::max(distance.uncertainty, doubt);
+  }
+  return distance;
+}
+
+std::string sentence_of(const Distance& d) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    parts.push_back("rms " + decimal(d.rms[i], 4) + " (" + std::string(name(measures[i])) + ")");
+  parts.push_back("at most " + decimal(d.absolute.magnitude, 4) +
+                  " (c = " + decimal(d.absolute.at.cos_theta, 4) + ")");
+  parts.push_back("at most " + decimal(d.relative.magnitude, 4) +
+                  " of F (c = " + decimal(d.relative.at.cos_theta, 4) + ")");
+  return enumerated(parts);
+}
+
+/// In how many of its readings, and in the first of all, one is further away than the other.
+struct Comparison {
+  int worse = 0;
+  int readings = 0;
+  bool is_worse_in_first = false;
+  bool is_sure = true;  ///< the integrals are known well enough to be told apart
+};
+
+Comparison compare(const Distance& one, const Distance& other) {
+  Comparison result;
+  const auto read = [&](double a, double b) {
+    result.is_worse_in_first = result.readings == 0 ? a > b : result.is_worse_in_first;
+    result.is_sure = result.is_sure && (a == b || std::abs(a - b) > 2 * rms_tolerance);
+    result.worse += a > b ? 1 : 0;
+    ++result.readings;
+  };
+  for (std::size_t i = 0; i < measures.size(); ++i) read(one.rms[i], other.rms[i]);
+  read(one.absolute.magnitude, other.absolute.magnitude);
+  read(one.relative.magnitude, other.relative.magnitude);
+  result.is_sure = result.is_sure && std::max(one.uncertainty, other.uncertainty) <= rms_tolerance;
+  return result;
+}
+
+std::optional<Verdict> verdict_of_comparison(const Comparison& c) {
+  if (!c.is_sure) return std::nullopt;
+  if (c.worse == c.readings) return Verdict::confirmed;
+  if (c.is_worse_in_first) return Verdict::conditional;
+  return c.worse > 0 ? Verdict::other_objective : Verdict::refuted;
+}
+
+Finding power_four(const Claim& claim) {
+  const int n = static_cast<int>(std::lround(input(claim, "power")));
+  const double f0 = input(claim, "f0");
+  const auto power_form = [=]<class T>(const T& c) { return grazing_power(c, n); };
+  const auto gaussian = one_term(input(claim, "A"));
+  const Distance of_power = distance_from_schlick(power_form, f0);
+  const Distance of_gaussian = distance_from_schlick(gaussian, f0);
+  const Comparison comparison = compare(of_power, of_gaussian);
+  const auto closer = where_negative([&](double c) {
+    const double target = schlick_weight(c);
+    return std::abs(power_form(c) - target) - std::abs(gaussian(c) - target);
+  });
+  const std::string name_of_power = "(1-c)^" + std::to_string(n);
+  return {verdict_of_comparison(comparison),
+          std::to_string(comparison.worse) + " of " + std::to_string(comparison.readings) + " readings",
+          name_of_power + " is further from (1-c)^5 in " + std::to_string(comparison.worse) + " of " +
+              std::to_string(comparison.readings) + " readings: its error is " + sentence_of(of_power) +
+              ", against " + sentence_of(of_gaussian) + " for exp2(-" + std::string(claim.inputs.at("A")) +
+              " c), each rms by two rules to " + decimal(rms_tolerance, 1) +
+              "; at single angles it is the closer one " + ranges_in_words(closer, 4),
+          sentences(
+              {sentence(effect_on_reflectance(power_form, f0), "F of f0 = " + decimal(f0, 3), name_of_power),
+               sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
+}
+
+Finding relative_errors(const Claim& claim) {
+  const double f0 = input(claim, "f0"), far_smaller = input(claim, "far smaller");
+  const auto pair = quadratic(input(claim, "a"), input(claim, "b"));
+  const auto single = one_term(input(claim, "A"));
+  const auto of_pair = relative_error(pair, f0);
+  const auto of_single = relative_error(single, f0);
+  const Extremum small = largest_over_cosine(of_pair), large = largest_over_cosine(of_single);
+  const double ratio = small.magnitude / large.magnitude;
+  const double small_codes = largest_code_shift(pair, f0), large_codes = largest_code_shift(single, f0);
+  const auto closer = where_negative([&](double c) { return std::abs(of_single(c)) - std::abs(of_pair(c)); });
+  return {verdict_of(ratio <= far_smaller), decimal(ratio, 4),
+          "the largest relative error of F is " + decimal(small.magnitude, 4) +
+              " (c = " + decimal(small.at.cos_theta, 4) + ") with the pair and " +
+              decimal(large.magnitude, 4) + " (c = " + decimal(large.at.cos_theta, 4) + ") with exp2(-" +
+              std::string(claim.inputs.at("A")) + " c), " + decimal(1 / ratio, 3) +
+              " times as much; far smaller is read as at most " +
+              std::string(claim.inputs.at("far smaller")) +
+              " of it; at single angles the one-term form is the closer one " + ranges_in_words(closer, 4) +
+              "; in 8-bit sRGB codes the pair is off by up to " + decimal(small_codes, 3) +
+              " and the one-term form by up to " + decimal(large_codes, 3) +
+              ": by the reading of one code the pair would " + (small_codes <= 1 ? "pass" : "fail") +
+              " and the one-term form would " + (large_codes <= 1 ? "pass" : "fail"),
+          sentences({sentence(effect_on_reflectance(single, f0), "F of f0 = " + decimal(f0, 3), "exp2(-A c)"),
+                     sentence(effect_on_reflectance(pair, f0), "it", "the pair")})};
+}
+
+Finding exponent_sum(const Claim& claim) {
+  const double sum = fresnel_quadratic_exponent(1.0, input(claim, "a"), input(claim, "b"));
+  const auto pair = optimum("fresnel-quadratic");
+  const double best = fresnel_quadratic_exponent(1.0, pair[0], pair[1]);
+  const std::string_view printed = claim.printed[0].value;
+  const Verdict verdict = judge(printed, {"", sum}, {}).verdict;
+  const Verdict of_best = judge(printed, {"", best}, {}).verdict;
+  return {verdict, decimal(sum, 10),
+          "a + b of the printed pair is " + decimal(sum, 10) + "; of the unrounded optimum it is " +
+              decimal(best, 10) + ", by which the printed number is " + std::string(name(of_best)),
+          effect_of_factor(std::exp2(number_of(printed)), std::exp2(sum), "at c = 1 it")};
+}
+
+/// In half arithmetic, how many pairs of f0 and g have F above max(g, f0) at c = 0, where the weight is 1.
+struct HalfExcess {
+  int pairs = 0;
+  double ulps = 0;  ///< the largest excess
+};
+
+HalfExcess excess_in_half(int steps) {
+  HalfExcess excess;
+  const auto grey = [&](int i) { return round_to_half(static_cast<double>(i) / steps); };
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; j <= steps; ++j) {
+      const Eigen::half f0 = grey(i), gloss = grey(j), top = max(gloss, f0);
+      const double above = static_cast<double>(static_cast<float>(
+                               schlick_reflectance_of_gloss(f0, gloss, integer<Eigen::half>(1)))) -
+                           static_cast<double>(static_cast<float>(top));
+      if (above <= 0) continue;
+      ++excess.pairs;
+      excess.ulps = std::max(excess.ulps, above / half_ulp(static_cast<double>(static_cast<float>(top))));
+    }
+  }
+  return excess;
+}
+
+Finding roughness_range(const Claim& claim) {
+  const int steps = static_cast<int>(std::lround(input(claim, "steps")));
+  const double highest = schlick_weight(input(claim, "from")), lowest = schlick_weight(input(claim, "to"));
+  double outside = 0;  // how far F leaves its range
+  Effect effect;
+  int pairs = 0, flat = 0;
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; j <= steps; ++j, ++pairs) {
+      const double f0 = static_cast<double>(i) / steps, gloss = static_cast<double>(j) / steps;
+      flat += j <= i ? 1 : 0;
+      for (const double weight : {lowest, highest}) {
+        const double f = schlick_reflectance_of_gloss(f0, gloss, weight);
+        outside = std::max({outside, f0 - f, f - max(gloss, f0)});
+        const double within = std::clamp(f, f0, std::max(gloss, f0));
+        if (within != f) effect.show(within, f, {{"f0 = ", f0}, {"g = ", gloss}});
+      }
+    }
+  }
+  // Three operations on numbers of at most 1, each rounded by half an epsilon at most.
+  const double rounding = 1.5 * std::numeric_limits<double>::epsilon();
+  const bool stays = outside <= rounding;
+  const HalfExcess half = excess_in_half(steps);
+  return {verdict_of(stays), stays ? "stays within" : "leaves it by " + decimal(outside, 4),
+          "over c = " + std::string(claim.inputs.at("from")) + " .. " + std::string(claim.inputs.at("to")) +
+              " the weight (1-c)^5 runs from " + decimal(highest, 6) + " to " + decimal(lowest, 6) +
+              ", and at " + std::to_string(pairs) + " pairs of f0 and g F " +
+              (stays ? "leaves [f0, max(g, f0)] by nothing beyond rounding, " + decimal(rounding, 2)
+                     : "leaves [f0, max(g, f0)] by up to " + decimal(outside, 4)) +
+              "; at the " + std::to_string(flat) +
+              " of them with g <= f0 the reflectance does not rise at all; in half arithmetic rounding lifts "
+              "F above max(g, f0) at " +
+              std::to_string(half.pairs) + " pairs, by at most " + decimal(half.ulps, 2) +
+              " in ulps of a half float",
+          stays ? "none" : sentence(effect, "F", "beyond its range it")};
+}
+
+}  // namespace
+
+std::span<const Evaluator> fresnel_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"fresnel-one-term", fitted_sharpness},
+                                         Evaluator{"fresnel-one-term-at-1", one_term_at_one},
+                                         Evaluator{"fresnel-quadratic", quadratic_coefficients},
+                                         Evaluator{"fresnel-quadratic-at-1", quadratic_at_one},
+                                         Evaluator{"fresnel-offset-one", sharpness_of_offset_one},
+                                         Evaluator{"fresnel-power-four", power_four},
+                                         Evaluator{"fresnel-relative-error", relative_errors},
+                                         Evaluator{"fresnel-exponent-sum", exponent_sum},
+                                         Evaluator{"fresnel-roughness", roughness_range}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,125 @@
+#include "approx/material.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "approx/encoding.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/ledger/colour/colour_chart.hpp"
+#include "fit/ledger/list.hpp"
+#include "fit/ledger/surfaces/diffuse_fresnel.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Over every pair of codes, an sRGB-encoded base colour and a linear metallic.
+struct Census {
+  long above_one = 0;         ///< pairs whose albedo + F0, added up, is above 1
+  long beyond_brightest = 0;  ///< pairs whose colour is above the closed form's brightest
+  int first_colour = -1;      ///< the darkest colour code among the first; -1: none
+};
+
+Census census_of(double dielectric_f0, int codes) {
+  // Sums of three numbers of size 1: what exceeds 1 by a few roundings is 1.
+  constexpr double one = 1 + 1e-12;
+  Census census;
+  for (int i = 0; i < codes; ++i) {
+    const double colour = srgb_decode(i / (codes - 1.0));
+    for (int j = 0; j < codes; ++j) {
+      const double metallic = j / (codes - 1.0);
+      const double sum = metallic_albedo(colour, metallic) + metallic_f0(dielectric_f0, colour, metallic);
+      if (sum > one) {
+        ++census.above_one;
+        if (census.first_colour < 0) census.first_colour = i;
+      }
+      if (colour > brightest_base_colour(dielectric_f0, metallic) * one) ++census.beyond_brightest;
+    }
+  }
+  return census;
+}
+
+/// What a clamp of the base colour to the brightest that keeps the sum at most 1 does to a dielectric.
+std::string effect_of_clamp(double dielectric_f0, int codes) {
+  const double brightest = std::max(0.0, brightest_base_colour(dielectric_f0, 0.0));
+  Effect effect;
+  for (int i = 0; i < codes; ++i) {
+    const double colour = srgb_decode(i / (codes - 1.0));
+    effect.show(colour, std::min(colour, brightest), {{"code ", static_cast<double>(i)}, {"m = ", 0}});
+  }
+  return sentence(effect, "it",
+                  "a clamp of the base colour to the " + decimal(brightest, 4) +
+                      " that sends back no more light "
+                      "than arrives");
+}
+
+Finding metallic_workflow(const Claim& claim) {
+  const double f0 = number_of(claim.printed[0].value);
+  const int codes = static_cast<int>(given(claim, "codes"));
+  const Census census = census_of(f0, codes);
+  const double brightest = brightest_base_colour(f0, 0.0), most = 1 + f0;
+  const std::string text(claim.printed[0].value);
+  const Verdict verdict = f0 <= 0 ? Verdict::confirmed : f0 > 1 ? Verdict::refuted : Verdict::conditional;
+  const long pairs = static_cast<long>(codes) * codes;
+  return {
+      census.above_one == census.beyond_brightest ? std::optional(verdict) : std::nullopt,
+      "c <= 1 - " + text + " (1-m)",
+      "albedo + F0 = c + " + text + " (1-m) is at most 1 exactly where c <= 1 - " + text +
+          " (1-m): at every m up to c = " + decimal(brightest, 4) + ", code " +
+          decimal(srgb_code(brightest), 4) + ", above that only for m >= 1 - (1-c)/" + text +
+          "; its largest value is " + decimal(most, 4) +
+          " at c = 1, m = 0, a white dielectric at normal incidence; of the " + std::to_string(pairs) +
+          " pairs of codes " + std::to_string(census.above_one) + " are above 1" +
+          (census.above_one > 0 ? ", from colour code " + std::to_string(census.first_colour) + " on" : "") +
+          ", as many as the closed form says",
+      effect_of_clamp(f0, codes)};
+}
+
+struct Channels {
+  int sum = 0;
+  std::string sentence;  ///< "albedo 3, specular 3, roughness 1"
+};
+
+/// Of a list of maps, each with its number of channels behind its name.
+Channels channels_of(std::string_view maps) {
+  Channels channels{0, std::string(maps)};
+  for (const std::string_view map : items_of(maps))
+    channels.sum += static_cast<int>(number_of(map.substr(map.rfind(' ') + 1)));
+  return channels;
+}
+
+Finding workflow_channels(const Claim& claim) {
+  const Channels specular = channels_of(claim.inputs.at("specular maps"));
+  const Channels metallic = channels_of(claim.inputs.at("metallic maps"));
+  const Channels more = channels_of(claim.inputs.at("one more map"));
+  const auto judged = [](const Quantity& printed, const Channels& channels) {
+    // A count is right or wrong: there is nothing to round.
+    return verdict_of(number_of(printed.value) == channels.sum);
+  };
+  const std::array verdicts{judged(claim.printed[0], specular), judged(claim.printed[1], metallic)};
+  return {worst(verdicts),
+          "specular = " + std::to_string(specular.sum) + ", metallic = " + std::to_string(metallic.sum),
+          specular.sentence + " are " + std::to_string(specular.sum) + "; " + metallic.sentence + " are " +
+              std::to_string(metallic.sum) + ", " + std::to_string(specular.sum - metallic.sum) +
+              " fewer, and " + std::to_string(metallic.sum + more.sum) + " with one more map, " +
+              more.sentence,
+          "none"};
+}
+
+}  // namespace
+
+std::span<const Evaluator> material_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"chart-dielectric", chart_range},
+                                         Evaluator{"chart-metal", chart_range},
+                                         Evaluator{"chart-range-typo", chart_range_given_twice},
+                                         Evaluator{"chart-overlap", chart_holds_common_materials},
+                                         Evaluator{"middle-grey", middle_grey},
+                                         Evaluator{"metallic-workflow", metallic_workflow},
+                                         Evaluator{"workflow-channels", workflow_channels},
+                                         Evaluator{"diffuse-fresnel", diffuse_fresnel}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,326 @@
+#include "approx/microfacet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "fit/errors/effect.hpp"
+#include "fit/errors/one_code.hpp"
+#include "fit/integrals/microfacet_integrals.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/parse_formula.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// What the integrals are asked for, and what is promised of them: two digits of room, as the estimates of
+/// the rules are cautious. Searches, whose places are printed to four digits, ask for less.
+constexpr double microfacet_tolerance = 1e-13;
+constexpr double promised = 1e-11;
+constexpr double place_tolerance = 1e-9;
+
+/// The roughnesses of a claim and their widths alpha, in rising order of the roughness.
+struct Widths {
+  std::vector<double> roughness;
+  std::function<double(double)> alpha;
+
+  explicit Widths(const Claim& claim) : roughness(parse_sweep(claim.inputs.at("roughness"))) {
+    constexpr std::array<std::string_view, 1> variables{"r"};
+    alpha = [formula = parse_formula(claim.inputs.at("alpha"), variables)](double r) {
+      return evaluate<double>(formula, [r](const std::string&) { return r; });
+    };
+    std::sort(roughness.begin(), roughness.end());
+  }
+
+  std::string words() const {
+    return std::to_string(roughness.size()) + (roughness.size() == 1 ? " roughness" : " roughnesses") +
+           " from " + decimal(roughness.front(), 6) + " to " + decimal(roughness.back(), 6) +
+           " (alpha from " + decimal(alpha(roughness.front()), 6) + " to " +
+           decimal(alpha(roughness.back()), 6) + ")";
+  }
+};
+
+/// A number that the integrals should give, and how far from it the worst of them is.
+struct Furthest {
+  double relative = 0;  ///< the largest |integral / expected - 1|
+  double integral = 0;  ///< there
+  double roughness = 0;
+  double view_angle = 0;  ///< in degrees
+  double error = 0;       ///< of any of them, relative: both rules' estimates and their difference
+};
+
+void consider(Furthest& worst, const Furthest& one) {
+  const double error = std::max(worst.error, one.error);
+  if (one.relative >= worst.relative) worst = one;
+  worst.error = error;
+}
+
+/// `confirmed` where all integrals agree to what is promised, empty where they are not known that well.
+std::optional<Verdict> judged(const Furthest& distance) {
+  if (!(distance.error <= promised)) return std::nullopt;
+  return verdict_of(distance.relative <= promised);
+}
+
+double value_of(std::string_view formula) {
+  return evaluate<double>(parse_formula(formula, {}), [](const std::string&) { return 0.0; });
+}
+
+Furthest area_distance(Distribution distribution, const Widths& widths, double printed) {
+  Furthest worst;
+  for (const double r : widths.roughness) {
+    const TwoWays area = integrate_projected_area(distribution, widths.alpha(r), microfacet_tolerance);
+    consider(worst, {std::abs(area.value() / printed - 1), area.value(), r, 0, area.error() / area.value()});
+  }
+  return worst;
+}
+
+std::string area_evidence(const Furthest& worst, const Widths& widths, std::string_view printed) {
+  const std::string result = worst.relative <= promised
+                                 ? "is " + std::string(printed) + " to better than " + decimal(promised, 1)
+                                 : "is " + decimal(worst.integral, 10) + " at roughness " +
+                                       decimal(worst.roughness, 6) + ", not " + std::string(printed) + ",";
+  return "the integral of D(m) (n.m) over the sphere of normals, D = 0 for n.m <= 0, " + result + " at " +
+         widths.words() + ", by two rules that agree within " + decimal(std::max(promised, worst.error), 1);
+}
+
+template <Distribution distribution>
+Finding normalised(const Claim& claim) {
+  const Widths widths(claim);
+  const std::string_view printed = claim.printed[0].value;
+  const double expected = value_of(printed);
+  const Furthest worst = area_distance(distribution, widths, expected);
+  return {judged(worst), decimal(worst.integral, 10), area_evidence(worst, widths, printed),
+          judged(worst) == Verdict::confirmed
+              ? "none"
+              : effect_of_factor(expected, worst.integral,
+                                 "at roughness " + decimal(worst.roughness, 6) + " it")};
+}
+
+/// The largest relative distance of GTR1 at that alpha from `limit`, over normals from n to the horizon.
+double distance_from_limit(const Decimal50& alpha, const Decimal50& limit) {
+  Decimal50 largest = 0;
+  for (const int sixteenths : {0, 4, 8, 12, 16}) {
+    const Decimal50 cos2 = Decimal50(sixteenths) / 16;
+    const Decimal50 d = gtr1_distribution(MicrofacetNormal<Decimal50>{cos2, 1 - cos2}, alpha);
+    largest = max(largest, Decimal50(abs(d / limit - 1)));
+  }
+  return largest.convert_to<double>();
+}
+
+/// GTR1 has a second number: its limit at alpha = 1.
+Finding gtr1_normalised(const Claim& claim) {
+  Finding finding = normalised<Distribution::gtr1>(claim);
+  const std::string_view printed = claim.printed[1].value;
+  const std::string_view step_text = claim.inputs.at("distance from alpha = 1");
+  const auto limit =
+      evaluate<Decimal50>(parse_formula(printed, {}), [](const std::string&) { return Decimal50(0); });
+  const auto step = constant<Decimal50>(step_text);
+  const double at_one = distance_from_limit(1, limit);
+  const double beside = std::max(distance_from_limit(1 - step, limit), distance_from_limit(1 + step, limit));
+  // The law's next term is of the order of the step itself, relative to the first.
+  const double allowed = number_of(step_text) * 1.01;
+  const bool is_limit = at_one <= promised && beside <= allowed;
+  finding.verdict = worst(std::array{finding.verdict, std::optional(verdict_of(is_limit))});
+  const Decimal50 here = gtr1_distribution(MicrofacetNormal<Decimal50>{1, 0}, Decimal50(1));
+  finding.computed += ", " + decimal(here.convert_to<double>(), 10);
+  finding.evidence += "; at alpha = 1 D is " + decimal(here.convert_to<double>(), 10) +
+                      (is_limit ? " = " : ", not ") + std::string(printed) +
+                      ", for every m, and at alpha = 1 - h and 1 + h, h = " + std::string(step_text) +
+                      ", it is within " + decimal(beside, 2) + " of that value, relative, in 50 digits";
+  return finding;
+}
+
+/// A distribution with the masking that it is given.
+struct Pair {
+  Distribution distribution;
+  Masking masking;
+};
+
+/// G1 times the visible area over v.n, less 1; by one rule, for searches.
+double masking_error(const Pair& pair, double alpha, const View& view) {
+  const double area = integrate_visible_area_by_slope(pair.distribution, alpha, view, place_tolerance).value;
+  return masking(pair.masking, view, alpha) * area / view.direction.cosine - 1;
+}
+
+std::vector<double> angles_of(const Claim& claim) {
+  std::vector<double> angles = parse_sweep(claim.inputs.at("view angles"));
+  std::sort(angles.begin(), angles.end());
+  return angles;
+}
+
+/// G1 times the visible area over v.n at every roughness and view.
+struct MaskingTable {
+  std::vector<std::vector<double>> ratios;  ///< by roughness, then by view
+  Furthest worst;                           ///< from 1
+};
+
+MaskingTable masking_table(const Pair& pair, const Widths& widths, const std::vector<double>& angles) {
+  MaskingTable table;
+  for (const double r : widths.roughness) {
+    const double alpha = widths.alpha(r);
+    table.ratios.emplace_back();
+    for (const double degrees : angles) {
+      const View view(degrees);
+      const TwoWays area = integrate_visible_area(pair.distribution, alpha, view, microfacet_tolerance);
+      const double ratio = masking(pair.masking, view, alpha) * area.value() / view.direction.cosine;
+      table.ratios.back().push_back(ratio);
+      consider(table.worst, {std::abs(ratio - 1), ratio, r, degrees, area.error() / area.value()});
+    }
+  }
+  return table;
+}
+
+std::string views_in_words(const std::vector<double>& angles) {
+  return counted(static_cast<long>(angles.size()), "view angle") + " from " + decimal(angles.front(), 6) +
+         " to " + decimal(angles.back(), 6) + " degrees";
+}
+
+/// What a masking does to a surface with F = 1 that should reflect all of the light.
+std::string effect_of_masking(const Furthest& worst, std::string_view distribution) {
+  return effect_of_factor(worst.integral, 1,
+                          std::string(distribution) + " with F = 1 and masking alone, at roughness " +
+                              decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
+                              " degrees,");
+}
+
+Finding masked_by_its_own(const Claim& claim) {
+  const Widths widths(claim);
+  const auto angles = angles_of(claim);
+  const Pair pair{distribution_of(claim.inputs.at("distribution")), masking_of(claim.inputs.at("masking"))};
+  const Furthest worst = masking_table(pair, widths, angles).worst;
+  const bool holds = worst.relative <= promised;
+  const std::string most = holds ? "less than " + decimal(promised, 1)
+                                 : "up to " + decimal(worst.relative, 4) + " (at roughness " +
+                                       decimal(worst.roughness, 6) + ", " + decimal(worst.view_angle, 6) +
+                                       " degrees)";
+  return {judged(worst), holds ? "identity" : decimal(worst.integral, 4) + " v.n",
+          "the integral of G1 D(m) max(v.m, 0) differs from v.n by " + most + ", relative, at " +
+              widths.words() + " and " + views_in_words(angles) + ", by two rules that agree within " +
+              decimal(std::max(promised, worst.error), 1),
+          holds ? "none" : effect_of_masking(worst, claim.inputs.at("distribution"))};
+}
+
+/// Up to where f stays at most 0 on a list of places with f's values there: the last place if it always does,
+/// else a root of f between the two where it changes; nothing where it is above 0 at the first.
+std::optional<double> holds_up_to(const std::function<double(double)>& f, const std::vector<double>& places,
+                                  const std::vector<double>& values) {
+  const auto above = std::find_if(values.begin(), values.end(), [](double value) { return value > 0; });
+  if (above == values.end()) return places.back();
+  const auto i = static_cast<std::size_t>(above - values.begin());
+  if (i == 0) return std::nullopt;
+  std::uintmax_t steps = 60;
+  const auto root = boost::math::tools::toms748_solve(f, places[i - 1], places[i], values[i - 1], values[i],
+                                                      boost::math::tools::eps_tolerance<double>(30), steps);
+  return (root.first + root.second) / 2;
+}
+
+/// Where a loan is within `allowed`: at every view up to a roughness, and at every roughness up to a view.
+struct LoanRange {
+  std::optional<double> roughness;
+  std::optional<double> view_angle;
+};
+
+LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<double>& angles,
+                   const MaskingTable& table, double allowed) {
+  const auto error_at = [&](double r, double degrees) {
+    return std::abs(masking_error(pair, widths.alpha(r), View(degrees))) - allowed;
+  };
+  const auto at_roughness = [&](double r) {
+    double most = -allowed;
+    for (const double degrees : angles) most = std::max(most, error_at(r, degrees));
+    return most;
+  };
+  const auto at_view = [&](double degrees) {
+    double most = -allowed;
+    for (const double r : widths.roughness) most = std::max(most, error_at(r, degrees));
+    return most;
+  };
+  std::vector<double> views{0};  // along the normal nothing is masked
+  views.insert(views.end(), angles.begin(), angles.end());
+  std::vector<double> by_roughness(widths.roughness.size(), -allowed), by_view(views.size(), -allowed);
+  for (std::size_t i = 0; i < by_roughness.size(); ++i) {
+    for (std::size_t j = 0; j < angles.size(); ++j) {
+      const double error = std::abs(table.ratios[i][j] - 1) - allowed;
+      by_roughness[i] = std::max(by_roughness[i], error);
+      by_view[j + 1] = std::max(by_view[j + 1], error);
+    }
+  }
+  return {holds_up_to(at_roughness, widths.roughness, by_roughness), holds_up_to(at_view, views, by_view)};
+}
+
+std::string words(const LoanRange& range, double allowed) {
+  const std::string by_roughness =
+      range.roughness ? "at all of these views up to roughness " + decimal(*range.roughness, 4)
+                      : "not at all of these views even at the lowest roughness";
+  const std::string by_view =
+      range.view_angle ? "at all of these roughnesses up to " + decimal(*range.view_angle, 4) + " degrees"
+                       : "not at all of these roughnesses even along the normal";
+  return "within " + decimal(allowed, 4) + " of 1 " + by_roughness + ", and " + by_view;
+}
+
+/// "1, 1.003 and 1.77": the ratios at the flattest view, by roughness.
+std::string at_flattest_view(const MaskingTable& table) {
+  std::vector<std::string> ratios;
+  for (const auto& row : table.ratios) ratios.push_back(decimal(row.back(), 4));
+  return enumerated(ratios);
+}
+
+/// One loan: its verdict, how wrong it gets and where it is good enough.
+Finding loan(std::string_view distribution, const Claim& claim) {
+  const Widths widths(claim);
+  const auto angles = angles_of(claim);
+  const std::string lender(claim.inputs.at(distribution));
+  const Pair pair{distribution_of(distribution), masking_of(lender)};
+  const MaskingTable table = masking_table(pair, widths, angles);
+  const Furthest& worst = table.worst;
+  const double accurate = given(claim, "accurate"), code = change_of_one_code();
+  const LoanRange range = range_of(pair, widths, angles, table, accurate);
+  Finding finding;
+  if (worst.error <= promised) {
+    finding.verdict = worst.relative <= accurate            ? Verdict::confirmed
+                      : range.roughness || range.view_angle ? Verdict::conditional
+                                                            : Verdict::refuted;
+  }
+  const std::string ratio = decimal(worst.integral, 4);
+  finding.computed = ratio + " v.n (" + std::string(distribution) + ")";
+  finding.evidence = std::string(distribution) + " with the G1 of " + lender + " gives " +
+                     at_flattest_view(table) + " times v.n at these roughnesses seen from " +
+                     decimal(angles.back(), 6) + " degrees; its worst is " + ratio + ", at roughness " +
+                     decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
+                     " degrees; it is " + words(range, accurate) + " (" +
+                     words(range_of(pair, widths, angles, table, code), code) + ", one 8-bit sRGB code)";
+  finding.effect = effect_of_masking(worst, distribution);
+  return finding;
+}
+
+Finding masked_by_another(const Claim& claim) {
+  const Finding blinn_phong = loan("blinn-phong", claim), gtr1 = loan("gtr1", claim);
+  const Widths widths(claim);
+  return {worst(std::array{blinn_phong.verdict, gtr1.verdict}),
+          "at worst " + blinn_phong.computed + ", " + gtr1.computed,
+          "at " + widths.words() + " and " + views_in_words(angles_of(claim)) + ", " + blinn_phong.evidence +
+              "; " + gtr1.evidence,
+          sentences({blinn_phong.effect, gtr1.effect})};
+}
+
+}  // namespace
+
+std::span<const Evaluator> microfacet_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"ndf-blinn-phong", normalised<Distribution::blinn_phong>},
+                                         Evaluator{"ndf-beckmann", normalised<Distribution::beckmann>},
+                                         Evaluator{"ndf-ggx", normalised<Distribution::ggx>},
+                                         Evaluator{"ndf-gtr1", gtr1_normalised},
+                                         Evaluator{"smith-beckmann", masked_by_its_own},
+                                         Evaluator{"smith-ggx", masked_by_its_own},
+                                         Evaluator{"smith-borrowed", masked_by_another}};
+  return evaluators;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,395 @@
+#include "approx/normalisation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "approx/encoding.hpp"
+#include "fit/errors/effect.hpp"
+#include "fit/errors/one_code.hpp"
+#include "fit/integrals/normalisation_check.hpp"
+#include "fit/integrals/reflectance.hpp"
+#include "fit/ledger/topics.hpp"
+#include "fit/scalars/half.hpp"
+#include "fit/scalars/jet.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/parse_formula.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A constant as it is printed: a formula in a = alpha.
+class PrintedConstant {
+ public:
+  explicit PrintedConstant(std::string_view text) : text_(text), formula_(parse_formula(text, names)) {}
+
+  const std::string& text() const { return text_; }
+
+  template <class T>
+  T at(const T& alpha) const {
+    return evaluate<T>(formula_, [&](const std::string&) { return alpha; });
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 1> names{"a"};
+  std::string text_;
+  Symbolic formula_;
+};
+
+const Normalisation& record_of(const Claim& claim) {
+  for (const Normalisation& record : normalisations) {
+    if (record.id == claim.id) return record;
+  }
+  throw std::logic_error("no normalisation " + std::string(claim.id));
+}
+
+std::vector<double> exponents_of(const Claim& claim) {
+  return record_of(claim).has_exponent ? parse_sweep(claim.inputs.at("exponents")) : std::vector<double>{};
+}
+
+/// "8 exponents from 0.1 to 1e+06".
+std::string range_in_words(const std::vector<double>& values, std::string_view noun) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return counted(static_cast<long>(values.size()), noun) + " from " + decimal(*low, 6) + " to " +
+         decimal(*high, 6);
+}
+
+/// "v at a = 8", or "v" for a constant without an exponent.
+std::string at_exponent(double value, std::optional<double> exponent) {
+  return decimal(value, 10) + (exponent ? " at a = " + decimal(*exponent, 6) : "");
+}
+
+/// What a constant is measured in, as a number and as it is written.
+struct Unit {
+  double value = 1;
+  std::string text = {};
+};
+
+/// A printed constant against 1 over the integral of its lobe, times a unit. Throws std::domain_error where
+/// the formula has no finite value.
+Finding against_integrals(const Claim& claim, const PrintedConstant& printed, const Unit& unit = {}) {
+  const auto exponents = exponents_of(claim);
+  const auto checks = check_normalisation(record_of(claim), exponents);
+  double furthest = -1, error = 0;
+  const NormalisationCheck* worst_check = nullptr;
+  for (const NormalisationCheck& check : checks) {
+    const double difference =
+        std::abs(printed.at(check.exponent.value_or(1)) / (unit.value * check.integral) - 1);
+    if (!std::isfinite(difference)) throw std::domain_error(printed.text() + " has no finite value");
+    error = std::max(error, check.estimated_error);
+    if (difference <= furthest) continue;
+    furthest = difference;
+    worst_check = &check;
+  }
+  Finding finding;
+  finding.verdict = judge_normalisation(furthest, error);
+  finding.computed = at_exponent(unit.value * checks.front().integral, checks.front().exponent);
+  if (checks.size() > 1)
+    finding.computed += ", " + at_exponent(unit.value * checks.back().integral, checks.back().exponent);
+  const double exact = unit.value * worst_check->integral;
+  finding.evidence = (unit.text.empty() ? "" : unit.text + " times ") + "1 over the integral of '" +
+                     std::string(record_of(claim).lobe) + "'";
+  finding.evidence += furthest <= normalisation_tolerance
+                          ? " is " + printed.text() + " to better than " + decimal(normalisation_tolerance, 1)
+                          : " is " + at_exponent(exact, worst_check->exponent) + " and not the " +
+                                decimal(printed.at(worst_check->exponent.value_or(1)), 10) + " of " +
+                                printed.text();
+  if (checks.size() > 1) finding.evidence += ", looked for at " + range_in_words(exponents, "exponent");
+  finding.evidence +=
+      " (two rules that agree within " + decimal(std::max(error, normalisation_tolerance), 1) + ")";
+  if (finding.verdict != Verdict::confirmed)
+    finding.effect =
+        effect_of_factor(printed.at(worst_check->exponent.value_or(1)), exact,
+                         worst_check->exponent ? "at a = " + decimal(*worst_check->exponent, 6) + " it" : "");
+  return finding;
+}
+
+Finding constant_alone(const Claim& claim) {
+  return against_integrals(claim, PrintedConstant(claim.printed[0].value));
+}
+
+/// Every view angle of the claim, behind the one along the normal.
+std::vector<double> views_of(const Claim& claim) {
+  std::vector<double> angles = parse_sweep(claim.inputs.at("view angles"));
+  std::sort(angles.begin(), angles.end());
+  angles.insert(angles.begin(), 0);
+  return angles;
+}
+
+/// The curves of a printed constant over the view angles, one for each exponent of the claim.
+std::vector<ReflectanceCurve> curves_of(const Claim& claim, const PrintedConstant& printed) {
+  const auto constant =
+      std::find_if(reflected_constants.begin(), reflected_constants.end(),
+                   [&](const ReflectedConstant& reflected) { return reflected.record->id == claim.id; });
+  if (constant == reflected_constants.end()) throw std::logic_error("no reflectance of that constant");
+  const auto angles = views_of(claim);
+  std::vector<ReflectanceCurve> curves;
+  for (const double alpha : parse_sweep(claim.inputs.at("exponents at other views")))
+    curves.push_back(reflectance_curve(*constant, alpha, printed.at(alpha), angles));
+  return curves;
+}
+
+double error_of(const std::vector<ReflectanceCurve>& curves) {
+  double error = 0;
+  for (const ReflectanceCurve& curve : curves) {
+    for (const Reflectance& point : curve.points) error = std::max(error, point.estimated_error);
+  }
+  return error;
+}
+
+/// The largest of all curves, and "1 (a = 64, seen from 0 degrees)".
+struct Largest {
+  double value;
+  std::string words;
+};
+
+Largest largest_of(const std::vector<ReflectanceCurve>& curves, ReflectancePeak ReflectanceCurve::*part) {
+  const auto peak = std::max_element(curves.begin(), curves.end(), [&](const auto& a, const auto& b) {
+    return (b.*part).value > (a.*part).value * (1 + equal_extrema);
+  });
+  const ReflectancePeak& top = (*peak).*part;
+  return {top.value, decimal(top.value, 6) + " (a = " + decimal(peak->exponent, 6) + ", seen from " +
+                         decimal(top.view_angle, 4) + " degrees)"};
+}
+
+/// The lowest reflectance at the flattest view.
+Largest lowest_of(const std::vector<ReflectanceCurve>& curves) {
+  const auto at_end = [](const ReflectanceCurve& curve) { return curve.points.back().reflectance; };
+  const auto curve = std::min_element(curves.begin(), curves.end(),
+                                      [&](const auto& a, const auto& b) { return at_end(a) < at_end(b); });
+  return {at_end(*curve), decimal(at_end(*curve), 4) + " (a = " + decimal(curve->exponent, 6) + ", " +
+                              decimal(curve->points.back().view_angle, 6) + " degrees)"};
+}
+
+/// A constant that is stated at v = n, and followed to every other view.
+Finding constant_at_every_view(const Claim& claim) {
+  const PrintedConstant printed(claim.printed[0].value);
+  Finding finding = against_integrals(claim, printed);
+  const auto curves = curves_of(claim, printed);
+  const Largest plain = largest_of(curves, &ReflectanceCurve::largest);
+  const Largest with_cosine = largest_of(curves, &ReflectanceCurve::largest_with_cosine);
+  const bool creates_energy = std::max(plain.value, with_cosine.value) > 1 + energy_tolerance;
+  const double error = error_of(curves);
+  if (!(error <= reflectance_tolerance)) finding.verdict.reset();
+  if (finding.verdict == Verdict::confirmed && creates_energy) finding.verdict = Verdict::conditional;
+  std::vector<double> exponents;
+  for (const ReflectanceCurve& curve : curves) exponents.push_back(curve.exponent);
+  const auto angles = views_of(claim);
+  finding.evidence += "; over " + range_in_words(angles, "view angle") + " degrees, at " +
+                      range_in_words(exponents, "exponent") + ", its reflectance is at most " + plain.words;
+  if (plain.value != with_cosine.value) finding.evidence += ", with n.l at most " + with_cosine.words;
+  finding.evidence += std::string(", and falls to ") + lowest_of(curves).words +
+                      (creates_energy ? ": it creates energy" : ": it creates no energy") +
+                      " (two ways that agree within " + decimal(std::max(error, reflectance_tolerance), 1) +
+                      ")";
+  return finding;
+}
+
+/// The stand-in over the exact constant, less 1, as a function of the power of two that alpha is.
+class CheapRatio {
+ public:
+  explicit CheapRatio(const PrintedConstant& printed) : printed_(printed) {}
+
+  template <class T>
+  T operator()(const T& log2_alpha) const {
+    const T alpha = exp2(log2_alpha);
+    return printed_.at(alpha) / BlinnPhongBrdfLobe::constant(alpha) - integer<T>(1);
+  }
+
+  double distance(double log2_alpha) const { return std::abs((*this)(log2_alpha)); }
+  double slope(double log2_alpha) const { return (*this)(ceres::Jet<double, 1>(log2_alpha, 0)).v[0]; }
+
+ private:
+  const PrintedConstant& printed_;
+};
+
+constexpr double grid_first = -10, grid_last = 20, grid_step = 0.125;
+
+double root_of(const std::function<double(double)>& f, double left, double right) {
+  std::uintmax_t steps = 60;
+  const auto root =
+      boost::math::tools::toms748_solve(f, left, right, boost::math::tools::eps_tolerance<double>(45), steps);
+  return (root.first + root.second) / 2;
+}
+
+/// Where on the grid the stand-in is furthest from the exact constant, refined to a root of the slope.
+double furthest_place(const CheapRatio& ratio) {
+  double place = grid_first;
+  for (double x = grid_first; x <= grid_last; x += grid_step) {
+    if (ratio.distance(x) > ratio.distance(place)) place = x;
+  }
+  const double left = place - grid_step, right = place + grid_step;
+  if (place == grid_first || place == grid_last || !(ratio.slope(left) * ratio.slope(right) < 0))
+    return place;
+  return root_of([&](double x) { return ratio.slope(x); }, left, right);
+}
+
+/// From where on, beyond `start`, it stays within `allowed`; empty where it never does.
+std::optional<double> close_from(const CheapRatio& ratio, double start, double allowed) {
+  const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
+  for (double x = grid_last; x > start && excess(x) <= 0; x -= grid_step) {
+    const double left = std::max(start, x - grid_step);
+    if (excess(left) > 0) return root_of(excess, left, x);
+  }
+  return std::nullopt;
+}
+
+/// Up to where, before `end`, it stays within `allowed`; empty where it never does.
+std::optional<double> close_up_to(const CheapRatio& ratio, double end, double allowed) {
+  const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
+  for (double x = grid_first; x < end && excess(x) <= 0; x += grid_step) {
+    const double right = std::min(end, x + grid_step);
+    if (excess(right) > 0) return root_of(excess, x, right);
+  }
+  return std::nullopt;
+}
+
+std::string within_one_code(const CheapRatio& ratio, double place) {
+  const double code = change_of_one_code();
+  const auto up_to = close_up_to(ratio, place, code), from = close_from(ratio, place, code);
+  std::vector<std::string> ranges;
+  if (up_to) ranges.push_back("up to a = " + decimal(std::exp2(*up_to), 4));
+  if (from) ranges.push_back("from a = " + decimal(std::exp2(*from), 4) + " on");
+  return "within " + decimal(code, 4) + ", one 8-bit sRGB code, " +
+         (ranges.empty() ? std::string("nowhere") : enumerated(ranges));
+}
+
+/// Where it creates energy: "7.5 % seen along the normal .."
+std::string energy_in_words(const std::vector<ReflectanceCurve>& curves) {
+  std::vector<std::string> parts;
+  for (const ReflectanceCurve& curve : curves) {
+    parts.push_back("a = " + decimal(curve.exponent, 6) +
+                    (curve.conserves_from
+                         ? " up to " + decimal((curve.largest.value - 1) * 100, 3) + " % at " +
+                               decimal(curve.largest.view_angle, 4) + " degrees, none from " +
+                               decimal(*curve.conserves_from, 4) + " degrees on"
+                         : std::string(" none")));
+  }
+  return enumerated(parts);
+}
+
+/// Whether the lower the power the closer it is: everywhere, up to its furthest place, or not even there.
+Verdict closest_at_low_powers(const CheapRatio& ratio, double furthest) {
+  for (double x = grid_first; x + grid_step <= furthest; x += grid_step) {
+    if (ratio.distance(x) > ratio.distance(x + grid_step)) return Verdict::refuted;
+  }
+  return furthest <= grid_first  ? Verdict::refuted
+         : furthest >= grid_last ? Verdict::confirmed
+                                 : Verdict::conditional;
+}
+
+std::string closest_in_words(const CheapRatio& ratio, double furthest, double low) {
+  const Verdict verdict = closest_at_low_powers(ratio, furthest);
+  if (verdict == Verdict::confirmed) return "the lower the power the closer it is";
+  if (verdict == Verdict::refuted) return "it is not the closer the lower the power";
+  const auto from = close_from(ratio, furthest, ratio.distance(std::log2(low)));
+  return "the lower the power the closer it is up to there and not beyond: " +
+         (from ? "from a = " + decimal(std::exp2(*from), 4) + " on it is closer than at a = "
+               : std::string("nowhere beyond it stays closer than at a = ")) +
+         decimal(low, 4);
+}
+
+Finding cheap_constant(const Claim& claim) {
+  const PrintedConstant printed(claim.printed[0].value);
+  const double close = given(claim, "close"), low = given(claim, "low power");
+  const auto exponents = exponents_of(claim);
+  double error = 0;
+  for (const auto& check : check_normalisation(BlinnPhongBrdfLobe::record, exponents))
+    error = std::max({error, check.estimated_error, check.relative_difference});
+  const auto curves = curves_of(claim, printed);
+  error = std::max(error, error_of(curves));
+  const CheapRatio ratio(printed);
+  const double place = furthest_place(ratio), furthest = ratio.distance(place);
+  Finding finding;
+  if (error <= reflectance_tolerance)
+    finding.verdict = worst(std::array{verdict_of(furthest <= close), closest_at_low_powers(ratio, place)});
+  finding.computed = "up to " + decimal(1 + ratio(place), 10) + " times the exact constant";
+  finding.evidence = printed.text() + " over " + std::string(BlinnPhongBrdfLobe::record.printed) +
+                     " (1 over the integral of the lobe, at " + range_in_words(exponents, "exponent") +
+                     ") is furthest from 1 at a = " + decimal(std::exp2(place), 6) + ", by " +
+                     decimal(furthest, 6) + ", which is " + (furthest <= close ? "within " : "not within ") +
+                     decimal(close, 4) + " (" + within_one_code(ratio, place) + "); " +
+                     closest_in_words(ratio, place, low) + "; energy that it creates, over " +
+                     range_in_words(views_of(claim), "view angle") + " degrees: at " +
+                     energy_in_words(curves);
+  finding.effect = effect_of_factor(1 + ratio(place), 1, "at a = " + decimal(std::exp2(place), 3) + " it");
+  return finding;
+}
+
+/// The quarter of the distribution's constant, and the same in a game's light unit.
+Finding microfacet_constant(const Claim& claim) {
+  constexpr std::array<std::string_view, 0> no_names{};
+  const std::string_view text = claim.inputs.at("light unit");
+  const Unit unit{evaluate<double>(parse_formula(text, no_names), [](const std::string&) { return 0.0; }),
+                  std::string(text)};
+  const Finding plain = constant_alone(claim);
+  const Finding in_unit = against_integrals(claim, PrintedConstant(claim.printed[1].value), unit);
+  return {worst(std::array{plain.verdict, in_unit.verdict}), plain.computed + "; " + in_unit.computed,
+          plain.evidence + "; " + in_unit.evidence, plain.effect == "none" ? in_unit.effect : plain.effect};
+}
+
+/// What a detour costs in half precision: "none", or what it moves.
+std::string effect_in_half(const std::function<Eigen::half(Eigen::half)>& left,
+                           const std::function<Eigen::half(Eigen::half)>& right) {
+  int moved = 0;
+  Effect effect;
+  for (int i = 1; i <= 255; ++i) {
+    const Eigen::half grey = round_to_half(i / 255.0);
+    const auto a = static_cast<double>(static_cast<float>(left(grey)));
+    const auto b = static_cast<double>(static_cast<float>(right(grey)));
+    moved += a != b;
+    effect.show(b, a, {{"grey ", static_cast<double>(i), "/255"}});
+  }
+  return sentence(effect, std::to_string(moved) + " of 255 linear greys", "in half precision the detour");
+}
+
+/// An identity in c_diff, in 50 digits.
+Finding light_unit(const Claim& claim) {
+  constexpr std::array<std::string_view, 1> names{"c_diff"};
+  const std::string_view left_text = claim.inputs.at("with pi"), right_text = claim.inputs.at("without");
+  const Symbolic left = parse_formula(left_text, names), right = parse_formula(right_text, names);
+  const auto value = []<class T>(const Symbolic& formula, const T& colour) {
+    return evaluate<T>(formula, [&](const std::string&) { return colour; });
+  };
+  Decimal50 furthest = 0;
+  for (int i = 1; i <= 255; ++i) {
+    const Decimal50 colour = Decimal50(i) / 255;
+    furthest = max(furthest, Decimal50(abs(value(left, colour) / value(right, colour) - 1)));
+  }
+  constexpr double tolerance = 1e-45;  // of 50 digits, after three roundings
+  const bool holds = furthest <= tolerance;
+  const auto at_white = value(left, Decimal50(1)).convert_to<double>();
+  return {verdict_of(holds), holds ? "identity" : decimal(at_white, 10) + " at c_diff = 1",
+          std::string(left_text) + " and " + std::string(right_text) + " differ by " +
+              (holds ? "less than " + decimal(tolerance, 1)
+                     : "up to " + decimal(furthest.convert_to<double>(), 4)) +
+              ", relative, at 255 grey levels in 50 digits",
+          holds ? effect_in_half([&](Eigen::half c) { return value(left, c); },
+                                 [&](Eigen::half c) { return value(right, c); })
+                : effect_of_factor(at_white, value(right, Decimal50(1)).convert_to<double>())};
+}
+
+}  // namespace
+
+std::span<const Evaluator> normalisation_evaluators() {
+  static constexpr std::array evaluators{Evaluator{"norm-lambert", constant_alone},
+                                         Evaluator{"norm-phong", constant_at_every_view},
+                                         Evaluator{"norm-phong-brdf", constant_at_every_view},
+                                         Evaluator{"norm-blinn-phong", constant_at_every_view},
+                                         Evaluator{"norm-blinn-phong-brdf", constant_at_every_view},
+                                         Evaluator{"norm-blinn-phong-cheap", cheap_constant},
+                                         Evaluator{"norm-ndf", constant_alone},
+                                         Evaluator{"norm-microfacet", microfacet_constant},
+                                         Evaluator{"norm-game-light-unit", light_unit}};
+  return evaluators;
+}
+
+}  // namespace shadefit

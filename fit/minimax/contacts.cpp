@@ -1,0 +1,276 @@
+#include "fit/minimax/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace shadefit {
+namespace {
+
+/// Whether no parameter moves the value of a contact.
+bool is_fixed(const Contact& c) {
+  return std::all_of(c.gradient.begin(), c.gradient.end(), [](double g) { return g == 0; });
+}
+
+}  // namespace
+
+double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s, double high, double sign,
+             const MinimaxParameters& p) {
+  for (int i = 0; i < 12; ++i) {
+    const Along at = curve.along({panel, s}, p);
+    const double slope = sign * at.slope, curvature = sign * at.curvature;
+    if (slope == 0 || !std::isfinite(slope)) return s;
+    (slope > 0 ? low : high) = s;
+    double next = curvature < 0 ? s - slope / curvature : high + low;
+    if (!(low < next && next < high)) next = low + (high - low) / 2;
+    const double step = std::abs(next - s);
+    s = next;
+    // The error of a step is of the order of its square, and the curve's that of the square of that.
+    if (step < 1e-5) return s;
+  }
+  return s;
+}
+
+/// Whether the level counts on this side of the error: on one side only where the form has to keep to it.
+double Contacts::share_of_level(Touch touch) const {
+  if (touch == Touch::highest) return problem_.one_sided == Side::below ? 0 : 1;
+  if (touch == Touch::lowest) return problem_.one_sided == Side::above ? 0 : 1;
+  return 0;
+}
+
+const MinimaxCurve& Contacts::curve_of(Touch touch) const {
+  if (is_of_form(touch)) return problem_.bounded;
+  return share_of_level(touch) > 0 ? problem_.error : problem_.deviation;
+}
+
+Contact Contacts::contact(Touch touch, const SearchPlace& place, bool is_tangent) const {
+  Contact c{touch, place, is_tangent, 0, {}};
+  const MinimaxCurve& curve = curve_of(touch);
+  c.value = (is_tangent ? curve.slope_across : curve.across)(place, parameters, c.gradient);
+  return c;
+}
+
+/// What the curve of a touch may at most (or at least) be, apart from the level.
+long double Contacts::bound_of(Touch touch) const {
+  if (!is_of_form(touch)) return 0;
+  const long double bound = touch == Touch::at_most ? *problem_.at_most : *problem_.at_least;
+  return problem_.is_exponential ? std::log(std::max(0.0L, bound)) : bound;
+}
+
+/// By how much a step of the parameters and a level may use a condition up.
+Condition Contacts::condition(const Contact& c) const {
+  const double sign = sign_of(c.touch);
+  const double bound = c.is_tangent ? 0 : static_cast<double>(bound_of(c.touch));
+  Condition result{{}, sign * (bound - c.value), c.touch == Touch::exact};
+  for (std::size_t i = 0; i < problem_.size; ++i) result.slope[i] = sign * c.gradient[i];
+  result.slope[problem_.size] = -share_of_level(c);
+  return result;
+}
+
+/// An end of the domain where a bounded curve is at its bound whatever the parameters: what they move there
+/// is its slope, and the bound is one on that.
+void Contacts::find_tangents() {
+  const auto consider = [&](Touch touch) {
+    const SearchPlace ends[] = {problem_.places.front(), problem_.places.back()};
+    for (const SearchPlace& place : ends) {
+      const Contact c = contact(touch, place);
+      if (!is_fixed(c) || c.value != static_cast<double>(bound_of(touch))) continue;
+      const Contact tangent = contact(touch, place, true);
+      if (!is_fixed(tangent)) tangents_.push_back(tangent);
+    }
+  };
+  if (problem_.one_sided) consider(one_sided_touch());
+  if (problem_.at_most) consider(Touch::at_most);
+  if (problem_.at_least) consider(Touch::at_least);
+}
+
+/// The extrema of a curve that a touch speaks of: maxima for `highest` and `at_most`, else minima.
+void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
+  const double sign = sign_of(touch);
+  const auto& places = problem_.places;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool has_left = i > 0 && places[i - 1].panel == places[i].panel;
+    const bool has_right = i + 1 < places.size() && places[i + 1].panel == places[i].panel;
+    const double left = has_left ? sign * (values_[i] - values_[i - 1]) : 0;
+    const double right = has_right ? sign * (values_[i] - values_[i + 1]) : 0;
+    if (left < 0 || right < 0) continue;
+    if (sign * values_[i] == -HUGE_VAL) continue;  // where a target is 0 no positive form falls below it
+    SearchPlace place = places[i];
+    if (has_left && has_right) {
+      // the top of the parabola through three places, in divided differences
+      const double a = places[i - 1].s, b = places[i].s, c = places[i + 1].s;
+      const double rise = left / (b - a), fall = right / (c - b);
+      const double bend = rise + fall;
+      const double top = bend > 0 ? (a + b) / 2 + (c - a) / 2 * rise / bend : b;
+      place.s = climb(curve, place.panel, a, std::clamp(top, a, c), c, sign, parameters);
+    } else if (has_left != has_right && std::isfinite(values_[i])) {
+      // An end of a panel is an extremum unless the curve still rises from it.
+      const double inner = has_right ? places[i + 1].s : places[i - 1].s;
+      const double slope = sign * curve.along(place, parameters).slope * (inner - place.s);
+      if (slope > 0) {
+        const double low = std::min(inner, place.s), high = std::max(inner, place.s);
+        place.s = climb(curve, place.panel, low, (low + high) / 2, high, sign, parameters);
+      }
+    }
+    all_.push_back(contact(touch, place));
+  }
+}
+
+/// All extrema at the parameters, their level, and by how much constraints are violated.
+void Contacts::look() {
+  all_.clear();
+  if (!problem_.is_admissible(parameters)) {
+    level_ = HUGE_VAL;
+    return;
+  }
+  problem_.error.everywhere(parameters, values_);
+  if (problem_.one_sided != Side::below) find_extrema(problem_.error, Touch::highest);
+  if (problem_.one_sided != Side::above) find_extrema(problem_.error, Touch::lowest);
+  if (problem_.one_sided) {
+    problem_.deviation.everywhere(parameters, values_);
+    find_extrema(problem_.deviation, one_sided_touch());
+  }
+  if (problem_.at_most || problem_.at_least) {
+    problem_.bounded.everywhere(parameters, values_);
+    if (problem_.at_most) find_extrema(problem_.bounded, Touch::at_most);
+    if (problem_.at_least) find_extrema(problem_.bounded, Touch::at_least);
+  }
+  for (const SearchPlace& place : exact_) all_.push_back(contact(Touch::exact, place));
+  for (const Contact& c : tangents_) all_.push_back(contact(c.touch, c.place, true));
+
+  level_ = violation_ = 0;
+  bool is_finite = true;
+  for (const Contact& c : all_) {
+    const double excess = -condition(c).bound;
+    is_finite = is_finite && std::isfinite(excess);
+    if (share_of_level(c) > 0) {
+      level_ = std::max(level_, excess);
+    } else {
+      violation_ += c.touch == Touch::exact ? std::abs(excess) : std::max(0.0, excess);
+    }
+  }
+  if (!is_finite) level_ = HUGE_VAL;
+}
+
+/// The extrema of the error with alternating signs, the largest of each run, no more than `count`; filled
+/// up with places of the search.
+Few<Contact> Contacts::alternating(std::size_t count) const {
+  Few<Contact> found;
+  double largest_gradient = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;
+  const auto size_of = [&](const Contact& c) {
+    double size = 0;
+    for (std::size_t i = 0; i < problem_.size; ++i) size = std::max(size, std::abs(c.gradient[i]));
+    return size;
+  };
+  for (Contact c : all_) {
+    if (is_of_form(c.touch) || c.touch == Touch::exact || c.is_tangent) continue;
+    if (problem_.one_sided) {
+      // Where no positive form can touch its target nothing is held.
+      if (!std::isfinite(contact(one_sided_touch(), c.place).value)) continue;
+      c.value = problem_.error.across(c.place, parameters, c.gradient);
+    }
+    largest_gradient = std::max(largest_gradient, size_of(c));
+    highest = std::max(highest, c.value);
+    lowest = std::min(lowest, c.value);
+    found.push_back(c);
+  }
+  // Where no parameter moves the error, as where every form of a family meets the target, nothing can be
+  // levelled.
+  found.erase(std::remove_if(found.begin(), found.end(),
+                             [&](const Contact& c) { return !(size_of(c) > 1e-9 * largest_gradient); }),
+              found.end());
+  const double middle = problem_.one_sided ? (highest + lowest) / 2 : 0;
+  const auto height = [&](const Contact& c) { return c.value - middle; };
+  std::sort(found.begin(), found.end(), [](const Contact& a, const Contact& b) {
+    return std::pair(a.place.panel, a.place.s) < std::pair(b.place.panel, b.place.s);
+  });
+  Few<Contact> chain;
+  for (const Contact& c : found) {
+    const bool is_same_run = !chain.empty() && (height(chain.back()) < 0) == (height(c) < 0);
+    if (!is_same_run) {
+      chain.push_back(c);
+    } else if (std::abs(height(c)) > std::abs(height(chain.back()))) {
+      chain.back() = c;
+    }
+  }
+  while (chain.size() > count)
+    chain.erase(std::abs(height(chain.front())) < std::abs(height(chain.back())) ? chain.begin()
+                                                                                 : chain.end() - 1);
+  const std::size_t all = problem_.places.size();
+  for (std::size_t i = 0; chain.size() < count && i < count; ++i) {
+    Contact c{Touch::highest, problem_.places[(2 * i + 1) * all / (2 * count)], false, 0, {}};
+    c.value = problem_.error.across(c.place, parameters, c.gradient);
+    chain.push_back(c);
+  }
+  return chain;
+}
+
+/// A reference of conditions on the error that no step can lower together: any n + 1 places, each with the
+/// sign that its share in a combination without slope has.
+bool Contacts::first_reference(Few<Condition>& conditions,
+                               std::array<std::size_t, most_unknowns>& reference) {
+  const std::size_t count = unknowns() - exact_.size();
+  const auto chain = alternating(count);
+  SmallMatrix matrix{}, inverse{};
+  for (std::size_t i = 0; i < count; ++i) {
+    matrix[i] = chain[i].gradient;
+    matrix[i][problem_.size] = i % 2 == 0 ? 1 : -1;
+  }
+  std::size_t next = count;
+  for (std::size_t j = 0; j < all_.size(); ++j) {
+    if (all_[j].touch != Touch::exact) continue;
+    reference[next] = j;
+    matrix[next] = all_[j].gradient;
+    matrix[next++][problem_.size] = 0;
+  }
+  if (!invert(matrix, unknowns(), inverse)) return false;
+  const Unknowns& shares = inverse[problem_.size];
+  double above = 0, below = 0;
+  for (std::size_t i = 0; i < count; ++i) (shares[i] > 0 ? above : below) += std::abs(shares[i]);
+  const double weight = above * share_of_level(Touch::highest) + below * share_of_level(Touch::lowest);
+  const double flip = weight > 0 ? 1 : -1;
+  for (std::size_t i = 0; i < count; ++i) {
+    Contact c = chain[i];
+    c.touch = flip * shares[i] > 0 ? Touch::highest : Touch::lowest;
+    if (share_of_level(c) == 0) c = contact(c.touch, c.place);
+    reference[i] = conditions.size();
+    conditions.push_back(condition(c));
+    all_.push_back(c);
+  }
+  return true;
+}
+
+/// One that is fixed counts for more than any other.
+const Contact* Contacts::worst_violation() const {
+  const Contact* worst = nullptr;
+  std::pair<bool, double> most{false, 0};
+  for (const Contact& c : all_) {
+    const std::pair<bool, double> violation{is_fixed(c), -condition(c).bound};
+    if (share_of_level(c) > 0 || !(violation.second > 0) || !(violation > most)) continue;
+    most = violation;
+    worst = &c;
+  }
+  return worst;
+}
+
+bool Contacts::is_violation_fixed() const {
+  const Contact* worst = worst_violation();
+  return worst != nullptr && is_fixed(*worst);
+}
+
+/// The constraint that the parameters violate most, and where.
+std::string Contacts::most_violated() const {
+  const Contact* worst = worst_violation();
+  if (worst == nullptr) return "satisfy the constraints";
+  const std::string relation = sign_of(worst->touch) > 0 ? "<= " : ">= ";
+  const std::string bound = worst->touch == Touch::at_most    ? to_text(*problem_.at_most)
+                            : worst->touch == Touch::at_least ? to_text(*problem_.at_least)
+                                                              : "target";
+  return "keep the form " + relation + bound + " at c = " + place_text(*worst);
+}
+
+std::string Contacts::place_text(const Contact& c) const {
+  return to_text(problem_.cosine_at(c.place).cos_theta);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,147 @@
+#include "fit/minimax/exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace shadefit {
+namespace {
+
+/// Two to ten exchanges are the rule; sixty end what goes round in circles.
+constexpr int most_exchanges = 60;
+/// A condition counts as violated from here on: what the elimination leaves of an equality. One on the error
+/// is measured against the largest bound of these or the level; a constraint, whose unit is that of the form
+/// or of its logarithm, against 1 or its own bound.
+constexpr double violation_floor = 1e-13;
+
+double product(const Unknowns& a, const Unknowns& b, std::size_t size) {
+  double sum = 0;
+  for (std::size_t i = 0; i < size; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+}  // namespace
+
+bool invert(const SmallMatrix& matrix, std::size_t size, SmallMatrix& inverse) {
+  SmallMatrix m = matrix;
+  // Columns are brought to one scale: parameters differ by orders of magnitude.
+  Unknowns scale{};
+  for (std::size_t j = 0; j < size; ++j) {
+    double largest = 0;
+    for (std::size_t i = 0; i < size; ++i) largest = std::max(largest, std::abs(m[i][j]));
+    if (!(largest > 0) || !std::isfinite(largest)) return false;
+    scale[j] = 1 / largest;
+    for (std::size_t i = 0; i < size; ++i) m[i][j] *= scale[j];
+  }
+  // Gauss-Jordan in place: each pivot's row and column are exchanged for those of the inverse.
+  std::array<std::size_t, most_unknowns> row_of{}, column_of{};
+  std::array<bool, most_unknowns> row_done{}, column_done{};
+  double first = 0;
+  for (std::size_t step = 0; step < size; ++step) {
+    std::size_t row = 0, column = 0;
+    double pivot = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (row_done[i]) continue;
+      for (std::size_t j = 0; j < size; ++j) {
+        if (!column_done[j] && std::abs(m[i][j]) > std::abs(pivot)) pivot = m[row = i][column = j];
+      }
+    }
+    if (step == 0) first = std::abs(pivot);
+    if (!(std::abs(pivot) > 1e-13 * first)) return false;
+    row_done[row] = column_done[column] = true;
+    row_of[column] = row;
+    column_of[row] = column;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (i == row) continue;
+      const double factor = m[i][column] / pivot;
+      for (std::size_t j = 0; j < size; ++j) {
+        if (j != column) m[i][j] -= factor * m[row][j];
+      }
+      m[i][column] = -factor;
+    }
+    for (std::size_t j = 0; j < size; ++j) {
+      if (j != column) m[row][j] /= pivot;
+    }
+    m[row][column] = 1 / pivot;
+  }
+  // m maps a right-hand side at the rows to unknowns at the columns, each at its pivot's place.
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = 0; j < size; ++j) inverse[i][j] = scale[i] * m[row_of[i]][column_of[j]];
+  }
+  return true;
+}
+
+LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unknowns,
+                         std::span<const std::size_t> first_reference) {
+  LowestLevel result;
+  std::copy(first_reference.begin(), first_reference.end(), result.reference.begin());
+  double largest_bound = 0;
+  for (const Condition& condition : conditions) {
+    if (condition.slope[unknowns - 1] != 0)
+      largest_bound = std::max(largest_bound, std::abs(condition.bound));
+  }
+
+  for (int exchange = 0; exchange < most_exchanges; ++exchange) {
+    SmallMatrix matrix{}, inverse{};
+    Unknowns bounds{};
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      const Condition& condition = conditions[result.reference[i]];
+      matrix[i] = condition.slope;
+      bounds[i] = condition.bound;
+    }
+    if (!invert(matrix, unknowns, inverse)) {
+      result.outcome = LowestLevel::Outcome::degenerate;
+      return result;
+    }
+    for (std::size_t i = 0; i < unknowns; ++i) result.unknowns[i] = product(inverse[i], bounds, unknowns);
+    // sum of multiplier * slope = -(0, .., 0, 1), the direction in which the level falls
+    for (std::size_t i = 0; i < unknowns; ++i) result.multipliers[i] = -inverse[unknowns - 1][i];
+
+    std::size_t entering = conditions.size();
+    double most = 0;
+    for (std::size_t j = 0; j < conditions.size(); ++j) {
+      const auto end = result.reference.begin() + static_cast<std::ptrdiff_t>(unknowns);
+      if (conditions[j].is_equation || std::find(result.reference.begin(), end, j) != end) continue;
+      const double excess = product(conditions[j].slope, result.unknowns, unknowns) - conditions[j].bound;
+      const double size = conditions[j].slope[unknowns - 1] != 0
+                              ? std::max(largest_bound, std::abs(result.unknowns[unknowns - 1]))
+                              : std::max(1.0, std::abs(conditions[j].bound));
+      if (excess > most && excess > violation_floor * size) {
+        most = excess;
+        entering = j;
+      }
+    }
+    if (entering == conditions.size()) {
+      result.outcome = LowestLevel::Outcome::found;
+      return result;
+    }
+
+    // The entering slope as a sum of the reference's: shares.
+    double smallest = std::numeric_limits<double>::infinity();
+    std::size_t leaving = unknowns;
+    Unknowns shares{};
+    double largest_share = 0;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      for (std::size_t j = 0; j < unknowns; ++j) shares[i] += conditions[entering].slope[j] * inverse[j][i];
+      largest_share = std::max(largest_share, std::abs(shares[i]));
+    }
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      if (conditions[result.reference[i]].is_equation || !(shares[i] > violation_floor * largest_share))
+        continue;
+      const double ratio = std::max(0.0, result.multipliers[i]) / shares[i];
+      if (ratio < smallest) {
+        smallest = ratio;
+        leaving = i;
+      }
+    }
+    if (leaving == unknowns) {
+      result.outcome = LowestLevel::Outcome::infeasible;
+      return result;
+    }
+    result.reference[leaving] = entering;
+  }
+  return result;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,288 @@
+#include "fit/minimax/minimax.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fit/least_squares/least_squares.hpp"
+#include "fit/minimax/contacts.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A step of this size, relative, is Newton's last: the next would be its square.
+constexpr double last_step = 1e-7;
+/// A multiplier below this holds nothing up.
+constexpr double no_multiplier = 1e-9;
+
+/// Errors in double that differ from those in wider arithmetic by this share of the level do not tell where
+/// they alternate.
+constexpr double largest_rounding = 0.1;
+
+/// From a start to the settled alternation.
+class Exchange {
+ public:
+  Exchange(const MinimaxProblem& problem, const MinimaxParameters& start)
+      : problem_(problem), here_(problem, start) {}
+
+  MinimaxOptimum solve() {
+    here_.find_tangents();
+    if (can_be_exact() && descend()) settle();
+    result_.parameters = here_.parameters;
+    return std::move(result_);
+  }
+
+ private:
+  bool fail(Status status, std::string why) {
+    result_.status = status;
+    result_.why = std::move(why);
+    return false;
+  }
+
+  /// The programme has no answer: a proof where its conditions are those of the constraints, or where the
+  /// parameters do not move what is violated.
+  bool fail_to_satisfy() {
+    if (problem_.is_linear || here_.is_violation_fixed())
+      return fail(Status::infeasible, "no parameters " + here_.most_violated());
+    return fail(Status::not_converged,
+                "no step from least squares leads to parameters that " + here_.most_violated());
+  }
+
+  /// The level, and more for a violation than it could gain.
+  double merit() const { return here_.level() + penalty_ * here_.violation(); }
+
+  /// Constraints of interpolation: those that hold whatever the parameters are fall away; of the others
+  /// Newton tells whether the form can meet them. exp(a) meets 0 for no a, and says so by steps that stay
+  /// long.
+  bool can_be_exact() {
+    for (const SearchPlace& place : problem_.exact_at) {
+      const MinimaxParameters start = here_.parameters;
+      bool is_met = false;
+      for (int i = 0; i < 60 && !is_met; ++i) {
+        const Contact c = here_.contact(Touch::exact, place);
+        double square = 0;
+        for (std::size_t j = 0; j < problem_.size; ++j) {
+          const double scaled = c.gradient[j] * here_.parameters[j];
+          square += scaled * scaled;
+        }
+        if (i == 0 && c.value == 0 && square == 0) break;  // met by itself
+        if (!(square > 0) || !std::isfinite(square)) i = 60;
+        const double step = -c.value / square;
+        double largest = 0;
+        for (std::size_t j = 0; j < problem_.size && i < 60; ++j) {
+          const double relative = step * c.gradient[j] * here_.parameters[j];
+          largest = std::max(largest, std::abs(relative));
+          here_.parameters[j] *= 1 + relative;
+        }
+        is_met = i < 60 && largest < 1e-10;
+        if (i >= 59 && !is_met)
+          return fail(Status::infeasible,
+                      "the form cannot be exact at c = " + to_text(problem_.cosine_at(place).cos_theta));
+      }
+      if (is_met) here_.hold_exact(place);
+      here_.parameters = start;
+    }
+    if (here_.held_exact() > problem_.size)
+      return fail(Status::infeasible, "more places to be exact at than free parameters");
+    return true;
+  }
+
+  /// From extrema to the step of their linear programme and back, until the step is Newton's last. A step
+  /// that does not lower the merit is halved.
+  bool descend() {
+    MinimaxParameters base = here_.parameters, step{};
+    double best = HUGE_VAL, scale = 1, size = 1;
+    for (; result_.iterations < most_steps; ++result_.iterations) {
+      here_.look();
+      if (result_.iterations == 0 && here_.is_impossible()) return fail_to_satisfy();
+      if (!(merit() < best)) {
+        if (result_.iterations == 0) return fail(Status::not_finite, "the error at the start is not finite");
+        scale /= 2;
+        if (scale < 1e-3) return stall(best, size) && go_to(base, step);
+        for (std::size_t i = 0; i < problem_.size; ++i) here_.parameters[i] = base[i] + scale * step[i];
+        continue;
+      }
+      Few<Condition> conditions;
+      for (const Contact& c : here_.all()) conditions.push_back(here_.condition(c));
+      std::array<std::size_t, most_unknowns> reference{};
+      if (!here_.first_reference(conditions, reference))
+        return fail(Status::degenerate,
+                    "the parameters do not move the error independently where it is largest");
+      const LowestLevel lowest = lowest_level({conditions.data(), conditions.size()}, here_.unknowns(),
+                                              {reference.data(), here_.unknowns()});
+      if (lowest.outcome == LowestLevel::Outcome::infeasible) return fail_to_satisfy();
+      if (lowest.outcome == LowestLevel::Outcome::degenerate)
+        return fail(Status::degenerate,
+                    "the parameters do not move the error independently where it is largest");
+      if (lowest.outcome == LowestLevel::Outcome::unfinished)
+        return fail(Status::not_converged, "the exchange of the reference goes round in circles");
+
+      reference_.clear();
+      double held_up = 0;
+      for (std::size_t i = 0; i < here_.unknowns(); ++i) {
+        reference_.push_back(here_.all()[lowest.reference[i]]);
+        multipliers_[i] = lowest.multipliers[i];
+        if (here_.share_of_level(reference_.back()) == 0) held_up += std::abs(multipliers_[i]);
+      }
+      penalty_ = std::max(penalty_, 2 * held_up + 1);
+      base = here_.parameters;
+      best = merit();
+      scale = 1;
+      size = 0;
+      for (std::size_t i = 0; i < problem_.size; ++i) {
+        step[i] = lowest.unknowns[i];
+        if (!std::isfinite(step[i])) return fail(Status::not_finite, "a step is not finite");
+        if (step[i] != 0) size = std::max(size, std::abs(step[i] / base[i]));
+      }
+      expected_ = lowest.unknowns[problem_.size];
+      go_to(base, step);
+      leads_out_ = !problem_.is_admissible(here_.parameters);
+      while (!problem_.is_admissible(here_.parameters)) {
+        for (double& part : step) part /= 2;
+        size /= 2;
+        go_to(base, step);
+      }
+      if (size < last_step) {
+        ++result_.iterations;
+        return !leads_out_ || stop_at_border();
+      }
+    }
+    if (leads_out_) return stop_at_border();
+    return fail(Status::not_converged,
+                "the alternation did not settle in " + std::to_string(most_steps) + " exchanges");
+  }
+
+  bool go_to(const MinimaxParameters& base, const MinimaxParameters& step) {
+    for (std::size_t i = 0; i < problem_.size; ++i) here_.parameters[i] = base[i] + step[i];
+    return true;
+  }
+
+  /// The programme's step leads out of the admissible parameters still, after steps of which each took half
+  /// of the way to their border or more. What is violated there beyond such a rest, no admissible parameters
+  /// satisfy.
+  bool stop_at_border() {
+    constexpr double rest = 1e-6;
+    here_.look();
+    if (here_.violation() > rest * here_.level())
+      return fail(Status::infeasible, "no admissible parameters near least squares " + here_.most_violated());
+    return fail(Status::at_border, "");
+  }
+
+  /// No part of a step lowers the level any more, and yet it is no last step. Where it is short, the level is
+  /// down to its rounding, and Newton may have it; else the level does not tell where the parameters are.
+  bool stall(double best, double size) {
+    if (best - expected_ >= 1e-9 * best)
+      return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
+    if (size < 1e-4) return true;
+    return fail(Status::degenerate, "the level is as low as it gets, but fewer than " +
+                                        std::to_string(here_.unknowns()) +
+                                        " places hold it there: the parameters are not determined");
+  }
+
+  /// Newton on the equations of the reference, their residuals in long double, until a step is nothing.
+  void settle() {
+    for (std::size_t i = 0; i < here_.unknowns(); ++i) {
+      if (reference_[i].touch != Touch::exact && !(multipliers_[i] > no_multiplier)) {
+        fail(Status::degenerate,
+             "the alternation is degenerate: of its " + std::to_string(here_.unknowns()) +
+                 " places that at c = " + to_text(problem_.cosine_at(reference_[i].place).cos_theta) +
+                 " holds nothing up");
+        return;
+      }
+    }
+    long double size = 0;
+    // One pass is the rule, and a second confirms it.
+    for (int pass = 0; pass < 5; ++pass) {
+      SmallMatrix matrix{}, inverse{};
+      WideParameters wide{};
+      std::copy(here_.parameters.begin(), here_.parameters.end(), wide.begin());
+      std::array<long double, most_unknowns> values{};
+      long double level = 0;
+      for (std::size_t i = 0; i < here_.unknowns(); ++i) {
+        Contact& c = reference_[i];
+        const MinimaxCurve& curve = here_.curve_of(c.touch);
+        if (c.touch != Touch::exact && 0 < c.place.s && c.place.s < 1)
+          c.place.s = climb(curve, c.place.panel, std::max(0.0, c.place.s - 0.01), c.place.s,
+                            std::min(1.0, c.place.s + 0.01), sign_of(c.touch), here_.parameters);
+        c = here_.contact(c.touch, c.place, c.is_tangent);
+        matrix[i] = here_.condition(c).slope;
+        values[i] = (c.is_tangent ? curve.wide_slope : curve.wide)(c.place, wide);
+        level += static_cast<long double>(multipliers_[i] * here_.share_of_level(c) * sign_of(c.touch)) *
+                 values[i];
+      }
+      if (!invert(matrix, here_.unknowns(), inverse)) {
+        fail(Status::degenerate, "the equations of the alternation are not independent");
+        return;
+      }
+      // What each equation lacks at this level.
+      std::array<long double, most_unknowns> lack{};
+      for (std::size_t i = 0; i < here_.unknowns(); ++i) {
+        Contact& c = reference_[i];
+        const auto sign = static_cast<long double>(sign_of(c.touch));
+        const long double bound = c.is_tangent ? 0 : here_.bound_of(c.touch);
+        lack[i] = sign * (bound - values[i]) + static_cast<long double>(here_.share_of_level(c)) * level;
+        const bool is_error = here_.share_of_level(c) > 0;
+        if (is_error) rounding_ = std::max(rounding_, std::abs(c.value - static_cast<double>(values[i])));
+        c.value = static_cast<double>(is_error ? values[i] : problem_.error.wide(c.place, wide));
+      }
+      std::array<long double, most_unknowns> step{};
+      for (std::size_t i = 0; i < here_.unknowns(); ++i) {
+        for (std::size_t j = 0; j < here_.unknowns(); ++j)
+          step[i] += static_cast<long double>(inverse[i][j]) * lack[j];
+      }
+      result_.level = static_cast<double>(level + step[problem_.size]);
+      if (!(rounding_ < largest_rounding * result_.level)) {
+        fail(Status::degenerate, "the largest error, " + to_text(result_.level) +
+                                     ", is down to the rounding of the form: it has no alternation");
+        return;
+      }
+      size = 0;
+      for (std::size_t i = 0; i < problem_.size; ++i) {
+        if (step[i] != 0) size = std::max(size, std::abs(step[i] / wide[i]));
+      }
+      result_.digits = correct_digits(size);
+      // Half a unit in the last place of a double is 1.1e-16; a step above a few of these is worth taking
+      // once.
+      if (size <= static_cast<long double>(pass == 0 ? 3e-16 : settled)) {
+        result_.status = Status::converged;
+        record();
+        return;
+      }
+      for (std::size_t i = 0; i < problem_.size; ++i)
+        here_.parameters[i] = static_cast<double>(wide[i] + step[i]);
+      ++result_.iterations;
+    }
+    fail(Status::not_converged, "Newton's last step is still " + to_text(static_cast<double>(size)) +
+                                    " of a parameter: the problem has no 14 digits in this arithmetic");
+  }
+
+  void record() {
+    for (std::size_t i = 0; i < here_.unknowns(); ++i) {
+      const Contact& c = reference_[i];
+      result_.alternation.push_back(
+          {c.touch, c.is_tangent, problem_.cosine_at(c.place), c.value, multipliers_[i]});
+    }
+    std::sort(result_.alternation.begin(), result_.alternation.end(),
+              [](const AlternationPoint& a, const AlternationPoint& b) {
+                return a.at.one_minus_cos < b.at.one_minus_cos;
+              });
+  }
+
+  const MinimaxProblem& problem_;
+  MinimaxOptimum result_;
+  Contacts here_;
+  Few<Contact> reference_;
+  Unknowns multipliers_{};
+  double penalty_ = 1;
+  double rounding_ = 0;     ///< the largest of the errors in double, where they alternate
+  double expected_ = 0;     ///< the level that the last programme promised
+  bool leads_out_ = false;  ///< and its step led out of the admissible parameters, and was cut
+};
+
+}  // namespace
+
+MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start) {
+  return Exchange(problem, start).solve();
+}
+
+}  // namespace shadefit

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "approx/cosine.hpp"
+#include "fit/least_squares/status.hpp"
+#include "fit/minimax/alternation.hpp"
+#include "fit/minimax/exchange.hpp"
+#include "fit/quadrature/metric.hpp"
+
+/// Minimax: the parameters for which the largest |weight * error| over the domain is least.
+///
+/// At the optimum of a form with n free parameters the error takes its largest magnitude, the level, at n + 1
+/// places at least, with alternating signs where it is one-humped in the usual way: the alternation. From a
+/// start near least squares an exchange looks for the extrema of the error, solves the linear programme of
+/// the lowest level there (fit/minimax/exchange.hpp), takes its step, which is Newton's on the equations of
+/// the alternation, and looks again. A constraint is one more condition in that programme. The result is the
+/// best near its start, not proven the best of all; the search is sampled between its places.
+namespace shadefit {
+
+/// Parameters beyond a form's number are not looked at.
+using MinimaxParameters = std::array<double, most_parameters>;
+using WideParameters = std::array<long double, most_parameters>;
+
+/// A place of the search: s in [0, 1] on one of the panels of the domain.
+struct SearchPlace {
+  std::size_t panel = 0;
+  double s = 0;
+};
+
+/// A value along a panel, with its derivatives by s.
+struct Along {
+  double value, slope, curvature;
+};
+
+/// A value of place and parameters, behind plain functions: the solver is the same for every form.
+struct MinimaxCurve {
+  std::function<void(const MinimaxParameters&, std::span<double>)> everywhere;  ///< at the search places
+  std::function<Along(const SearchPlace&, const MinimaxParameters&)> along;
+  /// The value, and its derivatives by the parameters.
+  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> across;
+  std::function<long double(const SearchPlace&, const WideParameters&)> wide;
+  /// The same two of the slope into the domain, at s = 0 or 1.
+  std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across;
+  std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope;
+};
+
+struct MinimaxProblem {
+  std::size_t size = 0;             ///< free parameters
+  std::vector<SearchPlace> places;  ///< by panel, then by s
+  std::function<Cosine<double>(const SearchPlace&)> cosine_at;
+  MinimaxCurve error;
+  /// What `at_most` and `at_least` bound, and what is 0 where the form is its target: form and error; of a
+  /// positive form log(form) and log(form/target), which may be linear in the parameters.
+  MinimaxCurve bounded, deviation;
+  bool is_exponential = false;
+  /// Constraints are linear in the parameters: where they cannot be satisfied at some places at once they
+  /// cannot be satisfied.
+  bool is_linear = false;
+  std::optional<Side> one_sided = std::nullopt;
+  std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
+  std::vector<SearchPlace> exact_at = {};
+  std::function<bool(const MinimaxParameters&)> is_admissible = [](const MinimaxParameters&) { return true; };
+};
+
+struct MinimaxOptimum {
+  MinimaxParameters parameters{};
+  Status status = Status::not_converged;
+  int iterations = 0;  ///< exchanges and the Newton steps after them
+  int digits = 0;      ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
+  double level = 0;    ///< the largest |weight * error|
+  std::vector<AlternationPoint> alternation = {};  ///< in falling order of the cosine
+  std::string why = {};                            ///< where it did not converge, in words
+};
+
+/// Exchanges until the alternation has settled, or `most_steps` are done; never throws for a hard problem.
+MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start);
+
+/// Three to six are the rule; the rest is for starts from afar, where steps are halved.
+inline constexpr int most_steps = 60;
+
+}  // namespace shadefit

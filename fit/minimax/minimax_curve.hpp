@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fit/minimax/minimax.hpp"
+#include "fit/scalars/jet.hpp"
+
+/// A curve of a minimax problem from one template.
+namespace shadefit {
+
+template <class T, class Values>
+std::array<T, most_parameters> all_as(const Values& values) {
+  std::array<T, most_parameters> all;
+  for (std::size_t i = 0; i < most_parameters; ++i) all[i] = lift<T>(values[i]);
+  return all;
+}
+
+/// The curve of `error(panel, s, parameters)`: s in [0, 1] on that panel in a scalar T, all parameters in a
+/// scalar P, which is T or has derivatives by them; the result is a P. Without what constraints on its slope
+/// would ask for. `places` are those of the problem, and stay where they are while the curve is in use.
+template <class Error>
+MinimaxCurve curve_of_error(const Error& error, const std::vector<SearchPlace>& places) {
+  return {.everywhere =
+              [error, &places](const MinimaxParameters& p, std::span<double> values) {
+                for (std::size_t i = 0; i < places.size(); ++i)
+                  values[i] = error(places[i].panel, places[i].s, p);
+              },
+          .along =
+              [error](const SearchPlace& place, const MinimaxParameters& p) {
+                using First = ceres::Jet<double, 1>;
+                using Second = ceres::Jet<First, 1>;
+                Second s(First(place.s, 0));
+                s.v[0] = First(1.0);
+                const Second value = error(place.panel, s, all_as<Second>(p));
+                return Along{value.a.a, value.a.v[0], value.v[0].v[0]};
+              },
+          .across =
+              [error](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+                using Jet = ceres::Jet<double, static_cast<int>(most_parameters)>;
+                std::array<Jet, most_parameters> q;
+                for (std::size_t i = 0; i < most_parameters; ++i) q[i] = Jet(p[i], static_cast<int>(i));
+                const Jet value = error(place.panel, place.s, q);
+                for (std::size_t i = 0; i < most_parameters; ++i) gradient[i] = value.v[static_cast<int>(i)];
+                return value.a;
+              },
+          .wide =
+              [error](const SearchPlace& place, const WideParameters& p) {
+                return error(place.panel, static_cast<long double>(place.s), p);
+              },
+          .slope_across = nullptr,
+          .wide_slope = nullptr};
+}
+
+}  // namespace shadefit

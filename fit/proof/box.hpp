@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "approx/cosine.hpp"
+#include "approx/scalar.hpp"
+#include "fit/quadrature/metric.hpp"
+
+/// Boxes of the domain, for proofs: each from one double to another, exactly, without a place between two
+/// boxes.
+namespace shadefit {
+
+/// The end of [0, 1] from which a cosine is measured. A lobe of exponent 1e6 lives within 1 - c = 1e-5, and a
+/// power of c turns within any c, however small: near either end a double holds the distance from it, not c
+/// and 1 - c both. The sides meet at c = 1/2, which both hold.
+enum class Origin {
+  horizon,  ///< the distance is c, up to 1/2
+  peak,     ///< the distance is 1 - c, up to 1/2
+};
+
+inline constexpr double half_way = 0.5;
+
+/// One place, exactly.
+struct ExactPlace {
+  Origin side = Origin::peak;
+  double distance = 0;
+  bool operator==(const ExactPlace&) const = default;
+};
+
+/// The places between two distances from one side.
+struct Box {
+  Origin side = Origin::peak;
+  double lower = 0;
+  double upper = 0;
+  bool operator==(const Box&) const = default;
+};
+
+/// The cosine at a distance from a side, in any scalar.
+template <class T>
+Cosine<T> cosine_at(Origin side, const T& distance) {
+  const T rest = integer<T>(1) - distance;
+  return side == Origin::peak ? Cosine<T>{rest, distance} : Cosine<T>{distance, rest};
+}
+
+/// The place nearest to a cosine, from the side on which it lies.
+inline ExactPlace place_of(const Cosine<double>& c) {
+  return c.one_minus_cos <= half_way ? ExactPlace{Origin::peak, c.one_minus_cos}
+                                     : ExactPlace{Origin::horizon, c.cos_theta};
+}
+
+/// A domain as one or two boxes. 1 - c of a double c in [1/2, 1] is exact, so the boxes are the domain.
+inline std::vector<Box> boxes_of(const Domain& domain) {
+  std::vector<Box> boxes;
+  if (domain.lower < half_way)
+    boxes.push_back({Origin::horizon, domain.lower, std::min(domain.upper, half_way)});
+  if (domain.upper > half_way)
+    boxes.push_back({Origin::peak, 1 - domain.upper, std::min(1 - domain.lower, half_way)});
+  return boxes;
+}
+
+/// Whether a place lies in one of the boxes.
+inline bool is_inside(const ExactPlace& place, const std::vector<Box>& boxes) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
+    return box.side == place.side && box.lower <= place.distance && place.distance <= box.upper;
+  });
+}
+
+}  // namespace shadefit

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "fit/family_visit.hpp"
+#include "fit/proof/certificate.hpp"
+#include "fit/proof/interval.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/sweep.hpp"
+
+/// The formula that a certificate is about, in interval arithmetic: all that search and check have in common.
+namespace shadefit {
+
+/// The value of a constant's text: a hexadecimal double exactly, a decimal enclosed. Empty for what is
+/// neither, or beyond a double.
+inline std::optional<Interval> enclosed_constant(const std::string& text) {
+  if (const auto exact = parse_hex(text)) return Interval(*exact);
+  if (!parse_number(text)) return std::nullopt;
+  return constant<Interval>(text);
+}
+
+/// What a form approximates in a setting, as text.
+inline std::string target_text(const FittableFamily& family, const Setting& setting) {
+  if (!family.is_fresnel() || !setting.surface.is_exact()) return to_text(family.target());
+  return setting.surface.extinction == 0 ? "(F - f0)/(1 - f0), F the exact reflectance of a dielectric"
+                                         : "(F - f0)/(1 - f0), F the exact reflectance of a conductor";
+}
+
+/// Calls visitor(error, form, family) with the two functions of the cosine that a subject names, in any
+/// scalar that takes intervals. The family is known and each parameter's text a constant.
+template <class Visitor>
+auto visit_formula(const Subject& subject, const Visitor& visitor) {
+  return visit_family(subject.family, [&]<class F>(std::type_identity<F>) {
+    const F family = make_family<F>(subject.setting);
+    std::array<Interval, F::parameters.size()> p;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = enclosed_constant(subject.parameters.at(i).second).value();
+    const auto form = at_parameters(
+        family, p, [](const F& f, const auto& sample, const auto& q) { return f.form(sample, q); });
+    if (subject.error == Error::relative) {
+      const auto error = at_parameters(family, p, [](const F& f, const auto& sample, const auto& q) {
+        return f.relative_error(sample, q);
+      });
+      return visitor(error, form, family);
+    }
+    const auto error = at_parameters(
+        family, p, [](const F& f, const auto& sample, const auto& q) { return f.error(sample, q); });
+    return visitor(error, form, family);
+  });
+}
+
+}  // namespace shadefit

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fit/families/admissible.hpp"
+#include "fit/proof/certificate.hpp"
+#include "fit/proof/certified_formula.hpp"
+#include "fit/proof/curve_proof.hpp"
+#include "fit/proof/enclosure.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+std::string parameters_text(const Subject& subject) {
+  std::string text;
+  for (const auto& [name, value] : subject.parameters)
+    text += (text.empty() ? "" : ", ") + name + " = " + value;
+  return text;
+}
+
+/// No pole in the domain. The denominator is linear in c: the ends decide.
+void require_admissible(const Subject& subject) {
+  visit_family(subject.family, [&]<class F>(std::type_identity<F>) {
+    if constexpr (HasDenominator<F>) {
+      const F family = make_family<F>(subject.setting);
+      std::array<Interval, F::parameters.size()> p;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] = enclosed_constant(subject.parameters[i].second).value();
+      for (const double end : {subject.domain.lower, subject.domain.upper}) {
+        if (!(lower_end(family.denominator(Interval(end), p)) > 0))
+          throw UserError(subject.family + " with " + parameters_text(subject) + " has a pole: it must be " +
+                          rule_of_admission(family, subject.domain));
+      }
+    }
+  });
+}
+
+/// Where the error has a meaning; of a double end, the double.
+template <class F>
+Domain narrowed(const F& family, const Subject& subject) {
+  if (subject.error == Error::absolute) return subject.domain;
+  const auto end = family.relative_end();
+  const double lower = end ? std::max(subject.domain.lower, end->cos_theta) : subject.domain.upper;
+  if (!(lower < subject.domain.upper))
+    throw UserError("a relative error of " + subject.family + " has no meaning on the domain " +
+                    to_text(subject.domain));
+  return {lower, subject.domain.upper};
+}
+
+/// Where a search in plain doubles sees the largest error. Nothing rests on it but how soon the proof is
+/// done.
+template <class F>
+std::optional<ExactPlace> probable_place(const FittableFamily& family, const F&, const Subject& subject) {
+  std::vector<double> parameters;
+  for (const auto& [name, text] : subject.parameters)
+    parameters.push_back(upper_end(enclosed_constant(text).value()));
+  if (subject.error == Error::absolute)
+    return place_of(family.max_abs_error(subject.setting, subject.domain, parameters).at);
+  const auto found = family.max_rel_error(subject.setting, subject.domain, parameters);
+  return found ? std::optional(place_of(found->at)) : std::nullopt;
+}
+
+/// The ends of the boxes of one side, rising.
+std::vector<double> ends_of(const std::vector<Box>& boxes, Origin side) {
+  std::vector<double> ends;
+  for (const Box& box : boxes) {
+    if (box.side != side) continue;
+    ends.push_back(box.lower);
+    ends.push_back(box.upper);
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+
+}  // namespace
+
+Domain cosines_of(const Box& box) {
+  if (box.side == Origin::horizon) return {box.lower, box.upper};
+  const Interval one(1);
+  return {lower_end(one - Interval(box.upper)), upper_end(one - Interval(box.lower))};
+}
+
+Certified certify(const Subject& asked, double width, const Checkpoint& checkpoint) {
+  if (!(width >= least_width && width < 1)) {
+    throw UserError("width '" + decimal(width, 6) + "' cannot be reached: it must be at least " +
+                    decimal(least_width, 6) + ", what an enclosure by doubles can say, and less than 1");
+  }
+  if (const std::string fault = fault_of(asked); !fault.empty()) throw UserError(fault);
+  const FittableFamily* family = find_family(asked.family);
+  require_admissible(asked);
+  return visit_formula(asked, [&](const auto& error, const auto& form, const auto& formulas) {
+    Certified result;
+    Certificate& certificate = result.certificate;
+    certificate.subject = asked;
+    certificate.subject.domain = narrowed(formulas, asked);
+    certificate.target = target_text(*family, asked.setting);
+    certificate.form = to_text(family->form());
+    certificate.precision = interval_precision();
+    const Enclosure found = enclose_largest(error, certificate.subject.domain,
+                                            {.width = width,
+                                             .hint = probable_place(*family, formulas, certificate.subject),
+                                             .checkpoint = checkpoint});
+    if (!std::isfinite(found.upper))
+      throw CheckFailed(asked.family + " with " + parameters_text(asked) + " on " +
+                        to_text(certificate.subject.domain) +
+                        ": no double was proven to bound the largest error");
+    certificate.lower = found.lower;
+    certificate.upper = found.upper;
+    certificate.attained = found.attained;
+    certificate.places = found.places;
+    std::vector<Box> boxes = found.boxes;
+    const CurveShape& curve = family->info.curve;
+    result.curve = prove_curve(form, curve, boxes, checkpoint);
+    certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
+                         .is_non_negative = result.curve.non_negative == Proof::proven,
+                         .is_at_most_one = result.curve.at_most_one == Proof::proven};
+    certificate.horizon = ends_of(boxes, Origin::horizon);
+    certificate.peak = ends_of(boxes, Origin::peak);
+    result.is_reached = found.is_reached;
+    return result;
+  });
+}
+
+Subject subject_of(const Fit& fit, Error error) {
+  Subject subject{.family = std::string(fit.family->id),
+                  .parameters = {},
+                  .setting = setting_of(fit),
+                  .error = error,
+                  .domain = fit.metric.domain};
+  const FittableFamily& family = *find_family(fit.family->id);
+  for (std::size_t i = 0; i < family.parameters.size(); ++i)
+    subject.parameters.emplace_back(std::string(family.parameters[i]), hex_text(fit.parameters[i]));
+  return subject;
+}
+
+}  // namespace shadefit

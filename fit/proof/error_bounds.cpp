@@ -1,0 +1,146 @@
+#include "fit/proof/error_bounds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "fit/proof/certified_formula.hpp"
+#include "fit/proof/enclosure.hpp"
+#include "fit/proof/taylor.hpp"
+#include "fit/quadrature/integrate.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A box and the place that its series is about.
+struct CentredBox {
+  Box box;
+  double centre;
+};
+
+double middle(double lower, double upper) {
+  return lower + (upper - lower) / 2;
+}
+
+/// The domain as boxes with one of the places in each, or none.
+std::vector<CentredBox> boxes_around(std::span<const Cosine<double>> peaks, const Domain& domain) {
+  std::vector<CentredBox> boxes;
+  for (const Box& box : boxes_of(domain)) {
+    std::vector<double> inside;
+    for (const Cosine<double>& peak : peaks) {
+      const ExactPlace place = place_of(peak);
+      if (is_inside(place, {box})) inside.push_back(place.distance);
+    }
+    std::sort(inside.begin(), inside.end());
+    inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
+    if (inside.empty()) inside.push_back(middle(box.lower, box.upper));
+    double lower = box.lower;
+    for (std::size_t i = 0; i < inside.size(); ++i) {
+      const double upper = i + 1 < inside.size() ? middle(inside[i], inside[i + 1]) : box.upper;
+      boxes.push_back({{box.side, lower, upper}, inside[i]});
+      lower = upper;
+    }
+  }
+  return boxes;
+}
+
+/// Of the series: errors are small differences of a form and its target, so that remainders of low order are
+/// far larger than what they enclose. From six on the whole report takes no less time.
+constexpr int order = 6;
+
+/// The values of a series about a centre on all of a box, a step around it: value + slope step + step^2 (..).
+/// About a peak the slope is nothing and the bracket has the sign that takes |error| down, so that a peak
+/// takes a few boxes where a bound by first derivatives takes dozens.
+Interval values_on(const Taylor<order - 1>& at_centre, const Interval& remainder, const Interval& step) {
+  Interval bracket = remainder;
+  for (int i = order - 1; i >= 2; --i) bracket = at_centre[i] + step * bracket;
+  return at_centre.value() + at_centre[1] * step + power(step, 2) * bracket;
+}
+
+/// Shows that |error| is nowhere `width` above its largest value at the peaks, on each box by Taylor's series
+/// about a place with an enclosed remainder. Empty where boxes get too small or too many, as at a kink.
+template <class F>
+std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain,
+                                            std::span<const Cosine<double>> peaks, double width,
+                                            const Checkpoint& checkpoint) {
+  std::vector<CentredBox> open = boxes_around(peaks, domain);
+  double lower = 0;
+  const auto raise = [&](const Interval& value) { lower = std::fmax(lower, smallest_magnitude_in(value)); };
+  for (const auto& [box, centre] : open) raise(error(cosine_at(box.side, Interval(centre))));
+  const auto is_below = [&](const Interval& value) {
+    return largest_magnitude_in(value) <= lower * (1 + width);
+  };
+  for (int boxes = 0; !open.empty(); ++boxes) {
+    checkpoint();
+    const auto [box, centre] = open.back();
+    open.pop_back();
+    const Interval distance = span_of(box.lower, box.upper);
+    const auto on_box = error(cosine_at(box.side, Taylor<order>::variable(distance)));
+    if (is_below(on_box.value())) continue;
+    const auto at_centre = error(cosine_at(box.side, Taylor<order - 1>::variable(Interval(centre))));
+    raise(at_centre.value());
+    const Interval step = distance - Interval(centre);
+    if (is_below(values_on(at_centre, on_box[order], step))) continue;
+    const double cut = middle(box.lower, box.upper);
+    if (boxes > most_boxes || !(box.lower < cut && cut < box.upper)) return std::nullopt;
+    for (const Box& half : {Box{box.side, box.lower, cut}, Box{box.side, cut, box.upper}}) {
+      const bool has_centre = half.lower <= centre && centre <= half.upper;
+      open.push_back({half, has_centre ? centre : middle(half.lower, half.upper)});
+    }
+  }
+  return ErrorBounds{lower, lower * (1 + width), true};
+}
+
+template <class F>
+ErrorBounds bounds_of(const F& error, const Domain& domain, std::span<const Cosine<double>> peaks,
+                      double width, const Checkpoint& checkpoint) {
+  // half, so that roundings of the bound itself stay within the width
+  if (const auto bounds = bounds_by_series(error, domain, peaks, width / 2, checkpoint)) return *bounds;
+  const Enclosure found = enclose_largest(
+      error, domain, {.width = width, .hint = place_of(peaks.front()), .checkpoint = checkpoint});
+  return {found.lower, found.upper, found.is_reached};
+}
+
+/// The integral over a domain, cut where a surface's reflectance has a kink or ends its fall.
+template <class F>
+double integral(const F& f, const Domain& domain, const Surface& surface) {
+  constexpr double tolerance = 1e-12;  // far below the digits that an rms error is shown with
+  const auto joint = joint_of(surface);
+  if (!joint || joint->cosine <= domain.lower || joint->cosine >= domain.upper)
+    return tanh_sinh(f, domain.lower, domain.upper, tolerance).value;
+  return tanh_sinh(f, domain.lower, joint->cosine, tolerance).value +
+         tanh_sinh(f, joint->cosine, domain.upper, tolerance).value;
+}
+
+}  // namespace
+
+ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width,
+                        const Checkpoint& checkpoint) {
+  return visit_formula(subject, [&](const auto& error, const auto&, const auto&) {
+    return bounds_of(error, subject.domain, peaks, width, checkpoint);
+  });
+}
+
+SchlickError schlick_error(const Surface& surface, const Domain& domain, double width,
+                           const Checkpoint& checkpoint) {
+  const auto error = [&]<class T>(const Cosine<T>& c) {
+    const T f0 = normal_reflectance<T>(surface);
+    return T((integer<T>(1) - f0) * (schlick_weight(c.cos_theta) - target_weight(surface, c.cos_theta)));
+  };
+  const auto relative = [&]<class T>(const Cosine<T>& c) {
+    return T(error(c) / exact_reflectance(surface, c.cos_theta));
+  };
+  const auto squared = [&](double c) { return std::pow(error(Cosine<double>{c, 1 - c}), 2); };
+  const auto panels =
+      Substitution::panels({.domain = domain}, Shape{.joint = joint_of(surface)}.for_search());
+  SchlickError result{.bounds = {},
+                      .absolute = largest_magnitude(error, panels),
+                      .relative = largest_magnitude(relative, panels),
+                      .rms = std::sqrt(integral(squared, domain, surface) / (domain.upper - domain.lower))};
+  result.bounds = bounds_of(error, domain, std::array{result.absolute.at}, width, checkpoint);
+  return result;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fit/proof/certificate.hpp"
+#include "fit/proof/certified_formula.hpp"
+
+namespace shadefit {
+namespace {
+
+bool is_positive(double x) {
+  return x > 0 && std::isfinite(x);
+}
+
+std::string fault_of_parameters(const FittableFamily& family, const Subject& subject) {
+  const auto& given = subject.parameters;
+  for (const auto& [name, value] : given) {
+    if (std::find(family.parameters.begin(), family.parameters.end(), name) == family.parameters.end())
+      return "parameter '" + name + "' is unknown: " + subject.family + " has none of that name";
+    if (enclosed_constant(value)) continue;
+    const bool is_hexadecimal = value.find("0x") != std::string::npos;
+    return "parameter " + name + " '" + value + "' is not " +
+           (is_hexadecimal ? "a hexadecimal double as shadefit prints it" : "a finite number");
+  }
+  for (const std::string_view known : family.parameters) {
+    const std::string name(known);
+    const auto count =
+        std::count_if(given.begin(), given.end(), [&](const auto& p) { return p.first == name; });
+    if (count == 0) return "parameter '" + name + "' of " + subject.family + " is missing";
+    if (count > 1) return "parameter '" + name + "' is given twice";
+  }
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i].first != family.parameters[i])
+      return "parameter '" + given[i].first + "' stands out of order";
+  }
+  return "";
+}
+
+std::string fault_of_surface(const Surface& surface) {
+  if (surface.f0 && surface.is_named()) return "a surface with an index of refraction has an f0 of its own";
+  if (surface.f0 && !(0 <= *surface.f0 && *surface.f0 < 1))
+    return "the f0 of the surface is not at least 0 and less than 1";
+  if (!surface.is_named())
+    return surface.is_exact() || surface.extinction != 0 ? "the surface has no index of refraction" : "";
+  if (!is_positive(surface.ior)) return "the index of refraction is not greater than 0";
+  if (!(surface.extinction >= 0 && std::isfinite(surface.extinction))) return "the extinction is negative";
+  if (surface.ior == 1 && surface.extinction == 0)
+    return "the index of refraction is 1 without extinction: nothing is reflected";
+  if (!(normal_reflectance<double>(surface) < 1))
+    return "the surface reflects all light at normal incidence: no reflectance lies above f0";
+  return "";
+}
+
+}  // namespace
+
+std::string fault_of(const Subject& subject) {
+  const FittableFamily* family = find_family(subject.family);
+  if (family == nullptr) return "'" + subject.family + "' is no family";
+  if (std::string fault = fault_of_parameters(*family, subject); !fault.empty()) return fault;
+  const Setting& setting = subject.setting;
+  if (family->has_exponent() && !is_positive(setting.exponent)) return "the exponent is not greater than 0";
+  if (!family->has_exponent() && setting.exponent != 0) return subject.family + " has no exponent";
+  if (!family->is_fresnel() && setting.surface != Surface{})
+    return subject.family + " is no Fresnel form: it has no surface";
+  if (std::string fault = fault_of_surface(setting.surface); !fault.empty()) return fault;
+  const Domain& domain = subject.domain;
+  if (!(0 <= domain.lower && domain.lower < domain.upper && domain.upper <= 1))
+    return "the domain is not within [0, 1]";
+  return "";
+}
+
+}  // namespace shadefit

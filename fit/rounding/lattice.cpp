@@ -1,0 +1,94 @@
+#include "fit/rounding/lattice.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "approx/scalar.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A double has 15 to 17 significant digits: 17 tell any two apart.
+constexpr int digits_that_tell_apart = 17;
+
+}  // namespace
+
+std::string to_text(const NumberFormat& format) {
+  switch (format.kind) {
+    case NumberFormat::Kind::half:
+      return std::string(HalfFormat::name);
+    case NumberFormat::Kind::bfloat16:
+      return std::string(Bfloat16Format::name);
+    case NumberFormat::Kind::single:
+      return std::string(FloatFormat::name);
+    case NumberFormat::Kind::decimal:
+      return "decimal:" + std::to_string(format.digits);
+  }
+  return "";
+}
+
+NumberFormat parse_number_format(const std::string& text) {
+  if (text == HalfFormat::name) return {NumberFormat::Kind::half};
+  if (text == Bfloat16Format::name) return {NumberFormat::Kind::bfloat16};
+  if (text == FloatFormat::name) return {NumberFormat::Kind::single};
+  const std::string_view prefix = "decimal:";
+  if (text.starts_with(prefix)) {
+    int digits = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + prefix.size(), end, digits);
+    if (error != std::errc{} || stop != end || digits < 1 || digits > digits_that_tell_apart)
+      throw UserError("--round '" + text +
+                      "': decimal:N takes a whole number N of significant digits from 1 to " +
+                      std::to_string(digits_that_tell_apart));
+    return {NumberFormat::Kind::decimal, digits};
+  }
+  throw UserError("--round '" + text + "' is unknown: it must be one of float, half, bfloat16, decimal:N");
+}
+
+std::string DecimalLattice::text(std::int64_t index) const {
+  if (index == 0) return "0";
+  const std::int64_t i = (index < 0 ? -index : index) - 1;
+  const std::int64_t tens = fractions() / 9;
+  const int power_of_ten = least_power + static_cast<int>(i / fractions());
+  const std::string mantissa = std::to_string(tens + i % fractions());
+  // d.ddd by 10^power_of_ten, in plain notation where that is short
+  std::string plain;
+  if (power_of_ten >= 0 && power_of_ten < digits) {
+    const auto whole = static_cast<std::size_t>(power_of_ten) + 1;
+    plain = mantissa.substr(0, whole);
+    if (whole < mantissa.size()) plain += "." + mantissa.substr(whole);
+  } else if (power_of_ten < 0 && power_of_ten >= -4) {
+    plain = "0." + std::string(static_cast<std::size_t>(-power_of_ten - 1), '0') + mantissa;
+  } else {
+    plain = mantissa.substr(0, 1) + (digits > 1 ? "." + mantissa.substr(1) : "") + "e" +
+            std::to_string(power_of_ten);
+  }
+  return (index < 0 ? "-" : "") + plain;
+}
+
+double DecimalLattice::value(std::int64_t index) const {
+  return constant<double>(text(index));
+}
+
+std::int64_t DecimalLattice::nearest(double x) const {
+  if (x == 0) return 0;
+  std::array<char, 40> buffer{};  // "d.ddd..e-xxx"
+  const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(x),
+                                     std::chars_format::scientific, digits - 1);
+  const std::string_view scientific(buffer.data(), static_cast<std::size_t>(written.ptr - buffer.data()));
+  const auto e = scientific.find('e');
+  const int power_of_ten = std::atoi(std::string(scientific.substr(e + 1)).c_str());
+  if (power_of_ten > largest_power) return x < 0 ? -(last() + 1) : last() + 1;
+  if (power_of_ten < least_power) return 0;
+  std::int64_t mantissa = 0;
+  for (const char digit : scientific.substr(0, e)) {
+    if (digit != '.') mantissa = 10 * mantissa + (digit - '0');
+  }
+  const std::int64_t index = fractions() * (power_of_ten - least_power) + (mantissa - fractions() / 9) + 1;
+  return x < 0 ? -index : index;
+}
+
+}  // namespace shadefit

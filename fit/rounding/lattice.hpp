@@ -1,0 +1,84 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "fit/scalars/narrow_result.hpp"
+
+/// The finite numbers of a format as a lattice: each has an index, neighbours have neighbouring ones.
+namespace shadefit {
+
+/// What constants are rounded to.
+struct NumberFormat {
+  enum class Kind { half, bfloat16, single, decimal };
+  Kind kind = Kind::half;
+  int digits = 0;  ///< significant ones of a decimal, 1 to 17
+
+  bool operator==(const NumberFormat&) const = default;
+
+  /// Whether there are so few numbers in [0, 1] that a form is evaluated at each.
+  bool is_narrow() const { return kind == Kind::half || kind == Kind::bfloat16; }
+};
+
+/// "half", "bfloat16", "float", "decimal:5".
+std::string to_text(const NumberFormat& format);
+
+/// That format. Throws UserError with one line for anything else.
+NumberFormat parse_number_format(const std::string& text);
+
+/// The numbers of a binary format by their bits: index i >= 0 is the i-th number from zero up, -i its
+/// negative; both zeros are 0.
+template <class Format>
+struct BinaryLattice {
+  static constexpr std::int64_t fractions = std::int64_t{1} << (Format::digits - 1);
+
+  std::int64_t last() const {
+    return fractions * (Format::largest_exponent - Format::least_exponent + 2) - 1;
+  }
+  double value(std::int64_t index) const {
+    const std::int64_t i = index < 0 ? -index : index;
+    const std::int64_t binade = i / fractions, fraction = i % fractions;
+    const int exponent = Format::least_exponent - Format::digits + 1;
+    const double magnitude = binade == 0 ? std::ldexp(static_cast<double>(fraction), exponent)
+                                         : std::ldexp(static_cast<double>(fractions + fraction),
+                                                      exponent + static_cast<int>(binade) - 1);
+    return index < 0 ? -magnitude : magnitude;
+  }
+  /// The index of the number nearest to x; beyond `last()` where x overflows.
+  std::int64_t nearest(double x) const {
+    const double rounded = static_cast<double>(NarrowResult<Format>::rounded(std::abs(x)));
+    if (!(rounded <= largest_of<Format>)) return x < 0 ? -(last() + 1) : last() + 1;
+    std::int64_t index = 0;
+    if (rounded > 0) {
+      const int exponent = std::max(std::ilogb(rounded), Format::least_exponent);
+      const double whole = std::ldexp(rounded, Format::digits - 1 - exponent);
+      index = fractions * (exponent - Format::least_exponent) + static_cast<std::int64_t>(whole);
+    }
+    return x < 0 ? -index : index;
+  }
+};
+
+/// The decimals of N significant digits from 10^-20 to below 10^21, zero and their negatives. A value is the
+/// double nearest to the decimal, as a compiler reads it.
+struct DecimalLattice {
+  int digits;
+
+  static constexpr int least_power = -20;
+  static constexpr int largest_power = 20;
+
+  std::int64_t fractions() const {
+    std::int64_t tens = 1;
+    for (int i = 1; i < digits; ++i) tens *= 10;
+    return 9 * tens;
+  }
+  std::int64_t last() const { return fractions() * (largest_power - least_power + 1); }
+
+  double value(std::int64_t index) const;
+  std::int64_t nearest(double x) const;
+  /// "-5.5547", "1.2e-07": the decimal itself.
+  std::string text(std::int64_t index) const;
+};
+
+}  // namespace shadefit

@@ -1,0 +1,163 @@
+#include "fit/run/results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "approx/ledger/catalogue.hpp"
+#include "approx/ledger/ledger.hpp"
+#include "approx/records/optical_constants.hpp"
+#include "fit/support/known.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+bool is_wanted(const std::vector<std::string>& ids, std::string_view id) {
+  return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+/// A family is refitted as a whole where it is asked for, for its published numbers alone only at the
+/// exponents that they need. A form of comparison is not part of everything.
+struct WantedFits {
+  std::vector<double> exponents;
+  std::vector<const Published*> numbers;
+};
+
+std::optional<WantedFits> wanted_fits(const std::vector<std::string>& ids, const Family& family) {
+  if (ids.empty() && family.is_comparison) return std::nullopt;
+  const std::vector<const Published*> all = numbers_of(family);
+  if (is_wanted(ids, family.id))
+    return WantedFits{family.sweep.empty() ? std::vector<double>{} : parse_sweep(family.sweep), all};
+  WantedFits wanted;
+  for (const Published* number : all) {
+    if (!is_wanted(ids, number->id)) continue;
+    wanted.numbers.push_back(number);
+    const auto needed = exponents_needed_by(*number, family);
+    wanted.exponents.insert(wanted.exponents.end(), needed.begin(), needed.end());
+  }
+  return wanted.numbers.empty() ? std::nullopt : std::optional(wanted);
+}
+
+/// A family stands for the claims that bear its name: sg-offset for sg-offset-mean.
+bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
+  return is_wanted(ids, id) || std::any_of(ids.begin(), ids.end(), [&](const std::string& wanted) {
+           return find_family(wanted) != nullptr && id.starts_with(wanted + "-");
+         });
+}
+
+/// What the report compares: Schlick's weight, the exact reflectance of glass, and the lobe of exponent 5,
+/// the mirror image of Schlick's weight, for which an offset was published.
+std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
+  const FittableFamily& fresnel = *find_family(fresnel_quadratic_family.id);
+  const FittableFamily& lobe = *find_family(sg_offset.id);
+  const auto is_compared = [&](const FittableFamily& family) {
+    return ids.empty() || std::any_of(ids.begin(), ids.end(), [&](const std::string& id) {
+             const FittableFamily* named = find_family(id);
+             return named != nullptr && have_same_target(*named, family);
+           });
+  };
+  std::vector<Comparison> found;
+  if (is_compared(fresnel)) {
+    found.push_back(compare_forms(fresnel, {}, report_contest, checkpoint));
+    const Setting on_glass(0, exact_surface(constant<double>(glass.ior)));
+    found.push_back(compare_forms(fresnel, on_glass, report_contest, checkpoint));
+  }
+  if (is_compared(lobe)) found.push_back(compare_forms(lobe, 5, report_contest, checkpoint));
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> known_ids() {
+  std::vector<std::string> ids;
+  const auto add = [&](std::string_view id) {
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.emplace_back(id);
+  };
+  for (const auto& family : fittable_families()) {
+    add(family.info.id);
+    for (const Published& published : published_constants) {
+      if (published.family == family.info.id) add(published.id);
+    }
+  }
+  for (const Normalisation& record : normalisations) add(record.id);
+  for (const std::string& id : claim_ids()) add(id);
+  return ids;
+}
+
+std::vector<std::string> claim_ids() {
+  std::vector<std::string> ids;
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) ids.emplace_back(claim.id);
+  }
+  return ids;
+}
+
+Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
+  for (const std::string& id : ids) require_known(id, known_ids(), "constant");
+  Results results;
+  std::vector<const FittableFamily*> fresnel_families;
+  for (const FittableFamily& family : fittable_families()) {
+    const auto wanted = wanted_fits(ids, family.info);
+    if (!wanted) continue;
+    results.refits.push_back(
+        refit(family, wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
+    // The chain is of what was published.
+    if (family.is_fresnel() && !family.info.is_comparison) fresnel_families.push_back(&family);
+  }
+  checkpoint();
+  results.fresnel_chain = fresnel_chain(fresnel_families);
+  for (const Normalisation& record : normalisations) {
+    if (!is_wanted(ids, record.id)) continue;
+    checkpoint();
+    for (const auto& check : check_normalisation(record)) results.normalisations.push_back(check);
+  }
+  const auto wanted = [&](std::string_view id) { return is_wanted(ids, id); };
+  results.reflectances = reflectance_curves(wanted);
+  results.claims = judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, checkpoint);
+  results.comparisons = comparisons(ids, checkpoint);
+  return results;
+}
+
+bool all_checks_passed(const Results& results) {
+  const bool converged = std::all_of(results.refits.begin(), results.refits.end(), [](const Refit& refit) {
+    return std::all_of(refit.fits.begin(), refit.fits.end(),
+                       [](const FitReport& report) { return report.fit.status == Status::converged; });
+  });
+  const bool confirmed = std::all_of(results.normalisations.begin(), results.normalisations.end(),
+                                     [](const auto& check) { return check.verdict == Verdict::confirmed; });
+  const bool exact =
+      std::all_of(results.reflectances.begin(), results.reflectances.end(), [](const auto& curve) {
+        return std::all_of(curve.points.begin(), curve.points.end(),
+                           [](const auto& point) { return point.estimated_error <= reflectance_tolerance; });
+      });
+  const bool linked = std::all_of(results.fresnel_chain.begin(), results.fresnel_chain.end(),
+                                  [](const FresnelLink& link) { return link.status == Status::converged; });
+  const bool judged = std::all_of(results.claims.begin(), results.claims.end(),
+                                  [](const JudgedClaim& claim) { return claim.finding.verdict.has_value(); });
+  const bool proven =
+      std::all_of(results.comparisons.begin(), results.comparisons.end(), [](const Comparison& comparison) {
+        return comparison.left_out.empty() &&
+               std::all_of(comparison.contenders.begin(), comparison.contenders.end(),
+                           [](const Contender& contender) { return contender.max_abs_error.is_reached; });
+      });
+  return converged && linked && confirmed && exact && judged && proven;
+}
+
+std::string which_fit(const Fit& fit) {
+  return std::string(fit.family->id) + (fit.exponent ? fmt::format(" at exponent {}", *fit.exponent) : "");
+}
+
+std::string not_converged_lines(const Refit& refit) {
+  std::string lines;
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::converged) continue;
+    lines += fmt::format("shadefit: {} did not converge: {}{}\n", which_fit(report.fit),
+                         name(report.fit.status), report.fit.why.empty() ? "" : ": " + report.fit.why);
+  }
+  return lines;
+}
+
+}  // namespace shadefit

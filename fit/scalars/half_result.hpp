@@ -1,0 +1,11 @@
+#pragma once
+
+#include "fit/scalars/narrow_result.hpp"
+
+/// Half arithmetic on operands that need not be halves.
+namespace shadefit {
+
+/// On halves it is the arithmetic of Eigen::half.
+using HalfResult = NarrowResult<HalfFormat>;
+
+}  // namespace shadefit

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string_view>
+
+#include "approx/scalar.hpp"
+
+/// Arithmetic in a binary format that is narrower than a double, on operands that need not be of it.
+namespace shadefit {
+
+/// The formats by IEEE 754: significant bits, and the exponents of the least and the largest normal number.
+struct HalfFormat {
+  static constexpr std::string_view name = "half";
+  static constexpr int digits = 11;
+  static constexpr int least_exponent = -14;
+  static constexpr int largest_exponent = 15;
+};
+
+/// The upper half of a float.
+struct Bfloat16Format {
+  static constexpr std::string_view name = "bfloat16";
+  static constexpr int digits = 8;
+  static constexpr int least_exponent = -126;
+  static constexpr int largest_exponent = 127;
+};
+
+struct FloatFormat {
+  static constexpr std::string_view name = "float";
+  static constexpr int digits = 24;
+  static constexpr int least_exponent = -126;
+  static constexpr int largest_exponent = 127;
+};
+
+/// 2^n for a normal double.
+constexpr double power_of_two(int n) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + n) << 52);
+}
+
+template <class Format>
+inline constexpr double largest_of = (2 - power_of_two(1 - Format::digits)) *
+                                     power_of_two(Format::largest_exponent);
+template <class Format>
+inline constexpr double least_normal_of = power_of_two(Format::least_exponent);
+/// The distance of subnormals.
+template <class Format>
+inline constexpr double least_of = power_of_two(Format::least_exponent - Format::digits + 1);
+
+/// The result of an operation in the format, or an operand as it came (a float cosine, say): every operation
+/// is computed in double and its result rounded once. On operands of the format that is the format's own
+/// arithmetic, each operation correctly rounded: a double has more than twice its digits and two.
+template <class Format>
+class NarrowResult {
+ public:
+  NarrowResult() = default;
+  /// The operand as it is: not rounded.
+  explicit NarrowResult(double operand) : value_(operand) {}
+  explicit operator double() const { return value_; }
+
+  /// That number in the format, ties to even: for half what `round_to_half` gives, at a tenth of its time.
+  ///
+  /// Numbers of the size of x are multiples of q = 2^(e-p+1), p the digits, where 2^e <= |x| < 2^(e+1), e at
+  /// least that of the least normal number (subnormals lie as dense). |x/q| < 2^p is exact, and adding 3 *
+  /// 2^51 to it leaves no bits for a fraction: the sum is rounded to a whole number. From half a step beyond
+  /// the largest number on, it is infinity.
+  static NarrowResult rounded(double x) {
+    constexpr double shift = 0x1.8p52;
+    constexpr int last = Format::digits - 1;
+    const int biased = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52 & 0x7ff);
+    const int e = std::max(biased - 1023, Format::least_exponent);
+    if (e > Format::largest_exponent) return NarrowResult(std::isnan(x) ? x : std::copysign(infinity, x));
+    const double whole = (x * power_of_two(last - e) + shift) - shift;
+    const double value = whole * power_of_two(e - last);
+    const bool is_beyond = std::abs(value) > largest_of<Format>;
+    return NarrowResult(is_beyond ? std::copysign(infinity, x) : std::copysign(value, x));
+  }
+
+  friend NarrowResult operator+(NarrowResult a, NarrowResult b) { return rounded(a.value_ + b.value_); }
+  friend NarrowResult operator-(NarrowResult a, NarrowResult b) { return rounded(a.value_ - b.value_); }
+  friend NarrowResult operator*(NarrowResult a, NarrowResult b) { return rounded(a.value_ * b.value_); }
+  friend NarrowResult operator/(NarrowResult a, NarrowResult b) { return rounded(a.value_ / b.value_); }
+  friend NarrowResult operator-(NarrowResult a) { return NarrowResult(-a.value_); }
+  friend bool operator<(NarrowResult a, NarrowResult b) { return a.value_ < b.value_; }
+
+ private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  double value_ = 0;
+};
+
+/// Each function is evaluated in double and rounded once. For exp, exp2, log and log2 of every half and every
+/// bfloat16 that is the correctly rounded result: none lies so near a tie that a double's error could move it
+/// (tests/fit/scalars/narrow_result_test.cpp).
+template <class Format>
+struct Scalar<NarrowResult<Format>> {
+  using T = NarrowResult<Format>;
+
+  static T exp(T x) { return T::rounded(std::exp(wide(x))); }
+  static T exp2(T x) { return T::rounded(std::exp2(wide(x))); }
+  static T log(T x) { return T::rounded(std::log(wide(x))); }
+  static T log2(T x) { return T::rounded(std::log2(wide(x))); }
+  static T expm1(T x) { return T::rounded(std::expm1(wide(x))); }
+  static T log1p(T x) { return T::rounded(std::log1p(wide(x))); }
+  static T log1p_remainder(T x) { return T::rounded(Scalar<double>::log1p_remainder(wide(x))); }
+  static T sqrt(T x) { return T::rounded(std::sqrt(wide(x))); }
+  static T sin(T x) { return T::rounded(std::sin(wide(x))); }
+  static T cos(T x) { return T::rounded(std::cos(wide(x))); }
+  static T atan(T x) { return T::rounded(std::atan(wide(x))); }
+  static T erfc(T x) { return T::rounded(std::erfc(wide(x))); }
+  static T power(T x, T p) { return T::rounded(std::pow(wide(x), wide(p))); }
+  static bool less(T a, T b) { return a < b; }
+  static T select(bool condition, T a, T b) { return condition ? a : b; }
+  static T min(T a, T b) { return b < a ? b : a; }
+  static T max(T a, T b) { return a < b ? b : a; }
+  static T integer(int n) { return T::rounded(n); }
+  static T from_decimal(std::string_view decimal) { return T::rounded(constant<double>(decimal)); }
+  static T pi() { return T::rounded(Scalar<double>::pi()); }
+  static T ln2() { return T::rounded(Scalar<double>::ln2()); }
+
+ private:
+  static double wide(T x) { return static_cast<double>(x); }
+};
+
+}  // namespace shadefit

@@ -1,0 +1,261 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "approx/scalar.hpp"
+#include "fit/scalars/narrow_result.hpp"
+
+/// Intervals in a machine's arithmetic: what every operation could return for operands between two others.
+namespace shadefit {
+
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// Two ends, rounded to the doubles or to the numbers of a format by whoever makes them.
+struct Ends {
+  double lower = 0;
+  double upper = 0;
+};
+
+/// Every operation rounded to nearest in the format. Rounding rises with its argument, so that the rounded
+/// ends enclose every rounded result between them.
+template <class Format>
+struct CorrectArithmetic {
+  static constexpr bool contracts = false;
+  static double round(double x) { return static_cast<double>(NarrowResult<Format>::rounded(x)); }
+  static Ends operand(Ends x) { return x; }
+  static Ends basic(Ends x) { return {round(x.lower), round(x.upper)}; }
+  static Ends quotient(Ends x) { return basic(x); }
+  static Ends exp(Ends x) { return basic({std::exp(x.lower), std::exp(x.upper)}); }
+  static Ends exp2(Ends x) { return basic({std::exp2(x.lower), std::exp2(x.upper)}); }
+  static Ends log(Ends x) { return basic({std::log(x.lower), std::log(x.upper)}); }
+  static Ends log2(Ends x) { return basic({std::log2(x.lower), std::log2(x.upper)}); }
+  static Ends sqrt(Ends x) { return basic({std::sqrt(x.lower), std::sqrt(x.upper)}); }
+  /// x^p of a positive x between the least and the largest of its corners, which a double's pow may miss by
+  /// an ulp and its neighbours then not keep in order.
+  static Ends power(Ends corners) {
+    return basic({corners.lower * (1 - slack), corners.upper * (1 + slack)});
+  }
+
+ private:
+  static constexpr double slack = 0x1p-51;
+};
+
+/// Real arithmetic, enclosed in doubles: + - * / and sqrt are within half an ulp, the functions of the GNU C
+/// library within one, log1p within two (its manual, "Errors in Math Functions", x86_64). An ulp is at most
+/// 2^-52 of a number, or the least subnormal.
+struct OutwardArithmetic {
+  static constexpr bool contracts = false;
+  static Ends operand(Ends x) { return x; }
+  static Ends basic(Ends x) { return widened(x, 1); }
+  static Ends quotient(Ends x) { return basic(x); }
+  static Ends exp(Ends x) { return widened({std::exp(x.lower), std::exp(x.upper)}, 2); }
+  static Ends exp2(Ends x) { return widened({std::exp2(x.lower), std::exp2(x.upper)}, 2); }
+  static Ends log(Ends x) { return widened({std::log(x.lower), std::log(x.upper)}, 2); }
+  static Ends log2(Ends x) { return widened({std::log2(x.lower), std::log2(x.upper)}, 2); }
+  static Ends log1p(Ends x) { return widened({std::log1p(x.lower), std::log1p(x.upper)}, 4); }
+  static Ends sqrt(Ends x) { return widened({std::sqrt(x.lower), std::sqrt(x.upper)}, 1); }
+  static Ends power(Ends corners) { return widened(corners, 2); }
+
+ private:
+  static Ends widened(Ends x, double ulps) { return {-outward(-x.lower, ulps), outward(x.upper, ulps)}; }
+  /// A lower end that has overflowed is beyond the largest double, not at infinity.
+  static double outward(double x, double ulps) {
+    if (x == -unbounded) return -std::numeric_limits<double>::max();
+    return x + ulps * (std::abs(x) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
+  }
+};
+
+/// How far a GPU's arithmetic may be from correct rounding.
+struct GpuModel {
+  /// exp2 and log2 in float. Source: NVIDIA, "CUDA C++ Programming Guide", mathematical functions, single
+  /// precision: exp2f 2 ulp, log2f 1 ulp. Vulkan allows more: 3 + 2 |x| ulp (Khronos, "Vulkan Specification",
+  /// appendix "Vulkan Environment for SPIR-V", precision of GLSL.std.450 instructions).
+  static constexpr double function_ulps = 2;
+  /// A division in float, by the same appendix for Vulkan.
+  static constexpr double quotient_ulps = 2.5;
+  static constexpr std::string_view assumption =
+      "exp2 and log2 within 2 ulp of a float, exp and pow made of them in float, then rounded to the format; "
+      "subnormals kept or flushed to zero; a multiplication and an addition fused or not";
+};
+
+/// A GPU that computes in a format: see `GpuModel`. An ulp of a float is at most 2^-23 of the number.
+template <class Format>
+struct GpuArithmetic {
+  static constexpr bool contracts = true;
+  static Ends operand(Ends x) { return flushed<Format>(x); }
+  static Ends basic(Ends x) { return narrowed<Format>(x); }
+  static Ends quotient(Ends x) { return narrowed<Format>(relaxed(x, GpuModel::quotient_ulps * 0x1p-23)); }
+  static Ends exp2(Ends x) { return narrowed<Format>(float_exp2(x)); }
+  static Ends log2(Ends x) { return narrowed<Format>(float_log2(x)); }
+  /// exp2(x log2 e): the product of two floats, each rounded.
+  static Ends exp(Ends x) {
+    constexpr double log2_of_e = 1.4426950408889634;
+    return narrowed<Format>(float_exp2(relaxed({x.lower * log2_of_e, x.upper * log2_of_e}, 2 * 0x1p-24)));
+  }
+  /// log2(x) ln 2, likewise.
+  static Ends log(Ends x) {
+    const Ends y = float_log2(x);
+    const double ln2 = Scalar<double>::ln2();
+    return narrowed<Format>(relaxed({y.lower * ln2, y.upper * ln2}, 2 * 0x1p-24));
+  }
+  /// 1/(1/sqrt(x)), either within 2 ulp.
+  static Ends sqrt(Ends x) {
+    return narrowed<Format>(relaxed({std::sqrt(x.lower), std::sqrt(x.upper)}, 5 * 0x1p-23));
+  }
+  /// exp2(p log2(x)) of the logarithm's ends times the power's.
+  static Ends power_by_logarithm(Ends x, Ends p) {
+    const Ends y = float_log2(x);
+    const auto [lower, upper] =
+        std::minmax({y.lower * p.lower, y.lower * p.upper, y.upper * p.lower, y.upper * p.upper});
+    return narrowed<Format>(float_exp2(relaxed({lower, upper}, 0x1p-24)));
+  }
+
+ private:
+  template <class F>
+  static Ends narrowed(Ends x) {
+    const auto round = [](double v) { return static_cast<double>(NarrowResult<F>::rounded(v)); };
+    return flushed<F>({round(x.lower), round(x.upper)});
+  }
+  /// A subnormal number may have become zero.
+  template <class F>
+  static Ends flushed(Ends x) {
+    if (0 < x.lower && x.lower < least_normal_of<F>) x.lower = 0;
+    if (-least_normal_of<F> < x.upper && x.upper < 0) x.upper = 0;
+    return x;
+  }
+  static Ends relaxed(Ends x, double relative) {
+    const double tiny = least_of<FloatFormat>;
+    return {x.lower - relative * std::abs(x.lower) - tiny, x.upper + relative * std::abs(x.upper) + tiny};
+  }
+  static Ends float_exp2(Ends x) {
+    const double relative = GpuModel::function_ulps * 0x1p-23;
+    Ends y = relaxed({std::exp2(x.lower), std::exp2(x.upper)}, relative);
+    y.lower = std::max(y.lower, 0.0);
+    return narrowed<FloatFormat>(y);
+  }
+  static Ends float_log2(Ends x) {
+    return narrowed<FloatFormat>(
+        relaxed({std::log2(x.lower), std::log2(x.upper)}, GpuModel::function_ulps * 0x1p-23));
+  }
+};
+
+/// All that an arithmetic could return for operands in intervals. A result that may be no number is
+/// everything, for whoever asks what it is at least.
+template <class Arithmetic>
+class RoundedInterval {
+ public:
+  RoundedInterval() = default;
+  explicit RoundedInterval(double operand) : RoundedInterval(operand, operand) {}
+  RoundedInterval(double lower, double upper) : RoundedInterval(valid(Arithmetic::operand({lower, upper}))) {}
+
+  double lower() const { return ends_.lower; }
+  double upper() const { return ends_.upper; }
+
+  friend RoundedInterval operator+(const RoundedInterval& a, const RoundedInterval& b) {
+    RoundedInterval sum(valid(Arithmetic::basic(sum_of(a.ends_, b.ends_))));
+    if constexpr (Arithmetic::contracts) {
+      if (a.is_product_) sum = hull(sum, contracted(a.product_, b.ends_));
+      if (b.is_product_) sum = hull(sum, contracted(b.product_, a.ends_));
+    }
+    return sum;
+  }
+  friend RoundedInterval operator-(const RoundedInterval& a) {
+    RoundedInterval result(negative(a.ends_));
+    result.product_ = negative(a.product_);
+    result.is_product_ = a.is_product_;
+    return result;
+  }
+  friend RoundedInterval operator-(const RoundedInterval& a, const RoundedInterval& b) { return a + -b; }
+  friend RoundedInterval operator*(const RoundedInterval& a, const RoundedInterval& b) {
+    const Ends product = corners(a.ends_, b.ends_, [](double x, double y) { return x * y; });
+    RoundedInterval result(valid(Arithmetic::basic(product)));
+    if constexpr (Arithmetic::contracts) {
+      result.product_ = product;
+      result.is_product_ = true;
+    }
+    return result;
+  }
+  friend RoundedInterval operator/(const RoundedInterval& a, const RoundedInterval& b) {
+    if (b.lower() <= 0 && 0 <= b.upper()) return everything();
+    return RoundedInterval(
+        valid(Arithmetic::quotient(corners(a.ends_, b.ends_, [](double x, double y) { return x / y; }))));
+  }
+
+  /// A rising function of the arithmetic.
+  template <class Function>
+  static RoundedInterval rising(const RoundedInterval& x, const Function& function) {
+    return RoundedInterval(valid(function(x.ends_)));
+  }
+  /// x^p, x >= 0: it rises or falls with either operand, so that it lies between its corners.
+  static RoundedInterval power(const RoundedInterval& x, const RoundedInterval& p) {
+    if (x.lower() < 0) return everything();
+    if constexpr (requires { Arithmetic::power_by_logarithm(x.ends_, p.ends_); }) {
+      return RoundedInterval(valid(Arithmetic::power_by_logarithm(x.ends_, p.ends_)));
+    } else {
+      const auto pow = [](double a, double b) { return std::pow(a, b); };
+      return RoundedInterval(valid(Arithmetic::power(corners(x.ends_, p.ends_, pow))));
+    }
+  }
+
+ private:
+  explicit RoundedInterval(Ends ends) : ends_(ends) {}
+
+  static RoundedInterval everything() { return RoundedInterval(Ends{-unbounded, unbounded}); }
+  static Ends valid(Ends x) {
+    return std::isnan(x.lower) || std::isnan(x.upper) ? Ends{-unbounded, unbounded} : x;
+  }
+  static Ends negative(Ends x) { return {-x.upper, -x.lower}; }
+  static Ends sum_of(Ends a, Ends b) { return {a.lower + b.lower, a.upper + b.upper}; }
+  static RoundedInterval hull(const RoundedInterval& a, const RoundedInterval& b) {
+    return RoundedInterval(Ends{std::min(a.lower(), b.lower()), std::max(a.upper(), b.upper())});
+  }
+  template <class Operation>
+  static Ends corners(Ends a, Ends b, const Operation& operation) {
+    const double p = operation(a.lower, b.lower), q = operation(a.lower, b.upper),
+                 r = operation(a.upper, b.lower), s = operation(a.upper, b.upper);
+    if (std::isnan(p) || std::isnan(q) || std::isnan(r) || std::isnan(s)) return {-unbounded, unbounded};
+    return {std::min({p, q, r, s}), std::max({p, q, r, s})};
+  }
+  /// A product and a sum with one rounding. The sum in double may itself be rounded: its neighbours enclose
+  /// it.
+  static RoundedInterval contracted(Ends product, Ends other) {
+    const Ends sum = sum_of(product, other);
+    return RoundedInterval(valid(
+        Arithmetic::basic({std::nextafter(sum.lower, -unbounded), std::nextafter(sum.upper, unbounded)})));
+  }
+
+  Ends ends_;
+  Ends product_;  ///< of a product, before it was rounded
+  bool is_product_ = false;
+};
+
+template <class Arithmetic>
+struct Scalar<RoundedInterval<Arithmetic>> {
+  using T = RoundedInterval<Arithmetic>;
+
+  static T exp(const T& x) {
+    return T::rising(x, [](Ends e) { return Arithmetic::exp(e); });
+  }
+  static T exp2(const T& x) {
+    return T::rising(x, [](Ends e) { return Arithmetic::exp2(e); });
+  }
+  static T log(const T& x) {
+    return T::rising(x, [](Ends e) { return Arithmetic::log(e); });
+  }
+  static T log2(const T& x) {
+    return T::rising(x, [](Ends e) { return Arithmetic::log2(e); });
+  }
+  static T log1p(const T& x) {
+    return T::rising(x, [](Ends e) { return Arithmetic::log1p(e); });
+  }
+  static T sqrt(const T& x) {
+    return T::rising(x, [](Ends e) { return Arithmetic::sqrt(e); });
+  }
+  static T power(const T& x, const T& p) { return T::power(x, p); }
+  static T integer(int n) { return T(n); }
+};
+
+}  // namespace shadefit

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/errors/extremum.hpp"
+#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/status.hpp"
+#include "fit/minimax/minimax_problem.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/quadrature/rule_choice.hpp"
+#include "fit/solve/under.hpp"
+
+/// A family solved under any metric: which solver, with which parameters free.
+namespace shadefit {
+
+/// What a solver found, all parameters of the family in its order.
+struct Solution {
+  std::vector<double> parameters;
+  Status status = Status::not_converged;
+  int iterations = 0;
+  int digits = 0;
+  double rms_error = 0;  ///< sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2)
+  std::optional<double> level = std::nullopt;
+  std::vector<AlternationPoint> alternation = {};
+  std::string why = {};
+};
+
+/// The given parameters of a metric by their places. Throws std::logic_error for a name that the family lacks
+/// and where none is left free.
+template <class F>
+GivenParameters<F::parameters.size()> given_parameters(const Constraints& constraints) {
+  GivenParameters<F::parameters.size()> given{};
+  for (const Held& held : constraints.held) {
+    const auto found = std::find(F::parameters.begin(), F::parameters.end(), held.parameter);
+    if (found == F::parameters.end()) throw std::logic_error("a held parameter that its family lacks");
+    given[static_cast<std::size_t>(found - F::parameters.begin())] = held.value;
+  }
+  if (std::all_of(given.begin(), given.end(), [](const auto& g) { return g.has_value(); }))
+    throw std::logic_error("no parameter is left free");
+  return given;
+}
+
+/// sqrt(integral of measure * error^2 / integral of measure) at given parameters, the error with its weight:
+/// by the first two rules that agree to 1e-12, else by the largest.
+template <class F>
+double scaled_rms_of(const F& family, const Metric& metric,
+                     const std::array<double, F::parameters.size()>& p) {
+  const auto panels = Substitution::panels(metric, family.shape());
+  double last = -1;
+  for (std::size_t i = first_rule(metric, family.shape()); i < fit_rules.size(); ++i) {
+    const double rms = std::sqrt(SampledProblem<F, double>(family, panels, fit_rules[i]).square(p));
+    if (std::abs(rms - last) <= 1e-12 * rms) return rms;
+    last = rms;
+  }
+  return last;
+}
+
+/// sqrt(integral of measure * weight^2 / integral of measure): a weight scales an rms error by as much.
+inline double scale_of(const Weight& weight, const Metric& metric) {
+  return weight.is_one() ? 1 : scaled_rms_of(WeightItself{weight}, metric, {});
+}
+
+/// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2) at given parameters: a
+/// mean of the error, which the weight makes count more here and less there. It is never above the largest
+/// error.
+template <class F, std::size_t M>
+double rms_of(const Under<F, M>& family, const Metric& metric, const std::array<double, M>& p) {
+  return scaled_rms_of(family, metric, p) / scale_of(family.weight, metric);
+}
+
+/// What a metric makes least over the places between `top` and `bottom`, at given parameters.
+template <class F>
+double objective_at(const F& family, const Metric& metric, const Cosine<double>& top,
+                    const Cosine<double>& bottom, const std::array<double, F::parameters.size()>& p) {
+  constexpr std::size_t N = F::parameters.size();
+  const Under<F, N> under{family, metric.error, Weight(metric.weight, {bottom.cos_theta, top.cos_theta}), {}};
+  Metric narrowed = metric;
+  narrowed.domain = {bottom.cos_theta, top.cos_theta};
+  if (metric.norm == Norm::least_squares) return rms_of(under, narrowed, p);
+  const auto error = [&]<class T>(const Cosine<T>& c) {
+    std::array<T, N> q;
+    for (std::size_t i = 0; i < N; ++i) q[i] = lift<T>(p[i]);
+    return under.error(under.sample(c), q);
+  };
+  const Shape shape = under.shape().for_search();
+  return metric.error == Error::relative
+             ? largest_magnitude(error, Substitution::between(top, bottom, shape)).magnitude
+             : largest_magnitude(error, Substitution::panels({.domain = narrowed.domain}, shape)).magnitude;
+}
+
+/// A family with M parameters free, between two places.
+template <class F, std::size_t M>
+Solution solve_free(const Under<F, M>& family, const Metric& metric, const Cosine<double>& top,
+                    const Cosine<double>& bottom) {
+  Metric narrowed = metric;
+  narrowed.domain = {bottom.cos_theta, top.cos_theta};
+  std::array<double, M> p{};
+  const auto all = [&] {
+    const auto q = family.with_given(p);
+    return std::vector<double>(q.begin(), q.end());
+  };
+  if (metric.norm == Norm::least_squares) {
+    const auto optimum = solve_least_squares(family, narrowed);
+    p = optimum.parameters;
+    return {.parameters = all(),
+            .status = optimum.status,
+            .iterations = optimum.iterations,
+            .digits = optimum.digits,
+            .rms_error = optimum.rms_error / scale_of(family.weight, narrowed),
+            .why = std::string(optimum.why)};
+  }
+  const MinimaxOptimum optimum = Minimax<Under<F, M>>(family, metric, top, bottom).solve();
+  std::copy_n(optimum.parameters.begin(), M, p.begin());
+  const double rms = optimum.status == Status::converged ? rms_of(family, narrowed, p) : 0;
+  return {all(), optimum.status, optimum.iterations,  optimum.digits,
+          rms,   optimum.level,  optimum.alternation, optimum.why};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,265 @@
+#include "fit/solve/weight.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <iterator>
+#include <utility>
+
+#include "fit/errors/extremum.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/parse_formula.hpp"
+
+namespace shadefit {
+namespace {
+
+using Kind = Symbolic::Kind;
+
+/// A part of a formula at whose zeros the formula is not smooth.
+struct Hinge {
+  Symbolic part;
+  bool is_root;  ///< a zero is a singular place also where the sign does not change
+  bool is_pole;  ///< and the formula is not finite there
+};
+
+/// What is left to Gauss's rule of a root or logarithm: as after the substitution for c^k
+/// (fit/quadrature/substitution.hpp).
+constexpr int power_at_root = 8;
+
+bool is_negative_number(const Symbolic& e) {
+  return e.kind() == Kind::negate && e.part(0).kind() == Kind::number;
+}
+
+/// The hinges of a formula, inner ones first. It calls itself no deeper than a formula may be.
+void collect(const Symbolic& e, std::vector<Hinge>& hinges) {
+  for (const Symbolic& part : e.parts()) collect(part, hinges);
+  const bool is_function = e.kind() == Kind::function;
+  const std::string& name = e.name();
+  if (e.kind() == Kind::choice || (is_function && (name == "min" || name == "max"))) {
+    hinges.push_back({e.part(0) - e.part(1), false, false});
+  } else if (e.kind() == Kind::divide) {
+    hinges.push_back({e.part(1), true, true});
+  } else if (e.kind() == Kind::integer_power && e.exponent() < 0) {
+    hinges.push_back({e.part(0), true, true});
+  } else if (e.kind() == Kind::real_power) {
+    hinges.push_back({e.part(0), true, is_negative_number(e.part(1))});
+  } else if (is_function && name == "sqrt") {
+    hinges.push_back({e.part(0), true, false});
+  } else if (is_function && (name == "log" || name == "log2")) {
+    hinges.push_back({e.part(0), true, true});
+  } else if (is_function && (name == "log1p" || name == "log1p_remainder")) {
+    hinges.push_back({e.part(0) + Symbolic::number("1"), true, true});
+  }
+}
+
+template <class T>
+T value_at(const Symbolic& formula, const T& cosine) {
+  return evaluate<T>(formula, [&](const std::string&) { return cosine; });
+}
+
+double slope_at(const Symbolic& formula, double cosine) {
+  using Jet = ceres::Jet<double, 1>;
+  return value_at(formula, Jet(cosine, 0)).v[0];
+}
+
+/// A choice takes its first side below zero alone.
+bool is_below(double value) {
+  return value < 0;
+}
+
+/// The neighbours between which a predicate changes, among the cosines of which 1 - c is a double too; it
+/// differs at `low` and `high`.
+template <class Predicate>
+std::pair<double, double> bisected(double low, double high, const Predicate& predicate) {
+  const bool at_low = predicate(low);
+  for (;;) {
+    const double middle = low + (high - low) / 2;
+    if (!(low < middle && middle < high))
+      return {std::floor(low * 0x1p53) * 0x1p-53, std::ceil(high * 0x1p53) * 0x1p-53};
+    (predicate(middle) == at_low ? low : high) = middle;
+  }
+}
+
+/// Where a search in a domain looks: in rising order.
+std::vector<double> places_of(const Domain& domain, const std::vector<Shape::Edge>& edges) {
+  std::vector<double> places{domain.lower, domain.upper};
+  for (const double s : search_points()) places.push_back(domain.lower + s * (domain.upper - domain.lower));
+  for (const Shape::Edge& edge : edges) {
+    places.push_back(edge.above);
+    places.push_back(edge.below);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+/// The zeros of a hinge in a domain as edges of the formula, appended to those of the inner ones. Returns one
+/// at which the formula has a pole.
+std::optional<double> append_edges(const Hinge& hinge, const Domain& domain,
+                                   std::vector<Shape::Edge>& edges) {
+  std::optional<double> pole;
+  const auto value = [&](double c) { return value_at(hinge.part, c); };
+  std::vector<double> places = places_of(domain, edges), values;
+  for (const double c : places) values.push_back(value(c));
+
+  // Between two places it may touch zero, or cross it twice: at an extremum nearer to zero than both.
+  std::vector<double> extrema;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double left = slope_at(hinge.part, places[i - 1]), right = slope_at(hinge.part, places[i]);
+    if (!(left * values[i - 1] < 0 && right * values[i] > 0)) continue;
+    const auto rises = [&](double c) { return slope_at(hinge.part, c) > 0; };
+    extrema.push_back(bisected(places[i - 1], places[i], rises).second);
+  }
+  for (const double c : extrema) {
+    const auto next = std::upper_bound(places.begin(), places.end(), c);
+    values.insert(values.begin() + (next - places.begin()), value(c));
+    places.insert(next, c);
+  }
+
+  double largest = 0;
+  for (const double v : values) {
+    if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+  }
+  const int order = hinge.is_root ? power_at_root : 1;
+  // What the rounding of a difference leaves of zero.
+  const auto is_zero = [&](double v) { return std::abs(v) <= 1e-15 * largest; };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool has_left = i > 0 && std::isfinite(values[i - 1]);
+    if (has_left && std::isfinite(values[i]) && is_below(values[i - 1]) != is_below(values[i])) {
+      const auto [low, high] =
+          bisected(places[i - 1], places[i], [&](double c) { return is_below(value(c)); });
+      edges.push_back({high, low, order});
+      if (hinge.is_pole) pole = high;
+    }
+    if (!hinge.is_root || !is_zero(values[i])) continue;
+    const bool is_flat =
+        (i == 0 || is_zero(values[i - 1])) && (i + 1 == places.size() || is_zero(values[i + 1]));
+    if (is_flat) continue;
+    edges.push_back({places[i], places[i], order});
+    // Of a double zero the nearest double is off by 1e-16, and its value by the square of that.
+    if (hinge.is_pole && abs(value_at(hinge.part, Decimal50(places[i]))) <= Decimal50(1e-28 * largest))
+      pole = places[i];
+  }
+  return pole;
+}
+
+/// In falling order; what lies nearer than rounding to another or to an end is one with it.
+std::vector<Shape::Edge> tidied(std::vector<Shape::Edge> edges, const Domain& domain) {
+  const double near = 1e-14 * (domain.upper - domain.lower);
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const auto& a, const auto& b) { return a.above > b.above; });
+  std::vector<Shape::Edge> result;
+  for (Shape::Edge edge : edges) {
+    if (domain.upper - edge.above <= near) edge.above = edge.below = domain.upper;
+    if (edge.below - domain.lower <= near) edge.above = edge.below = domain.lower;
+    if (!result.empty() && result.back().below - edge.above <= near) {
+      result.back().below = std::min(result.back().below, edge.below);
+      result.back().power = std::max(result.back().power, edge.power);
+    } else {
+      result.push_back(edge);
+    }
+  }
+  return result;
+}
+
+std::string text_of(double value) {
+  if (std::isnan(value)) return "nan";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+/// Where a weight is looked at between two of its edges, ends included, in rising order.
+std::vector<std::vector<double>> pieces_of(const Weight& weight) {
+  const Domain& domain = weight.domain();
+  std::vector<std::vector<double>> pieces;
+  const std::vector<double> all = places_of(domain, {});
+  double upper = domain.upper;
+  const auto add = [&](double lower) {
+    if (!(lower < upper)) return;
+    std::vector<double> piece{lower, lower + (upper - lower) / 2};
+    std::copy_if(all.begin(), all.end(), std::back_inserter(piece),
+                 [&](double c) { return lower < c && c < upper; });
+    piece.push_back(upper);
+    std::sort(piece.begin(), piece.end());
+    pieces.push_back(piece);
+  };
+  for (const Shape::Edge& edge : weight.edges()) {
+    add(edge.above);
+    upper = std::min(upper, edge.below);
+  }
+  add(domain.lower);
+  return pieces;
+}
+
+}  // namespace
+
+Weight::Weight(std::string_view text, const Domain& domain) : domain_(domain) {
+  constexpr std::array<std::string_view, 1> variables{"c"};
+  if (text.empty()) return;
+  formula_ = parse_formula(text, variables);
+  std::vector<Hinge> hinges;
+  collect(*formula_, hinges);
+  for (const Hinge& hinge : hinges) {
+    if (const auto pole = append_edges(hinge, domain_, edges_)) pole_ = pole;
+    if (edges_.size() > most_edges) edges_ = tidied(edges_, domain_);
+    if (edges_.size() > most_edges) return;
+  }
+  edges_ = tidied(edges_, domain_);
+}
+
+std::optional<std::string> find_fault(const Weight& weight) {
+  if (weight.edges().size() > most_edges)
+    return "has more than " + std::to_string(most_edges) + " kinks, roots and poles: no more are allowed";
+  const auto pieces = pieces_of(weight);
+  double largest = 0;
+  for (const auto& piece : pieces) {
+    for (const double c : piece) {
+      const double value = weight.at(c);
+      if (!std::isfinite(value))
+        return "is " + text_of(value) + " at c = " + to_text(c) + ": it must be finite over the domain";
+      largest = std::max(largest, std::abs(value));
+    }
+  }
+  if (weight.pole())
+    return "divides by zero at c = " + to_text(*weight.pole()) + ": it must be finite over the domain";
+  // What the rounding of 50 digits may leave of zero in a formula that cancels 20 of them.
+  const Decimal50 nothing = Decimal50(largest) * Decimal50("1e-30");
+  const auto wide = [&](double c) { return weight.at(Decimal50(c)); };
+  const auto negative_at = [&](double c) -> std::optional<std::string> {
+    if (!(weight.at(c) <= 1e-12 * largest)) return std::nullopt;
+    const Decimal50 value = wide(c);
+    if (!(value < -nothing)) return std::nullopt;
+    return "is " + text_of(static_cast<double>(value)) + " at c = " + to_text(c) +
+           ": it must not be negative over the domain";
+  };
+  for (const auto& piece : pieces) {
+    for (std::size_t i = 0; i < piece.size(); ++i) {
+      if (const auto fault = negative_at(piece[i])) return fault;
+      const double value = weight.at(piece[i]);
+      const bool is_end = i == 0 || i + 1 == piece.size();
+      if (is_end || value > weight.at(piece[i - 1]) || value > weight.at(piece[i + 1])) continue;
+      std::uintmax_t steps = 60;
+      const auto minimum = boost::math::tools::brent_find_minima([&](double c) { return weight.at(c); },
+                                                                 piece[i - 1], piece[i + 1], 53, steps);
+      if (const auto fault = negative_at(minimum.first)) return fault;
+    }
+    // Between two edges a formula is analytic: zero at all these places, it is zero.
+    const double lower = piece.front(), upper = piece.back();
+    const bool is_zero =
+        std::all_of(piece.begin() + 1, piece.end() - 1, [&](double c) { return abs(wide(c)) <= nothing; });
+    if (is_zero)
+      return "is 0 from c = " + text_of(lower) + " to c = " + text_of(upper) +
+             ": it may be 0 at single places only";
+  }
+  if (!(1 / largest_weight <= largest && largest <= largest_weight))
+    return "is " + text_of(largest) + " at its largest: that must lie between " +
+           text_of(1 / largest_weight) + " and " + text_of(largest_weight);
+  return std::nullopt;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,61 @@
+#include "fit/support/bounded_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+[[noreturn]] void refuse_file(const std::filesystem::path& path, const std::string& reason) {
+  throw UserError(fmt::format("cannot read '{}': {}", path.string(), reason));
+}
+
+std::uintmax_t size_of_regular_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) refuse_file(path, "there is no such file");
+  if (error) refuse_file(path, error.message());
+  if (std::filesystem::is_directory(status)) refuse_file(path, "it is a directory");
+  if (!std::filesystem::is_regular_file(status)) refuse_file(path, "it is not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) refuse_file(path, error.message());
+  return size;
+}
+
+std::uintmax_t size_within(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+  const std::uintmax_t size = size_of_regular_file(path);
+  if (size > most_bytes) refuse_file(path, fmt::format("it has {} bytes, more than {}", size, most_bytes));
+  return size;
+}
+
+}  // namespace
+
+std::string read_part(const std::filesystem::path& path, std::uintmax_t offset, std::uintmax_t length) {
+  const std::uintmax_t size = size_of_regular_file(path);
+  if (offset > size || length > size - offset) {
+    refuse_file(path, fmt::format("{} bytes from {} on are asked of a file of {}", length, offset, size));
+  }
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(offset));
+  std::string content(static_cast<std::size_t>(length), '\0');
+  in.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (!in) refuse_file(path, std::strerror(errno != 0 ? errno : EIO));
+  return content;
+}
+
+void require_size(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+  size_within(path, most_bytes);
+}
+
+std::string read_bounded(const std::filesystem::path& path, std::uintmax_t most_bytes) {
+  return read_part(path, 0, size_within(path, most_bytes));
+}
+
+}  // namespace shadefit

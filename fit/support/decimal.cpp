@@ -1,0 +1,47 @@
+#include "fit/support/decimal.hpp"
+
+#include <array>
+#include <charconv>
+
+#include "approx/scalar.hpp"
+
+namespace shadefit {
+
+std::string decimal(double value, int digits) {
+  if (value == 0) return "0";
+  std::array<char, 64> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+  return {text.data(), end.ptr};
+}
+
+namespace {
+
+/// A unit of the last place of so many digits, or less.
+double last_place(double value, int digits) {
+  for (int i = 0; i < digits; ++i) value /= 10;
+  return value;
+}
+
+}  // namespace
+
+std::string decimal_above(double value, int digits) {
+  const double step = last_place(value, digits);
+  std::string text = decimal(value, digits);
+  for (double more = value + step; constant<double>(text) < value; more += step) text = decimal(more, digits);
+  return text;
+}
+
+std::string decimal_below(double value, int digits) {
+  const double step = last_place(value, digits);
+  std::string text = decimal(value, digits);
+  for (double fewer = value - step; constant<double>(text) > value; fewer -= step)
+    text = decimal(fewer, digits);
+  return text;
+}
+
+std::string counted(long count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+}  // namespace shadefit

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "approx/records/optical_constants.hpp"
+#include "fit/fit.hpp"
+
+/// The chain of a Fresnel approximation: from the published form to Schlick's formula, which it was fitted
+/// to, and on to the exact reflectance of real surfaces.
+namespace shadefit {
+
+/// A curve on a surface.
+struct FresnelLink {
+  const OpticalConstants* surface;
+  double f0;
+  const FittableFamily* family;  ///< null: Schlick's formula itself
+  std::string_view
+      published;  ///< the id of the number that names a published curve; empty where it was refitted
+  std::vector<double> parameters;
+  Status status;                  ///< of a refit; a published curve is what it is
+  ReflectanceError from_schlick;  ///< of F, against Schlick's formula with the surface's f0
+  ReflectanceError from_exact;
+};
+
+/// For each of the `dielectrics` and `metals`: Schlick's formula, the published curves of each family, and
+/// its form refitted to the exact reflectance (least squares in F, uniform in the cosine).
+std::vector<FresnelLink> fresnel_chain(const std::vector<const FittableFamily*>& families);
+
+}  // namespace shadefit

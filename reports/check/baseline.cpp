@@ -1,0 +1,220 @@
+#include "reports/check/baseline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "fit/support/bounded_file.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/rows/comparisons.hpp"
+#include "reports/rows/tables.hpp"
+#include "reports/sections/exact_fresnel_section.hpp"
+#include "reports/sections/ledger_section.hpp"
+#include "reports/sections/reflectance_section.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr const char* better_file = "better.csv";
+constexpr const char* claims_file = "claims.csv";
+constexpr const char* fits_file = "fits.csv";
+constexpr const char* fresnel_file = "fresnel.csv";
+constexpr const char* normalisation_file = "normalization.csv";
+constexpr const char* reflectance_file = "reflectance.csv";
+
+/// Of a table; the largest that is committed has 70 KB. A cell takes 32 bytes, however short its text.
+constexpr std::uintmax_t most_table_bytes = 4U << 20;
+
+constexpr std::array baseline_files{fits_file,    normalisation_file, reflectance_file,
+                                    fresnel_file, claims_file,        better_file};
+
+constexpr std::array key_columns{"claim",      "constant", "parameter", "exponent",   "measure",
+                                 "view_angle", "surface",  "ior",       "wavelength", "curve",
+                                 "topic",      "name",     "format",    "interval"};
+
+/// The columns whose words name a row; the n-th row of the same name is matched with the n-th.
+std::vector<std::string> keys_of(const CsvTable& table) {
+  std::vector<std::string> keys;
+  std::map<std::string, int> seen;
+  for (const auto& row : table.rows) {
+    std::string key;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+      const auto& column = table.columns[i];
+      const bool is_key = std::find(key_columns.begin(), key_columns.end(), column) != key_columns.end();
+      if (is_key && !row[i].empty()) key += (key.empty() ? "" : " ") + row[i];
+    }
+    const int count = ++seen[key];
+    keys.push_back(count == 1 ? key : fmt::format("{} ({})", key, count));
+  }
+  return keys;
+}
+
+std::string plain_effect(const std::string& before, const std::string& after) {
+  const auto old_value = parse_number(before), new_value = parse_number(after);
+  if (!old_value || !new_value) return "another word";
+  if (*old_value == *new_value) return "the same number, written differently";
+  if (*old_value == 0) return fmt::format("from 0 by {:.2g}", *new_value);
+  return fmt::format("relative change {:.2g}", (*new_value - *old_value) / std::abs(*old_value));
+}
+
+/// The effect on the curve of a parameter that reads `before` in the baseline.
+std::optional<std::string> curve_effect(const FitRow& origin, const std::string& before) {
+  const auto value = parse_number(before);
+  if (origin.report == nullptr || origin.report->fit.status != Status::converged || !value)
+    return std::nullopt;
+  const Fit& fit = origin.report->fit;
+  auto from = fit.parameters;
+  from[origin.parameter] = *value;
+  return sentence(origin.refit->family->effect(setting_of(fit), fit.metric.domain, from, fit.parameters));
+}
+
+using EffectOf = std::function<std::string(std::size_t row, const std::string& column,
+                                           const std::string& before, const std::string& after)>;
+
+std::vector<Drift> compare_tables(const std::string& file, const CsvTable& before, const CsvTable& after,
+                                  const EffectOf& effect_of) {
+  std::vector<Drift> drifts;
+  const auto old_keys = keys_of(before), new_keys = keys_of(after);
+  for (std::size_t i = 0; i < after.rows.size(); ++i) {
+    const auto match = std::find(old_keys.begin(), old_keys.end(), new_keys[i]);
+    if (match == old_keys.end()) {
+      drifts.push_back({file, new_keys[i], "", "", "", "the baseline has no such row"});
+      continue;
+    }
+    const auto& old_row = before.rows[static_cast<std::size_t>(match - old_keys.begin())];
+    for (std::size_t j = 0; j < after.columns.size(); ++j) {
+      if (old_row[j] == after.rows[i][j]) continue;
+      drifts.push_back({file, new_keys[i], after.columns[j], old_row[j], after.rows[i][j],
+                        effect_of(i, after.columns[j], old_row[j], after.rows[i][j])});
+    }
+  }
+  for (const std::string& key : old_keys) {
+    if (std::find(new_keys.begin(), new_keys.end(), key) != new_keys.end()) continue;
+    drifts.push_back({file, key, "", "", "", "a row that is no longer computed"});
+  }
+  return drifts;
+}
+
+/// The computed table as a reader of its CSV sees it.
+CsvTable as_csv(const Table& table, const std::string& name) {
+  return parse_csv(write_csv(table, Precision::report), name);
+}
+
+/// The table of a baseline's file, which has to have these columns.
+CsvTable parse_with_columns(const std::string& content, const std::string& path,
+                            const std::vector<std::string>& columns) {
+  CsvTable table = parse_csv(content, path);
+  if (table.columns != columns) {
+    throw UserError(fmt::format("'{}' has other columns ({}): they must be {}", path,
+                                fmt::join(table.columns, ","), fmt::join(columns, ",")));
+  }
+  return table;
+}
+
+CsvTable parse_checked(const Baseline& baseline, const std::string& name,
+                       const std::vector<std::string>& columns) {
+  const auto file = std::find_if(baseline.files.begin(), baseline.files.end(),
+                                 [&](const File& f) { return f.name == name; });
+  return parse_with_columns(file->content, (baseline.directory / name).string(), columns);
+}
+
+struct NamedTable {
+  const char* file;
+  Table table;
+};
+
+/// The tables whose drifts need no knowledge of what is in them.
+std::vector<NamedTable> plain_tables(const Results& results) {
+  return {{normalisation_file, normalisation_table(results.normalisations)},
+          {reflectance_file, reflectance_table(results.reflectances)},
+          {fresnel_file, fresnel_table(results.fresnel_chain)},
+          {claims_file, claims_table(results.claims)},
+          {better_file, comparisons_table(results.comparisons, Precision::report)}};
+}
+
+}  // namespace
+
+Baseline read_baseline(const std::filesystem::path& directory) {
+  std::error_code error;
+  if (!std::filesystem::exists(directory, error)) {
+    throw UserError(
+        fmt::format("baseline '{}' is missing: name the directory with --baseline, or make one with "
+                    "'shadefit run --out DIR'",
+                    directory.string()));
+  }
+  if (!std::filesystem::is_directory(directory, error)) {
+    throw UserError(fmt::format("baseline '{}' is not a directory: it must hold {}", directory.string(),
+                                fmt::join(baseline_files, ", ")));
+  }
+  return read_tables(directory, {baseline_files.begin(), baseline_files.end()});
+}
+
+Baseline read_tables(const std::filesystem::path& directory, const std::vector<std::string>& names) {
+  Baseline tables{directory, {}};
+  for (const std::string& name : names) {
+    tables.files.push_back({name, read_bounded(directory / name, most_table_bytes)});
+    parse_csv(tables.files.back().content, (directory / name).string());
+  }
+  return tables;
+}
+
+std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
+  const FitsTable fits = fits_table(results.refits);
+  const CsvTable old_fits = parse_checked(baseline, fits_file, fits.table.columns);
+  auto drifts = compare_tables(
+      fits_file, old_fits, as_csv(fits.table, fits_file),
+      [&](std::size_t row, const std::string& column, const std::string& before, const std::string& after) {
+        if (column == "fitted") {
+          if (const auto effect = curve_effect(fits.origins[row], before)) return *effect;
+        }
+        return plain_effect(before, after);
+      });
+  for (const auto& [file, table] : plain_tables(results)) {
+    const auto others =
+        compare_tables(file, parse_checked(baseline, file, table.columns), as_csv(table, file),
+                       [](std::size_t, const std::string&, const std::string& before,
+                          const std::string& after) { return plain_effect(before, after); });
+    drifts.insert(drifts.end(), others.begin(), others.end());
+  }
+  return drifts;
+}
+
+std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>& now) {
+  std::vector<Drift> drifts;
+  for (const File& file : now) {
+    const CsvTable after = parse_csv(file.content, file.name);
+    const CsvTable before = parse_checked(tables, file.name, after.columns);
+    const auto others =
+        compare_tables(file.name, before, after,
+                       [](std::size_t, const std::string&, const std::string& old_cell,
+                          const std::string& new_cell) { return plain_effect(old_cell, new_cell); });
+    drifts.insert(drifts.end(), others.begin(), others.end());
+  }
+  return drifts;
+}
+
+std::size_t count_cells(const std::vector<File>& files) {
+  std::size_t sum = 0;
+  for (const File& file : files) {
+    const CsvTable table = parse_csv(file.content, file.name);
+    sum += table.rows.size() * table.columns.size();
+  }
+  return sum;
+}
+
+std::size_t count_cells(const Results& results) {
+  const auto cells = [](const Table& table) { return table.rows.size() * table.columns.size(); };
+  std::size_t sum = cells(fits_table(results.refits).table);
+  for (const auto& [file, table] : plain_tables(results)) sum += cells(table);
+  return sum;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,248 @@
+#include "reports/code/scene_code.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "approx/fresnel.hpp"
+#include "approx/gloss.hpp"
+#include "approx/microfacet.hpp"
+#include "approx/shading.hpp"
+#include "fit/support/decimal.hpp"
+#include "reports/io/utf8.hpp"
+
+namespace shadefit {
+namespace {
+
+using scene::LobeForm;
+using scene::LobeKind;
+using scene::Plan;
+using scene::PowerTexture;
+using scene::Scene;
+
+/// A constant, at most the largest half where that is what computes.
+Symbolic number_of(double value, scene::PixelPrecision precision) {
+  constexpr double largest_half = 65504;
+  const bool is_half = precision == scene::PixelPrecision::float16;
+  return Symbolic::number(
+      fmt::format("{}", is_half ? std::clamp(value, -largest_half, largest_half) : value));
+}
+
+/// The largest power: `most_power`, or what the largest half, 65504, leaves.
+Symbolic largest_power(scene::PixelPrecision precision) {
+  return number_of(scene::most_power, precision);
+}
+
+bool has_texture(const Scene& scene, const Plan& plan, PowerTexture texture) {
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    if (plan.materials[i].has_lobe && scene.materials[i].power_texture == texture) return true;
+  }
+  return false;
+}
+
+/// Whether all lobes have one power, and which.
+std::optional<double> one_power(const Plan& plan) {
+  std::optional<double> one;
+  for (const scene::MaterialPlan& material : plan.materials) {
+    if (!material.has_lobe) continue;
+    if (!material.power.is_constant() || (one && *one != material.power.least)) return {};
+    one = material.power.least;
+  }
+  return plan.shading.is_power_of_pixel ? std::nullopt : one;
+}
+
+/// A Gaussian of constant powers has its A computed with the material.
+bool has_sharpness(const Plan& plan) {
+  const LobeForm& lobe = plan.shading.lobe;
+  return lobe.kind == LobeKind::exponential && lobe.slopes.size() == 1 && !plan.shading.is_power_of_pixel &&
+         !one_power(plan);
+}
+
+/// The power of what a pixel stores, as `power_of_roughness` has it.
+Symbolic power_of(const Symbolic& stored, const Scene& scene, const Plan& plan) {
+  const double least = scene.conventions.min_roughness;
+  const Symbolic roughness = least > 0 ? max(stored, number_of(least, plan.wanted.precision)) : stored;
+  const Symbolic alpha = scene.conventions.is_roughness_squared ? roughness * roughness : roughness;
+  return min(blinn_phong_exponent(alpha), largest_power(plan.wanted.precision));
+}
+
+ShaderFunction exponent_of_roughness(const Scene& scene, const Plan& plan) {
+  return {"scene_exponent_of_roughness",
+          {"roughness"},
+          power_of(Symbolic::variable("roughness"), scene, plan),
+          {"The power n of a pixel's roughness."}};
+}
+
+ShaderFunction exponent_of_gloss(const Scene& scene, const Plan& plan) {
+  const Symbolic gloss = Symbolic::variable("gloss"), one = integer<Symbolic>(1);
+  ShaderFunction function{"scene_exponent_of_gloss", {"gloss"}, one, {"The power n of a pixel's gloss."}};
+  if (scene.conventions.is_gloss_exponential) {
+    function.result = decode_gloss(gloss, integer<Symbolic>(10), one);
+  } else {
+    function.result = power_of(one - gloss, scene, plan);
+  }
+  return function;
+}
+
+/// A cosine whose logarithm is a number, where a power may be 0 and -infinity times it would be none: at
+/// least the least normal number. Nothing is lost: `seen_light` is as small.
+Symbolic above_zero(const Plan& plan, const Symbolic& c) {
+  const bool has_power_of_zero =
+      std::any_of(plan.materials.begin(), plan.materials.end(),
+                  [](const auto& material) { return material.has_lobe && material.power.least == 0; });
+  if (!has_power_of_zero) return c;
+  const bool is_float = plan.wanted.precision == scene::PixelPrecision::float32;
+  return max(c, number_of(is_float ? std::numeric_limits<float>::min() : 0x1p-14, plan.wanted.precision));
+}
+
+/// What the lobe knows: numbers of one power, the material's sharpness, or slopes and the exponent.
+scene::LobeConstants<Symbolic> constants_of(const Plan& plan) {
+  const LobeForm& lobe = plan.shading.lobe;
+  const std::optional<double> power = one_power(plan);
+  const Symbolic exponent = Symbolic::variable("exponent");
+  if (lobe.kind == LobeKind::power) return {{}, power ? number_of(*power, plan.wanted.precision) : exponent};
+  if (has_sharpness(plan)) return {{Symbolic::variable("sharpness")}, {}};
+  scene::LobeConstants<Symbolic> constants;
+  for (const double slope : lobe.slopes)
+    constants.slopes.push_back(
+        number_of(power ? (*power + lobe.offset) * slope : slope, plan.wanted.precision));
+  if (!power)
+    constants.exponent =
+        lobe.offset == 0 ? exponent : exponent + number_of(lobe.offset, plan.wanted.precision);
+  return constants;
+}
+
+Symbolic lobe_of(const Plan& plan, const Symbolic& c) {
+  const LobeForm& lobe = plan.shading.lobe;
+  return planned_lobe(lobe, lobe.kind == LobeKind::power ? above_zero(plan, c) : c, constants_of(plan));
+}
+
+ShaderFunction light(const Plan& plan) {
+  const Symbolic c = Symbolic::variable("n_dot_h"), n_dot_l = Symbolic::variable("n_dot_l");
+  ShaderFunction function{"scene_light", {"n_dot_l"}, n_dot_l, {}};
+  if (plan.shading.lobe.kind != LobeKind::constant)
+    function.arguments.insert(function.arguments.begin(), "n_dot_h");
+  const std::optional<double> power = one_power(plan);
+  Symbolic normalisation = n_dot_l;
+  if (power) {
+    normalisation = number_of(game_normalisation(*power), plan.wanted.precision);
+  } else if (has_sharpness(plan)) {
+    function.arguments.insert(function.arguments.end(), {"sharpness", "normalisation"});
+    normalisation = Symbolic::variable("normalisation");
+  } else {
+    function.arguments.emplace_back("exponent");
+    normalisation = game_normalisation(Symbolic::variable("exponent"));
+  }
+  const Symbolic seen = plan.shading.lobe.kind == LobeKind::constant ? n_dot_l : seen_light(n_dot_l, c);
+  function.result = normalisation * lobe_of(plan, c) * seen;
+  function.comment = {fmt::format("The normalised lobe times n.l: {}.", to_text(plan.shading.lobe))};
+  return function;
+}
+
+ShaderFunction reflectance() {
+  const Symbolic f0 = Symbolic::variable("f0"), f90 = Symbolic::variable("f90");
+  return {"scene_reflectance",
+          {"f0", "f90", "l_dot_h"},
+          reflectance_between(f0, f90, schlick_weight(Symbolic::variable("l_dot_h"))),
+          {"Schlick's reflectance, for each channel that differs."}};
+}
+
+/// Where the exponent of a pixel comes from.
+std::string exponent_source(const scene::Material& material) {
+  if (material.power_texture == PowerTexture::roughness)
+    return "scene_exponent_of_roughness of the pixel's roughness, its texel times its factor";
+  if (material.power_texture == PowerTexture::gloss)
+    return "scene_exponent_of_gloss of the pixel's gloss, its texel times its factor";
+  return "exponent of the pixel, " + decimal(material.powers.back().power, 9) +
+         " at most: Ns times its texel";
+}
+
+/// A line for each material with a lobe, its constants to as many digits as a float has.
+std::vector<std::string> material_lines(const Scene& scene, const Plan& plan) {
+  constexpr int digits = 9;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    const scene::MaterialPlan& material = plan.materials[i];
+    if (!material.has_lobe) continue;
+    std::string line = "  " + printable(material.name) + ": ";
+    if (scene.materials[i].is_power_textured()) {
+      line += exponent_source(scene.materials[i]);
+    } else if (has_sharpness(plan)) {
+      const double n = material.power.least;
+      line += fmt::format("sharpness {}, normalisation {}",
+                          decimal((n + plan.shading.lobe.offset) * scene::natural_slope, digits),
+                          decimal(game_normalisation(n), digits));
+    } else {
+      line += "exponent " + decimal(material.power.least, digits);
+    }
+    if (material.cutoff > 0) line += ", dark where n_dot_h < " + decimal_below(material.cutoff, digits);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const std::string& command) {
+  const bool in_codes = plan.wanted.scale == scene::ShownScale::codes;
+  const bool is_constant = plan.shading.lobe.kind == LobeKind::constant;
+  std::vector<std::string> comment{std::string(generated_line), command, ""};
+  if (!plan.has_lobes()) {
+    comment.emplace_back("No material of this scene needs a specular term.");
+    return comment;
+  }
+  comment.emplace_back(plan.shading.has_fresnel
+                           ? "The specular term of a light is scene_reflectance(..) scene_light(..)."
+                           : "The specular term of a light is F0 scene_light(..).");
+  comment.push_back(fmt::format(
+      "Proven: {} clamped to [0, 1], at most {}{} from F (n + 2)/8 (n.h)^n {} in {}.",
+      plan.wanted.lights == 1 ? "a light" : fmt::format("{} lights together, each", plan.wanted.lights),
+      decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "", is_constant ? "(n.l)" : "min(n.l, 2 n.h)",
+      name(plan.wanted.precision)));
+  if (plan.shading.exp2_degree > 0)
+    comment.push_back(fmt::format(
+        "With exp2 and log2 {}; where exp2 is no instruction, a polynomial of degree {} does.",
+        plan.wanted.precision == scene::PixelPrecision::float32 ? "within 2 ulps" : "rounded once",
+        plan.shading.exp2_degree));
+  if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
+  if (!is_constant)
+    comment.emplace_back(
+        "min(n.l, 2 n.h) is n.l wherever n.v >= 0: it bounds a light where a normal map turns away.");
+  if (plan.dot_product_error > 0)
+    comment.push_back(fmt::format(
+        "n.h is taken as given: a dot product in {} is off by {}, which moves a light by up to {} more.",
+        name(plan.wanted.precision), decimal_above(scene::dot_product_rounding(plan.wanted.precision), 3),
+        decimal_above(plan.dot_product_error, 2)));
+  comment.emplace_back("Cosines are in [0, 1]: to clamp them, and the sum of all lights, is the caller's.");
+  comment.emplace_back("");
+  comment.emplace_back(fmt::format(
+      "With a specular lobe, {} of {}:",
+      std::count_if(plan.materials.begin(), plan.materials.end(), [](const auto& m) { return m.has_lobe; }),
+      counted(static_cast<long>(plan.materials.size()), "material")));
+  const std::vector<std::string> lines = material_lines(scene, plan);
+  comment.insert(comment.end(), lines.begin(), lines.end());
+  return comment;
+}
+
+}  // namespace
+
+std::vector<ShaderFunction> scene_functions(const Scene& scene, const Plan& plan) {
+  std::vector<ShaderFunction> functions;
+  if (!plan.has_lobes()) return functions;
+  if (has_texture(scene, plan, PowerTexture::roughness))
+    functions.push_back(exponent_of_roughness(scene, plan));
+  if (has_texture(scene, plan, PowerTexture::gloss)) functions.push_back(exponent_of_gloss(scene, plan));
+  functions.push_back(light(plan));
+  if (plan.shading.has_fresnel) functions.push_back(reflectance());
+  return functions;
+}
+
+std::string scene_code(const Scene& scene, const Plan& plan, Language language, const std::string& command) {
+  const std::vector<ShaderFunction> functions = scene_functions(scene, plan);
+  const bool is_half = plan.wanted.precision == scene::PixelPrecision::float16;
+  return shader_code(functions, language, is_half ? ShaderPrecision::float16 : ShaderPrecision::float32,
+                     comment_of(scene, plan, command));
+}
+
+}  // namespace shadefit

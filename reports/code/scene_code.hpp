@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/code/shader_code.hpp"
+#include "scene/plan/plan.hpp"
+
+/// The code of a plan for a scene: what its shading computes, and nothing else.
+namespace shadefit {
+
+/// The functions of a plan, none where no material has a specular lobe:
+/// - `scene_exponent_of_roughness(roughness)`, `scene_exponent_of_gloss(gloss)`: n of a pixel, where a
+/// texture
+///   holds it;
+/// - `scene_light(n_dot_h, n_dot_l ..)`: g t (n.l), g the normalisation and t the lobe; of a scene with
+/// several
+///   powers with the exponent n, or for a Gaussian of constant powers with `sharpness` and `normalisation`,
+///   constants of the material; without n_dot_h where the lobe is a constant;
+/// - `scene_reflectance(f0, f90, l_dot_h)`, where Fresnel's term is kept: for each channel.
+/// The specular term is their product, or F0 times `scene_light`.
+std::vector<ShaderFunction> scene_functions(const scene::Scene& scene, const scene::Plan& plan);
+
+/// All of them in a language, with `command`, which made them, the errors, the materials that have a lobe
+/// with their constants, and where a light need not be asked, in the comment above. Throws UserError as
+/// `shader_code`.
+std::string scene_code(const scene::Scene& scene, const scene::Plan& plan, Language language,
+                       const std::string& command);
+
+}  // namespace shadefit

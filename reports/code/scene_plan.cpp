@@ -1,0 +1,192 @@
+#include "reports/code/scene_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <string_view>
+#include <variant>
+
+#include "fit/support/decimal.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+using scene::Material;
+using scene::MaterialPlan;
+using scene::Plan;
+using scene::Scene;
+using Json = nlohmann::ordered_json;
+
+/// Of a bound, as many digits as anybody reads.
+Cell bound(double value) {
+  return Number{value, 3};
+}
+
+std::string range_text(const scene::Range& range) {
+  return range.is_constant() ? decimal(range.least, 4)
+                             : decimal(range.least, 4) + " to " + decimal(range.most, 4);
+}
+
+std::string headline(const Scene& scene, const Plan& plan) {
+  return fmt::format("{}, {}, tolerance {} in {}",
+                     counted(static_cast<long>(scene.materials.size()), "material"),
+                     counted(plan.wanted.lights, "light"), decimal(plan.wanted.tolerance, 4),
+                     plan.wanted.scale == scene::ShownScale::linear ? "linear values" : "sRGB codes");
+}
+
+std::string summary(const Plan& plan) {
+  const int lights = plan.wanted.lights;
+  return fmt::format("Error at most {} of {}{}: {}.\nFits run {}, skipped {}.\n",
+                     decimal_above(plan.error, 3), decimal(plan.wanted.tolerance, 4),
+                     lights == 1 ? "" : fmt::format(" ({} lights, each by the rows above)", lights),
+                     plan.is_within() ? "within the tolerance" : "NOT within the tolerance", plan.fits_run,
+                     plan.fits_skipped);
+}
+
+/// What is not known, what was changed, and what is not counted, a line each.
+std::vector<std::string> notes(const Scene& scene, const Plan& plan) {
+  std::vector<std::string> lines = plan.notes;
+  for (const std::string& remark : scene.remarks) lines.push_back(printable(remark));
+  for (const std::string& name : scene.unused)
+    lines.push_back(fmt::format("'{}': nothing is drawn with it, and it is not counted", printable(name)));
+  for (const std::string& file : scene.missing)
+    lines.push_back(fmt::format("'{}' is missing", printable(file)));
+  for (const Material& material : scene.materials) {
+    for (const auto* some : {&material.unknowns, &material.remarks}) {
+      for (const std::string& line : *some)
+        lines.push_back(fmt::format("'{}': {}", printable(material.name), printable(line)));
+    }
+  }
+  return lines;
+}
+
+/// A text of the scene's files for Markdown: shown as it is, never a tag, a link, a picture or a row of its
+/// own.
+std::string markdown_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    // Escapes of Markdown would be undone by nobody inside a table's cell; a character reference always
+    // works.
+    const bool has_meaning = std::string_view("&<>|`*_[]()!~#\\$@").find(c) != std::string_view::npos;
+    out += has_meaning ? fmt::format("&#{};", static_cast<int>(c)) : std::string(1, c);
+  }
+  // GitHub makes links of what looks like one.
+  for (const std::string_view sign : {"://", "www."}) {
+    for (std::size_t i = 0; (i = out.find(sign, i)) != std::string::npos; i += sign.size())
+      out.replace(i + (sign == "www." ? 3 : 0), 1, sign == "www." ? "&#46;" : "&#58;");
+  }
+  return out;
+}
+
+/// A table whose words may be of a scene's files.
+Table for_markdown(Table table) {
+  for (auto& row : table.rows) {
+    for (Cell& cell : row) {
+      if (auto* word = std::get_if<std::string>(&cell)) *word = markdown_text(*word);
+    }
+  }
+  return table;
+}
+
+Json json_of(const scene::Range& range) {
+  return Json::array({range.least, range.most});
+}
+
+}  // namespace
+
+Table decisions_table(const Plan& plan) {
+  Table table{.columns = {"term", "verdict", "form", "error", "reason"}, .rows = {}};
+  for (const scene::Decision& d : plan.decisions)
+    table.rows.push_back({d.term, word(name(d.verdict)), d.form, bound(d.error), d.reason});
+  return table;
+}
+
+Table materials_table(const Scene& scene, const Plan& plan) {
+  Table table{.columns = {"material", "lobe", "power", "largest", "cutoff", "reason"}, .rows = {}};
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    const MaterialPlan& m = plan.materials[i];
+    const bool is_textured = scene.materials[i].is_power_textured();
+    table.rows.push_back({printable(m.name), std::string(m.has_lobe ? "yes" : "no"),
+                          range_text(m.power) + (is_textured ? ", textured" : ""), bound(m.factor),
+                          m.has_lobe ? Cell(decimal_below(m.cutoff, 6)) : Cell(), m.reason});
+  }
+  return table;
+}
+
+std::string plan_text(const Scene& scene, const Plan& plan) {
+  std::string text = headline(scene, plan) + "\n\n" +
+                     write_console(decisions_table(plan), Precision::report) + "\n" + summary(plan);
+  for (const std::string& line : notes(scene, plan)) text += "Note: " + line + "\n";
+  return text;
+}
+
+std::string plan_markdown(const Scene& scene, const Plan& plan) {
+  std::string text =
+      "# What this scene needs\n\n" + headline(scene, plan) + ".\n\n" +
+      markdown_block(decisions_table(plan)) + summary(plan) +
+      "\n`error` is that of one light's result F (n + 2)/8 c^n (n.l), clamped to [0, 1], at most: proven. "
+      "Where a normal map turns a normal away from the viewer, n.v < 0, n.l counts as 2 n.h at most.\n\n# Materials\n\n`largest` is the "
+      "largest F (n + 2)/8; below `cutoff`, a value of n.h, a light need not be asked.\n\n" +
+      markdown_block(for_markdown(materials_table(scene, plan)));
+  const std::vector<std::string> lines = notes(scene, plan);
+  if (!lines.empty()) text += "# Notes\n\n";
+  for (const std::string& line : lines) text += "- " + markdown_text(line) + "\n";
+  return text;
+}
+
+std::string plan_json(const Scene& scene, const Plan& plan) {
+  Json terms = Json::array(), materials = Json::array();
+  // A texture has up to 256, and each takes a hundred bytes here: those of a city are left out.
+  constexpr std::size_t most_powers = 1'000'000;
+  const std::size_t all_powers =
+      std::accumulate(scene.materials.begin(), scene.materials.end(), std::size_t{0},
+                      [](std::size_t sum, const Material& material) { return sum + material.powers.size(); });
+  const bool are_powers_listed = all_powers <= most_powers;
+  for (const scene::Decision& d : plan.decisions) {
+    terms.push_back({{"term", d.term},
+                     {"verdict", name(d.verdict)},
+                     {"form", d.form},
+                     {"error", d.error},
+                     {"reason", d.reason}});
+  }
+  for (std::size_t i = 0; i < plan.materials.size(); ++i) {
+    const MaterialPlan& m = plan.materials[i];
+    const Material& material = scene.materials[i];
+    Json powers = Json::array();
+    for (const scene::PowerShare& share : material.powers) {
+      if (are_powers_listed) powers.push_back({share.power, share.share});
+    }
+    materials.push_back({{"name", printable(m.name)},
+                         {"lobe", m.has_lobe},
+                         {"reason", m.reason},
+                         {"largest", m.factor},
+                         {"cutoff", m.cutoff},
+                         {"f0", {json_of(material.f0[0]), json_of(material.f0[1]), json_of(material.f0[2])}},
+                         {"f90", json_of(material.f90)},
+                         {"power", json_of(m.power)},
+                         {"powers", powers},
+                         {"textured", material.is_power_textured()}});
+  }
+  Json unused = Json::array();
+  for (const std::string& name : scene.unused) unused.push_back(printable(name));
+  return Json{{"schema", 1},
+              {"tolerance", plan.wanted.tolerance},
+              {"scale", plan.wanted.scale == scene::ShownScale::linear ? "linear" : "codes"},
+              {"precision", name(plan.wanted.precision)},
+              {"lights", plan.wanted.lights},
+              {"error", plan.error},
+              {"dot_product_error", plan.dot_product_error},
+              {"fits_run", plan.fits_run},
+              {"fits_skipped", plan.fits_skipped},
+              {"terms", terms},
+              {"materials", materials},
+              {"unused", unused},
+              {"notes", notes(scene, plan)}}
+             .dump(2) +
+         "\n";
+}
+
+}  // namespace shadefit

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "reports/table/table.hpp"
+#include "scene/plan/plan.hpp"
+
+/// The plan of a scene, for people and for programs.
+namespace shadefit {
+
+/// `term,verdict,form,error,reason`, a row a term: what `scene.csv` holds.
+Table decisions_table(const scene::Plan& plan);
+
+/// `material,lobe,power,largest,cutoff,reason`, a row a material.
+Table materials_table(const scene::Scene& scene, const scene::Plan& plan);
+
+/// The plan on a terminal.
+std::string plan_text(const scene::Scene& scene, const scene::Plan& plan);
+
+/// The same as Markdown, with every material: `scene.md`.
+std::string plan_markdown(const scene::Scene& scene, const scene::Plan& plan);
+
+/// The same as JSON: `scene.json`.
+std::string plan_json(const scene::Scene& scene, const scene::Plan& plan);
+
+}  // namespace shadefit

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "reports/table/table.hpp"
+
+/// A figure of the report: numbers, and how to draw them.
+namespace shadefit {
+
+/// What stands in `plots/` under one name: its data, its script, and once drawn its picture.
+struct Figure {
+  std::string name;         ///< "lobe": lobe.csv, lobe.gnuplot, lobe.svg
+  std::string_view family;  ///< the family in whose section the report shows it
+  std::string caption;      ///< one sentence
+  Table data;
+  std::string script;  ///< of gnuplot; reads NAME.csv beside it
+};
+
+}  // namespace shadefit

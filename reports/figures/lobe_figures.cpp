@@ -1,0 +1,290 @@
+#include "reports/figures/lobe_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "approx/lobe.hpp"
+#include "approx/phong_blinn.hpp"
+#include "fit/families/families.hpp"
+#include "reports/figures/plot_data.hpp"
+#include "reports/figures/plot_script.hpp"
+
+namespace shadefit {
+namespace {
+
+/// One curve of the panels: what stands after the kind in its column's name, and its parameter at a fit.
+struct Approximation {
+  std::string column;
+  std::string label;
+  Look look;
+  double (*parameter)(const Fit&);
+};
+
+/// The formulas of a family at a place, with exponent and parameter.
+struct LobeFormulas {
+  double (*form)(const Cosine<double>&, double exponent, double parameter);
+  double (*error)(const Cosine<double>&, double exponent, double parameter);
+  double (*relative_error)(const Cosine<double>&, double exponent, double parameter);
+};
+
+template <class F>
+constexpr LobeFormulas formulas_of{[](const Cosine<double>& c, double exponent, double parameter) {
+                                     const F family{{exponent}};
+                                     return family.form(family.sample(c), std::array{parameter});
+                                   },
+                                   [](const Cosine<double>& c, double exponent, double parameter) {
+                                     const F family{{exponent}};
+                                     return family.error(family.sample(c), std::array{parameter});
+                                   },
+                                   [](const Cosine<double>& c, double exponent, double parameter) {
+                                     const F family{{exponent}};
+                                     return family.relative_error(family.sample(c), std::array{parameter});
+                                   }};
+
+constexpr LobeFormulas gaussian = formulas_of<SgOffset>;
+constexpr LobeFormulas blinn = formulas_of<PhongBlinn>;
+
+/// The fits of a low, a medium and a high exponent under the first measure, as far as they were made.
+std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double> exponents) {
+  std::vector<const Fit*> fits;
+  for (const double exponent : exponents) {
+    if (const Fit* fit = find_fit(refit, measures.front(), exponent)) fits.push_back(fit);
+  }
+  return fits;
+}
+
+/// As far as a lobe is visible (its relative domain), up to the next multiple of five degrees.
+double last_angle(const Fit& fit) {
+  constexpr double step = 5;
+  const double c = fit.relative_domain.lower;
+  return std::ceil(degrees_of({c, 1 - c}) / step) * step;
+}
+
+/// Calls `append` for each row: exponent and angle stand in it already.
+template <class Append>
+void add_rows(Table& table, const std::vector<const Fit*>& fits, const Append& append) {
+  for (const Fit* fit : fits) {
+    for (int i = 0; i <= plot_steps; ++i) {
+      const double angle = last_angle(*fit) * i / plot_steps;
+      auto& row = table.rows.emplace_back(std::vector<Cell>{plotted(*fit->exponent), plotted(angle)});
+      append(row, *fit, cosine_of_degrees(angle));
+    }
+  }
+}
+
+Table lobe_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
+                 const LobeFormulas& formulas) {
+  Table table{{"exponent", "angle", "target"}, {}};
+  for (const auto& approximation : approximations) table.columns.push_back(approximation.column);
+  add_rows(table, fits, [&](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c) {
+    row.push_back(plotted(power_lobe(c.cos_theta, *fit.exponent)));
+    for (const auto& approximation : approximations)
+      row.push_back(plotted(formulas.form(c, *fit.exponent, approximation.parameter(fit))));
+  });
+  return table;
+}
+
+/// Relative errors stand where the target is at least 1/255.
+Table error_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
+                  const LobeFormulas& formulas) {
+  Table table{{"exponent", "angle"}, {}};
+  for (const char* kind : {"abs_", "rel_"}) {
+    for (const auto& approximation : approximations) table.columns.push_back(kind + approximation.column);
+  }
+  add_rows(table, fits, [&](std::vector<Cell>& row, const Fit& fit, const Cosine<double>& c) {
+    for (const auto& approximation : approximations)
+      row.push_back(plotted(formulas.error(c, *fit.exponent, approximation.parameter(fit))));
+    for (const auto& approximation : approximations) {
+      const bool is_visible = c.cos_theta >= fit.relative_domain.lower;
+      row.push_back(is_visible
+                        ? plotted(formulas.relative_error(c, *fit.exponent, approximation.parameter(fit)))
+                        : Cell());
+    }
+  });
+  return table;
+}
+
+std::vector<Curve> curves_of(const std::vector<Approximation>& approximations, const std::string& kind) {
+  std::vector<Curve> curves;
+  for (const auto& approximation : approximations) {
+    curves.push_back({kind + approximation.column, approximation.label, approximation.look, kind == "rel_"});
+  }
+  return curves;
+}
+
+/// The rows of one fit over the angle, as far as its lobe is visible.
+Panel panel_over_angle(const Fit& fit, std::vector<Curve> curves, const std::string& settings) {
+  return {.settings = fmt::format("set xrange [0:{}]\n", last_angle(fit)) + settings,
+          .abscissa = "angle",
+          .where = fmt::format("column('exponent') == {}", *fit.exponent),
+          .curves = std::move(curves)};
+}
+
+/// A row of panels over the angle, one per fit.
+struct PanelRow {
+  std::string y_label;
+  std::string settings;
+  std::vector<Curve> curves;
+  std::vector<Level> levels;
+};
+
+/// Exponents, called by `letter`, stand above the columns.
+std::vector<Panel> panels_of(const std::vector<PanelRow>& rows, const std::vector<const Fit*>& fits,
+                             const std::string& letter) {
+  std::vector<Panel> panels;
+  for (const PanelRow& row : rows) {
+    for (const Fit* fit : fits) {
+      Panel& panel = panels.emplace_back(panel_over_angle(*fit, row.curves, row.settings));
+      panel.levels = row.levels;
+      if (fit == fits.front()) panel.y_label = row.y_label;
+      if (&row == &rows.front()) panel.title = fmt::format("{} = {}", letter, *fit->exponent);
+      if (&row == &rows.back()) panel.x_label = "angle, degrees";
+    }
+  }
+  return panels;
+}
+
+/// Absolute errors above, relative ones below. Beyond 100 % an error is only large: in a blunt lobe's tail it
+/// grows to thousands.
+std::vector<Panel> error_panels(const std::vector<const Fit*>& fits,
+                                const std::vector<Approximation>& approximations, const std::string& letter) {
+  const std::vector<Level> zero{{"0", ""}};
+  return panels_of({{"absolute error", "", curves_of(approximations, "abs_"), zero},
+                    {"relative error, %", "set yrange [*:*<100]\n", curves_of(approximations, "rel_"), zero}},
+                   fits, letter);
+}
+
+std::vector<Approximation> gaussian_approximations() {
+  static constexpr std::string_view mean = "sg-offset-mean";
+  return {{"offset_0", "x = 0", Look::first, [](const Fit&) { return 0.0; }},
+          {"offset_" + printed(mean), "x = " + printed(mean), Look::second,
+           [](const Fit&) { return constant<double>(printed(mean)); }},
+          {"offset_1", "x = 1", Look::third, [](const Fit&) { return 1.0; }}};
+}
+
+/// The best parameter by measure, marked where it was fitted.
+std::vector<Curve> measure_curves() {
+  constexpr std::array looks{Look::second, Look::first, Look::third};
+  static_assert(looks.size() == measures.size());
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const std::string measure(name(measures[i]));
+    curves.push_back(
+        {.column = measure, .label = measure + " measure", .look = looks[i], .has_points = true});
+  }
+  return curves;
+}
+
+Figure gaussian_lobe_figure(const std::vector<const Fit*>& fits) {
+  std::vector<Curve> curves{{"target", "cos^k(θ)", Look::target}};
+  for (const Curve& curve : curves_of(gaussian_approximations(), "")) curves.push_back(curve);
+  // The logarithmic scale ends at one code of an 8-bit linear target.
+  const Plot plot{"lobe", "The lobe c^k and exp((k+x)(c-1)) for three offsets x, at three exponents k.", 3,
+                  210,
+                  panels_of({{"value", "set yrange [0:1]\n", curves, {}},
+                             {"value, logarithmic", "set logscale y\nset yrange [1./255:1]\n", curves, {}}},
+                            fits, "k")};
+  return {
+      plot.name, sg_offset.id,
+      "The lobe cos^k θ and its spherical Gaussian exp((k+x)(cos θ − 1)) for three offsets x, at a low, a "
+      "medium and a high exponent k, each as far as the lobe is visible; below on a logarithmic scale, where "
+      "the tails part.",
+      lobe_table(fits, gaussian_approximations(), gaussian), write_script(plot)};
+}
+
+Figure gaussian_error_figure(const std::vector<const Fit*>& fits) {
+  const Plot plot{"lobe-errors",
+                  "Errors of exp((k+x)(c-1)) against c^k for three offsets x, at three exponents k.", 3, 200,
+                  error_panels(fits, gaussian_approximations(), "k")};
+  return {plot.name, sg_offset.id,
+          "Errors of the spherical Gaussian against cos^k θ, whose peak is 1, for three offsets x; relative "
+          "errors where the lobe is at least 1/255, and up to 100 %.",
+          error_table(fits, gaussian_approximations(), gaussian), write_script(plot)};
+}
+
+Figure offset_figure(const Refit& refit) {
+  const std::string mean = printed("sg-offset-mean"), limit = printed("sg-offset-limit");
+  const auto panel = [&](const std::string& settings, const Level& level) {
+    return Panel{.x_label = "exponent k",
+                 .settings = settings + "set yrange [0.4:0.85]\n",
+                 .abscissa = "exponent",
+                 .curves = measure_curves(),
+                 .levels = {level}};
+  };
+  // The small range is the one that the mean was taken over, and a little more; the next fit is at k = 25.
+  Panel small = panel("set xrange [0:26]\n", {mean, mean + ", the mean"});
+  small.y_label = "best offset x";
+  const Panel whole =
+      panel("set logscale x\nset xrange [1:1e6]\nset format x '10^{%T}'\n", {limit, limit + ", the limit"});
+  const Plot plot{"offset", "The best offset x by exponent k, under three measures.", 2, 330, {small, whole}};
+  return {
+      plot.name, sg_offset.id,
+      fmt::format("The best offset x by exponent k under three measures, on a small and on the whole range, "
+                  "with the printed mean {} and limit {}.",
+                  mean, limit),
+      best_parameter_table(refit), write_script(plot)};
+}
+
+std::vector<Approximation> blinn_approximations() {
+  static constexpr std::string_view limit = "phong-blinn-fisher-woo", somewhere = "phong-blinn-gotanda";
+  return {
+      {"factor_" + printed(limit), "factor " + printed(limit), Look::first,
+       [](const Fit&) { return constant<double>(printed(limit)); }},
+      {"factor_" + printed(somewhere), "factor " + printed(somewhere), Look::third,
+       [](const Fit&) { return constant<double>(printed(somewhere)); }},
+      {"best_factor", "best factor", Look::second, [](const Fit& fit) { return fit.parameters.front(); }}};
+}
+
+Figure factor_figure(const Refit& refit) {
+  const std::string limit = printed("phong-blinn-fisher-woo"), somewhere = printed("phong-blinn-gotanda");
+  const Panel panel{.x_label = "Phong exponent ρ",
+                    .y_label = "best factor x",
+                    .settings = "set logscale x 2\nset xtics 2\nset xrange [1:2048]\nset yrange [3.9:5.6]\n",
+                    .abscissa = "exponent",
+                    .curves = measure_curves(),
+                    .levels = {{limit, limit}, {somewhere, somewhere}}};
+  const Plot plot{"phong-blinn",
+                  "The best factor from Phong's exponent to Blinn's, under three measures.",
+                  1,
+                  340,
+                  {panel}};
+  return {
+      plot.name, phong_blinn.id,
+      fmt::format(
+          "The best factor from the Phong exponent ρ to Blinn's under three measures, with the printed {} and {}.",
+          limit, somewhere),
+      best_parameter_table(refit), write_script(plot)};
+}
+
+Figure factor_error_figure(const std::vector<const Fit*>& fits) {
+  const Plot plot{
+      "phong-blinn-errors",
+      "Errors of cos^(x rho)(theta/2) against cos^rho(theta) for three factors x, at three exponents.", 3,
+      200, error_panels(fits, blinn_approximations(), "ρ")};
+  return {plot.name, phong_blinn.id,
+          "Errors of the Blinn lobe cos^(xρ)(θ/2) against the Phong lobe cos^ρ θ, whose peak is 1, for three "
+          "factors x; relative errors where the lobe is at least 1/255, and up to 100 %.",
+          error_table(fits, blinn_approximations(), blinn), write_script(plot)};
+}
+
+}  // namespace
+
+std::vector<Figure> gaussian_figures(const Refit& refit) {
+  // Low, medium and high: the lowest that a lobe is used at, the end of the published mean, a gloss.
+  const auto fits = fits_at(refit, {2, 15, 100});
+  std::vector<Figure> figures;
+  if (!fits.empty()) figures = {gaussian_lobe_figure(fits), gaussian_error_figure(fits)};
+  figures.push_back(offset_figure(refit));
+  return figures;
+}
+
+std::vector<Figure> phong_blinn_figures(const Refit& refit) {
+  const auto fits = fits_at(refit, {2, 8, 128});
+  std::vector<Figure> figures{factor_figure(refit)};
+  if (!fits.empty()) figures.push_back(factor_error_figure(fits));
+  return figures;
+}
+
+}  // namespace shadefit

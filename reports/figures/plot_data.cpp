@@ -1,0 +1,63 @@
+#include "reports/figures/plot_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "approx/ledger/catalogue.hpp"
+
+namespace shadefit {
+
+Cell plotted(double value) {
+  constexpr int digits = 6;
+  return Number{value, digits};
+}
+
+Cosine<double> cosine_of_degrees(double degrees) {
+  constexpr double radian = std::numbers::pi / 180;
+  // Of the complement, so that 90 degrees have the cosine 0; of the half, so that 1 - c does not cancel.
+  const double half_sine = std::sin(degrees / 2 * radian);
+  return {std::sin((90 - degrees) * radian), 2 * half_sine * half_sine};
+}
+
+double degrees_of(const Cosine<double>& cosine) {
+  return 2 * std::asin(std::sqrt(cosine.one_minus_cos / 2)) * 180 / std::numbers::pi;
+}
+
+std::string printed(std::string_view id) {
+  for (const Published& published : published_constants) {
+    if (published.id == id) return std::string(published.printed);
+  }
+  throw std::logic_error("no constant was published as " + std::string(id));
+}
+
+std::string typeset(std::string_view decimal) {
+  return decimal.starts_with('-') ? "−" + std::string(decimal.substr(1)) : std::string(decimal);
+}
+
+const Fit* find_fit(const Refit& refit, Measure measure, double exponent) {
+  for (const FitReport& report : refit.fits) {
+    const Fit& fit = report.fit;
+    if (fit.metric == Metric{.measure = measure} && fit.exponent == exponent) return &fit;
+  }
+  return nullptr;
+}
+
+Table best_parameter_table(const Refit& refit) {
+  Table table{{"exponent"}, {}};
+  for (const Measure measure : measures) table.columns.emplace_back(name(measure));
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.metric != Metric{.measure = measures.front()}) continue;
+    const double exponent = *report.fit.exponent;
+    std::vector<Cell> row{plotted(exponent)};
+    for (const Measure measure : measures) {
+      const Fit* fit = find_fit(refit, measure, exponent);
+      row.push_back(fit != nullptr ? plotted(fit->parameters.front()) : Cell());
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,195 @@
+#include "reports/figures/plot_script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reports/io/gnuplot_text.hpp"
+#include "reports/io/own_file.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Pixels: what GitHub shows of a README, and room for tics, labels, titles and rows of the legend.
+constexpr int picture_width = 900;
+/// CSS: 96 pixels an inch. The fonts and lines of a PDF and a PNG are scaled to look as those of the SVG do.
+constexpr double centimetres_a_pixel = 2.54 / 96;
+constexpr int left = 80, right_edge = 22, top = 18, below = 70;
+constexpr int title_height = 22, top_tics_height = 20, legend_height = 22;
+constexpr int between_columns = 76, between_rows = 50;
+
+/// Okabe and Ito's palette (jfly.uni-koeln.de/color), on grey for the target. Dashes help where curves meet.
+constexpr std::string_view styles =
+    "set style line 1 lc rgb '#B8B8B8' lw 5.5\n"
+    "set style line 2 lc rgb '#D55E00' lw 2 pt 7 ps 0.5\n"
+    "set style line 3 lc rgb '#0072B2' lw 2 pt 5 ps 0.45\n"
+    "set style line 4 lc rgb '#009E73' lw 2 pt 9 ps 0.6 dt (9,4)\n"
+    "set style line 5 lc rgb '#000000' lw 2 pt 13 ps 0.6 dt (3,3)\n"
+    "set style line 6 lc rgb '#808080' lw 3\n"
+    "set style line 8 lc rgb '#707070' lw 1.2 dt (6,4)\n"
+    "set style line 9 lc rgb '#DDDDDD' lw 1\n";
+
+/// Every label once, in the order of its first curve.
+std::vector<Curve> legend_of(const Plot& plot) {
+  std::vector<Curve> legend;
+  for (const Panel& panel : plot.panels) {
+    for (const Curve& curve : panel.curves) {
+      const bool is_new = std::none_of(legend.begin(), legend.end(),
+                                       [&](const Curve& known) { return known.label == curve.label; });
+      if (is_new) legend.push_back(curve);
+    }
+  }
+  return legend;
+}
+
+/// gnuplot gives every entry the width of the longest: about 7.5 pixels a letter, and 60 for the sample.
+int rows_of_legend(const std::vector<Curve>& legend) {
+  std::size_t longest = 0;
+  for (const Curve& curve : legend) longest = std::max(longest, curve.label.size());
+  const auto in_a_row = static_cast<std::size_t>(picture_width / (7.5 * static_cast<double>(longest) + 60));
+  return static_cast<int>((legend.size() + in_a_row - 1) / std::max<std::size_t>(in_a_row, 1));
+}
+
+/// Where the panels stand, in pixels.
+struct Layout {
+  int rows;
+  int above;  ///< the first row
+  int under;  ///< the last row
+  int height;
+};
+
+Layout layout_of(const Plot& plot) {
+  const auto has = [&](const std::string Panel::*text) {
+    return std::any_of(plot.panels.begin(), plot.panels.end(),
+                       [&](const Panel& panel) { return !(panel.*text).empty(); });
+  };
+  const int rows = (static_cast<int>(plot.panels.size()) + plot.columns - 1) / plot.columns;
+  const int above =
+      top + (has(&Panel::title) ? title_height : 0) + (has(&Panel::top_tics) ? top_tics_height : 0);
+  const int under = below + legend_height * rows_of_legend(legend_of(plot));
+  return {rows, above, under, above + rows * plot.panel_height + (rows - 1) * between_rows + under};
+}
+
+std::string prelude(const Plot& plot) {
+  const Layout layout = layout_of(plot);
+  const auto across = [](int pixels) { return static_cast<double>(pixels) / picture_width; };
+  const auto up = [&](int pixels) { return static_cast<double>(pixels) / layout.height; };
+  return fmt::format(
+             "# {0}\n"
+             "# Draws {1}.svg from {1}.csv. As PDF or PNG: gnuplot -e \"output='{1}.pdf'\" {1}.gnuplot\n"
+             "# To restyle it, copy it: a copy, x.gnuplot, draws x.svg. The next run replaces this file, or\n"
+             "# refuses to where it was changed.\n"
+             "if (!exists('ARG0')) ARG0 = ''\n"
+             "if (!exists('output')) output = (strlen(ARG0) > 8 ? ARG0[1:strlen(ARG0)-8] : '{1}') . '.svg'\n"
+             "set encoding utf8\n"
+             "has_end(end) = output[strlen(output)-strlen(end)+1:] eq end\n"
+             "if (has_end('.pdf')) {{\n"
+             "  set terminal pdfcairo size {4:.5f}cm,{5:.5f}cm font 'sans-serif,13' fontscale 0.5625 "
+             "linewidth 1.33 background '#FFFFFF'\n"
+             "}} else {{ if (has_end('.png')) {{\n"
+             "  set terminal pngcairo size {2},{3} font 'sans-serif,9.75' background '#FFFFFF'\n"
+             "}} else {{\n"
+             "  set terminal svg size {2},{3} font 'sans-serif,13' background '#FFFFFF'\n"
+             "}}}}\n"
+             "set output output\n"
+             "set datafile separator comma\n"
+             "set datafile columnheaders\n"
+             "set minussign\n",
+             plot.about, plot.name, picture_width, layout.height, picture_width * centimetres_a_pixel,
+             layout.height * centimetres_a_pixel) +
+         std::string(styles) +
+         fmt::format(
+             "set border lc rgb '#404040'\n"
+             "set key off\n"
+             "set multiplot layout {},{} margins screen {:.5f},{:.5f},{:.5f},{:.5f} spacing screen "
+             "{:.5f},{:.5f}\n",
+             layout.rows, plot.columns, across(left), 1 - across(right_edge), up(layout.under),
+             1 - up(layout.above), across(between_columns), up(between_rows));
+}
+
+/// gnuplot's name for how a curve is drawn.
+const char* style_of(const Curve& curve) {
+  if (!curve.is_joined) return "points";
+  return curve.has_points ? "linespoints" : "lines";
+}
+
+std::string plotted(const Plot& plot, const Panel& panel, const Curve& curve) {
+  const std::string x = panel.where.empty()
+                            ? fmt::format("(column('{}'))", panel.abscissa)
+                            : fmt::format("({} ? column('{}') : NaN)", panel.where, panel.abscissa);
+  return fmt::format("'{}.csv' using {}:({}column('{}')) with {} ls {} notitle", plot.name, x,
+                     curve.in_percent ? "100*" : "", curve.column, style_of(curve),
+                     static_cast<int>(curve.look));
+}
+
+/// Each panel starts from the same settings, whatever the one before it had. The label of its y axis stands
+/// at a fixed distance, where gnuplot would take the width of the tics for it and leave the picture.
+std::string panel_text(const Plot& plot, const Panel& panel) {
+  std::string out = fmt::format(
+      "\nunset arrow; unset label; unset logscale; unset x2tics; set autoscale; set format\n"
+      "set tics nomirror out scale 0.5; set xtics auto; set ytics auto; set grid xtics ytics ls 9\n"
+      "set border {}\n"
+      "set title {} offset 0,-0.4\n"
+      "set xlabel '{}'\n"
+      "set label '{}' at graph 0, graph 0.5 center rotate offset char -7.6,0\n",
+      panel.top_tics.empty() ? 3 : 7, gnuplot_quoted(panel.title), panel.x_label, panel.y_label);
+  if (!panel.top_tics.empty())
+    out += fmt::format("set x2tics ({}) out scale 0.5 textcolor '#606060'\n", panel.top_tics);
+  out += panel.settings;
+  for (const Level& level : panel.levels) {
+    out += fmt::format(
+        "set arrow from graph 0, first {0} to graph 1, first {0} nohead ls 8 back\n"
+        "set label '{1}' at graph 0.99, first {0} right offset 0,0.55 textcolor '#505050'\n",
+        level.value, level.label);
+  }
+  std::vector<std::string> lines;
+  for (const Curve& curve : panel.curves) lines.push_back(plotted(plot, panel, curve));
+  return out + fmt::format("plot {}\n", fmt::join(lines, ", \\\n  "));
+}
+
+/// One legend for all panels: the key of a panel of its own, as wide as the picture, that draws nothing else.
+std::string legend_text(const Plot& plot) {
+  const auto legend = legend_of(plot);
+  std::vector<std::string> lines{"2 notitle"};
+  for (const Curve& curve : legend) {
+    lines.push_back(fmt::format("keyentry with {} ls {} title '{}'", style_of(curve),
+                                static_cast<int>(curve.look), curve.label));
+  }
+  return fmt::format(
+      "\nunset arrow; unset label; unset logscale; unset x2tics; unset xtics; unset ytics; unset border\n"
+      "unset title; unset xlabel\n"
+      "set margins at screen 0.01, screen 0.99, screen 0, screen {:.5f}\n"
+      "set key on inside center center horizontal Left reverse samplen 2.5 width 1\n"
+      "plot [0:1][0:1] {}\n",
+      static_cast<double>(legend_height * rows_of_legend(legend)) / layout_of(plot).height,
+      fmt::join(lines, ", \\\n  "));
+}
+
+}  // namespace
+
+std::string write_script(const Plot& plot) {
+  std::string out = prelude(plot);
+  for (const Panel& panel : plot.panels) out += panel_text(plot, panel);
+  return sealed(out + legend_text(plot) + "\nunset multiplot\n", "# ");
+}
+
+std::string range_around(const Table& table, const std::vector<Curve>& curves) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Curve& curve : curves) {
+    const auto column = std::find(table.columns.begin(), table.columns.end(), curve.column);
+    const auto i = static_cast<std::size_t>(column - table.columns.begin());
+    for (const auto& row : table.rows) {
+      const auto* number = std::get_if<Number>(&row.at(i));
+      if (number == nullptr) continue;
+      const double value = number->value * (curve.in_percent ? 100 : 1);
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  const double step = std::pow(10, std::floor(std::log10(high - low))) / 2;
+  return fmt::format("[{:.6g}:{:.6g}]", std::floor(low / step) * step, std::ceil(high / step) * step);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reports/table/table.hpp"
+
+/// From a description of panels and curves to a script for gnuplot. All figures share one style: a white
+/// ground, a light grid, one legend below, colours that colour-blind readers can tell apart.
+namespace shadefit {
+
+/// How a line looks; its number is that of gnuplot's line style in the script.
+enum class Look {
+  target = 1,  ///< a broad grey line, so that curves on top of it stay visible
+  first,
+  second,
+  third,
+  fourth,
+  thin_target,  ///< the target of another figure, where it is itself compared
+};
+
+/// One column of the data over the panel's abscissa. Labels are gnuplot's enhanced text: x^2, x_{min}.
+struct Curve {
+  std::string column;
+  std::string label;  ///< curves of several panels that share a label share its place in the legend
+  Look look;
+  bool in_percent = false;
+  bool has_points = false;  ///< marks the rows: for curves that are known at few places
+  bool is_joined = true;    ///< by a line; else it is points alone
+};
+
+/// A horizontal line that the curves are to be compared with, labelled at its right end.
+struct Level {
+  std::string value;
+  std::string label;
+};
+
+struct Panel {
+  std::string title = "";
+  std::string x_label = "", y_label = "";
+  std::string settings = "";  ///< gnuplot's commands for this panel alone, each with its line end
+  std::string top_tics = "";  ///< a second axis on top: gnuplot's list of tics, "'a' 0, 'b' 1"; empty: none
+  std::string abscissa;       ///< a column
+  std::string where = "";     ///< the condition on a row, in gnuplot's words; empty: all rows
+  std::vector<Curve> curves;
+  std::vector<Level> levels = {};
+};
+
+struct Plot {
+  std::string name;   ///< NAME.csv is read, NAME.svg written
+  std::string about;  ///< one line on top of the script
+  int columns;        ///< panels stand row by row
+  int panel_height;   ///< in pixels; the width of the whole is always the same
+  std::vector<Panel> panels;
+};
+
+/// The script: run in the directory of its data, it writes NAME.svg, or the file that the variable `output`
+/// names: a PDF or a PNG where that ends with .pdf or .png, else an SVG. It is sealed
+/// (reports/io/own_file.hpp).
+std::string write_script(const Plot& plot);
+
+/// "[low:high]" around all numbers of these columns, ends rounded outward to a twentieth or so of the span.
+std::string range_around(const Table& table, const std::vector<Curve>& curves);
+
+}  // namespace shadefit

@@ -1,0 +1,55 @@
+#include "reports/figures/plots.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "approx/fresnel.hpp"
+#include "approx/lobe.hpp"
+#include "approx/phong_blinn.hpp"
+#include "reports/figures/fresnel_figures.hpp"
+#include "reports/figures/lobe_figures.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The refit of a family, or null where it was not asked for or a fit of it did not converge.
+const Refit* find_refit(const Results& results, const Family& family) {
+  for (const Refit& refit : results.refits) {
+    if (refit.family->info.id != family.id) continue;
+    const bool is_whole = std::all_of(refit.fits.begin(), refit.fits.end(), [](const FitReport& report) {
+      return report.fit.status == Status::converged;
+    });
+    return is_whole ? &refit : nullptr;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<Figure> make_figures(const Results& results) {
+  std::vector<Figure> figures;
+  const auto add = [&](std::vector<Figure> more) {
+    std::move(more.begin(), more.end(), std::back_inserter(figures));
+  };
+  if (const Refit* refit = find_refit(results, sg_offset)) add(gaussian_figures(*refit));
+  // The figures compare all Fresnel forms and need no fit: they close the last Fresnel section there is.
+  const Refit* one_term = find_refit(results, fresnel_one_term_family);
+  const Refit* quadratic = find_refit(results, fresnel_quadratic_family);
+  if (const Refit* last = quadratic != nullptr ? quadratic : one_term) {
+    add(fresnel_figures(last->family->info.id));
+  }
+  if (const Refit* refit = find_refit(results, phong_blinn)) add(phong_blinn_figures(*refit));
+  return figures;
+}
+
+std::vector<File> plot_files(const std::vector<Figure>& figures) {
+  std::vector<File> files;
+  for (const Figure& figure : figures) {
+    files.push_back({"plots/" + figure.name + ".csv", write_csv(figure.data, Precision::report)});
+    files.push_back({"plots/" + figure.name + ".gnuplot", figure.script});
+  }
+  return files;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/support/checkpoint.hpp"
+#include "reports/io/files.hpp"
+
+/// Running gnuplot, which is another program and may be missing or fail.
+namespace shadefit {
+
+/// The program `gnuplot` of the PATH, or nothing.
+std::optional<std::filesystem::path> find_gnuplot();
+
+/// A plot that could not be drawn, and the first thing that gnuplot said of it.
+struct FailedPlot {
+  std::string name;
+  std::string complaint;
+};
+
+/// How long gnuplot may take for one picture: each of ours takes less than 0.1 s, so that even a busy machine
+/// a hundred times slower draws it, while one that hangs does not hold a run up for ever.
+inline constexpr std::chrono::seconds longest_drawing{60};
+
+/// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg (a name that ends with
+/// .png is the picture's own: "scene.png" is drawn by scene.gnuplot), beside its place first
+/// and renamed once whole. Returns the plots that failed, gnuplot's words as it put them: of those there is
+/// no NAME.svg in `directory` then, neither a part nor an older one. (Where results go, older pictures are
+/// for `write_files` to remove.) The checkpoint is called before each and again and again while gnuplot
+/// works; when it throws, and when a picture takes `longest`, gnuplot is ended.
+std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
+                                   const std::filesystem::path& directory,
+                                   const std::vector<std::string>& names,
+                                   const Checkpoint& checkpoint = keep_going,
+                                   std::chrono::seconds longest = longest_drawing);
+
+/// Pictures, and the plots that there is none of.
+struct Pictures {
+  std::vector<File> files;  ///< "plots/NAME.svg", or "plots/NAME" of a name that ends with .png
+  std::vector<FailedPlot> failed;
+};
+
+/// Draws the plots of `names` from their files, "plots/NAME.csv" and "plots/NAME.gnuplot", in a temporary
+/// directory that is removed again, so that results can be written all at once or not at all. Throws
+/// UserError where there can be no such directory.
+Pictures draw_pictures(const std::filesystem::path& gnuplot, const std::vector<File>& files,
+                       const std::vector<std::string>& names, const Checkpoint& checkpoint = keep_going);
+
+}  // namespace shadefit

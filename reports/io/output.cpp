@@ -1,0 +1,261 @@
+#include "reports/io/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <list>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "fit/support/user_error.hpp"
+#include "reports/io/own_file.hpp"
+
+namespace shadefit {
+namespace output_parts {
+
+namespace fs = std::filesystem;
+
+inline std::string words_of(int error) {
+  return std::strerror(error != 0 ? error : EIO);
+}
+
+[[noreturn]] inline void fail_to(const char* act, const fs::path& place, const std::string& words) {
+  throw UserError(fmt::format("cannot {} {}: {}", act, quoted_path(place), words));
+}
+
+/// A directory, created with those above it that were missing; unless they are kept, those are removed again.
+class Directory {
+ public:
+  explicit Directory(const fs::path& directory) {
+    std::error_code error;
+    for (fs::path part = from_the_root(directory); !fs::exists(part, error); part = part.parent_path())
+      created_.push_back(part);
+    fs::create_directories(directory, error);
+    if (error) {
+      remove();
+      throw UserError("cannot create directory " + quoted_path(directory) + ": " + error.message());
+    }
+  }
+  ~Directory() { remove(); }
+  Directory(const Directory&) = delete;
+  Directory& operator=(const Directory&) = delete;
+
+  void keep() { created_.clear(); }
+
+ private:
+  void remove() const {
+    std::error_code ignored;  // what holds files of others stays
+    for (const fs::path& part : created_) fs::remove(part, ignored);
+  }
+
+  std::vector<fs::path> created_;  ///< the innermost first
+};
+
+/// A lock on a directory, which ends with the process at the latest. A file system that has none locks
+/// nothing.
+class Lock {
+ public:
+  explicit Lock(const fs::path& directory)
+      : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    ::close(descriptor_);
+    throw UserError("output directory " + quoted_path(directory) +
+                    " is in use by another run: wait for its end, or name another");
+  }
+  ~Lock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+ private:
+  int descriptor_;
+};
+
+/// A new directory inside another, so that what is written there can be renamed to its place. Nobody else has
+/// its name: no file of others is in the way. Removed at the end, unless something of others is in it.
+class Workshop {
+ public:
+  explicit Workshop(const fs::path& directory) {
+    std::string name = (directory / ".shadefit-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) fail_to("write to", directory, words_of(errno));
+    path_ = name;
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+/// A place that gets a file, or loses it. Unless it is finished, the old file comes back.
+class FileChange {
+ public:
+  /// `fresh` is the new file, empty where the place is to be empty; the old one is kept as `kept`.
+  FileChange(fs::path place, fs::path fresh, fs::path kept)
+      : place_(std::move(place)), fresh_(std::move(fresh)), kept_(std::move(kept)) {}
+  ~FileChange() {
+    std::error_code ignored;
+    if (!is_finished_) undo();
+    if (!fresh_.empty()) fs::remove(fresh_, ignored);
+    if (has_kept_) fs::remove(kept_, ignored);
+  }
+  FileChange(const FileChange&) = delete;
+  FileChange& operator=(const FileChange&) = delete;
+
+  /// Writes the new file, with the mode and the owner of the old one.
+  void write(std::string_view content) {
+    errno = 0;
+    std::FILE* stream = std::fopen(fresh_.c_str(), "wbx");
+    if (stream == nullptr) fail_to("write", place_, words_of(errno));
+    const bool is_written = std::fwrite(content.data(), 1, content.size(), stream) == content.size();
+    const int write_error = errno;
+    struct stat old {};
+    if (::stat(place_.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
+      // Only root may give a file away. The mode comes last: a new owner would take some of it back.
+      if (::fchown(::fileno(stream), old.st_uid, old.st_gid) != 0) errno = 0;
+      ::fchmod(::fileno(stream), old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
+    }
+    errno = 0;
+    const bool is_flushed = std::fclose(stream) == 0;
+    if (!is_written || !is_flushed) fail_to("write", place_, words_of(is_written ? errno : write_error));
+  }
+
+  void put() {
+    keep_old();
+    std::error_code error;
+    if (!fresh_.empty()) {
+      fs::rename(fresh_, place_, error);
+    } else {
+      fs::remove(place_, error);
+    }
+    if (error) fail_to(act(), place_, error.message());
+    is_put_ = true;
+  }
+
+  void finish() { is_finished_ = true; }
+
+ private:
+  const char* act() const { return fresh_.empty() ? "remove" : "write"; }
+
+  /// Gives the old file a second name, so that its place is never empty; where the file system has none to
+  /// give, its only one.
+  void keep_old() {
+    std::error_code error;
+    const auto status = fs::symlink_status(place_, error);
+    if (!fs::exists(status)) return;
+    if (fs::is_directory(status)) fail_to(act(), place_, "it is a directory");
+    fs::create_hard_link(place_, kept_, error);
+    if (error) fs::rename(place_, kept_, error);
+    if (error) fail_to("keep the old", place_, error.message());
+    has_kept_ = true;
+  }
+  void undo() {
+    std::error_code error;
+    if (has_kept_) {
+      fs::rename(kept_, place_, error);
+      // of two names of one file, rename leaves both; an old file that cannot go back stays where it is
+      has_kept_ = !error;
+    } else if (is_put_) {
+      fs::remove(place_, error);
+    }
+  }
+
+  fs::path place_, fresh_, kept_;
+  bool has_kept_ = false, is_put_ = false, is_finished_ = false;
+};
+
+/// Refuses what `file` would be written over, unless that is ours.
+inline void require_free(const fs::path& place, const File& file, Foreign foreign) {
+  std::error_code error;
+  const auto status = fs::symlink_status(place, error);
+  if (error && status.type() != fs::file_type::not_found) fail_to("write", place, error.message());
+  if (!fs::exists(status)) return;
+  if (fs::is_directory(status)) fail_to("write", place, "it is a directory");
+  if (foreign == Foreign::replaced || is_own(place, file)) return;
+  const bool is_empty = fs::is_regular_file(place, error) && fs::file_size(place, error) == 0;
+  if (!is_empty)
+    throw UserError(
+        quoted_path(place) +
+        " was not written by shadefit, or was changed since: move it away, or replace it with --force");
+}
+
+}  // namespace output_parts
+
+using namespace output_parts;
+
+// Destroyed from the back: the changes before the workshop that they are in, that before what was created.
+struct Output::Parts {
+  fs::path directory;
+  std::list<Directory> created;
+  std::optional<Lock> lock;
+  std::optional<Workshop> workshop;
+  std::list<FileChange> changes;
+};
+
+Output::Output(const fs::path& named, Company company) : parts_(std::make_unique<Parts>()) {
+  require_directory(named);
+  parts_->directory = without_detours(named);
+  parts_->created.emplace_front(parts_->directory);
+  if (company == Company::refused) parts_->lock.emplace(parts_->directory);
+  const Workshop trial(parts_->directory);
+}
+
+Output::~Output() = default;
+
+void Output::prepare(const std::vector<File>& files, const std::vector<File>& obsolete, Foreign foreign,
+                     const Checkpoint& checkpoint) {
+  Parts& parts = *parts_;
+  // A place in the working directory is named as it was asked for, without "./".
+  const auto place_of = [&](const File& file) {
+    return parts.directory == "." ? fs::path(file.name) : parts.directory / file.name;
+  };
+  for (const File& file : files) require_free(place_of(file), file, foreign);
+  // What lies within another directory is removed before it.
+  for (const File& file : files) parts.created.emplace_front((parts.directory / file.name).parent_path());
+  const Workshop& workshop = parts.workshop.emplace(parts.directory);
+  const auto change = [&](const fs::path& place, bool is_new) -> FileChange& {
+    const std::string number = std::to_string(parts.changes.size());
+    return parts.changes.emplace_back(place, is_new ? workshop / (number + ".new") : fs::path(),
+                                      workshop / (number + ".old"));
+  };
+  for (const File& file : files) {
+    checkpoint();
+    change(place_of(file), true).write(file.content);
+  }
+  for (const File& file : obsolete) {
+    if (is_own(place_of(file), file)) change(place_of(file), false);
+  }
+  checkpoint();
+}
+
+void Output::put() {
+  for (FileChange& change : parts_->changes) change.put();
+  for (FileChange& change : parts_->changes) change.finish();
+  for (Directory& made : parts_->created) made.keep();
+  parts_->changes.clear();
+  parts_->workshop.reset();
+  parts_->lock.reset();
+}
+
+void write_files(const fs::path& directory, const std::vector<File>& files, const Checkpoint& checkpoint,
+                 const std::vector<File>& obsolete) {
+  Output output(directory);
+  output.prepare(files, obsolete, Foreign::replaced, checkpoint);
+  output.put();
+}
+
+}  // namespace shadefit

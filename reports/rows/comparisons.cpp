@@ -1,0 +1,229 @@
+#include "reports/rows/comparisons.hpp"
+
+#include <fmt/format.h>
+
+#include "reports/rows/tables.hpp"
+
+namespace shadefit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = Contender::Kind;
+
+/// "a = -5.55473, b = -6.98316": as printed, of fits to ten digits or so that they read back.
+std::string constants_text(const Contender& contender, Precision precision) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < contender.parameters.size(); ++i) {
+    const auto& [name, printed] = contender.parameters[i];
+    parts.push_back(
+        name + " = " +
+        (contender.kind == Kind::published ? printed : text(converged(contender.values[i]), precision)));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// The lower bound, which is the error at a place: its digits do not hang on how the proof went.
+Cell shown_error(const Contender& contender, int digits) {
+  return Number{contender.max_abs_error.lower, digits};
+}
+
+Cell relative_error(const Contender& contender, int digits) {
+  return contender.max_rel_error ? Cell(Number{*contender.max_rel_error, digits}) : Cell();
+}
+
+Cell place_of_error(const Contender& contender) {
+  return contender.at ? place(*contender.at) : Cell();
+}
+
+long instructions(const Contender& contender) {
+  return contender.operations.total();
+}
+
+std::string beaten(const Contender& contender, const char* separator) {
+  return fmt::format("{}", fmt::join(contender.beats, separator));
+}
+
+/// "fresnel-quadratic-a", "schlick", "target", "fresnel-cubic minimax absolute error": a curve where programs
+/// read it.
+std::string curve_id(const Contender& contender) {
+  if (contender.kind == Kind::published) return std::string(contender.published);
+  if (contender.kind == Kind::target) return "target";
+  return fmt::format("{} {}", contender.family, contender.origin);
+}
+
+std::string origin_of(const Contender& contender) {
+  if (contender.kind != Kind::published) return contender.origin;
+  return fmt::format("{}, {}", contender.published, contender.origin);
+}
+
+Table table_of(const Comparison& comparison, int digits) {
+  Table table{{"form", "constants", "from", "max abs error", "at c", "max rel error", "rms error",
+               "operations", "instructions", "beats"},
+              {}};
+  for (const Contender& contender : comparison.contenders) {
+    table.rows.push_back({contender.form, constants_text(contender, Precision::report), origin_of(contender),
+                          shown_error(contender, digits), place_of_error(contender),
+                          relative_error(contender, digits), Number{contender.rms_error, digits},
+                          to_text(contender.operations), instructions(contender), beaten(contender, ", ")});
+  }
+  return table;
+}
+
+Json surface_json(const Comparison& comparison) {
+  const Surface& surface = comparison.setting.surface;
+  if (!surface.is_named()) return {};
+  return {{"formula", surface.is_exact() ? "exact" : "schlick"},
+          {"ior", surface.ior},
+          {"extinction", surface.extinction}};
+}
+
+Json contender_json(const Contender& contender) {
+  constexpr std::array kinds{"published", "fitted", "target"};
+  Json parameters = Json::object(), printed;
+  for (std::size_t i = 0; i < contender.parameters.size(); ++i) {
+    const auto& [name, text] = contender.parameters[i];
+    parameters[name] = contender.values[i];
+    if (contender.kind == Kind::published) printed[name] = text;
+  }
+  const auto or_null = [](std::string_view text) { return text.empty() ? Json() : Json(text); };
+  return {{"kind", kinds[static_cast<std::size_t>(contender.kind)]},
+          {"family", or_null(contender.family)},
+          {"published", or_null(contender.published)},
+          {"form", contender.form},
+          {"from", contender.origin},
+          {"parameters", parameters},
+          {"printed", printed},
+          {"certified_max_abs_error", {contender.max_abs_error.lower, contender.max_abs_error.upper}},
+          {"max_abs_error_at", contender.at ? Json(contender.at->cos_theta) : Json()},
+          {"max_rel_error", contender.max_rel_error ? Json(*contender.max_rel_error) : Json()},
+          {"rms_error", contender.rms_error},
+          {"operations", to_text(contender.operations)},
+          {"instructions", instructions(contender)},
+          {"beats", contender.beats}};
+}
+
+}  // namespace
+
+std::string target_of(const Comparison& comparison) {
+  const auto& [family, setting, domain, contenders, left_out] = comparison;
+  const std::string target = target_of(*family, setting.surface);
+  return target + (family->has_exponent() ? fmt::format(" at k = {}", setting.exponent) : "") +
+         (domain == Domain{} ? "" : " on " + to_text(domain));
+}
+
+Table comparison_table(const Comparison& comparison) {
+  return table_of(comparison, 6);
+}
+
+Table short_comparison_table(const Comparison& comparison) {
+  return table_of(comparison, 4);
+}
+
+Table comparisons_table(const std::vector<Comparison>& comparisons, Precision precision) {
+  Table table{{"constant", "exponent", "target", "domain", "curve", "form", "parameters", "max_abs_error",
+               "max_abs_error_at", "max_rel_error", "rms_error", "operations", "instructions", "beats"},
+              {}};
+  for (const Comparison& comparison : comparisons) {
+    const FittableFamily& family = *comparison.family;
+    for (const Contender& contender : comparison.contenders) {
+      const Cell error = precision == Precision::full
+                             ? Cell(Number{contender.max_abs_error.upper, all_digits})
+                             : shown_error(contender, 4);
+      table.rows.push_back({std::string(family.info.id),
+                            family.has_exponent() ? Cell(Number{comparison.setting.exponent, 10}) : Cell(),
+                            target_of(family, comparison.setting.surface), to_text(comparison.domain),
+                            curve_id(contender), contender.form, constants_text(contender, precision), error,
+                            place_of_error(contender), relative_error(contender, 4),
+                            Number{contender.rms_error, 4}, to_text(contender.operations),
+                            instructions(contender), beaten(contender, " ")});
+    }
+  }
+  return table;
+}
+
+Json write_comparison_json(const Comparison& comparison) {
+  const FittableFamily& family = *comparison.family;
+  Json contenders = Json::array();
+  for (const Contender& contender : comparison.contenders) contenders.push_back(contender_json(contender));
+  return {{"schema", 1},
+          {"constant", family.info.id},
+          {"exponent", family.has_exponent() ? Json(comparison.setting.exponent) : Json()},
+          {"target", target_of(family, comparison.setting.surface)},
+          {"surface", surface_json(comparison)},
+          {"domain", {comparison.domain.lower, comparison.domain.upper}},
+          {"curves", contenders},
+          {"left_out", comparison.left_out}};
+}
+
+namespace {
+
+/// "a = -5.492, b = -7.008".
+std::string rounded_text(const FittableFamily& family, const RoundedConstants& constants) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < constants.texts.size(); ++i)
+    parts.push_back(fmt::format("{} = {}", family.parameters[i], constants.texts[i]));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+Json rounded_json(const FittableFamily& family, const RoundedConstants& constants) {
+  Json parameters = Json::object();
+  for (std::size_t i = 0; i < constants.parameters.size(); ++i)
+    parameters[std::string(family.parameters[i])] = constants.parameters[i];
+  return {{"parameters", parameters}, {"max_abs_error", constants.max_error}, {"at", constants.at}};
+}
+
+}  // namespace
+
+Table half_table(const std::vector<CurveInHalf>& curves) {
+  Table table{{"curve", "published, rounded", "max abs error", "best in half", "max abs error", "best of"},
+              {}};
+  for (const CurveInHalf& curve : curves) {
+    if (!curve.rounded || !curve.rounded->published) {
+      table.rows.push_back({std::string(curve.published), curve.reason, Cell(), Cell(), Cell(), Cell()});
+      continue;
+    }
+    const FittableFamily& family = *find_family(curve.family);
+    const Rounded& rounded = *curve.rounded;
+    table.rows.push_back({std::string(curve.published), rounded_text(family, *rounded.published),
+                          Number{rounded.published->max_error, 6}, rounded_text(family, rounded.best),
+                          Number{rounded.best.max_error, 6},
+                          (rounded.is_proven ? "" : "not proven: ") + rounded.searched});
+  }
+  return table;
+}
+
+Json write_half_json(const std::vector<CurveInHalf>& curves) {
+  Json list = Json::array();
+  for (const CurveInHalf& curve : curves) {
+    Json item{{"published", curve.published}};
+    if (curve.rounded && curve.rounded->published) {
+      const FittableFamily& family = *find_family(curve.family);
+      item["rounded"] = rounded_json(family, *curve.rounded->published);
+      item["best"] = rounded_json(family, curve.rounded->best);
+      item["proven"] = curve.rounded->is_proven;
+    } else {
+      item["reason"] = curve.reason;
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
+std::string not_reached_lines(const Comparison& comparison) {
+  std::string lines;
+  for (const Contender& contender : comparison.contenders) {
+    if (contender.max_abs_error.is_reached) continue;
+    lines += fmt::format("shadefit: {}: the largest error of {} could not be enclosed: it is in [{}, {}]\n",
+                         target_of(comparison), curve_id(contender), contender.max_abs_error.lower,
+                         contender.max_abs_error.upper);
+  }
+  return lines;
+}
+
+std::string left_out_lines(const Comparison& comparison) {
+  std::string lines;
+  for (const std::string& fit : comparison.left_out) lines += "Left out: " + fit + "\n";
+  return lines;
+}
+
+}  // namespace shadefit

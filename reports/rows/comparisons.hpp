@@ -1,0 +1,43 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "fit/better/better.hpp"
+#include "fit/better/better_in_half.hpp"
+#include "reports/table/table.hpp"
+
+/// What is published and what else there is for a target, as rows and as JSON.
+namespace shadefit {
+
+/// "(1 - c)^5", "exact dielectric n = 1.5", "c^k at k = 5".
+std::string target_of(const Comparison& comparison);
+
+/// One row a curve, for a terminal or a page. Errors have six digits, of which the proof leaves the last one
+/// open by a unit.
+Table comparison_table(const Comparison& comparison);
+
+/// The same in short: four digits.
+Table short_comparison_table(const Comparison& comparison);
+
+/// One row per target and curve: better.csv. At Precision::full the largest error is the upper bound and
+/// constants read back as they are; else as in `short_comparison_table`.
+Table comparisons_table(const std::vector<Comparison>& comparisons, Precision precision);
+
+/// One object a target, both bounds of each error.
+nlohmann::ordered_json write_comparison_json(const Comparison& comparison);
+
+/// One row a published curve: its constants rounded to half and the best of half, with their errors there.
+Table half_table(const std::vector<CurveInHalf>& curves);
+
+/// The same, one object a curve; `reason` where there is nothing to compare.
+nlohmann::ordered_json write_half_json(const std::vector<CurveInHalf>& curves);
+
+/// A line for each curve whose bounds are wider than they should be.
+std::string not_reached_lines(const Comparison& comparison);
+
+/// A line for each fit that did not converge and so has no row.
+std::string left_out_lines(const Comparison& comparison);
+
+}  // namespace shadefit

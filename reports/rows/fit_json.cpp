@@ -1,0 +1,152 @@
+#include "reports/rows/fit_json.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "reports/rows/alternation.hpp"
+#include "reports/rows/tables.hpp"
+
+namespace shadefit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json domain_json(const Domain& domain) {
+  return {domain.lower, domain.upper};
+}
+
+Json constraints_json(const Constraints& constraints) {
+  Json fixed = Json::object();
+  for (const Held& held : constraints.held) fixed[held.parameter] = held.value;
+  return {{"fixed", fixed},
+          {"exact_at", constraints.exact_at},
+          {"one_sided", constraints.one_sided ? Json(name(*constraints.one_sided)) : Json()},
+          {"at_most", optional_json(constraints.at_most)},
+          {"at_least", optional_json(constraints.at_least)}};
+}
+
+/// `f0` is what a Fresnel form's relative error is of; null for others.
+Json objective_json(const Metric& metric, const std::optional<double>& f0) {
+  const bool is_minimax = metric.norm == Norm::minimax;
+  return {{"measure", name(metric.measure)},
+          {"measure_counts_for", is_minimax ? "rms_error alone: minimax has no measure" : "the fit"},
+          {"norm", name(metric.norm)},
+          {"error", name(metric.error)},
+          {"f0", optional_json(f0)},
+          {"weight", metric.weight.empty() ? "1" : metric.weight},
+          {"constraints", constraints_json(metric.constraints)},
+          {"domain", domain_json(metric.domain)}};
+}
+
+/// Where the error is at the level, or the form at a constraint: from the peak down.
+Json alternation_json(const Fit& fit) {
+  Json points = Json::array();
+  for (const AlternationPoint& point : fit.alternation) {
+    points.push_back({{"at", point.at.cos_theta},
+                      {"sign", sign_of_error(point, fit.metric.constraints)},
+                      {"error", point.error},
+                      {"holds", what_holds(point, fit.metric.constraints)},
+                      {"multiplier", point.multiplier}});
+  }
+  return points;
+}
+
+Json range_json(const std::optional<ExponentRange>& range) {
+  if (!range) return {};
+  return {{"exactly", range->exactly}, {"from", range->from}, {"to", range->to}};
+}
+
+Json assessment_json(const Assessment& assessment) {
+  const double printed = constant<double>(assessment.published->printed);
+  return {{"id", assessment.published->id},
+          {"parameter", assessment.published->parameter},
+          {"printed", assessment.published->printed},
+          {"deviation", assessment.computed - printed},
+          {"verdict", name(assessment.judgement.verdict)},
+          {"under", assessment.judgement.objective},
+          {"holds_for", range_json(assessment.holds_for)}};
+}
+
+/// The numbers that fits of a family are judged by: the first published for each parameter.
+std::vector<const Assessment*> principal(const FittableFamily& family, const FitReport& report) {
+  std::vector<const Assessment*> found;
+  for (const std::string_view parameter : family.parameters) {
+    const auto first = std::find_if(report.assessments.begin(), report.assessments.end(),
+                                    [&](const Assessment& a) { return a.published->parameter == parameter; });
+    if (first != report.assessments.end()) found.push_back(&*first);
+  }
+  return found;
+}
+
+}  // namespace
+
+Json write_fit_json(const FittableFamily& family, const FitReport& report) {
+  const Fit& fit = report.fit;
+  const bool is_answer = fit.status == Status::converged;
+  const auto answer = [&](const Json& value) { return is_answer ? value : Json(); };
+
+  const auto f0 = family.is_fresnel() ? std::optional(normal_reflectance<double>(fit.surface)) : std::nullopt;
+
+  Json parameters, published;
+  for (std::size_t i = 0; i < family.parameters.size(); ++i)
+    parameters[std::string(family.parameters[i])] = answer(fit.parameters[i]);
+  Json verdict;
+  Verdict worst = Verdict::confirmed;
+  for (const Assessment* a : principal(family, report)) {
+    published[std::string(a->published->parameter)] = constant<double>(a->published->printed);
+    worst = std::max(worst, a->judgement.verdict);
+    verdict = name(worst);
+  }
+  Json assessments = Json::array();
+  for (const Assessment& a : report.assessments) assessments.push_back(assessment_json(a));
+
+  return {{"schema", fit_json_schema},
+          {"constant", family.info.id},
+          {"exponent", fit.exponent ? Json(*fit.exponent) : Json()},
+          {"parameters", parameters},
+          {"published", published},
+          {"verdict", verdict},
+          {"rms_error", answer(fit.rms_error)},
+          {"max_abs_error", answer(fit.max_abs_error.magnitude)},
+          {"max_abs_error_at", answer(fit.max_abs_error.at.cos_theta)},
+          {"max_rel_error", fit.max_rel_error ? Json(fit.max_rel_error->magnitude) : Json()},
+          {"max_rel_error_at", fit.max_rel_error ? Json(fit.max_rel_error->at.cos_theta) : Json()},
+          {"relative_domain", fit.max_rel_error ? domain_json(fit.relative_domain) : Json()},
+          {"relative_to", fit.relative_to},
+          {"status", name(fit.status)},
+          {"iterations", fit.iterations},
+          {"digits", answer(fit.digits)},
+          {"objective", objective_json(fit.metric, f0)},
+          {"level", fit.level ? answer(*fit.level) : Json()},
+          {"alternation", fit.level ? answer(alternation_json(fit)) : Json()},
+          {"why", fit.why.empty() ? Json() : Json(fit.why)},
+          {"target", target_of(fit)},
+          {"ior", fit.surface.is_named() ? Json(fit.surface.ior) : Json()},
+          {"extinction", fit.surface.is_named() ? Json(fit.surface.extinction) : Json()},
+          {"form", to_text(family.form())},
+          {"assessments", assessments}};
+}
+
+Json write_derived_json(const Assessment& a) {
+  const std::string parameter(a.published->parameter);
+  return {{"schema", fit_json_schema},
+          {"constant", a.published->id},
+          {"exponent", nullptr},
+          {"parameters", {{parameter, a.computed}}},
+          {"published", {{parameter, constant<double>(a.published->printed)}}},
+          {"verdict", name(a.judgement.verdict)},
+          {"rms_error", nullptr},
+          {"max_abs_error", nullptr},
+          {"max_abs_error_at", nullptr},
+          {"max_rel_error", nullptr},
+          {"max_rel_error_at", nullptr},
+          {"relative_domain", nullptr},
+          {"relative_to", "a mean or limit of fits has no curve of its own"},
+          {"status", name(Status::converged)},
+          {"iterations", nullptr},
+          {"digits", nullptr},
+          {"objective", objective_json(a.metric, std::nullopt)},
+          {"assessments", Json::array({assessment_json(a)})}};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "fit/verdicts/refit.hpp"
+
+/// Fits as JSON, every number to its shortest round trip.
+namespace shadefit {
+
+/// The version of the objects below; it rises when a field changes its meaning, not when one is added.
+inline constexpr int fit_json_schema = 1;
+
+/// The number, or null.
+inline nlohmann::ordered_json optional_json(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+/// A JSON value as a file or a reader gets it.
+inline std::string json_text(const nlohmann::ordered_json& json) {
+  return json.dump(2) + "\n";
+}
+
+/// An array for a sweep, the object itself for one.
+inline std::string json_text_of_each(const nlohmann::ordered_json& array) {
+  return json_text(array.size() == 1 ? array.front() : array);
+}
+
+/// One fit. `published` maps parameters to the first number published for each, or is null; `verdict` is the
+/// worst of theirs; `assessments` lists every published number. Where the fit did not converge the numbers
+/// are null.
+nlohmann::ordered_json write_fit_json(const FittableFamily& family, const FitReport& report);
+
+/// A mean or limit of fits: the same fields, those without a meaning null.
+nlohmann::ordered_json write_derived_json(const Assessment& assessment);
+
+}  // namespace shadefit

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/rounding/rounding.hpp"
+#include "fit/verdicts/refit.hpp"
+#include "reports/table/table.hpp"
+
+/// Rounded constants, as rows and as JSON.
+namespace shadefit {
+
+/// A fit's rounded constants, or why there are none: it did not converge, or the format cannot hold it.
+struct RoundedFit {
+  std::optional<Rounded> rounded = std::nullopt;
+  std::string reason = {};
+};
+
+/// Rounds a fit and, where each of its parameters has one, the published values. Throws UserError where the
+/// format cannot hold them.
+RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint);
+
+/// Rounds every fit. `is_record`: the exponents are the record's own, nobody asked for each; one that the
+/// format cannot hold is then left out.
+std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
+                                      const Checkpoint& checkpoint);
+
+/// Rows of one table for the fits of a family: the best constants, the fit's own rounded, the published
+/// rounded.
+Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits);
+
+/// What the table's errors are, and among which constants the best were looked for: lines for the console.
+std::string rounded_text(const std::vector<RoundedFit>& fits);
+
+/// Appends `rounded` to the JSON of a fit: null where there is none, `rounded_reason` says why.
+void add_rounded_json(nlohmann::ordered_json& fit_json, const FittableFamily& family, const RoundedFit& fit);
+
+}  // namespace shadefit

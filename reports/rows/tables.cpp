@@ -1,0 +1,245 @@
+#include "reports/rows/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "approx/ledger/catalogue.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The published number, what the fit gives, their difference and the verdict; empty where nothing was
+/// published.
+struct PublishedCells {
+  Cell published, deviation, verdict, max_abs_error, source;
+};
+
+PublishedCells published_cells(const Refit& refit, const FitReport* report, std::size_t parameter,
+                               const Assessment* assessment) {
+  if (assessment == nullptr) return {};
+  const double printed = constant<double>(assessment->published->printed);
+  PublishedCells cells{word(assessment->published->printed),
+                       difference(assessment->computed - printed, assessment->computed),
+                       word(name(assessment->judgement.verdict)),
+                       {},
+                       word(citation(assessment->published->source))};
+  if (report != nullptr) {
+    // The error of the curve as published: all the parameters that the same source prints together.
+    auto parameters = report->fit.parameters;
+    for (const Assessment& other : report->assessments) {
+      const auto i = parameter_index(*refit.family, other.published->parameter);
+      const bool is_same_source = other.published->source.place == assessment->published->source.place;
+      if (i != parameter && is_same_source) parameters[i] = constant<double>(other.published->printed);
+    }
+    parameters[parameter] = printed;
+    cells.max_abs_error =
+        converged(refit.family->max_abs_error(setting_of(report->fit), report->fit.metric.domain, parameters)
+                      .magnitude);
+  }
+  return cells;
+}
+
+std::vector<Cell> row_start(const Refit& refit, const std::string& parameter,
+                            std::optional<double> exponent) {
+  return {word(refit.family->info.id), parameter, exponent ? Cell(Number{*exponent, 10}) : Cell()};
+}
+
+void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
+  row.insert(row.end(), cells);
+}
+
+/// "least-squares", and what else of the objective is not usual: "minimax, relative error, b = -7".
+std::string norm_text(const Metric& metric) {
+  std::string text(name(metric.norm));
+  if (metric.error != Error::absolute) text += fmt::format(", {} error", name(metric.error));
+  if (!metric.weight.empty()) text += ", weight " + metric.weight;
+  return text + describe(metric.constraints);
+}
+
+void append_metric(std::vector<Cell>& row, const Refit& refit, const Metric& metric,
+                   const std::string& target) {
+  append(row, {target, to_text(refit.family->form()), to_text(metric.domain), word(name(metric.measure)),
+               norm_text(metric)});
+}
+
+void add_fit_row(FitsTable& out, const Refit& refit, const FitReport& report, std::size_t parameter,
+                 const Assessment* assessment) {
+  const Fit& fit = report.fit;
+  const bool is_answer = fit.status == Status::converged;
+  const auto cells = published_cells(refit, &report, parameter, assessment);
+  auto row = row_start(refit, std::string(refit.family->parameters[parameter]), fit.exponent);
+  append(row, {cells.published, is_answer ? converged(fit.parameters[parameter]) : Cell(), cells.deviation,
+               is_answer ? cells.verdict : word(name(fit.status))});
+  append_metric(row, refit, fit.metric, target_of(fit));
+  if (is_answer) {
+    append(row, {converged(fit.rms_error), converged(fit.max_abs_error.magnitude),
+                 place(fit.max_abs_error.at), cells.max_abs_error, static_cast<long>(fit.digits)});
+  } else {
+    append(row, {{}, {}, {}, {}, {}});
+  }
+  row.push_back(cells.source);
+  out.table.rows.push_back(row);
+  out.origins.push_back({&refit, &report, parameter});
+}
+
+/// "x_mean", "x_limit"; a number published without its exponent is "x" at the exponent where it is exact.
+std::string derived_parameter(const Published& published) {
+  const std::string parameter(published.parameter);
+  if (published.statement == Statement::mean_of_fits) return parameter + "_mean";
+  return published.statement == Statement::limit_of_fits ? parameter + "_limit" : parameter;
+}
+
+void add_derived_row(FitsTable& out, const Refit& refit, const Assessment& assessment) {
+  const auto cells = published_cells(refit, nullptr, 0, &assessment);
+  const auto& range = assessment.holds_for;
+  auto row = row_start(refit, derived_parameter(*assessment.published),
+                       range ? std::optional(range->exactly) : std::nullopt);
+  append(row, {cells.published, converged(assessment.computed), cells.deviation, cells.verdict});
+  append_metric(row, refit, assessment.metric, to_text(refit.family->target()));
+  append(row, {{}, {}, {}, {}, {}, cells.source});
+  out.table.rows.push_back(row);
+  out.origins.push_back({&refit, nullptr, 0});
+}
+
+}  // namespace
+
+FitsTable fits_table(const std::vector<Refit>& refits) {
+  FitsTable out;
+  out.table.columns = {"constant",  "parameter",     "exponent",         "published",
+                       "fitted",    "deviation",     "verdict",          "target",
+                       "form",      "domain",        "measure",          "norm",
+                       "rms_error", "max_abs_error", "max_abs_error_at", "published_max_abs_error",
+                       "digits",    "source"};
+  for (const Refit& refit : refits) {
+    for (const FitReport& report : refit.fits) {
+      for (std::size_t i = 0; i < refit.family->parameters.size(); ++i) {
+        bool is_published = false;
+        for (const Assessment& assessment : report.assessments) {
+          if (assessment.published->parameter != refit.family->parameters[i]) continue;
+          add_fit_row(out, refit, report, i, &assessment);
+          is_published = true;
+        }
+        if (!is_published) add_fit_row(out, refit, report, i, nullptr);
+      }
+    }
+    for (const Assessment& assessment : refit.derived) add_derived_row(out, refit, assessment);
+  }
+  return out;
+}
+
+Table fits_overview(const Refit& refit) {
+  Table table{{}, {}};
+  if (refit.family->has_exponent()) table.columns.emplace_back("exponent");
+  for (const auto parameter : refit.family->parameters) table.columns.emplace_back(parameter);
+  for (const char* column :
+       {"status", "digits", "rms error", "max abs error", "at c", "published", "verdict"}) {
+    table.columns.emplace_back(column);
+  }
+  for (const FitReport& report : refit.fits) {
+    const Fit& fit = report.fit;
+    const bool is_answer = fit.status == Status::converged;
+    std::vector<Cell> row;
+    if (fit.exponent) row.push_back(Number{*fit.exponent, all_digits});
+    for (const double p : fit.parameters) row.push_back(is_answer ? Cell(Number{p, all_digits}) : Cell());
+    std::vector<std::string> printed, verdicts;
+    for (const Assessment& a : report.assessments) {
+      printed.emplace_back(a.published->printed);
+      verdicts.emplace_back(name(a.judgement.verdict));
+    }
+    row.insert(row.end(),
+               {std::string(name(fit.status)), is_answer ? Cell(static_cast<long>(fit.digits)) : Cell(),
+                is_answer ? Cell(Number{fit.rms_error, 4}) : Cell(),
+                is_answer ? Cell(Number{fit.max_abs_error.magnitude, 4}) : Cell(),
+                is_answer ? place(fit.max_abs_error.at) : Cell(), fmt::format("{}", fmt::join(printed, ", ")),
+                fmt::format("{}", fmt::join(verdicts, ", "))});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+Table normalisation_table(const std::vector<NormalisationCheck>& checks) {
+  Table table{{"constant", "exponent", "closed_form", "integral", "relative_difference", "estimated_error",
+               "verdict"},
+              {}};
+  for (const auto& check : checks) {
+    const bool is_good = check.estimated_error <= normalisation_tolerance;
+    table.rows.push_back({word(check.record->id), check.exponent ? Cell(Number{*check.exponent, 10}) : Cell(),
+                          converged(check.closed_form), converged(check.integral),
+                          above_floor(check.relative_difference, normalisation_tolerance),
+                          Number{is_good ? normalisation_tolerance : check.estimated_error, 2},
+                          word(check.verdict ? name(*check.verdict) : name(Status::not_converged))});
+  }
+  return table;
+}
+
+/// The metric that gives a published number, and for which exponents.
+std::string under(const Assessment& assessment) {
+  const auto& range = assessment.holds_for;
+  if (!range) return assessment.judgement.objective;
+  return fmt::format("{}, k = {:.3g} to {:.3g}", assessment.judgement.objective, range->from, range->to);
+}
+
+Table summary_table(const Results& results) {
+  Table table{{"constant", "printed", "computed", "verdict", "under", "digits of the fit"}, {}};
+  // A published number is judged under the first measure first; that assessment is its verdict.
+  const auto add = [&](const Assessment& assessment, Cell digits) {
+    if (assessment.metric.measure != measures.front()) return;
+    table.rows.push_back({word(assessment.published->id), word(assessment.published->printed),
+                          converged(assessment.judgement.value), word(name(assessment.judgement.verdict)),
+                          word(under(assessment)), digits});
+  };
+  for (const Refit& refit : results.refits) {
+    for (const Assessment& assessment : refit.derived) add(assessment, {});
+    for (const FitReport& report : refit.fits) {
+      for (const Assessment& assessment : report.assessments)
+        add(assessment, static_cast<long>(report.fit.digits));
+    }
+  }
+  // The integrals are a part of what a claim of the same id says.
+  const auto judged = [&](const Normalisation& record, Verdict of_integrals) {
+    for (const JudgedClaim& claim : results.claims) {
+      if (claim.claim->id == record.id) return claim.finding.verdict.value_or(of_integrals);
+    }
+    return of_integrals;
+  };
+  for (const Normalisation& record : normalisations) {
+    long confirmed = 0, all = 0;
+    for (const auto& check : results.normalisations) {
+      if (check.record->id != record.id) continue;
+      ++all;
+      confirmed += check.verdict == Verdict::confirmed;
+    }
+    if (all == 0) continue;
+    table.rows.push_back(
+        {word(record.id),
+         word(record.printed),
+         record.closeness == 0 ? fmt::format("{} of {} integrals agree", confirmed, all)
+                               : fmt::format("{} of {} within {}", confirmed, all, record.closeness),
+         word(name(judged(record, confirmed == all ? Verdict::confirmed : Verdict::refuted))),
+         std::string("v = n"),
+         {}});
+  }
+  return table;
+}
+
+std::string target_of(const FittableFamily& family, const Surface& surface) {
+  const std::string formula = to_text(family.target());
+  if (!surface.is_named()) return formula;
+  const std::string index = surface.extinction == 0
+                                ? fmt::format("n = {}", surface.ior)
+                                : fmt::format("n = {}, k = {}", surface.ior, surface.extinction);
+  if (!surface.is_exact()) return fmt::format("{}, f0 of {}", formula, index);
+  return fmt::format("exact {} {}", surface.extinction == 0 ? "dielectric" : "conductor", index);
+}
+
+std::string target_of(const Fit& fit) {
+  return target_of(*find_family(fit.family->id), fit.surface);
+}
+
+std::string citation(const Source& source) {
+  return fmt::format("{} {}, {}, {}", source.author, source.year, source.title, source.place);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,71 @@
+#include "reports/sections/better_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fit/run/results.hpp"
+#include "reports/rows/comparisons.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+using Kind = Contender::Kind;
+
+/// The curve of least error among those that beat a published one, or null.
+const Contender* best_against(const Comparison& comparison, std::string_view published) {
+  const Contender* best = nullptr;
+  for (const Contender& contender : comparison.contenders) {
+    const auto& beats = contender.beats;
+    if (std::find(beats.begin(), beats.end(), published) == beats.end()) continue;
+    if (best == nullptr || contender.max_abs_error.upper < best->max_abs_error.upper) best = &contender;
+  }
+  return best;
+}
+
+std::string origin(const Contender& contender) {
+  return contender.kind == Kind::published ? std::string(contender.published) : contender.origin;
+}
+
+/// "- `fresnel-one-term`, off by 0.03006 in 2 instructions: `exp2(-A c)` (minimax absolute error), off by
+/// 0.02628 in 2."
+std::string sentence(const Contender& published, const Contender* best) {
+  const auto error = [](const Contender& c) {
+    return text(Number{c.max_abs_error.lower, 4}, Precision::report);
+  };
+  const std::string what = fmt::format("- `{}`, off by {} in {} instructions: ", published.published,
+                                       error(published), published.operations.total());
+  if (best == nullptr) return what + "nothing here is better at its cost.\n";
+  const std::string whose = fmt::format("`{}` ({}{})", best->form,
+                                        best->kind == Kind::published ? "published as " : "", origin(*best));
+  return what + fmt::format("{}, off by {} in {}.\n", whose, error(*best), best->operations.total());
+}
+
+}  // namespace
+
+std::string better_section(const std::vector<Comparison>& comparisons) {
+  std::string out = fmt::format(
+      "## Published against best\n\n"
+      "What would be better at the same cost? For each target here the published curves, and each form with the constants "
+      "that make its largest error least (minimax); forms that nobody published stand beside. The largest errors are "
+      "proven, to {:g} of themselves: the digits shown are right to within one unit of the last. The other errors are "
+      "computed; the rms error is uniform in the cosine. On a surface all are of the reflectance F. Operations are those "
+      "of the code that `shadefit emit` writes at one exponent: what is made of constants alone is computed before it "
+      "runs. A curve beats a published one whose proven error is larger at no fewer instructions. "
+      "Other surfaces, exponents, domains and objectives: `shadefit better ID`.\n\n",
+      report_contest.width);
+  for (const Comparison& comparison : comparisons) {
+    out += fmt::format("### {}\n\n", target_of(comparison)) +
+           markdown_block(short_comparison_table(comparison)) +
+           "The best at the cost of each published curve:\n\n";
+    for (const Contender& contender : comparison.contenders) {
+      if (contender.kind == Kind::published)
+        out += sentence(contender, best_against(comparison, contender.published));
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace shadefit

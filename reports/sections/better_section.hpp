@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/better/better.hpp"
+
+/// The part of the report that says what would be better at the same cost.
+namespace shadefit {
+
+/// A table for each target, and which published curves nothing here beats.
+std::string better_section(const std::vector<Comparison>& comparisons);
+
+}  // namespace shadefit

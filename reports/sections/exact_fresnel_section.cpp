@@ -1,0 +1,192 @@
+#include "reports/sections/exact_fresnel_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "approx/records/optical_constants.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+bool is_glass(const FresnelLink& link) {
+  return link.surface->extinction == "0" && link.surface->ior == glass.ior;
+}
+
+std::string parameters_text(const FresnelLink& link) {
+  std::string text;
+  if (link.status != Status::converged) return text;
+  for (std::size_t i = 0; i < link.parameters.size(); ++i) {
+    text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", link.family->parameters[i],
+                        shadefit::text(converged(link.parameters[i]), Precision::report));
+  }
+  return text;
+}
+
+/// "fresnel-quadratic-a", "fresnel-quadratic refitted", "schlick": a curve in a table that programs read.
+std::string curve_id(const FresnelLink& link) {
+  if (link.family == nullptr) return "schlick";
+  return link.published.empty() ? std::string(link.family->info.id) + " refitted"
+                                : std::string(link.published);
+}
+
+/// And for people.
+std::string curve_text(const FresnelLink& link) {
+  if (link.family == nullptr) return "Schlick's formula";
+  const std::string form = fmt::format("`{}`", to_text(link.family->form()));
+  if (link.status != Status::converged) return fmt::format("{}, refitted: {}", form, name(link.status));
+  return fmt::format("{}, {} {}", form,
+                     link.published.empty() ? "refitted:" : "published:", parameters_text(link));
+}
+
+std::string surface_text(const OpticalConstants& surface) {
+  if (surface.extinction == "0") return fmt::format("{}, n = {}", surface.material, surface.ior);
+  return fmt::format("{} at {} nm, n = {}, k = {}", surface.material, surface.wavelength, surface.ior,
+                     surface.extinction);
+}
+
+Cell error(double value) {
+  return Number{value, 3};
+}
+
+Cell percent(double value) {
+  return Number{100 * value, 3};
+}
+
+/// Absolute, relative and in codes, or nothing where there is no curve.
+std::vector<Cell> error_cells(const FresnelLink& link, const ReflectanceError& errors) {
+  if (link.status != Status::converged) return {{}, {}, {}};
+  return {error(errors.absolute.magnitude), percent(errors.relative.magnitude), error(errors.srgb_codes)};
+}
+
+std::vector<Cell> chain_row(const FresnelLink& link) {
+  std::vector<Cell> row{curve_text(link)};
+  if (link.family == nullptr) {
+    row.insert(row.end(), 3, Cell());
+  } else {
+    for (const Cell& cell : error_cells(link, link.from_schlick)) row.push_back(cell);
+  }
+  for (const Cell& cell : error_cells(link, link.from_exact)) row.push_back(cell);
+  return row;
+}
+
+const std::vector<std::string> chain_columns{"curve", "from Schlick", "in %", "codes", "from the exact F",
+                                             "in % ", "codes "};
+
+const FresnelLink* worst(const std::vector<FresnelLink>& chain, bool of_metals) {
+  const FresnelLink* found = nullptr;
+  for (const FresnelLink& link : chain) {
+    const bool counts = link.family == nullptr && (link.surface->extinction != "0") == of_metals;
+    if (!counts) continue;
+    if (found == nullptr || link.from_exact.absolute.magnitude > found->from_exact.absolute.magnitude)
+      found = &link;
+  }
+  return found;
+}
+
+std::string sources_text(const std::vector<FresnelLink>& chain) {
+  std::string text;
+  std::string_view last;
+  for (const FresnelLink& link : chain) {
+    const Source& source = link.surface->source;
+    if (link.surface->extinction == "0" || source.title == last) continue;
+    last = source.title;
+    text += fmt::format("{}{} {} ({})", text.empty() ? "" : "; ", source.author, source.year, source.place);
+  }
+  return text;
+}
+
+}  // namespace
+
+Table fresnel_table(const std::vector<FresnelLink>& chain) {
+  Table table{
+      {"surface", "wavelength", "ior", "extinction", "f0", "curve", "parameters", "schlick_max_abs_error",
+       "schlick_max_rel_error", "schlick_srgb_codes", "exact_max_abs_error", "exact_max_abs_error_at",
+       "exact_max_rel_error", "exact_max_rel_error_at", "exact_srgb_codes", "source", "status"},
+      {}};
+  const auto number = [](std::string_view text) {
+    return text.empty() ? Cell() : Cell(Number{constant<double>(text), 10});
+  };
+  for (const FresnelLink& link : chain) {
+    const auto cell = [&](double value) {
+      return link.status == Status::converged ? Cell(Number{value, 6}) : Cell();
+    };
+    const auto at = [&](const Extremum& e) {
+      return link.status == Status::converged ? place(e.at) : Cell();
+    };
+    table.rows.push_back({std::string(link.surface->material), number(link.surface->wavelength),
+                          number(link.surface->ior), number(link.surface->extinction), Number{link.f0, 6},
+                          curve_id(link), parameters_text(link), cell(link.from_schlick.absolute.magnitude),
+                          cell(link.from_schlick.relative.magnitude), cell(link.from_schlick.srgb_codes),
+                          cell(link.from_exact.absolute.magnitude), at(link.from_exact.absolute),
+                          cell(link.from_exact.relative.magnitude), at(link.from_exact.relative),
+                          cell(link.from_exact.srgb_codes),
+                          fmt::format("{} {}", link.surface->source.author, link.surface->source.year),
+                          std::string(name(link.status))});
+  }
+  return table;
+}
+
+Table glass_table(const std::vector<FresnelLink>& chain) {
+  Table table{chain_columns, {}};
+  for (const FresnelLink& link : chain) {
+    if (is_glass(link)) table.rows.push_back(chain_row(link));
+  }
+  return table;
+}
+
+std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
+  std::string out =
+      "## Exact Fresnel\n\n"
+      "The forms above were fitted to Schlick's formula, which is itself an approximation. Here each is held against "
+      "both: Schlick's formula with the surface's f0, and the exact reflectance of a smooth surface in unpolarised "
+      "light, from outside. Errors are the largest over all angles, of the reflectance F: absolute, relative in "
+      "percent, and in 8-bit sRGB codes. \"Refitted\" is the same form by least squares against the exact F, uniform in the "
+      "cosine.\n\n";
+  const FresnelLink* dielectric = worst(chain, false);
+  const FresnelLink* metal = worst(chain, true);
+  out += fmt::format(
+      "Schlick's formula is off by up to {:.3g} ({:.3g} codes) on the dielectrics here, worst for {}, and by up to "
+      "{:.3g} ({:.3g} codes) on the metals, worst for {}. n and k of metals: {}.\n\n",
+      dielectric->from_exact.absolute.magnitude, dielectric->from_exact.srgb_codes,
+      surface_text(*dielectric->surface), metal->from_exact.absolute.magnitude, metal->from_exact.srgb_codes,
+      surface_text(*metal->surface), sources_text(chain));
+  for (auto first = chain.begin(); first != chain.end();) {
+    const auto last =
+        std::find_if(first, chain.end(), [&](const FresnelLink& l) { return l.surface != first->surface; });
+    Table table{chain_columns, {}};
+    std::transform(first, last, std::back_inserter(table.rows), chain_row);
+    out +=
+        fmt::format("{}, f0 = {:.4g}:\n\n", surface_text(*first->surface), first->f0) + markdown_block(table);
+    first = last;
+  }
+  return out;
+}
+
+std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
+  const FresnelLink *schlick = nullptr, *truest = nullptr, *closest = nullptr;
+  for (const FresnelLink& link : chain) {
+    if (!is_glass(link)) continue;
+    if (link.family == nullptr) schlick = &link;
+    if (link.published.empty()) continue;
+    const auto nearer = [&](const FresnelLink* best, const ReflectanceError FresnelLink::*from) {
+      return best == nullptr || (link.*from).absolute.magnitude < (best->*from).absolute.magnitude;
+    };
+    if (nearer(truest, &FresnelLink::from_exact)) truest = &link;
+    if (nearer(closest, &FresnelLink::from_schlick)) closest = &link;
+  }
+  if (schlick == nullptr || truest == nullptr) return "";
+  const double off = schlick->from_exact.absolute.magnitude, near = closest->from_schlick.absolute.magnitude;
+  return fmt::format(
+             "Schlick's formula, which the Fresnel constants were fitted to, is itself off by up to {:.3g} in "
+             "reflectance on glass (n = {}): {:.2g} times as far from the truth as {} is from it ({:.3g}). Of the "
+             "published curves the nearest to the truth there, in absolute reflectance, is {}, off by {:.3g}:\n\n",
+             off, glass.ior, off / near, curve_text(*closest), near, curve_text(*truest),
+             truest->from_exact.absolute.magnitude) +
+         write_markdown(glass_table(chain), Precision::report) +
+         "\nThe largest errors over all angles, of the reflectance F with f0 = 0.04: absolute, in percent of F, and in "
+         "8-bit sRGB codes. More surfaces, metals too: [Exact Fresnel](#exact-fresnel).\n\n";
+}
+
+}  // namespace shadefit

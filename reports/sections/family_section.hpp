@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/verdicts/refit.hpp"
+#include "reports/figures/figure.hpp"
+
+/// The part of the report that tells of one family.
+namespace shadefit {
+
+/// Its formulas, the published numbers and their verdicts, the best parameters and their errors, how they
+/// approach their limit, those of the `figures` that are the family's, and mistyped copies in circulation.
+std::string family_section(const Refit& refit, const std::vector<Figure>& figures);
+
+}  // namespace shadefit

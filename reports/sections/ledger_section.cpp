@@ -1,0 +1,188 @@
+#include "reports/sections/ledger_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include "reports/rows/tables.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+std::string quantities_text(const Quantities& quantities) {
+  std::vector<std::string> words;
+  for (const Quantity& quantity : quantities) {
+    words.push_back(quantity.name.empty() ? std::string(quantity.value)
+                                          : fmt::format("{} = {}", quantity.name, quantity.value));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// The words of `text` in lines of at most `width` letters, the second and later ones behind `indent`.
+std::string wrapped(std::string_view text, std::size_t width, const std::string& indent) {
+  std::istringstream words{std::string(text)};
+  std::string out, word;
+  std::size_t column = 0;
+  while (words >> word) {
+    if (column > 0 && column + 1 + word.size() > width) {
+      out += "\n" + indent;
+      column = 0;
+    }
+    if (column > 0) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += word.size();
+  }
+  return out;
+}
+
+/// What of a text a column of a terminal has room for.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t room = 40;
+  return text.size() <= room ? text : text.substr(0, room - 3) + " ..";
+}
+
+std::vector<JudgedClaim> of_topic(const std::vector<JudgedClaim>& claims, const Topic& topic) {
+  std::vector<JudgedClaim> found;
+  std::copy_if(claims.begin(), claims.end(), std::back_inserter(found),
+               [&](const JudgedClaim& judged) { return judged.topic == &topic; });
+  return found;
+}
+
+std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& claims,
+                          const std::vector<Figure>& figures) {
+  std::string out = fmt::format("### {}\n\n", topic.title) + markdown_block(claims_overview(claims));
+  for (const auto& [_, claim, finding] : claims) {
+    out += fmt::format("- **`{}`** ({} {}): {}. Verdict: **{}**: {}. Effect: {}.", claim->id,
+                       claim->source.author, claim->source.year, claim->statement, verdict_text(finding),
+                       finding.evidence, finding.effect);
+    const std::string_view name = claim->figure;  // clang 14 captures no structured binding
+    const bool is_drawn = std::any_of(figures.begin(), figures.end(),
+                                      [&](const Figure& figure) { return figure.name == name; });
+    if (is_drawn) out += fmt::format(" Plot: [{0}](plots/{0}.svg).", claim->figure);
+    out += "\n";
+  }
+  return out + "\n";
+}
+
+}  // namespace
+
+std::string printed_text(const Claim& claim) {
+  return claim.printed.empty() ? "-" : quantities_text(claim.printed);
+}
+
+std::string verdict_text(const Finding& finding) {
+  return std::string(finding.verdict ? name(*finding.verdict) : name(Status::not_converged));
+}
+
+Table claims_table(const std::vector<JudgedClaim>& claims) {
+  Table table{
+      {"claim", "printed", "computed", "verdict", "effect", "evidence", "source", "topic", "statement"}, {}};
+  for (const auto& [topic, claim, finding] : claims) {
+    table.rows.push_back({word(claim->id), printed_text(*claim), finding.computed, verdict_text(finding),
+                          finding.effect, finding.evidence, citation(claim->source), word(topic->title),
+                          word(claim->statement)});
+  }
+  return table;
+}
+
+Table claims_overview(const std::vector<JudgedClaim>& claims) {
+  Table table{{"claim", "printed", "computed", "verdict"}, {}};
+  for (const auto& [_, claim, finding] : claims)
+    table.rows.push_back({word(claim->id), printed_text(*claim), finding.computed, verdict_text(finding)});
+  return table;
+}
+
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts) {
+  Table table{{"id", "printed", "of", "source"}, {}};
+  if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
+  for (const auto& [_, claim, finding] : claims) {
+    std::vector<Cell> row{word(claim->id), printed_text(*claim), word(claim->statement),
+                          citation(claim->source)};
+    if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts) {
+  Table table{{"id", "printed", "source"}, {}};
+  if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
+  for (const auto& [_, claim, finding] : claims) {
+    std::vector<Cell> row{word(claim->id), shortened(printed_text(*claim)),
+                          fmt::format("{} {}", claim->source.author, claim->source.year)};
+    if (with_verdicts) row.insert(row.begin() + 2, {shortened(finding.computed), verdict_text(finding)});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+void add_forms_of_comparison(Table& list) {
+  for (const FittableFamily& family : fittable_families()) {
+    if (!family.info.is_comparison) continue;
+    std::vector<Cell> row{word(family.info.id), word("-"), word("a form of comparison, fit takes it")};
+    if (list.columns.size() == 4)
+      row.insert(row.begin() + 2, fmt::format("{} ~ {}", to_text(family.target()), to_text(family.form())));
+    list.rows.push_back(row);
+  }
+}
+
+std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
+  std::vector<std::pair<std::string, int>> counts;
+  for (const Verdict verdict : all_verdicts) counts.emplace_back(name(verdict), 0);
+  counts.emplace_back(name(Status::not_converged), 0);
+  for (const JudgedClaim& judged : claims) {
+    for (auto& [verdict, count] : counts) count += verdict == verdict_text(judged.finding);
+  }
+  std::vector<std::string> words;
+  for (const auto& [verdict, count] : counts) {
+    if (count > 0) words.push_back(fmt::format("{} {}", count, verdict));
+  }
+  return fmt::format("{} {}: {}", claims.size(), claims.size() == 1 ? "claim" : "claims",
+                     fmt::join(words, ", "));
+}
+
+std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {
+  std::string out = fmt::format(
+      "## The ledger\n\n"
+      "What the source documents state, judged: {}. A printed number is judged by its digits, as above. A statement, an inequality, a "
+      "threshold or an identity is *confirmed* where it holds wherever it speaks of, *conditional* where it holds in a part that the "
+      "evidence names or in one reading of several, *refuted* where it does not. A word is read as a number that the record names "
+      "(`shadefit explain ID` shows it, with the derivation).\n\n",
+      verdict_counts(claims));
+  const Topic* last = nullptr;
+  for (const JudgedClaim& judged : claims) {
+    if (judged.topic != last) out += topic_section(*judged.topic, of_topic(claims, *judged.topic), figures);
+    last = judged.topic;
+  }
+  return out;
+}
+
+std::string explanation(const JudgedClaim& judged) {
+  constexpr std::size_t width = 96;
+  const std::string indent(10, ' ');
+  const auto& [topic, claim, finding] = judged;
+  std::string out = fmt::format("{}\n", claim->id);
+  const auto line = [&](std::string_view label, const std::string& text) {
+    if (!text.empty()) out += fmt::format("{:<10}{}\n", label, wrapped(text, width, indent));
+  };
+  line("topic", std::string(topic->title));
+  line("says", std::string(claim->statement));
+  line("printed", printed_text(*claim));
+  line("source", citation(claim->source));
+  line("given", quantities_text(claim->inputs));
+  line("why", std::string(claim->derivation));
+  line("computed", finding.computed);
+  line("verdict", verdict_text(finding));
+  line("evidence", finding.evidence);
+  line("effect", finding.effect);
+  line("plot", claim->figure.empty() ? "" : fmt::format("plots/{}.svg", claim->figure));
+  return out;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/ledger/ledger.hpp"
+#include "reports/figures/figure.hpp"
+#include "reports/table/table.hpp"
+
+/// The ledger: every claim of the source documents with its verdict, as rows, as sections and one by one.
+namespace shadefit {
+
+/// "a = -5.55473, b = -6.98316"; "-" for a claim without a number.
+std::string printed_text(const Claim& claim);
+
+/// The verdict's name; "not-converged" where the evidence is weaker than what is printed.
+std::string verdict_text(const Finding& finding);
+
+/// One row per claim: claims.csv.
+Table claims_table(const std::vector<JudgedClaim>& claims);
+
+/// What a table for people shows of them: claim, printed, computed, verdict.
+Table claims_overview(const std::vector<JudgedClaim>& claims);
+
+/// Every record, with its verdict where claims are judged: `shadefit list`.
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts);
+
+/// The same, as narrow as a terminal: no statements, long cells cut, a source as "author year".
+Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts);
+
+/// Adds a row for each form of comparison, which no source names, to one of these two tables without
+/// verdicts.
+void add_forms_of_comparison(Table& list);
+
+/// "82 claims: 61 confirmed, 4 rounding, ..": verdicts that occur, in their order.
+std::string verdict_counts(const std::vector<JudgedClaim>& claims);
+
+/// A section for each topic: a table of verdicts, and each claim's evidence and effect, with a link to its
+/// figure where that is among the `figures`.
+std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures);
+
+/// One claim in full, for a terminal: record, derivation, evidence, effect, plot.
+std::string explanation(const JudgedClaim& judged);
+
+}  // namespace shadefit

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "fit/run/results.hpp"
+
+/// The part of the report on normalisation constants.
+namespace shadefit {
+
+/// Each constant against 1 over its integral; the ratio of the cheap stand-in to the exact constant over the
+/// exponent.
+std::string normalisation_section(const Results& results);
+
+}  // namespace shadefit

@@ -1,0 +1,140 @@
+#include "reports/sections/reflectance_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+/// An angle in degrees: an extremum is known to half the digits of a double, so these mean something.
+Cell angle(double degrees) {
+  return Number{degrees, 6};
+}
+
+std::string angle_text(double degrees) {
+  return text(Number{degrees, 4}, Precision::report);
+}
+
+/// A reflectance for people.
+Cell rounded(double reflectance) {
+  return Number{reflectance, 6};
+}
+
+using Curves = std::vector<const ReflectanceCurve*>;
+
+Curves curves_of(const std::vector<ReflectanceCurve>& curves, const Normalisation& record) {
+  Curves found;
+  for (const auto& curve : curves) {
+    if (curve.record == &record) found.push_back(&curve);
+  }
+  return found;
+}
+
+/// View angles down, exponents across.
+Table constant_table(const Curves& curves, double Reflectance::*value) {
+  Table table{{"view angle"}, {}};
+  for (const auto* curve : curves) table.columns.push_back(fmt::format("a = {}", curve->exponent));
+  for (std::size_t i = 0; i < view_angles.size(); ++i) {
+    std::vector<Cell> row{angle(view_angles[i])};
+    for (const auto* curve : curves) row.push_back(rounded(curve->points[i].*value));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::string constant_part(const ReflectedConstant& constant, const Curves& curves) {
+  const auto& record = *constant.record;
+  std::string out = fmt::format("`{}`, `{} {}`:\n\n", record.id, record.printed, record.lobe) +
+                    markdown_block(constant_table(curves, &Reflectance::reflectance));
+  if (constant.has_cosine) return out;
+  return out +
+         fmt::format("`{}` with n.l beside it, `{} {} (n.l)`:\n\n", record.id, record.printed, record.lobe) +
+         markdown_block(constant_table(curves, &Reflectance::with_cosine));
+}
+
+Table largest_table(const std::vector<ReflectanceCurve>& curves) {
+  Table table{
+      {"constant", "a", "largest", "at angle", "largest with n.l", "at angle (n.l)", "creates energy below"},
+      {}};
+  for (const auto& curve : curves) {
+    table.rows.push_back({std::string(curve.record->id), Number{curve.exponent, 10},
+                          converged(curve.largest.value), angle(curve.largest.view_angle),
+                          converged(curve.largest_with_cosine.value),
+                          angle(curve.largest_with_cosine.view_angle),
+                          curve.conserves_from ? angle(*curve.conserves_from) : Cell()});
+  }
+  return table;
+}
+
+/// The exponents of curves, by commas.
+std::string exponents_text(const Curves& curves) {
+  std::string out;
+  for (const auto* curve : curves) out += fmt::format("{}{}", out.empty() ? "" : ", ", curve->exponent);
+  return out;
+}
+
+/// What a constant does to energy, from its curves. Peaks that are equal within rounding are named together.
+std::string energy_sentence(const Normalisation& record, const Curves& curves) {
+  double largest = 0;
+  for (const auto* curve : curves) largest = std::max(largest, curve->largest_with_cosine.value);
+  Curves worst, creating;
+  for (const auto* curve : curves) {
+    if (curve->largest_with_cosine.value >= largest * (1 - energy_tolerance)) worst.push_back(curve);
+    if (curve->conserves_from) creating.push_back(curve);
+  }
+  const std::string peak =
+      fmt::format("{} at {} degrees for a = {}", text(rounded(largest), Precision::report),
+                  angle_text(worst.front()->largest_with_cosine.view_angle), exponents_text(worst));
+  if (creating.empty()) {
+    return fmt::format("- `{}` creates no energy for a = {}: its reflectance with n.l is at most {}.\n",
+                       record.id, exponents_text(curves), peak);
+  }
+  std::string where;
+  for (const auto* curve : creating) {
+    where += fmt::format("{}below {} degrees for a = {}", where.empty() ? "" : ", ",
+                         angle_text(*curve->conserves_from), curve->exponent);
+  }
+  return fmt::format("- `{}` creates energy: {}. Its reflectance is largest, {}.\n", record.id, where, peak);
+}
+
+}  // namespace
+
+Table reflectance_table(const std::vector<ReflectanceCurve>& curves) {
+  Table table{{"constant", "exponent", "view_angle", "reflectance", "estimated_error", "with_cosine"}, {}};
+  for (const auto& curve : curves) {
+    for (const Reflectance& point : curve.points) {
+      const bool is_good = point.estimated_error <= reflectance_tolerance;
+      table.rows.push_back({std::string(curve.record->id), Number{curve.exponent, 10},
+                            angle(point.view_angle), converged(point.reflectance),
+                            Number{is_good ? reflectance_tolerance : point.estimated_error, 2},
+                            converged(point.with_cosine)});
+    }
+  }
+  return table;
+}
+
+std::string reflectance_section(const std::vector<ReflectanceCurve>& curves) {
+  std::string out =
+      "## Energy at every angle\n\n"
+      "The constants above are stated for v = n. Here the reflectance R, the constant times the integral of its "
+      "lobe over the hemisphere n.l >= 0 (r.v clamped at 0), is followed to grazing views; the view angle is "
+      "counted from the normal, in degrees. Light is only given back up to R = 1 if the lobe carries n.l, so "
+      "constants stated without it are integrated as they stand and with n.l beside it. Two independent ways "
+      "agree to within the estimated error of `reflectance.csv`: circles around the lobe's axis, their azimuth "
+      "in closed form, by Gauss-Kronrod; longitudes and latitudes around the pole square to n and v, by "
+      "tanh-sinh or Gauss-Legendre.\n\n";
+  std::string sentences;
+  for (const ReflectedConstant& constant : reflected_constants) {
+    const Curves found = curves_of(curves, *constant.record);
+    if (found.empty()) continue;
+    out += constant_part(constant, found);
+    sentences += energy_sentence(*constant.record, found);
+  }
+  return out + "The largest over all view angles, and below which of them R with n.l exceeds 1:\n\n" +
+         markdown_block(largest_table(curves)) + sentences + "\n";
+}
+
+}  // namespace shadefit

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/integrals/reflectance.hpp"
+#include "reports/table/table.hpp"
+
+/// The part of the report that follows normalised lobes away from v = n.
+namespace shadefit {
+
+/// One row per constant, exponent and view angle: reflectance.csv.
+Table reflectance_table(const std::vector<ReflectanceCurve>& curves);
+
+/// A table of reflectances per constant, one of the largest, and what they say about energy.
+std::string reflectance_section(const std::vector<ReflectanceCurve>& curves);
+
+}  // namespace shadefit

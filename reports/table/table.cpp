@@ -1,0 +1,55 @@
+#include "reports/table/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadefit {
+namespace {
+
+constexpr int parameter_digits = 10;
+constexpr int place_digits = 6;
+
+/// The decimal exponent of a number: 0 for [1, 10).
+int decimal_exponent(double value) {
+  return static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
+}  // namespace
+
+std::string text(const Cell& cell, Precision precision) {
+  if (const auto* word = std::get_if<std::string>(&cell)) return *word;
+  if (const auto* whole = std::get_if<long>(&cell)) return fmt::format("{}", *whole);
+  if (const auto* number = std::get_if<Number>(&cell)) {
+    const double value = number->value == 0 ? 0 : number->value;
+    const bool is_shortest = precision == Precision::full || number->digits >= all_digits;
+    return is_shortest ? fmt::format("{}", value) : fmt::format("{:.{}g}", value, number->digits);
+  }
+  return "";
+}
+
+Cell word(std::string_view text) {
+  return std::string(text);
+}
+
+Cell converged(double value) {
+  return Number{value, parameter_digits};
+}
+
+Cell place(const Cosine<double>& at) {
+  const int zeros = at.one_minus_cos > 0 ? -1 - decimal_exponent(at.one_minus_cos) : 0;
+  return Number{at.cos_theta, std::max(place_digits, zeros + 3)};
+}
+
+Cell difference(double value, double minuend) {
+  if (value == 0 || minuend == 0) return Number{value, parameter_digits};
+  const int digits = parameter_digits + decimal_exponent(value) - decimal_exponent(minuend);
+  return digits < 1 ? Number{0, 1} : Number{value, std::min(digits, parameter_digits)};
+}
+
+Cell above_floor(double value, double floor) {
+  return std::abs(value) < floor ? Number{0, 1} : Number{value, 2};
+}
+
+}  // namespace shadefit

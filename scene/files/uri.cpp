@@ -1,0 +1,140 @@
+#include "scene/files/uri.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "fit/support/user_error.hpp"
+#include "scene/files/short_text.hpp"
+
+namespace shadefit::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// PATH_MAX of Linux: no system opens a file of a longer name.
+constexpr std::size_t most_name_bytes = 4096;
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// "http" of "http://..", in small letters; empty where there is none. Source: Berners-Lee, Fielding,
+/// Masinter 2005, RFC 3986, section 3.1.
+std::string scheme_of(std::string_view uri) {
+  const std::size_t end = uri.find(':');
+  if (end == std::string_view::npos || end == 0 || !is_letter(uri[0])) return {};
+  std::string scheme(uri.substr(0, end));
+  for (char& c : scheme) {
+    if (!is_letter(c) && !is_digit(c) && c != '+' && c != '-' && c != '.') return {};
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return scheme;
+}
+
+/// The value of a hexadecimal digit; 16 where it is none.
+unsigned hexadecimal_value(char c) {
+  if (is_digit(c)) return static_cast<unsigned>(c - '0');
+  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a') + 10;
+  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A') + 10;
+  return 16;
+}
+
+/// The value of a digit of base64; 64 where it is none.
+unsigned base64_value(char c) {
+  if (c >= 'A' && c <= 'Z') return static_cast<unsigned>(c - 'A');
+  if (c >= 'a' && c <= 'z') return static_cast<unsigned>(c - 'a') + 26;
+  if (is_digit(c)) return static_cast<unsigned>(c - '0') + 52;
+  return c == '+' ? 62 : c == '/' ? 63 : 64;
+}
+
+std::string base64_decoded(std::string_view text) {
+  for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
+  if (text.size() % 4 == 1) throw UserError("base64 ends within a byte");
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  unsigned pending = 0, bits = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned value = base64_value(text[i]);
+    if (value == 64) throw UserError(fmt::format("character {} of the base64 is none of its 64", i + 1));
+    pending = (pending << 6 | value) & 0xFFFF;
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes.push_back(static_cast<char>(pending >> bits & 0xFF));
+  }
+  return bytes;
+}
+
+bool is_below(const fs::path& folder, const fs::path& path) {
+  const auto [end_of_folder, next] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  return end_of_folder == folder.end() && next != path.end();
+}
+
+}  // namespace
+
+std::string percent_decoded(std::string_view uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] != '%') {
+      text.push_back(uri[i]);
+      continue;
+    }
+    const unsigned high = i + 2 < uri.size() ? hexadecimal_value(uri[i + 1]) : 16;
+    const unsigned low = i + 2 < uri.size() ? hexadecimal_value(uri[i + 2]) : 16;
+    if (high == 16 || low == 16 || high + low == 0)
+      throw UserError(fmt::format("character {} of the URI is a % without two digits of a byte", i + 1));
+    text.push_back(static_cast<char>(high << 4 | low));
+    i += 2;
+  }
+  return text;
+}
+
+bool is_data(std::string_view uri) {
+  return scheme_of(uri.substr(0, 5)) == "data";
+}
+
+std::string data_of_uri(std::string_view uri) {
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos) throw UserError("the data URI has no comma before its data");
+  const std::string_view data = uri.substr(comma + 1);
+  return uri.substr(0, comma).ends_with(";base64") ? base64_decoded(data) : percent_decoded(data);
+}
+
+bool is_remote(std::string_view uri) {
+  const std::string scheme = scheme_of(uri.substr(0, 6));
+  return scheme == "http" || scheme == "https";
+}
+
+fs::path path_within(const fs::path& folder, std::string_view name) {
+  if (name.size() > most_name_bytes) {
+    throw UserError(
+        fmt::format("the name of a file has {} bytes, more than {}", name.size(), most_name_bytes));
+  }
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '\\', '/');
+  const auto refuse = [&] {
+    throw UserError(
+        fmt::format("'{}' is outside of the scene's folder '{}'", shortened(name), folder.string()));
+  };
+  if (text.empty()) throw UserError("the name of a file is empty");
+  if (text.find('\0') != std::string::npos) throw UserError("the name of a file has a zero within");
+  if (!scheme_of(text).empty() || fs::path(text).is_absolute()) refuse();
+  std::error_code error;
+  const fs::path root = fs::weakly_canonical(fs::absolute(folder), error);
+  const fs::path path = error ? fs::path() : fs::weakly_canonical(root / text, error);
+  if (error) throw UserError(fmt::format("'{}' cannot be followed: {}", shortened(name), error.message()));
+  if (!is_below(root, path)) refuse();
+  return path;
+}
+
+fs::path folder_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+}  // namespace shadefit::scene

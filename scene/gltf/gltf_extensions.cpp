@@ -1,0 +1,58 @@
+#include "scene/gltf/gltf_extensions.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace shadefit::scene {
+namespace {
+
+constexpr std::array<std::string_view, 7> counted{
+    "KHR_animation_pointer",  "KHR_lights_punctual",
+    "KHR_materials_ior",      "KHR_materials_pbrSpecularGlossiness",
+    "KHR_materials_specular", "KHR_materials_unlit",
+    "KHR_materials_variants"};
+
+// A texture in a format of these is not read: that is said where a material has one.
+constexpr std::array<std::string_view, 16> harmless{"EXT_mesh_gpu_instancing",
+                                                    "EXT_meshopt_compression",
+                                                    "EXT_texture_avif",
+                                                    "EXT_texture_webp",
+                                                    "KHR_draco_mesh_compression",
+                                                    "KHR_mesh_quantization",
+                                                    "KHR_meshopt_compression",
+                                                    "KHR_node_hoverability",
+                                                    "KHR_node_selectability",
+                                                    "KHR_node_visibility",
+                                                    "KHR_texture_basisu",
+                                                    "KHR_texture_transform",
+                                                    "KHR_xmp",
+                                                    "KHR_xmp_json_ld",
+                                                    "MSFT_lod",
+                                                    "MSFT_texture_dds"};
+
+constexpr std::array<std::string_view, 11> left_out{"EXT_lights_ies",
+                                                    "EXT_lights_image_based",
+                                                    "KHR_materials_anisotropy",
+                                                    "KHR_materials_clearcoat",
+                                                    "KHR_materials_diffuse_transmission",
+                                                    "KHR_materials_dispersion",
+                                                    "KHR_materials_emissive_strength",
+                                                    "KHR_materials_iridescence",
+                                                    "KHR_materials_sheen",
+                                                    "KHR_materials_transmission",
+                                                    "KHR_materials_volume"};
+
+template <class Names>
+bool is_among(const Names& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+ExtensionUse use_of_extension(std::string_view name) {
+  if (is_among(counted, name)) return ExtensionUse::counted;
+  if (is_among(harmless, name)) return ExtensionUse::harmless;
+  return is_among(left_out, name) ? ExtensionUse::left_out : ExtensionUse::unknown;
+}
+
+}  // namespace shadefit::scene

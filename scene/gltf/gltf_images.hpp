@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/files/bytes.hpp"
+#include "scene/files/json_place.hpp"
+#include "scene/textures/texture.hpp"
+
+/// The pictures of a glTF document, wherever they are: in a buffer, in a data URI, in a file beside.
+namespace shadefit::scene {
+
+/// What was found of a texture: histograms, or the reason why it is not known, as "'a.png' is missing".
+struct TextureReading {
+  std::vector<Histogram> channels;  ///< as asked for; empty where it is not known
+  std::string unknown;
+};
+
+/// Reads each picture once, and only those that are asked for.
+class GltfImages {
+ public:
+  /// `binary` is the chunk BIN of a .glb, which has to outlive this, as has the document.
+  GltfImages(const JsonPlace& root, const std::optional<Bytes>& binary, const std::filesystem::path& file);
+
+  /// The texture that a texture info names: an object with an index. A missing or remote file, another format
+  /// and a texture of an extension are not known; damaged pictures, indices out of range, and names outside
+  /// of the scene's folder throw UserError.
+  const TextureReading& read(const JsonPlace& texture_info, const std::vector<Channel>& channels);
+
+  /// The files of buffers and images that are not there, but for those that `read` was asked for. Throws
+  /// UserError for a name outside of the scene's folder.
+  std::vector<std::string> missing_files() const;
+
+ private:
+  TextureReading read_image(const JsonPlace& image, std::span<const Channel> channels);
+  TextureReading decode(const JsonPlace& image, const std::string& name, Bytes encoded,
+                        std::span<const Channel> channels);
+  std::string bytes_of_view(const JsonPlace& view);
+  const std::string& data_of_buffer(const JsonPlace& buffer, std::string_view uri);
+
+  JsonPlace root_;
+  std::optional<Bytes> binary_;
+  std::filesystem::path folder_;
+  PictureReader pictures_;
+  std::map<std::pair<std::string, std::vector<Channel>>, TextureReading> read_;  ///< by pointer and channels
+  std::map<std::string, std::string> data_;  ///< of buffers that are data URIs, by pointer
+  std::set<std::string> named_as_unknown_;   ///< files
+};
+
+}  // namespace shadefit::scene

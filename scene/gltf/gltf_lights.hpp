@@ -1,0 +1,21 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "scene/files/json_place.hpp"
+
+/// The lights of a glTF document.
+namespace shadefit::scene {
+
+struct GltfLights {
+  int count = 0;  ///< those that nodes have, or where nodes have none, those defined
+  /// Which of them are brighter than 1, the light that a tolerance is for; empty where none is.
+  std::string remark = {};
+};
+
+/// The lights of KHR_lights_punctual. `animated` holds the JSON pointers that animations move. Throws
+/// UserError naming file, place and rule. Source: Khronos Group 2018, "KHR_lights_punctual".
+GltfLights read_gltf_lights(const JsonPlace& root, const std::set<std::string>& animated);
+
+}  // namespace shadefit::scene

@@ -1,0 +1,119 @@
+#include "scene/mtl/mtl_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "fit/support/user_error.hpp"
+#include "scene/files/short_text.hpp"
+#include "scene/files/words.hpp"
+
+namespace shadefit::scene {
+namespace {
+
+/// A line with its place in the file, for what is wrong in it.
+struct MtlLine {
+  const std::string& file;
+  std::size_t number;
+  Words words;
+
+  [[noreturn]] void refuse(const std::string& rule) const {
+    throw UserError(fmt::format("'{}', line {}: {}: {}", file, number, words.key, rule));
+  }
+};
+
+/// What is left of a line's values, cut off its first word.
+std::string_view next_word(std::string_view& values) {
+  const Words words = words_of_line(values);
+  values = words.values;
+  return words.key.starts_with('#') ? std::string_view() : words.key;
+}
+
+double number_in(const MtlLine& line, std::string_view word, double most) {
+  double number = 0;
+  // of C's numbers a sign + is one too
+  const std::string_view digits = word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
+    line.refuse(fmt::format("'{}' is no number", shortened(word)));
+  if (error != std::errc() || !std::isfinite(number))
+    line.refuse(fmt::format("'{}' is not a finite number of double precision", shortened(word)));
+  if (number < 0 || number > most) {
+    line.refuse(std::isinf(most) ? fmt::format("{} is negative", shortened(word))
+                                 : fmt::format("{} is not in [0, {}]", shortened(word), most));
+  }
+  return number;
+}
+
+/// The numbers of a line, of which there have to be `least`, or three.
+std::vector<double> numbers_in(const MtlLine& line, bool is_colour, double most) {
+  std::vector<double> numbers;
+  std::string_view values = line.words.values;
+  for (auto word = next_word(values); !word.empty(); word = next_word(values)) {
+    if (numbers.size() == 3) line.refuse("it has more than three numbers");
+    numbers.push_back(number_in(line, word, most));
+  }
+  const bool is_right = numbers.size() == 1 || (is_colour && numbers.size() == 3);
+  if (!is_right) line.refuse(is_colour ? "it must have one number or three" : "it must have one number");
+  return numbers;
+}
+
+double number_of(const MtlLine& line, double most) {
+  return numbers_in(line, false, most).front();
+}
+
+std::array<double, 3> colour_of(const MtlLine& line) {
+  const auto numbers = numbers_in(line, true, std::numeric_limits<double>::infinity());
+  return {numbers.front(), numbers[numbers.size() / 2], numbers.back()};
+}
+
+int illumination_of(const MtlLine& line) {
+  const double number = number_of(line, 1000);
+  if (number != std::floor(number)) line.refuse("it must be a whole number");
+  return static_cast<int>(number);
+}
+
+/// Takes what a line says into the material that it belongs to.
+void take_line(const MtlLine& line, MtlNumbers& material) {
+  constexpr double no_limit = std::numeric_limits<double>::infinity();
+  const std::string_view key = line.words.key;
+  if (key == "Ns") material.shininess = number_of(line, no_limit);
+  if (key == "Ni") material.index_of_refraction = number_of(line, no_limit);
+  if (key == "Pr") material.roughness = number_of(line, 1);
+  if (key == "Pm") material.metallic = number_of(line, 1);
+  if (key == "Kd") material.diffuse = colour_of(line);
+  if (key == "Ks") material.specular = colour_of(line);
+  if (key == "illum") material.illumination = illumination_of(line);
+  // clear coat, sheen, anisotropy
+  if (key == "Pc" || key == "aniso") {
+    if (number_of(line, no_limit) > 0) material.left_out.emplace(key);
+  }
+  if (key == "Ps" && colour_of(line) != std::array<double, 3>{}) material.left_out.emplace(key);
+}
+
+}  // namespace
+
+std::vector<MtlNumbers> checked_lines(std::string_view text, const std::string& file, std::size_t most) {
+  std::vector<MtlNumbers> materials;
+  MtlNumbers before_all{};  // belongs to no material, and is checked nevertheless
+  std::size_t number = 0;
+  while (!text.empty()) {
+    const MtlLine line{file, ++number, words_of_line(next_line(text))};
+    if (line.words.key.find('\0') != std::string_view::npos ||
+        line.words.values.find('\0') != std::string_view::npos) {
+      throw UserError(fmt::format("'{}', line {}: there is a zero byte: this is no text", file, number));
+    }
+    if (line.words.key == "newmtl") {
+      if (line.words.values.empty()) line.refuse("the material has no name");
+      if (materials.size() == most) line.refuse(fmt::format("there are more than {} materials", most));
+      materials.push_back({.name = shortened(line.words.values), .line = number});
+    } else {
+      take_line(line, materials.empty() ? before_all : materials.back());
+    }
+  }
+  return materials;
+}
+
+}  // namespace shadefit::scene

@@ -1,0 +1,179 @@
+#include "scene/mtl/mtl_material.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "approx/fresnel.hpp"
+#include "fit/support/bounded_file.hpp"
+#include "fit/support/user_error.hpp"
+#include "scene/files/place.hpp"
+#include "scene/files/short_text.hpp"
+#include "scene/files/uri.hpp"
+#include "scene/materials/powers.hpp"
+#include "scene/materials/reflectances.hpp"
+
+namespace shadefit::scene {
+namespace {
+
+/// A picture of `most_pixels` that is not compressed at all, with four channels.
+constexpr std::uintmax_t most_map_bytes = 4 * most_pixels;
+
+/// A material while it is read.
+struct MtlReading {
+  const MtlNumbers& numbers;
+  const MtlMaps& maps;
+  MtlMapReader& reader;
+  const Conventions& conventions;
+  Material material;
+
+  Histogram read(const ScalarMap& map, std::string_view what) {
+    return reader.read(map, what, material.unknowns);
+  }
+};
+
+/// The map of roughness, where the material has one: map_Pr, or what an exporter puts into map_Ns.
+const ScalarMap* roughness_map(const MtlReading& reading) {
+  if (!reading.maps.roughness.name.empty()) return &reading.maps.roughness;
+  const bool has = reading.conventions.are_maps_pbr && !reading.maps.shininess.name.empty();
+  return has ? &reading.maps.shininess : nullptr;
+}
+
+/// The map of metallic: map_Pm, or what an exporter puts into map_Ka.
+const ScalarMap* metallic_map(const MtlReading& reading) {
+  if (!reading.maps.metallic.name.empty()) return &reading.maps.metallic;
+  const bool has = reading.conventions.are_maps_pbr && !reading.maps.ambient.name.empty();
+  return has ? &reading.maps.ambient : nullptr;
+}
+
+/// Ns, times map_Ns where that scales it.
+void read_shininess(MtlReading& reading) {
+  Material& material = reading.material;
+  if (!reading.numbers.shininess) material.remarks.push_back("Ns is not said and is taken for 1");
+  const double shininess = reading.numbers.shininess.value_or(1);
+  const bool is_scaled = !reading.conventions.are_maps_pbr && !reading.maps.shininess.name.empty();
+  if (is_scaled) {
+    const Histogram texels = reading.read(reading.maps.shininess, "shininess texture");
+    take_powers(material, power_shares(texels, shininess, [](double power) { return power; }),
+                PowerTexture::power);
+  } else {
+    material.powers = {{shininess, 1}};
+  }
+  limit_powers(material, "Ns");
+}
+
+/// Ks as a factor, without a Fresnel term.
+void read_phong(MtlReading& reading) {
+  Material& material = reading.material;
+  material.fresnel = FresnelTerm::none;
+  const bool is_specular = reading.numbers.illumination.value_or(2) > 1;
+  const bool is_textured = reading.maps.has_specular;
+  const double unsaid = is_textured ? 1 : 0;  // a map alone is the colour itself
+  auto colour = reading.numbers.specular.value_or(std::array{unsaid, unsaid, unsaid});
+  const bool is_black =
+      std::all_of(colour.begin(), colour.end(), [](double channel) { return channel == 0; });
+  if (!is_specular || is_black) {
+    material.powers = {{reading.numbers.shininess.value_or(0), 1}};
+    limit_powers(material, "Ns");
+    return;
+  }
+  if (*std::max_element(colour.begin(), colour.end()) > most_factor) {
+    material.remarks.push_back(fmt::format("Ks above {} is taken for that", most_factor));
+    for (double& channel : colour) channel = std::min(channel, most_factor);
+  }
+  material.f0 = scaled_colour(colour, is_textured);
+  material.has_unread_colours = is_textured;
+  if (is_textured)
+    material.unknowns.push_back("specular texture is not read: Ks is taken from 0 to its value");
+  read_shininess(reading);
+}
+
+void read_roughness(MtlReading& reading) {
+  Material& material = reading.material;
+  const ScalarMap* const map = roughness_map(reading);
+  const auto roughness = reading.numbers.roughness;
+  const PowerOf power = [&](double value) { return power_of_roughness(value, reading.conventions); };
+  if (map != nullptr) {
+    take_powers(material, power_shares(reading.read(*map, "roughness texture"), roughness.value_or(1), power),
+                PowerTexture::roughness);
+  } else if (roughness) {
+    material.powers = {{power(*roughness), 1}};
+  } else if (reading.numbers.shininess) {
+    read_shininess(reading);
+  } else {
+    material.unknowns.push_back("roughness is not said");
+    material.powers = power_shares(unknown_texture(), 1, power);
+  }
+  limit_powers(material, "the specular power");
+}
+
+Range read_metallic(MtlReading& reading) {
+  const ScalarMap* const map = metallic_map(reading);
+  const double metallic = reading.numbers.metallic.value_or(map != nullptr ? 1 : 0);
+  if (map == nullptr) return {metallic, metallic};
+  return range_of_texture(reading.read(*map, "metallic texture"), metallic);
+}
+
+/// The metallic workflow, with Kd for its base colour.
+void read_metallic_roughness(MtlReading& reading) {
+  Material& material = reading.material;
+  read_roughness(reading);
+  const Range metallic = read_metallic(reading);
+  auto base = reading.numbers.diffuse.value_or(std::array{1.0, 1.0, 1.0});
+  if (*std::max_element(base.begin(), base.end()) > 1) {
+    material.remarks.push_back("Kd above 1 is taken for 1");
+    for (double& channel : base) channel = std::min(channel, 1.0);
+  }
+  const double ior = reading.numbers.index_of_refraction.value_or(1.5);
+  const double dielectric = reflectance_at_normal(ior);
+  const ColourRange colours = scaled_colour(base, reading.maps.has_diffuse);
+  material.has_unread_colours = reading.maps.has_diffuse && metallic.most > 0;
+  if (material.has_unread_colours)
+    material.unknowns.push_back("base colour texture is not read: F0 of metal is taken from 0 to Kd");
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    material.f0[i] = metallic_range({dielectric, dielectric}, colours[i], metallic);
+}
+
+}  // namespace
+
+Histogram MtlMapReader::read(const ScalarMap& map, std::string_view what,
+                             std::vector<std::string>& unknowns) {
+  const std::filesystem::path path = path_within(folder_, map.name);
+  std::error_code ignored;
+  const auto unknown = [&](std::string_view reason) {
+    unknowns.push_back(fmt::format("{} '{}' {}", what, shortened(map.name), reason));
+    return unknown_texture();
+  };
+  const std::pair key{path.string(), map.channel};
+  const auto known = read_.find(key);
+  if (known != read_.end()) return known->second;
+  if (!std::filesystem::exists(path, ignored)) return unknown("is missing");
+  const std::string encoded = read_bounded(path, most_map_bytes);
+  if (picture_format(bytes_of(encoded)) == PictureFormat::other) return unknown("is neither PNG nor JPEG");
+  const std::vector<Histogram> counted = at_place(fmt::format("'{}'", path.string()), [&] {
+    return pictures_.histograms(bytes_of(encoded), {&map.channel, 1});
+  });
+  return read_.emplace(key, counted.front()).first->second;
+}
+
+Material mtl_material(const MtlNumbers& numbers, const MtlMaps& maps, const std::string& file,
+                      MtlMapReader& reader, const Conventions& conventions) {
+  MtlReading reading{numbers, maps, reader, conventions, {}};
+  reading.material.name = numbers.name;
+  reading.material.file = file;
+  const std::string place = fmt::format("'{}', material '{}' of line {}", file, numbers.name, numbers.line);
+  at_place(place, [&] {
+    const bool is_metallic_roughness = numbers.roughness || numbers.metallic ||
+                                       roughness_map(reading) != nullptr || metallic_map(reading) != nullptr;
+    if (is_metallic_roughness) {
+      read_metallic_roughness(reading);
+    } else {
+      read_phong(reading);
+    }
+  });
+  for (const std::string& key : numbers.left_out) reading.material.remarks.push_back(key + " is left out");
+  return std::move(reading.material);
+}
+
+}  // namespace shadefit::scene

@@ -1,0 +1,23 @@
+#include "scene/plan/choose_exp2.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "approx/exp2_polynomial.hpp"
+
+namespace shadefit::scene {
+
+/// exp2 by a polynomial is off by a factor 1 + bound, which moves no value by more than the bound.
+ChosenExp2 choose_exp2(double allowed, ShownScale scale) {
+  constexpr double upwards = 1 + 0x1p-40;  // more than what is computed here rounds
+  ChosenExp2 chosen{};
+  for (const Exp2Coefficients& record : exp2_for_float) {
+    double bound = 0;
+    std::from_chars(record.bound.data(), record.bound.data() + record.bound.size(), bound);
+    chosen = {record.degree, apart_by_ratio(scale, 1, std::log1p(-bound) * upwards)};
+    if (chosen.error <= allowed) break;
+  }
+  return chosen;
+}
+
+}  // namespace shadefit::scene

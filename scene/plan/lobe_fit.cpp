@@ -1,0 +1,276 @@
+#include "scene/plan/lobe_fit.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "approx/shading.hpp"
+
+namespace shadefit::scene {
+namespace {
+
+constexpr double golden = std::numbers::phi - 1;
+
+/// Neighbouring powers want the same constants.
+constexpr double neighbours = 1.1;
+
+/// Where the error of a lobe is looked at. Near its peak at t = n y from 0.05 in steps of a twentieth up to
+/// 44, where e^-44 leaves nothing of the largest factor, 1e8; so many see an error to a percent. What is left
+/// of it towards the horizon, at c from 1/2 in such steps down to 1/2000, where hardly any light is.
+constexpr double first_t = 0.05, last_t = 44, step = 1.05;
+constexpr double last_cosine = 1.0 / 2000;
+
+std::vector<LobeFitter::Lobe> thinned(std::span<const WeightedPower> lobes) {
+  std::vector<LobeFitter::Lobe> all, kept;
+  for (const WeightedPower& lobe : lobes) {
+    if (lobe.power.most > 0) all.push_back({lobe.power.most, lobe.factor});
+  }
+  std::sort(all.begin(), all.end(),
+            [](const LobeFitter::Lobe& a, const LobeFitter::Lobe& b) { return a.power < b.power; });
+  double first = 0;
+  for (const LobeFitter::Lobe& lobe : all) {
+    if (kept.empty() || lobe.power > neighbours * first) {
+      first = lobe.power;
+      kept.push_back(lobe);
+    } else if (lobe.factor > kept.back().factor) {
+      kept.back() = lobe;
+    }
+  }
+  return kept;
+}
+
+/// Those within a tenth together as the first of them.
+std::vector<UsedPower> taken_together(std::vector<UsedPower> used) {
+  std::sort(used.begin(), used.end(),
+            [](const UsedPower& a, const UsedPower& b) { return a.power < b.power; });
+  std::vector<UsedPower> kept;
+  for (const UsedPower& one : used) {
+    if (one.power == 0) continue;
+    if (kept.empty() || one.power > neighbours * kept.back().power) {
+      kept.push_back(one);
+    } else {
+      kept.back().share += one.share;
+    }
+  }
+  return kept;
+}
+
+/// What a lobe is multiplied by at y, at most: its factor, and the light that reaches it there.
+double brightest_at(double factor, double y) {
+  return factor * std::min(1.0, 2 * (1 - y));
+}
+
+/// What the logarithm of a value that is shown is worth, for errors of it that are little.
+constexpr double little = 1e-3;
+double worth_of_logarithm(ShownScale scale, double shown) {
+  return apart_by_ratio(scale, shown, little) / little;
+}
+
+/// log2(c) by slopes, a row for each place.
+struct SlopeRows {
+  Eigen::MatrixXd powers;
+  Eigen::VectorXd target;
+
+  template <class Places>
+  SlopeRows(const Places& places, std::size_t count) : powers(places.size(), count), target(places.size()) {
+    for (Eigen::Index i = 0; i < powers.rows(); ++i) {
+      const auto& place = places[static_cast<std::size_t>(i)];
+      for (Eigen::Index j = 0; j < powers.cols(); ++j)
+        powers(i, j) = std::pow(-place.y, static_cast<double>(j + 1));
+      target[i] = place.log_cosine / std::numbers::ln2;
+    }
+  }
+
+  /// Least squares with each row times its `root`.
+  Eigen::VectorXd solve(const Eigen::VectorXd& root) const {
+    return (root.asDiagonal() * powers).colPivHouseholderQr().solve(root.cwiseProduct(target));
+  }
+};
+
+/// Each a float.
+std::vector<double> rounded(const Eigen::VectorXd& slopes) {
+  std::vector<double> result;
+  for (const double slope : slopes) result.push_back(static_cast<double>(static_cast<float>(slope)));
+  return result;
+}
+
+}  // namespace
+
+LobeFitter::LobeFitter(std::span<const WeightedPower> lobes, ShownScale scale,
+                       std::span<const UsedPower> used)
+    : lobes_(thinned(lobes)), used_(taken_together({used.begin(), used.end()})), scale_(scale) {
+  for (const Lobe& lobe : lobes_) {
+    const auto add = [&](double y, double log_cosine) {
+      samples_.push_back({lobe.power, y, log_cosine, std::log(brightest_at(lobe.factor, y))});
+    };
+    for (double t = first_t; t < last_t && t < lobe.power / 2; t *= step)
+      add(t / lobe.power, std::log1p(-t / lobe.power));
+    for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c));
+  }
+}
+
+std::vector<LobeFitter::WeightedPlace> LobeFitter::weighted_places() const {
+  std::vector<WeightedPlace> all;
+  const auto add = [&](double y, double log_cosine, double width) {
+    WeightedPlace place{y, log_cosine, width, 0};
+    const auto shown = [&](double power, double factor) {
+      return brightest_at(factor, y) * std::exp(power * log_cosine);
+    };
+    for (const Lobe& lobe : lobes_) {
+      const double worth = worth_of_logarithm(scale_, shown(lobe.power, lobe.factor));
+      place.worth = std::max(place.worth, lobe.power * worth);
+    }
+    all.push_back(place);
+  };
+  double y = first_t / std::max(1.0, lobes_.back().power);
+  for (; y < 0.5; y *= step) add(y, std::log1p(-y), y * (step - 1));
+  for (double c = 0.5; c > last_cosine; c /= step) add(1 - c, std::log(c), c * (step - 1));
+  return all;
+}
+
+LobeFitter::MeanSquare LobeFitter::mean_square(const LobeForm& form) const {
+  MeanSquare mean;
+  for (const WeightedPlace& place : places_) {
+    const double slope = std::numbers::ln2 * log2_by_slopes(-place.y, form.slopes);
+    PlaceSums sums{};
+    for (const UsedPower& one : used_) {
+      const double log_target = one.power * place.log_cosine, log_form = (one.power + form.offset) * slope;
+      const double log_larger = std::max(log_target, log_form);
+      if (log_larger < -last_t) continue;
+      const double shown = brightest_at(one.factor, place.y) * std::exp(log_larger);
+      const double apart = log_form - log_target;
+      const double error = apart_by_ratio(scale_, shown, apart);
+      mean.square += place.width * one.share * error * error;
+      const double worth = std::abs(apart) > little ? error / apart : worth_of_logarithm(scale_, shown);
+      double sum = place.width * one.share * worth * worth;
+      for (double& of_power : sums) {
+        of_power += sum;
+        sum *= one.power;
+      }
+    }
+    mean.places.push_back(sums);
+  }
+  return mean;
+}
+
+double LobeFitter::mean_error(const LobeForm& form) const {
+  return std::sqrt(mean_square(form).square);
+}
+
+/// The logarithm of a lobe is off by n bend - x y, bend that of log c by the slopes: with what a logarithm is
+/// worth held, a problem that is linear.
+LobeForm LobeFitter::reweighted(LobeForm form, const MeanSquare& mean) const {
+  if (form.slopes.size() == 1) {
+    double along = 0, square = 0;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const WeightedPlace& place = places_[i];
+      const double bend = std::numbers::ln2 * log2_by_slopes(-place.y, form.slopes) - place.log_cosine;
+      along += mean.places[i][1] * bend * place.y;
+      square += mean.places[i][0] * place.y * place.y;
+    }
+    if (square > 0) form.offset = std::max(0.0, along / square);
+    return form;
+  }
+  const SlopeRows rows(places_, form.slopes.size());
+  Eigen::VectorXd root(rows.target.size());
+  for (Eigen::Index i = 0; i < root.size(); ++i)
+    root[i] = std::sqrt(mean.places[static_cast<std::size_t>(i)][2]);
+  form.slopes = rounded(rows.solve(root));
+  return form;
+}
+
+LobeForm LobeFitter::best_on_the_mean(LobeForm form) {
+  ++fits_run_;
+  if (places_.empty()) places_ = weighted_places();
+  MeanSquare best = mean_square(form);
+  constexpr int most_times = 2;  // a third gains less than a percent
+  for (int time = 0; time < most_times; ++time) {
+    const LobeForm next = reweighted(form, best);
+    MeanSquare mean = mean_square(next);
+    constexpr double hardly = 0.98;  // an error that falls by 1 % is as good as the least
+    const bool goes_on = mean.square < hardly * best.square;
+    if (mean.square < best.square) {
+      form = next;
+      best = std::move(mean);
+    }
+    if (!goes_on) break;
+  }
+  return form;
+}
+
+double LobeFitter::sampled_error(std::span<const double> slopes, double offset, double enough) const {
+  const double white = on_scale(scale_, 1);
+  double largest = 0, log_largest = -HUGE_VAL;
+  for (const Sample& sample : samples_) {
+    const double target = sample.power * sample.log_cosine;
+    const double form = (sample.power + offset) * std::numbers::ln2 * log2_by_slopes(-sample.y, slopes);
+    if (std::abs(form - target) * white <= largest) continue;  // no value moves by more than its share
+    const double log_shown = sample.log_brightest + std::max(form, target);
+    if (log_shown < log_largest) continue;  // nor by more than all of it
+    const double error = apart_by_ratio(scale_, std::exp(log_shown), form - target);
+    if (error <= largest) continue;
+    if (error > enough) return error;
+    largest = error;
+    log_largest = std::log(from_scale(scale_, largest));
+  }
+  return largest;
+}
+
+double LobeFitter::best_offset() {
+  ++fits_run_;
+  const std::array slope{natural_slope};
+  // The largest of functions that fall and then rise does so too. Of the larger of two errors it does not
+  // matter how large it is: it is never looked at again.
+  const auto error = [&](double offset, double other) { return sampled_error(slope, offset, other); };
+  double low = 0, high = 16;
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  double error_at_a = error(a, HUGE_VAL), error_at_b = error(b, error_at_a);
+  constexpr double near = 1e-4;
+  while (high - low > near) {
+    if (error_at_a <= error_at_b) {
+      high = b;
+      b = a;
+      error_at_b = error_at_a;
+      a = high - golden * (high - low);
+      error_at_a = error(a, error_at_b);
+    } else {
+      low = a;
+      a = b;
+      error_at_a = error_at_b;
+      b = low + golden * (high - low);
+      error_at_b = error(b, error_at_a);
+    }
+  }
+  return low + (high - low) / 2;
+}
+
+std::vector<double> LobeFitter::best_slopes(int count) {
+  ++fits_run_;
+  if (places_.empty()) places_ = weighted_places();
+  const SlopeRows rows(places_, static_cast<std::size_t>(count));
+  const auto size = rows.target.size();
+  Eigen::VectorXd worth(size);
+  for (Eigen::Index i = 0; i < size; ++i) worth[i] = places_[static_cast<std::size_t>(i)].worth;
+  // |error|, weighed by what it is worth, becomes level where it is largest.
+  Eigen::VectorXd level = Eigen::VectorXd::Constant(size, 1.0 / static_cast<double>(size));
+  Eigen::VectorXd best = Eigen::VectorXd::Zero(count);
+  double least = HUGE_VAL;
+  constexpr int iterations = 60;
+  for (int i = 0; i < iterations; ++i) {
+    const Eigen::VectorXd slopes = rows.solve((level.array().sqrt() * worth.array()).matrix());
+    const Eigen::VectorXd error = (rows.powers * slopes - rows.target).cwiseAbs().cwiseProduct(worth);
+    if (error.maxCoeff() < least) {
+      least = error.maxCoeff();
+      best = slopes;
+    }
+    level = level.cwiseProduct(error);
+    const double sum = level.sum();
+    if (!(sum > 0)) break;
+    level /= sum;
+  }
+  return rounded(best);
+}
+
+}  // namespace shadefit::scene

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string_view>
+
+#include "scene/plan/lobes.hpp"
+#include "scene/plan/shown_scale.hpp"
+
+/// What a processor's rounding adds to the error of a scene's shading: bounds, by counting roundings.
+///
+/// An operation is off by a factor 1 + u at most, u = 2^-24 or 2^-11; exp2 and log2 by 2 ulps, 4 u, in float,
+/// and in half, where a processor computes them in float, by one rounding. What is shown of a light is v =
+/// min(1, g w 2^-|a|), a the exponent of the lobe.
+///
+/// - The exponent of d slopes has 2 d + 3 roundings, with n + x and the constants; A c - A rounds A c, |A| u
+///   more; where slopes differ in sign and cancel, all times by how much. 2^a is off by ln 2 |a| times that,
+///   and v |a| is largest at |a| = log2 g, or at 1/ln 2 where g is below 2.
+/// - n of a pixel: 2/alpha^2 - 2 of alpha = r^2 is off by 5 u (n + 2), 2^(10 g + 1) by 20 u n, in the
+/// exponent
+///   and in (n + 2)/8. Of a power below 1 the exponent is |log2 c| times that, with w <= 2 c before it.
+/// - F0 + (F90 - F0) (1 - l.h)^5 has 12 roundings at most (1 - l.h, four products, of which the power makes
+/// 8,
+///   a difference, a product, a sum), F0 alone 1; the normalisation 3, the products with it, n.l and the
+///   exp2 7.
+namespace shadefit::scene {
+
+enum class PixelPrecision { float32, float16 };
+
+/// "float" or "half".
+std::string_view name(PixelPrecision precision);
+
+/// What is rounded.
+struct RoundedShading {
+  const LobeForm& form;
+  const Lobes& lobes;
+  bool has_fresnel;
+  bool is_gloss_exponential;  ///< of a texture of gloss
+};
+
+/// The most that rounding moves a light's result on the scale. All of white where a format has no such
+/// numbers: a power or a normalisation above the largest half.
+double rounding_error(const RoundedShading& shading, PixelPrecision precision, ShownScale scale);
+
+/// What a dot product of unit vectors rounds n.h by: gamma_3 = 3 u/(1 - 3 u). Source: Higham 2002, "Accuracy
+/// and Stability of Numerical Algorithms", section 3.1, with |n| |h| = 1.
+double dot_product_rounding(PixelPrecision precision);
+
+/// What that moves a light of any of the lobes on the scale, at most, whatever the form: a cosine that is off
+/// by d makes a power n of c off by n d/c. From n = 2.4 on v n/c rises with c as long as v < 1, on both
+/// scales: it is largest where g c^n = 1, or at c = 1 where g is below 1. Of a smaller n, the slope of g c^n
+/// min(1, 2 c) is 2 (n + 1) g at most.
+double dot_product_error(const Lobes& lobes, PixelPrecision precision, ShownScale scale);
+
+}  // namespace shadefit::scene

@@ -1,0 +1,136 @@
+#include "fit/ledger/ledger.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <set>
+#include <string>
+
+#include "approx/ledger/ledger.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+TEST(Ledger, IdsStandOnceAndRecordsAreComplete) {
+  std::set<std::string_view> ids;
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) {
+      EXPECT_TRUE(ids.insert(claim.id).second) << claim.id << " stands twice";
+      EXPECT_FALSE(claim.statement.empty() || claim.derivation.empty()) << claim.id;
+      EXPECT_FALSE(claim.source.author.empty() || claim.source.title.empty() || claim.source.place.empty())
+          << claim.id;
+      EXPECT_GT(claim.source.year, 1900) << claim.id;
+    }
+  }
+}
+
+TEST(Ledger, EveryClaimIsJudgedWithWords) {
+  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; })) {
+    const auto& finding = judged.finding;
+    EXPECT_TRUE(finding.verdict.has_value()) << judged.claim->id << ": " << finding.evidence;
+    EXPECT_FALSE(finding.computed.empty() || finding.evidence.empty() || finding.effect.empty())
+        << judged.claim->id;
+    EXPECT_FALSE(finding.evidence.ends_with('.')) << judged.claim->id;
+    for (const std::string* text : {&finding.computed, &finding.evidence, &finding.effect}) {
+      EXPECT_EQ(text->find("nan"), std::string::npos) << judged.claim->id << ": " << *text;
+      EXPECT_TRUE(std::none_of(text->begin(), text->end(), [](char c) { return c == '\n'; }))
+          << judged.claim->id;
+    }
+  }
+}
+
+/// "none", with a reason or without, or parts between semicolons that each give the largest absolute change
+/// and where it is, the largest relative one and where that is, ulps of a half and 8-bit sRGB codes.
+bool is_in_form(const std::string& effect) {
+  static const std::regex part(
+      R"(.*moves .+ by at most [-+.e0-9]+ \(at [^()]*[0-9][^()]*\), )"
+      R"(([-+.e0-9]+ of its value \(at [^()]*[0-9][^()]*\)|no relative change as no value reaches 1/255|)"
+      R"(0 of any value from 1/255 on), [-+.e0-9]+ ulps? of a half float, [-+.e0-9]+ 8-bit sRGB codes?, )"
+      R"(each at its worst)");
+  if (effect == "none" || effect.starts_with("none: ")) return true;
+  for (std::size_t at = 0; at < effect.size();) {
+    const std::size_t end = std::min(effect.find("; ", at), effect.size());
+    if (!std::regex_match(effect.substr(at, end - at), part)) return false;
+    at = end + 2;
+  }
+  return true;
+}
+
+TEST(Ledger, EveryEffectHasItsFourQuantitiesAndPlaces) {
+  std::size_t with_numbers = 0;
+  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; })) {
+    const std::string& effect = judged.finding.effect;
+    EXPECT_TRUE(is_in_form(effect)) << judged.claim->id << ": " << effect;
+    with_numbers += effect.starts_with("none") ? 0 : 1;
+  }
+  EXPECT_GT(with_numbers, 40U) << "effects, not their absence";
+}
+
+TEST(Ledger, TheFormOfAnEffectIsChecked) {
+  const std::string whole =
+      "x: moves it by at most 1e-05 (at c = 0.5), 0.2 of its value (at k = 3), 1 ulp of a half float, 0.3 "
+      "8-bit sRGB codes, each at its worst";
+  EXPECT_TRUE(is_in_form(whole));
+  EXPECT_TRUE(is_in_form(whole + "; " + whole));
+  EXPECT_TRUE(is_in_form("none: no value changes; 1 instruction a pixel more"));
+  EXPECT_FALSE(is_in_form(whole + "; the reflection is wider"));
+  EXPECT_FALSE(is_in_form("none for a power above 0; outside a pixel without a value"));
+  for (const std::string_view lost : {" (at c = 0.5)", " (at k = 3)", "0.2 of its value ",
+                                      " 1 ulp of a half float,", "0.3 8-bit sRGB codes"}) {
+    std::string changed = whole;
+    changed.erase(changed.find(lost), lost.size());
+    EXPECT_FALSE(is_in_form(changed)) << changed;
+  }
+}
+
+TEST(Ledger, AClaimThatNothingComputesIsAnErrorOfOurs) {
+  EXPECT_THROW(evaluate(Claim{.id = "sg-ofset", .statement = "", .derivation = "", .source = {}}),
+               std::logic_error);
+  EXPECT_EQ(find_claim("sg-ofset"), nullptr);
+}
+
+TEST(Finding, TheWorstPartDecides) {
+  using enum Verdict;
+  const std::optional<Verdict> mixed[] = {confirmed, conditional, rounding};
+  EXPECT_EQ(worst(std::span(mixed)), conditional);
+  const std::optional<Verdict> weak[] = {refuted, std::nullopt};
+  EXPECT_EQ(worst(std::span(weak)), std::nullopt);
+  const Verdict sure[] = {confirmed, refuted, other_objective};
+  EXPECT_EQ(worst(std::span(sure)), refuted);
+}
+
+TEST(Finding, EvidenceWeakerThanThePrintedDigitsDecidesNothing) {
+  EXPECT_EQ(judge_known_to("0.775", 0.7753, 1e-4), Verdict::confirmed);
+  EXPECT_EQ(judge_known_to("0.775", 0.7753, 3e-4), std::nullopt);  // up to 0.7756: 0.776
+  EXPECT_EQ(judge_known_to("0.775", 0.9, 1e-3), Verdict::refuted);
+}
+
+TEST(Finding, EffectOfAFactor) {
+  EXPECT_EQ(effect_of_factor(0.25, 0.25), "none");
+  // A colour of 1/255 times 1.01: (12.92/255) * 0.01 * 255 = 0.1292 codes where sRGB is straight; at 1,
+  // 255 * 1.055 * (1 - 0.99^(1/2.4)) for 0.99: 1.12. Both by hand.
+  // In halves the grey 254/255, just below 1, is worth most: 0.01 * 254/255 / 2^-11 = 20.4.
+  EXPECT_EQ(
+      effect_of_factor(0.99, 1, "at k = 2 it"),
+      "at k = 2 it scales what it multiplies by 1 - 0.01, which moves a linear grey by at most 0.01 (at "
+      "grey 255/255), 0.01 of its value (at grey 255/255), 20 ulps of a half float, 1.1 8-bit sRGB "
+      "codes, each at its worst");
+  EXPECT_NE(effect_of_factor(2.02, 2).find("1 + 0.01 (itself off by 0.02), which"), std::string::npos);
+}
+
+TEST(Decimal, SaysAsManyDigitsAsAreMeant) {
+  EXPECT_EQ(decimal(0.775, 10), "0.775");
+  EXPECT_EQ(decimal(-0.0, 3), "0");
+  EXPECT_EQ(decimal(1.25e-7, 2), "1.2e-07");
+  EXPECT_EQ(decimal(2048, 6), "2048");
+  EXPECT_EQ(counted(1, "step"), "1 step");
+  EXPECT_EQ(counted(2, "step"), "2 steps");
+  EXPECT_EQ(enumerated(std::array{"a", "b", "c"}), "a, b and c");
+  EXPECT_EQ(enumerated(std::array{"a"}), "a");
+}
+
+}  // namespace
+}  // namespace shadefit

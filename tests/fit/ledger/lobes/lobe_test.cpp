@@ -1,0 +1,259 @@
+#include "approx/lobe.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "approx/lobe_laws.hpp"
+#include "fit/ledger/lobes/exponents.hpp"
+#include "fit/ledger/lobes/lobe_errors.hpp"
+#include "fit/ledger/lobes/offset_range.hpp"
+#include "fit/quadrature/integrate.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "tests/fit/ledger/mutations.hpp"
+
+namespace shadefit {
+namespace {
+
+TEST(LobeClaims, RestOnWhatIsPrintedAndGiven) {
+  check_mutations(lobe_claims, {{"sg-offset-mean", "printed 0", "0.778"},
+                                {"sg-offset-mean", "exponents", "3:9:1"},
+                                {"sg-offset-mean", "from", "0.1"},
+                                {"sg-offset-mean", "to", "0.9"},
+                                {"sg-offset-limit", "printed 0", "0.78"},
+                                {"sg-offset-limit", "from", "0.999"},
+                                {"sg-offset-limit", "to", "0.9"},
+                                {"sg-offset-k5", "printed 0", "0.785"},
+                                {"sg-offset-k5", "exponents", "6"},
+                                {"sg-offset-k5", "from", "0.1"},
+                                {"sg-offset-k5", "to", "0.9"},
+                                // the best x comes as close to 0 as one likes, and up to 0.7957
+                                {"sg-offset-bounds", "printed 0", "0.01"},
+                                {"sg-offset-bounds", "printed 1", "0.795"},
+                                {"sg-offset-bounds", "printed 1", "0.00001"},
+                                {"sg-offset-bounds", "exponents", "0.01,1:15:1,100"},
+                                // on either side of the thresholds 13.87, 8.067 and 2.874
+                                {"sg-plain-accurate", "printed 0", "13.8"},
+                                {"sg-plain-accurate", "printed 1", "8.1"},
+                                {"sg-plain-accurate", "printed 2", "3"},
+                                {"sg-plain-accurate", "printed 2", "1"},
+                                {"sg-plain-accurate", "offset", "0.1"},
+                                {"sg-plain-accurate", "accurate", "0.021"},
+                                {"sg-plain-accurate", "poor", "0.036"},
+                                {"sg-plain-accurate", "bad", "0.051"},
+                                {"sg-plain-accurate", "from", "0.2"},
+                                {"sg-plain-accurate", "to", "1000"},
+                                {"sg-plain-peak", "offset", "0.75"},
+                                {"sg-plain-peak", "exponents", "1:14:1"},
+                                // no low power is fitted nicely by more than 1.9
+                                {"sg-offset-one-low", "printed 0", "2"},
+                                {"sg-offset-one-low", "low from", "4"},
+                                {"sg-offset-one-low", "low to", "14"},
+                                {"sg-offset-one-low", "high from", "16"},
+                                {"sg-offset-one-low", "high to", "1000"},
+                                {"sg-offset-one-low", "nicely", "0.036"},
+                                {"sg-offset-one-low", "accurate", "0.021"},
+                                {"sg-offset-one-low", "subtle", "0.031"},
+                                {"sg-offset-one-low", "used at", "6"},
+                                // on either side of 11.77 for all, 1.872 for the closest two
+                                {"sg-offset-matters-below", "printed 0", "11.8"},
+                                {"sg-offset-matters-below", "printed 0", "1.8"},
+                                {"sg-offset-matters-below", "plain", "0.1"},
+                                {"sg-offset-matters-below", "fitted", "0.75"},
+                                {"sg-offset-matters-below", "literature", "0.9"},
+                                {"sg-offset-matters-below", "subtle", "0.031"},
+                                {"sg-offset-matters-below", "from", "0.2"},
+                                {"sg-offset-matters-below", "to", "1000"}});
+}
+
+TEST(LobeClaims, EveryDigitMatters) {
+  for (const char* id : {"sg-offset-mean", "sg-offset-limit", "sg-offset-k5"})
+    check_every_digit(*find_claim(id));
+}
+
+TEST(LobeClaims, HoldOnTheOtherSideOfTheirThresholds) {
+  const Claim& plain = *find_claim("sg-plain-accurate");
+  EXPECT_EQ(verdict_of(with_printed(plain, 0, "13.9")), "confirmed");
+  EXPECT_EQ(verdict_of(with_printed(plain, 0, "13.8")), "conditional");
+  EXPECT_EQ(verdict_of(with_printed(plain, 1, "8.0")), "confirmed");
+  EXPECT_EQ(verdict_of(with_printed(plain, 1, "8.1")), "conditional");
+  EXPECT_EQ(verdict_of(with_input(plain, "accurate", "0")), "refuted");
+  const Claim& matters = *find_claim("sg-offset-matters-below");
+  EXPECT_EQ(verdict_of(with_printed(matters, 0, "11.7")), "conditional");
+  EXPECT_EQ(verdict_of(with_printed(matters, 0, "11.8")), "confirmed");
+  EXPECT_EQ(verdict_of(with_printed(matters, 0, "1.9")), "conditional");
+  EXPECT_EQ(verdict_of(with_printed(matters, 0, "1.8")), "refuted");
+  const Claim& low = *find_claim("sg-offset-one-low");
+  EXPECT_EQ(verdict_of(with_input(low, "low from", "6.1")), "confirmed");
+  EXPECT_EQ(verdict_of(with_input(with_input(low, "low from", "6.1"), "high from", "11")), "conditional");
+  const Claim& bounds = *find_claim("sg-offset-bounds");
+  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.796")), "confirmed");
+  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.76")), "other-objective") << "weighted by the cosine";
+  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.5")), "conditional");
+  EXPECT_EQ(verdict_of(with_printed(bounds, 1, "0.00001")), "refuted");
+  EXPECT_EQ(verdict_of(with_input(*find_claim("sg-plain-peak"), "offset", "-0.5")), "refuted");
+}
+
+/// The largest difference of c^k and the Gaussian in 50 digits: of a fine comb, its best place refined by
+/// thirds.
+Decimal50 largest_error_in_fifty_digits(const Decimal50& k, const Decimal50& x) {
+  const auto difference = [&](const Decimal50& y) {
+    return Decimal50(abs(exp(Decimal50(-(k + x) * y)) - power(Decimal50(1 - y), k)));
+  };
+  const Decimal50 width = min(Decimal50(1), Decimal50(30 / k));
+  constexpr int teeth = 300;
+  Decimal50 best = 0;
+  for (int i = 0; i <= teeth; ++i) {
+    const Decimal50 y = width * i / teeth;
+    if (difference(y) > difference(best)) best = y;
+  }
+  Decimal50 low = max(Decimal50(0), Decimal50(best - width / teeth)),
+            high = min(Decimal50(1), Decimal50(best + width / teeth));
+  for (int i = 0; i < 80; ++i) {
+    const Decimal50 third = (high - low) / 3;
+    if (difference(low + third) < difference(high - third)) {
+      low += third;
+    } else {
+      high -= third;
+    }
+  }
+  return max(difference(best), difference(low));
+}
+
+TEST(LobeErrors, AreThoseOfFiftyDigits) {
+  for (const double k : {0.5, 1.0, 2.0, 5.0, 14.0, 300.0}) {
+    for (const double x : {0.0, 0.775, 1.0}) {
+      const double truth = largest_error_in_fifty_digits(k, x).convert_to<double>();
+      EXPECT_NEAR(largest_lobe_error(k, x).magnitude, truth, 1e-12 * truth) << "k = " << k << ", x = " << x;
+    }
+  }
+}
+
+TEST(LobeErrors, FollowTheirLaw) {
+  for (const double x : {0.0, 0.75, 0.775, 1.0, 3.0})
+    EXPECT_NEAR(1e6 * largest_lobe_error(1e6, x).magnitude, largest_error_law(x), 1e-5) << x;
+  EXPECT_NEAR(largest_error_law(0.0), 2 * std::exp(-2.0), 1e-15);
+}
+
+TEST(LobeErrors, FallAsTheExponentGrows) {
+  // What the thresholds of the plain form rest on, in absolute terms and in codes.
+  for (double k = 0.1; k < 1e5; k *= 1.7) {
+    EXPECT_GT(largest_lobe_error(k, 0).magnitude, largest_lobe_error(1.7 * k, 0).magnitude) << k;
+    EXPECT_GT(largest_lobe_codes(k, 0), largest_lobe_codes(1.7 * k, 0)) << k;
+    EXPECT_GT(largest_offset_codes(k, 0, 1), largest_offset_codes(1.7 * k, 0, 1)) << k;
+  }
+}
+
+TEST(LobeErrors, NoOffsetHasALessLargestErrorThanTheSmallest) {
+  for (const double k : {0.5, 1.0, 2.0, 3.0, 100.0}) {
+    const auto [offset, error] = smallest_lobe_error(k);
+    EXPECT_NEAR(largest_lobe_error(k, offset).magnitude, error, 1e-9);
+    for (const double other : {0.0, offset - 1e-3, offset + 1e-3, 1.0, *best_offset(k)})
+      EXPECT_GT(largest_lobe_error(k, other).magnitude, error) << k << " " << other;
+  }
+}
+
+TEST(WidestGap, IsWhatASearchFinds) {
+  for (const double k : {0.1, 1.0, 10.0, 1e4}) {
+    for (const double x : {0.775, 1.0, 40.0}) {
+      const Extremum found = largest_offset_difference(k, 0, x);
+      EXPECT_NEAR(found.magnitude, widest_gap(k, k + x), 1e-13) << k << " " << x;
+      EXPECT_NEAR(found.at.one_minus_cos, widest_gap_at(k, k + x), 1e-6) << k << " " << x;
+    }
+  }
+  EXPECT_EQ(widest_gap_at(0.1, 1.1), 1) << "beyond the horizon";
+  EXPECT_NEAR(1e6 * widest_gap(1e6, 1e6 + 1), std::exp(-1.0), 1e-6) << "its law";
+}
+
+TEST(PeakCrossing, IsWhereBothErrorsAreEqual) {
+  for (const double k : {0.2, 1.0, 1.6, 5.0, 15.0, 1e4}) {
+    for (const double x : {0.1, 0.775, 1.0}) {
+      const auto c = peak_crossing(k, x);
+      ASSERT_TRUE(c);
+      // in 50 digits, from the cosine where that is the smaller
+      const Decimal50 y =
+          c->one_minus_cos < c->cos_theta ? Decimal50(c->one_minus_cos) : 1 - Decimal50(c->cos_theta);
+      const Decimal50 target = power(Decimal50(1 - y), Decimal50(k));
+      const Decimal50 plain = exp(Decimal50(-k * y)) - target,
+                      shifted = exp(Decimal50(-(Decimal50(k) + Decimal50(x)) * y)) - target;
+      EXPECT_GT(plain, 0);
+      EXPECT_NEAR(Decimal50(shifted / plain).convert_to<double>(), -1, 1e-9 * k) << k << " " << x;
+    }
+  }
+  EXPECT_FALSE(peak_crossing(5, 0));
+  EXPECT_FALSE(peak_crossing(5, -1));
+}
+
+TEST(PeakCrossing, FollowsItsLaw) {
+  for (const double x : {0.5, 0.775, 1.0}) {
+    const auto law = peak_crossing_law(x);
+    for (const double k : {1e3, 1e5})
+      EXPECT_NEAR(k * peak_crossing(k, x)->one_minus_cos, law.limit + law.slope / k, 2 / (k * k)) << x;
+  }
+}
+
+TEST(BluntOffsetLaw, IsTheRatioOfItsIntegrals) {
+  const auto slope = [](const auto& weight) {
+    const auto moment = [&](const auto& f) {
+      return tanh_sinh([&](double theta) { return f(std::cos(theta)) * weight(theta); }, 0, std::acos(0.0),
+                       1e-12)
+          .value;
+    };
+    const auto log_moment = [](double c) { return c > 0 ? -std::log(c) * (1 - c) : 0; };
+    return blunt_offset_slope(moment(log_moment), moment([](double c) { return (1 - c) * (1 - c); }));
+  };
+  const auto sine = [](double theta) { return std::sin(theta); };
+  EXPECT_NEAR(blunt_offset_slope_cosine<double>(), slope(sine), 1e-9);
+  EXPECT_NEAR(blunt_offset_slope_angle<double>(), slope([](double) { return 1.0; }), 1e-9);
+  EXPECT_NEAR(blunt_offset_slope_cosine_weighted<double>(),
+              slope([](double theta) { return std::sin(theta) * std::cos(theta); }), 1e-9);
+}
+
+TEST(BluntOffsetLaw, IsWhereTheFitsGo) {
+  EXPECT_NEAR(*best_offset(1e-4) / 1e-4, blunt_offset_slope_cosine<double>(), 1e-3);
+  EXPECT_NEAR(*best_offset(1e-4, Measure::angle) / 1e-4, blunt_offset_slope_angle<double>(), 1e-3);
+  EXPECT_NEAR(*best_offset(1e-4, Measure::cosine_weighted) / 1e-4,
+              blunt_offset_slope_cosine_weighted<double>(), 1e-3);
+}
+
+TEST(OffsetRange, KnowsWhereTheLawsDoNotHold) {
+  EXPECT_TRUE(offset_range(Measure::cosine, {0.001, 1, 5, 100})->laws_hold);
+  const auto range = offset_range(Measure::cosine, {1, 2, 3, 4, 5});
+  EXPECT_NEAR(range->highest, 0.7957, 1e-4);
+  EXPECT_NEAR(range->highest_at, 3.31, 0.01);
+  EXPECT_FALSE(range->is_within(0.1, 1)) << "blunt lobes lead to 0";
+  EXPECT_TRUE(range->is_within(0, 0.7958));
+  EXPECT_FALSE(range->is_within(0, 0.7956));
+}
+
+TEST(OffsetOne, KeepsTheIntegralOfTheLobe) {
+  for (const double k : {1.0, 5.0, 100.0}) {
+    const double gaussian =
+        gauss_kronrod([&](double c) { return gaussian_lobe(c, k, 1.0); }, 0, 1, 1e-13).value;
+    const double lobe = gauss_kronrod([&](double c) { return power_lobe(c, k); }, 0, 1, 1e-13).value;
+    EXPECT_NEAR(gaussian / lobe, 1 - std::exp(-(k + 1)), 1e-12) << k;
+  }
+}
+
+TEST(Exponents, AreCutWhereAConditionBeginsAndEnds) {
+  const auto exponents = doubling_exponents(1, 100);
+  EXPECT_EQ(exponents, (std::vector<double>{1, 2, 4, 8, 16, 32, 64, 100}));
+  const auto above = where_not_negative([](double k) { return k - 10; }, exponents);
+  ASSERT_EQ(above.size(), 1U);
+  EXPECT_NEAR(above[0].from, 10, 1e-8);
+  EXPECT_EQ(above[0].to, 100);
+  EXPECT_EQ(sentence(above, exponents), "from k = 10 on");
+  EXPECT_TRUE(covers(above, 10.1, 100));
+  EXPECT_FALSE(covers(above, 9.9, 100));
+  const auto outside = where_not_negative([](double k) { return (k - 3) * (k - 50); }, exponents);
+  EXPECT_EQ(sentence(outside, exponents), "up to k = 3 and from k = 50 on");
+  EXPECT_FALSE(covers(outside, 1, 100));
+  const auto inside = where_not_negative([](double k) { return (3 - k) * (k - 50); }, exponents);
+  EXPECT_EQ(sentence(inside, exponents), "for k from 3 to 50");
+  EXPECT_EQ(sentence(where_not_negative([](double) { return 1.0; }, exponents), exponents), "for every k");
+  EXPECT_EQ(sentence(where_not_negative([](double) { return -1.0; }, exponents), exponents), "for no k");
+  EXPECT_EQ(exponent_text(100000), "100000");
+  EXPECT_EQ(exponent_text(8.06660), "8.067");
+}
+
+}  // namespace
+}  // namespace shadefit

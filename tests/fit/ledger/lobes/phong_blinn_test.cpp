@@ -1,0 +1,126 @@
+#include "approx/phong_blinn.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/support/decimal.hpp"
+#include "tests/accuracy.hpp"
+#include "tests/fit/ledger/mutations.hpp"
+#include "tests/fit/ledger/vector.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::dot;
+using testing::Vector;
+
+TEST(PhongBlinnClaims, RestOnWhatIsPrintedAndGiven) {
+  check_mutations(phong_blinn_claims, {{"phong-blinn-factor", "printed 0", "6"},
+                                       {"phong-blinn-factor", "printed 1", "3.9"},
+                                       {"phong-blinn-factor", "from", "0.5"},
+                                       {"phong-blinn-factor", "to", "0.99"},
+                                       {"phong-blinn-angle", "printed 0", "2.1"},
+                                       {"phong-blinn-angle", "views", "15,40"},
+                                       {"phong-blinn-angle", "step", "20"},
+                                       {"phong-blinn-angle", "exponent", "64"}});
+}
+
+// The best x falls from its value at blunt lobes to 4 at sharp ones: 4.2 came without its exponent, so that
+// any number that x takes is right for some. What a changed digit changes is for which: no two overlap, each
+// begins where the next larger one ends.
+TEST(PhongBlinnClaims, EachDigitHasItsOwnExponents) {
+  const Claim& claim = *find_claim("phong-blinn-factor");
+  const auto range_of = [&](std::string_view printed) {
+    const Finding finding = evaluate(with_printed(claim, 1, printed));
+    EXPECT_EQ(finding.verdict, Verdict::conditional) << printed;
+    const std::string& text = finding.computed;
+    const auto at = text.find("the best from k = ");
+    if (at == std::string::npos) ADD_FAILURE() << text;
+    return text.substr(at + 18);
+  };
+  std::string end;
+  for (const std::string_view printed : {"4.4", "4.3", "4.2", "4.1"}) {
+    const std::string range = range_of(printed);
+    const auto to = range.find(" to ");
+    if (!end.empty()) {
+      EXPECT_EQ(range.substr(0, to), end) << printed;
+    }
+    end = range.substr(to + 4);
+  }
+  for (const char* never : {"3.9", "3.2", "9.2"}) {
+    const Finding finding = evaluate(with_printed(claim, 1, never));
+    EXPECT_EQ(finding.verdict, Verdict::refuted) << never << ": " << finding.computed;
+    EXPECT_NE(finding.computed.find("the best at no k"), std::string::npos);
+  }
+}
+
+TEST(PhongBlinnClaims, OnlyTheViewAlongTheNormalHasEveryLightInItsPlane) {
+  const Claim& claim = *find_claim("phong-blinn-angle");
+  EXPECT_EQ(verdict_of(claim), "conditional");
+  EXPECT_EQ(verdict_of(with_input(claim, "views", "0.00001")), "confirmed");
+  EXPECT_EQ(verdict_of(with_printed(claim, 0, "1.999")), "refuted");
+}
+
+Vector direction(double from_normal, double azimuth) {
+  const Decimal50 polar(from_normal), around(azimuth);
+  return {sin(polar) * cos(around), sin(polar) * sin(around), cos(polar)};
+}
+
+/// Pairs of light and view over the hemisphere.
+template <class Check>
+void for_lights_and_views(const Check& check) {
+  for (const double view : {0.1, 0.6, 1.2, 1.5}) {
+    for (const double light : {0.0, 0.4, 1.0, 1.57}) {
+      for (const double azimuth : {0.0, 0.7, 2.0, 3.1}) check(direction(light, azimuth), direction(view, 0));
+    }
+  }
+}
+
+// Against vectors: the reflected ray and the half vector built and multiplied out.
+TEST(PhongBlinnAngles, AreThoseOfTheVectors) {
+  for_lights_and_views([](const Vector& l, const Vector& v) {
+    const Decimal50 p = l[2], q = v[2], d = dot(l, v);
+    const Vector r{-l[0], -l[1], 2 * p - l[2]};
+    EXPECT_LT(abs(phong_cosine(p, q, d) - dot(r, v)), 1e-48);
+    const Vector h{l[0] + v[0], l[1] + v[1], l[2] + v[2]};
+    const Decimal50 cosine = h[2] / sqrt(dot(h, h));
+    EXPECT_LT(abs(twice_blinn_cosine(p, q, d) - (2 * cosine * cosine - 1)), 1e-47);
+    const Decimal50 volume = l[0] * v[1] - l[1] * v[0];  // n.(l x v)
+    EXPECT_LT(abs(squared_volume(p, q, d) - volume * volume), 1e-48);
+    EXPECT_LT(abs(blinn_cosine_excess(p, q, d) - (phong_cosine(p, q, d) - twice_blinn_cosine(p, q, d))),
+              1e-47);
+  });
+}
+
+TEST(PhongBlinnAngles, DifferByNoMoreThanTheirLaw) {
+  double closest = 10;
+  for_lights_and_views([&](const Vector& l, const Vector& v) {
+    const Decimal50 phong = acos(phong_cosine(l[2], v[2], dot(l, v)));
+    const Decimal50 blinn = acos(Decimal50(max(twice_blinn_cosine(l[2], v[2], dot(l, v)), Decimal50(-1))));
+    const Decimal50 most = 2 * asin(sine_of_half_excess(v[2]));
+    EXPECT_GE(blinn - phong, Decimal50(-1e-24));
+    EXPECT_LE(blinn - phong, most);
+    closest = std::min(closest, static_cast<double>(most - (blinn - phong)));
+  });
+  EXPECT_LT(closest, 0.1) << "no light came near it";
+}
+
+// The light that the law names: on the horizon, with l.v = n.v - 1.
+TEST(PhongBlinnAngles, ReachTheirLaw) {
+  for (const char* text : {"0.1", "0.5", "0.9"}) {
+    const Decimal50 q(text), p(0), d = q - 1;
+    const Decimal50 excess = acos(twice_blinn_cosine(p, q, d)) - acos(phong_cosine(p, q, d));
+    EXPECT_LT(abs(excess - 2 * asin(sine_of_half_excess(q))), 1e-47) << text;
+  }
+}
+
+// At 60 degrees 2 asin(1/2) is 60 degrees, and across the plane the two angles are equal.
+TEST(PhongBlinnClaims, SixtyDegreesByHand) {
+  const Finding finding = evaluate(with_input(*find_claim("phong-blinn-angle"), "views", "60"));
+  EXPECT_NE(finding.evidence.find("2 n.v: 1, "), std::string::npos) << finding.evidence;
+  EXPECT_NE(finding.evidence.find("2 asin(1 - n.v): 60 degrees"), std::string::npos) << finding.evidence;
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,156 @@
+#include "approx/material.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "approx/encoding.hpp"
+#include "fit/ledger/colour/transfer_function.hpp"
+#include "fit/ledger/list.hpp"
+#include "fit/ledger/surfaces/diffuse_fresnel.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "tests/fit/ledger/mutations.hpp"
+
+namespace shadefit {
+namespace {
+
+TEST(MaterialClaims, RestOnWhatIsPrintedAndGiven) {
+  check_mutations(material_claims,
+                  {{"chart-dielectric", "printed 0", "0.025"},
+                   {"chart-dielectric", "printed 1", "0.064"},
+                   {"chart-dielectric", "from code", "41"},
+                   {"chart-dielectric", "to code", "74"},
+                   {"chart-dielectric", "convention", "gamma 1.8"},
+                   {"chart-dielectric", "other conventions", "gamma 2.2"},
+                   {"chart-metal", "printed 0", "0.39"},
+                   {"chart-metal", "printed 1", "0.7"},
+                   {"chart-metal", "from code", "154"},
+                   {"chart-metal", "to code", "254"},
+                   {"chart-metal", "convention", "gamma 1.8"},
+                   {"chart-metal", "other conventions", "gamma 2.2"},
+                   {"chart-range-typo", "printed 0", "0.063"},
+                   {"chart-range-typo", "printed 1", "0.067"},
+                   {"chart-range-typo", "code", "71"},
+                   {"chart-range-typo", "convention", "gamma 1.8"},
+                   {"chart-range-typo", "other conventions", "gamma 2.2"},
+                   {"chart-overlap", "dielectric codes", "38, 75"},
+                   {"chart-overlap", "common dielectrics", "0.03, 0.05"},
+                   {"chart-overlap", "metal codes", "200, 255"},
+                   {"chart-overlap", "common metals", "0.2, 1"},
+                   {"chart-overlap", "convention", "gamma 2.2"},
+                   {"chart-overlap", "other conventions", "gamma 1.8"},
+                   {"middle-grey", "printed 0", "186"},
+                   {"middle-grey", "linear", "0.4"},
+                   {"middle-grey", "not", "127"},
+                   {"middle-grey", "photographic grey", "0.2"},
+                   {"middle-grey", "convention", "gamma 2.2"},
+                   {"middle-grey", "other conventions", "gamma 2.2"},
+                   {"metallic-workflow", "printed 0", "0"},
+                   {"metallic-workflow", "printed 0", "1.1"},
+                   {"metallic-workflow", "codes", "128"},
+                   {"workflow-channels", "printed 0", "6"},
+                   {"workflow-channels", "printed 1", "9"},
+                   {"workflow-channels", "specular maps", "albedo 3, specular 1, roughness 1"},
+                   {"workflow-channels", "metallic maps", "base colour 3, metallic 1"},
+                   {"workflow-channels", "one more map", "emission 3"},
+                   {"diffuse-fresnel", "factor", "1"},
+                   {"diffuse-fresnel", "stand-in", "1-F_i"},
+                   {"diffuse-fresnel", "beside", "1"},
+                   {"diffuse-fresnel", "albedo", "0.5"},
+                   {"diffuse-fresnel", "f0", "0.02"}});
+}
+
+TEST(MaterialClaims, EveryDigitOfWhatIsConfirmedMatters) {
+  for (const char* id : {"chart-metal", "workflow-channels"}) check_every_digit(*find_claim(id));
+}
+
+TEST(MaterialClaims, VerdictsOfBothSides) {
+  const Claim& chart = *find_claim("chart-dielectric");
+  // sRGB's own values: by hand, ((40/255 + 0.055)/1.055)^2.4 = 0.02121901 and of 75 0.07036010.
+  EXPECT_EQ(verdict_of(with_printed(with_printed(chart, 0, "0.021"), 1, "0.070")), "confirmed");
+  // Without the slip of 256 no listed convention gives 0.067: 0.0677 rounds to 0.068.
+  EXPECT_EQ(verdict_of(with_input(chart, "other conventions", "gamma 2.2")), "refuted");
+  const Claim& overlap = *find_claim("chart-overlap");
+  EXPECT_EQ(verdict_of(with_input(overlap, "common dielectrics", "0.0213, 0.05")), "confirmed");
+  EXPECT_EQ(verdict_of(with_input(overlap, "common dielectrics", "0.016, 0.05")), "conditional");
+  EXPECT_EQ(verdict_of(with_input(overlap, "common dielectrics", "0.1, 0.2")), "refuted");
+  const Claim& energy = *find_claim("diffuse-fresnel");
+  EXPECT_EQ(verdict_of(with_input(energy, "stand-in", "(1-F_i)(1-F_o)")), "confirmed");
+  EXPECT_EQ(verdict_of(with_input(energy, "stand-in", "1")), "refuted");
+  // A black surface reflects F alone.
+  EXPECT_EQ(verdict_of(with_input(energy, "albedo", "0")), "confirmed");
+}
+
+TEST(MaterialClaims, TheRangeGivenTwiceIsRightWhereBothAgree) {
+  const Claim& twice = *find_claim("chart-range-typo");
+  EXPECT_EQ(verdict_of(twice), "refuted");
+  EXPECT_EQ(verdict_of(with_printed(twice, 1, "0.066")), "rounding");
+}
+
+TEST(Metallic, LosesAndGainsNothingAtItsEnds) {
+  EXPECT_EQ(metallic_albedo(0.75, 0.0), 0.75);
+  EXPECT_EQ(metallic_albedo(0.75, 1.0), 0);
+  EXPECT_EQ(metallic_f0(0.03, 0.75, 0.0), 0.03);
+  EXPECT_EQ(metallic_f0(0.03, 0.75, 1.0), 0.75);
+  const Decimal50 f0("0.03");
+  for (const char* m : {"0", "0.25", "0.9", "1"}) {
+    const Decimal50 metallic(m), c = brightest_base_colour(f0, metallic);
+    const Decimal50 sum = metallic_albedo(c, metallic) + metallic_f0(f0, c, metallic);
+    EXPECT_LT(abs(sum - 1), Decimal50("1e-48")) << m;
+  }
+}
+
+TEST(Diffuse, HasTheClosedFormsOfSchlick) {
+  // The mean of (1-F) over the hemisphere: 1 - f0 - (1-f0)/21.
+  for (const double f0 : {0.02, 0.04, 0.5}) {
+    for (const double a : {0.25, 0.8, 1.0}) {
+      const double rest = 1 - mean_schlick_reflectance(f0);
+      EXPECT_NEAR(rest, (1 - f0) * 20 / 21, 1e-15);
+      const auto both = diffuse_under_fresnel("(1-F_i)(1-F_o)", a, f0);
+      EXPECT_NEAR(both.at_normal, f0 + a * (1 - f0) * rest, 1e-12);
+      EXPECT_NEAR(both.at_grazing, 1, 1e-12);
+      EXPECT_NEAR(both.under_sky, 1 - rest + a * rest * rest, 1e-12);
+      EXPECT_EQ(both.from_cosine, 0);
+      const auto stand_in = diffuse_under_fresnel("1-F0", a, f0);
+      EXPECT_NEAR(stand_in.at_normal, f0 + a * (1 - f0), 1e-12);
+      EXPECT_NEAR(stand_in.at_grazing, 1 + a * (1 - f0), 1e-12);
+      EXPECT_NEAR(stand_in.under_sky, 1 - rest + a * (1 - f0), 1e-12);
+      // f0 + (1-f0) w + a (1-f0) <= 1 where w = (1-c)^5 <= 1 - a
+      EXPECT_NEAR(stand_in.from_cosine, 1 - std::pow(1 - a, 0.2), 1e-9) << a << " " << f0;
+    }
+    const auto in = diffuse_under_fresnel("1-F_i", 1, f0);
+    EXPECT_NEAR(in.at_normal, 1, 1e-12) << "towards the light it is exactly what gets in";
+    EXPECT_NEAR(in.under_sky, 1, 1e-12);
+    EXPECT_GT(in.at_grazing, 1) << "and not reciprocal: too much towards a grazing view";
+    EXPECT_GT(diffuse_under_fresnel("1", 1, f0).from_cosine, 1) << "nowhere";
+  }
+  EXPECT_THROW(diffuse_under_fresnel("1-F", 1, 0.04), std::invalid_argument);
+}
+
+TEST(TransferFunction, ReadsNamesAndDecodes) {
+  const auto srgb = transfer_function("sRGB"), power = transfer_function("gamma 2.2"),
+             slip = transfer_function("gamma 2.2 of code/256");
+  // mpmath, 20 digits: ((40/255 + 0.055)/1.055)**2.4, (40/255)**2.2, (40/256)**2.2
+  EXPECT_NEAR(srgb.linear(40), 0.021219010376003555, 1e-16);
+  EXPECT_NEAR(power.linear(40), 0.016988052089250045, 1e-16);
+  EXPECT_NEAR(slip.linear(40), 0.016842403094008966, 1e-16);
+  for (const auto& function : {srgb, power, slip}) {
+    EXPECT_EQ(function.linear(0), 0);
+    EXPECT_EQ(function.linear(function.codes), 1);
+    for (int code = 1; code <= 255; ++code) EXPECT_NEAR(function.code(function.linear(code)), code, 5e-5);
+  }
+  EXPECT_EQ(transfer_functions("sRGB, gamma 1.8").at(1).gamma, 1.8);
+  for (const char* bad : {"", "srgb", "gamma", "gamma x", "gamma 0", "sRGB of code/0", "sRGB of code/"})
+    EXPECT_THROW(transfer_function(bad), std::invalid_argument) << bad;
+}
+
+TEST(List, IsReadByItsSeparator) {
+  EXPECT_EQ(items_of("a b,  c"), (std::vector<std::string_view>{"a b", "c"}));
+  EXPECT_EQ(items_of("one"), std::vector<std::string_view>{"one"});
+  EXPECT_EQ(numbers_of("0.5, -1"), (std::vector<double>{0.5, -1}));
+  EXPECT_EQ(numbers_of("5 10", ' '), (std::vector<double>{5, 10}));
+  EXPECT_THROW(numbers_of("1,, 2"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,237 @@
+#include "fit/proof/certificate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/proof/enclosure.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+Subject published_pair() {
+  return {.family = "fresnel-quadratic", .parameters = {{"a", "-5.55473"}, {"b", "-6.98316"}}};
+}
+
+Subject gaussian(double exponent) {
+  return {.family = "sg-offset", .parameters = {{"x", "0.775"}}, .setting = exponent};
+}
+
+TEST(Certificate, HoldsWhatItSays) {
+  Subject relative = gaussian(5), part = published_pair();
+  relative.error = Error::relative;
+  part.domain = {0.25, 0.625};
+  Subject exact{
+      .family = "fresnel-one-term", .parameters = {{"A", "8.35"}}, .setting = {0, exact_surface(1.5)}};
+  for (const Subject& subject :
+       {published_pair(), gaussian(1), gaussian(37.5), gaussian(1e6), relative, part, exact}) {
+    const Certified made = certify(subject, usual_width);
+    EXPECT_TRUE(made.is_reached) << subject.family;
+    EXPECT_EQ(made.curve.trend, Proof::proven) << subject.family;
+    EXPECT_EQ(made.curve.non_negative, Proof::proven);
+    EXPECT_EQ(made.curve.at_most_one, Proof::proven);
+    EXPECT_EQ(reason_to_refuse(made.certificate), "") << subject.family;
+  }
+}
+
+TEST(Certificate, EveryFitOfTheCatalogue) {
+  for (const FittableFamily& family : fittable_families()) {
+    for (const double k : family.has_exponent() ? std::vector{1.0, 15.0, 1000.0} : std::vector{0.0}) {
+      const Fit fit = family.fit(Setting(k), {});
+      const Certified made = certify(subject_of(fit), usual_width);
+      EXPECT_TRUE(made.is_reached) << family.info.id << k;
+      EXPECT_EQ(reason_to_refuse(made.certificate), "") << family.info.id << k;
+      EXPECT_NEAR(made.certificate.upper, fit.max_abs_error.magnitude, 2e-9 * made.certificate.upper);
+    }
+  }
+}
+
+TEST(Certificate, ARelativeErrorHasItsOwnDomain) {
+  Subject subject = gaussian(5);
+  subject.error = Error::relative;
+  const Certificate made = certify(subject, usual_width).certificate;
+  EXPECT_NEAR(made.subject.domain.lower, std::exp(-std::log(255) / 5), 1e-15);
+  subject.domain = {0, 0.25};
+  EXPECT_THROW(certify(subject, usual_width), UserError) << "the target is below 1/255 there";
+}
+
+/// Each single falsehood is refused, by the reason that names it.
+TEST(Certificate, AFalseOneIsRefused) {
+  const Certificate truth = certify(published_pair(), usual_width).certificate;
+  const auto expect_refusal = [&](const std::function<void(Certificate&)>& falsify,
+                                  const std::string& reason) {
+    Certificate wrong = truth;
+    falsify(wrong);
+    const std::string why = reason_to_refuse(wrong);
+    EXPECT_EQ(why.substr(0, reason.size()), reason);
+  };
+  const auto understate = [](Certificate& c) {
+    c.upper = c.lower = 3.7664127e-3;
+    c.places = boxes_of({});
+  };
+  expect_refusal(understate, "the error may exceed the upper bound at c in");
+  expect_refusal([](Certificate& c) { c.lower = c.upper; },
+                 "the error does not reach the lower bound at its place");
+  expect_refusal([](Certificate& c) { std::swap(c.lower, c.upper); }, "its bounds are no interval");
+  expect_refusal([](Certificate& c) { c.attained.distance = 0.25; },
+                 "the error does not reach the lower bound");
+  expect_refusal(
+      [](Certificate& c) {
+        c.attained = {Origin::peak, 0.75};
+      },
+      "the place of its lower bound is outside");
+  expect_refusal([](Certificate& c) { c.places.clear(); }, "it names no place of the largest error");
+  expect_refusal(
+      [](Certificate& c) {
+        c.places = {{Origin::peak, 0.125, 0.25}};
+      },
+      "the error may exceed the lower bound outside of its places");
+  expect_refusal([](Certificate& c) { std::swap(c.places[0].lower, c.places[0].upper); }, "the place c in [");
+  expect_refusal([](Certificate& c) { c.places[0].upper = 0.75; }, "the place c in [");
+  expect_refusal([](Certificate& c) { c.places.push_back(c.places[0]); }, "the place c in [");
+  expect_refusal([](Certificate& c) { c.horizon.front() = 0x1p-9; },
+                 "the boxes in c do not reach from 0x0p+0");
+  expect_refusal([](Certificate& c) { c.peak.pop_back(); }, "the boxes in 1 - c do not reach");
+  expect_refusal([](Certificate& c) { c.peak.clear(); }, "the boxes in 1 - c do not reach");
+  expect_refusal([](Certificate& c) { std::swap(c.horizon[1], c.horizon[2]); },
+                 "the ends of the boxes in c do not rise");
+  expect_refusal([](Certificate& c) { c.horizon = {0, 0.5}; }, "the error may exceed");
+  expect_refusal([](Certificate& c) { c.subject.domain.lower = 0.125; },
+                 "the boxes in c do not reach from 0x1p-3");
+  expect_refusal([](Certificate& c) { c.subject.domain.upper = 2; }, "the domain is not within [0, 1]");
+  expect_refusal([](Certificate& c) { c.subject.parameters[1].second = "-6.983146"; }, "the error");
+  expect_refusal([](Certificate& c) { c.subject.parameters[1].second = "b"; },
+                 "parameter b 'b' is not a finite number");
+  expect_refusal([](Certificate& c) { c.subject.parameters.pop_back(); },
+                 "parameter 'b' of fresnel-quadratic is missing");
+  expect_refusal([](Certificate& c) { c.subject.parameters[0].first = "A"; },
+                 "parameter 'A' is unknown: fresnel-quadratic has none of that name");
+  expect_refusal([](Certificate& c) { c.subject.family = "fresnel"; }, "'fresnel' is no family");
+  expect_refusal([](Certificate& c) { c.form = "exp2(a c)"; }, "the form 'exp2(a c)' is not the family's");
+  expect_refusal([](Certificate& c) { c.target = "(1 - c)^4"; },
+                 "the target '(1 - c)^4' is not the family's");
+  expect_refusal([](Certificate& c) { c.precision = 9999; }, "it was made with 9999 bits");
+  expect_refusal([](Certificate& c) { c.curve.trend = Trend::falls; }, "the form may turn at c in");
+  expect_refusal([](Certificate& c) { c.subject.error = Error::relative; }, "the error");
+  expect_refusal([](Certificate& c) { c.subject.setting.exponent = 5; }, "fresnel-quadratic has no exponent");
+  const auto expect_no_surface = [&](const Surface& surface, const std::string& reason) {
+    expect_refusal([&](Certificate& c) { c.subject.setting.surface = surface; }, reason);
+  };
+  expect_no_surface(exact_surface(-1.5), "the index of refraction is not greater than 0");
+  expect_no_surface(exact_surface(-1.5, 2), "the index of refraction is not greater than 0");
+  expect_no_surface(exact_surface(1.5, -2), "the extinction is negative");
+  expect_no_surface(schlick_surface(1), "the index of refraction is 1 without extinction");
+  expect_no_surface(exact_surface(1e17), "the surface reflects all light at normal incidence");
+  expect_no_surface(exact_surface(0, 2), "the surface has no index of refraction");
+  Surface bright;
+  bright.f0 = 1;
+  expect_no_surface(bright, "the f0 of the surface is not at least 0 and less than 1");
+  bright = schlick_surface(1.5);
+  bright.f0 = 0.5;
+  expect_no_surface(bright, "a surface with an index of refraction has an f0 of its own");
+}
+
+TEST(Certificate, ALobeHasNoSurface) {
+  Certificate lobe = certify(gaussian(5), 0.1).certificate;
+  lobe.subject.setting.surface = exact_surface(1.5);
+  EXPECT_EQ(reason_to_refuse(lobe), "sg-offset is no Fresnel form: it has no surface");
+  Subject subject = gaussian(5);
+  subject.domain = {0.5, 0.25};
+  EXPECT_THROW(certify(subject, 0.1), UserError) << "the same rules hold for what is to be certified";
+}
+
+/// Proofs and checks look for signals between their boxes.
+TEST(Certificate, WorkEndsWhereACheckpointSays) {
+  struct Ended {};
+  int calls = 0;
+  const auto third = [&] {
+    if (++calls == 3) throw Ended{};
+  };
+  EXPECT_THROW(certify(published_pair(), usual_width, third), Ended);
+  EXPECT_EQ(calls, 3);
+  const Certificate made = certify(published_pair(), usual_width).certificate;
+  calls = 0;
+  double share = 0;
+  EXPECT_THROW(reason_to_refuse(made,
+                                [&](double done) {
+                                  share = done;
+                                  third();
+                                }),
+               Ended);
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 0.1) << "the third of " << made.horizon.size() + made.peak.size() << " ends of boxes";
+}
+
+TEST(Certificate, WhatACurveIsNot) {
+  Subject rising = published_pair();
+  rising.parameters[0].second = "1";
+  rising.parameters[1].second = "0.5";
+  const Certified made = certify(rising, usual_width);
+  EXPECT_EQ(made.curve.trend, Proof::refuted) << "it falls with the angle";
+  EXPECT_EQ(made.curve.at_most_one, Proof::refuted);
+  EXPECT_EQ(made.curve.non_negative, Proof::proven);
+  EXPECT_EQ(made.certificate.curve.trend, Trend::none);
+  EXPECT_EQ(reason_to_refuse(made.certificate), "");
+  Certificate wrong = made.certificate;
+  wrong.curve.is_at_most_one = true;
+  EXPECT_EQ(reason_to_refuse(wrong).substr(0, 21), "the form may exceed 1");
+}
+
+/// A decimal is enclosed, not rounded: the certificate of a printed number is about that number.
+TEST(Certificate, PrintedNumbersAreNotRounded) {
+  Subject rounded = published_pair();
+  for (auto& [name, value] : rounded.parameters) value = hex_text(std::stod(value));
+  const Certificate a = certify(published_pair(), least_width).certificate,
+                    b = certify(rounded, least_width).certificate;
+  EXPECT_LT(a.upper, b.lower) << "the nearest doubles have an error larger by 5e-18";
+}
+
+TEST(Certificate, HexadecimalTexts) {
+  for (const double x : {0.0, 1.0, -5.55473, 0x1p-1074, 1.7976931348623157e308, 0.1})
+    EXPECT_EQ(parse_hex(hex_text(x)), x);
+  EXPECT_EQ(hex_text(-0.75), "-0x1.8p-1");
+  for (const char* text :
+       {"", "0x", "1.8p-1", "0x1.8p-1x", "0xinf", "0xnan", "--0x1p+0", "-0x-1p+0", "0x1p+9999"})
+    EXPECT_FALSE(parse_hex(text)) << text;
+  // One number has one text: these were rounded, or read as another spelling.
+  for (const char* text : {"0x0.7ffffffffffffffffp+0", "0x1.00000000000001p+0", "0x1.80p-1", "0x3p-2",
+                           "0x1.8p-01", "0X1.8p-1", "0x1.8P-1", "0x1.Ap+0", "0x1", "0x1p-9999"})
+    EXPECT_FALSE(parse_hex(text)) << text;
+}
+
+TEST(Certificate, SubjectsThatAreNone) {
+  const auto refusal = [](const Subject& subject, double width = usual_width) -> std::string {
+    try {
+      certify(subject, width);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  Subject subject = published_pair();
+  subject.parameters[1].first = "c";
+  EXPECT_EQ(refusal(subject), "parameter 'c' is unknown: fresnel-quadratic has none of that name");
+  subject = published_pair();
+  subject.parameters.pop_back();
+  EXPECT_EQ(refusal(subject), "parameter 'b' of fresnel-quadratic is missing");
+  subject.parameters.push_back({"a", "1"});
+  EXPECT_EQ(refusal(subject), "parameter 'a' is given twice");
+  for (const char* text : {"nan", "inf", "", "x", "1e400"}) {
+    subject = published_pair();
+    subject.parameters[0].second = text;
+    EXPECT_EQ(refusal(subject), "parameter a '" + std::string(text) + "' is not a finite number");
+  }
+  subject.parameters[0].second = "0x1.80p+0";
+  EXPECT_EQ(refusal(subject), "parameter a '0x1.80p+0' is not a hexadecimal double as shadefit prints it");
+  for (const double width : {0.0, -1.0, 1e-20, 1.0, std::nan("")})
+    EXPECT_NE(refusal(published_pair(), width).find("cannot be reached"), std::string::npos) << width;
+}
+
+}  // namespace
+}  // namespace shadefit

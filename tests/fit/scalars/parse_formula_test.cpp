@@ -1,0 +1,221 @@
+#include "fit/scalars/parse_formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "approx/fresnel.hpp"
+#include "approx/lobe.hpp"
+#include "approx/normalisation.hpp"
+#include "fit/scalars/multiprecision.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr std::array<std::string_view, 3> variables{"a", "b", "cos_theta"};
+
+Symbolic parse(std::string_view text) {
+  return parse_formula(text, variables);
+}
+
+double value_of(std::string_view text) {
+  return evaluate<double>(parse(text), [](const std::string& name) { return name == "a" ? 3.0 : 0.5; });
+}
+
+std::string error_of(std::string_view text) {
+  try {
+    parse(text);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ParseFormula, ReadsAsPeopleMeanIt) {
+  EXPECT_EQ(value_of("2"), 2);
+  EXPECT_EQ(value_of(" ( a+2 ) (a + 4)/ 8"), 35.0 / 8);
+  EXPECT_EQ(value_of("1 - a - b"), -2.5) << "sums run from the left";
+  EXPECT_EQ(value_of("a - (1 - b)"), 2.5);
+  EXPECT_EQ(value_of("-a b + 1"), -0.5) << "a sign covers the product";
+  EXPECT_EQ(value_of("-a^2"), -9) << "and the power";
+  EXPECT_EQ(value_of("a*b*4"), 6);
+  EXPECT_EQ(value_of("3 a/(2 b)"), 9);
+  EXPECT_EQ(value_of("a^-2"), 1.0 / 9);
+  EXPECT_EQ(value_of("4^b"), 2);
+  EXPECT_EQ(value_of("4^(-b)"), 0.5);
+  EXPECT_EQ(value_of("4^1.5"), 8);
+  EXPECT_EQ(value_of("2.5e1 a"), 75);
+  EXPECT_EQ(value_of("max(a, 4) + exp2(a) + sqrt(cos_theta + 3.5)"), 14);
+  EXPECT_EQ(value_of("(a < b ? 1 : 2)"), 2);
+  EXPECT_EQ(value_of("(b < a ? 1 : 2) a"), 3);
+  EXPECT_EQ(value_of("pi/ln2"), pi<double>() / ln2<double>());
+  EXPECT_EQ(parse("(1 - a)^5").kind(), Symbolic::Kind::integer_power) << "multiplications";
+  EXPECT_EQ(parse("(1 - a)^b").kind(), Symbolic::Kind::real_power);
+}
+
+TEST(ParseFormula, SaysWhereItStopped) {
+  EXPECT_EQ(error_of("(a+2"), "formula '(a+2': expected ')' at place 5");
+  EXPECT_EQ(error_of(""), "formula '': expected a number, a name or '(' at place 1");
+  EXPECT_EQ(error_of("a +"), "formula 'a +': expected a number, a name or '(' at place 4");
+  EXPECT_EQ(error_of("a)"), "formula 'a)': expected an operator or the end at place 2");
+  EXPECT_EQ(error_of("2 alpha"),
+            "formula '2 alpha': expected one of a, b, cos_theta, pi, ln2 and the functions, not 'alpha' at "
+            "place 3");
+  EXPECT_EQ(error_of("1/2 pi"),
+            "formula '1/2 pi': expected parentheses around the quotient or its denominator at place 5");
+  for (const char* text :
+       {"a/b/2",         "a/b*2",  "a^b^2",   "a^-b",        "2 3",    "a 3",      "a + -b",
+        "--a",           "a*-b",   "1.",      ".5",          "max(a)", "max(a, b", "sqrt a",
+        "sqrt(a, b)",    "tan(a)", "(a < b)", "(a < b ? 1)", "a % b",  "a = b",    "1e999",
+        "a^99999999999", "A",      "a\tb",    "a\nb",        "2(a"}) {
+    EXPECT_NE(error_of(text).find("expected"), std::string::npos) << text;
+  }
+  const std::string nul("a\0b", 3);
+  EXPECT_NE(error_of(nul), "no error");
+}
+
+TEST(ParseFormula, BoundsItsDepth) {
+  const auto nested = [](int n) {
+    return std::string(static_cast<std::size_t>(n), '(') + "a" +
+           std::string(static_cast<std::size_t>(n), ')');
+  };
+  EXPECT_EQ(value_of(nested(99)), 3);
+  EXPECT_NE(error_of(nested(100)).find("nested"), std::string::npos);
+  EXPECT_NE(error_of(std::string(500, '(')).find("nested"), std::string::npos) << "no overflow";
+}
+
+/// An expression of that depth; `state` is a linear congruential generator (Knuth's MMIX constants).
+Symbolic any_expression(std::uint64_t& state, int depth) {
+  const auto draw = [&](std::uint64_t n) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return (state >> 33) % n;
+  };
+  const auto leaf = [&]() -> Symbolic {
+    switch (draw(5)) {
+      case 0:
+        return Symbolic::variable("a");
+      case 1:
+        return Symbolic::variable("cos_theta");
+      case 2:
+        return pi<Symbolic>();
+      case 3:
+        return constant<Symbolic>(draw(2) == 0 ? "0.775" : "-0.5");
+      default:
+        return integer<Symbolic>(static_cast<int>(draw(9)));
+    }
+  };
+  const auto part = [&] { return draw(4) == 0 || depth == 0 ? leaf() : any_expression(state, depth - 1); };
+  switch (draw(11)) {
+    case 0:
+      return part() + part();
+    case 1:
+      return part() - part();
+    case 2:
+      return part() * part();
+    case 3:
+      return part() / part();
+    case 4:
+      return -part();
+    case 5:
+      return power(part(), static_cast<int>(draw(7)) - 3);
+    case 6:
+      return power(part(), part());
+    case 7:
+      return exp2(part());
+    case 8:
+      return draw(2) == 0 ? erfc(part()) : atan(part());
+    case 9:
+      return max(part(), part());
+    default: {
+      const Symbolic limit = part();
+      return select(less(part(), limit), part(), part());
+    }
+  }
+}
+
+// What an expression prints is read back as that expression: it prints the same, and the text of the reading
+// is the text. (A negative number is read as the negated number, which prints alike.)
+TEST(ParseFormula, ReadsBackWhatExpressionsPrint) {
+  std::uint64_t state = 1;
+  for (int i = 0; i < 5000; ++i) {
+    const std::string text = to_text(any_expression(state, 4));
+    ASSERT_EQ(to_text(parse(text)), text);
+  }
+  const Symbolic a = Symbolic::variable("a"), b = Symbolic::variable("b"),
+                 c = Symbolic::variable("cos_theta");
+  for (const Symbolic& formula : {schlick_weight(c), fresnel_quadratic(c, a, b), gaussian_lobe(c, a, b),
+                                  BlinnPhongBrdfLobe::constant(a), BlinnPhongLobe::constant(a)}) {
+    EXPECT_EQ(to_text(parse(to_text(formula))), to_text(formula));
+  }
+}
+
+// The same value in 50 digits, term by term: reading does not rearrange.
+TEST(ParseFormula, TheReadingHasTheSameValue) {
+  const auto value = [](const Symbolic& e) {
+    return evaluate<Decimal50>(e, [](const std::string& name) { return Decimal50(name == "a" ? 3 : 0.5); });
+  };
+  const Symbolic a = Symbolic::variable("a");
+  for (const Symbolic& formula : {BlinnPhongBrdfLobe::constant(a), BlinnPhongLobe::constant(a),
+                                  PhongLobe::constant(a), BlinnPhongCheapLobe::constant(a)}) {
+    EXPECT_EQ(value(parse(to_text(formula))), value(formula));
+  }
+}
+
+/// "1 + c + c ..": as many operations inside one another as it has terms after the first.
+std::string sum_of(std::size_t terms) {
+  std::string text = "1";
+  for (std::size_t i = 0; i < terms; ++i) text += "+a";
+  return text;
+}
+
+// What walks a formula calls itself for each part, so that length and depth have an end.
+TEST(ParseFormula, LengthAndDepthHaveAnEnd) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      parse(text);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(parse(sum_of(deepest_formula)).depth(), deepest_formula);
+  EXPECT_NE(
+      refusal(sum_of(deepest_formula + 1)).find("expected no more than 200 operations inside one another"),
+      std::string::npos);
+  EXPECT_EQ(refusal(std::string(longest_formula - 1, ' ') + "a"), "none");
+  EXPECT_EQ(refusal(std::string(longest_formula, ' ') + "a"),
+            "the formula is 1001 characters long: at most 1000");
+  EXPECT_EQ(refusal(sum_of(30000)), "the formula is 60001 characters long: at most 1000");
+  // Every way to nest: none gets deeper than what is refused allows.
+  const auto nested = [](const std::string& before, const std::string& after, std::size_t times) {
+    std::string text = "a";
+    for (std::size_t i = 0; i < times; ++i) text = before + text + after;
+    return text;
+  };
+  for (const auto& [before, after] :
+       {std::pair("(", ")"), std::pair("-(", ")"), std::pair("exp(", ")"), std::pair("a*(", ")"),
+        std::pair("2^(", ")"), std::pair("max(a,", ")"), std::pair("1/(", ")"), std::pair("(a<", "?a:a)")}) {
+    std::string text = nested(before, after, 99);
+    ASSERT_LE(text.size(), longest_formula);
+    EXPECT_LE(parse(text).depth(), deepest_formula) << text;
+    EXPECT_NE(refusal(nested(before, after, 120)), "none") << before;
+  }
+}
+
+TEST(ParseFormula, ReadsEveryPrintedConstant) {
+  const auto value = [](std::string_view text, double alpha) {
+    constexpr std::array<std::string_view, 1> names{"a"};
+    return evaluate<double>(parse_formula(text, names), [&](const std::string&) { return alpha; });
+  };
+  const auto check = [&]<class Lobe>(const Lobe&) {
+    for (const double alpha : {0.1, 1.0, 8.0, 2048.0})
+      EXPECT_NEAR(value(Lobe::record.printed, alpha) / Lobe::constant(alpha), 1, 1e-15) << Lobe::record.id;
+  };
+  std::apply([&](const auto&... lobe) { (check(lobe), ...); }, NormalisedLobes{});
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,186 @@
+#include "fit/scalars/two_lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fit/errors/ulps.hpp"
+#include "fit/families/families.hpp"
+#include "fit/least_squares/sampled_problem.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A function of the vocabulary in both arithmetics, where it is looked at, and its bound in ulps.
+struct Function {
+  std::string name;
+  std::function<TwoLanes(const TwoLanes&)> in_lanes;
+  std::function<Decimal50(const Decimal50&)> in_fifty_digits;
+  double from, to;
+  double most_ulps;
+};
+
+/// The bounds are what was measured at 2e5 places, and a tenth: half an ulp is the last rounding's, the rest
+/// of the argument's reduction and of the sum. A series that is cut one term too early, or a log(2) without
+/// its lower part, is beyond them.
+std::vector<Function> functions() {
+  const auto exp_of = [](const auto& x) { return exp(x); };
+  const auto exp2_of = [](const auto& x) { return exp2(x); };
+  const auto expm1_of = [](const auto& x) { return expm1(x); };
+  const auto remainder_of = [](const auto& x) { return log1p_remainder(x); };
+  return {{"exp", exp_of, exp_of, -700, 700, 1.1},
+          {"exp2", exp2_of, exp2_of, -1021, 1023, 1.2},
+          {"expm1", expm1_of, expm1_of, -40, 40, 2.2},
+          {"expm1 near 0", expm1_of, expm1_of, -0.5, 0.5, 2.2},
+          {"log1p_remainder", remainder_of, remainder_of, -0.5, 0.5, 2.8},
+          {"log1p_remainder near 0", remainder_of, remainder_of, -1e-3, 1e-3, 2.8},
+          {"log1p_remainder far off", remainder_of, remainder_of, -0.999, 20, 3.2}};
+}
+
+TEST(TwoLanes, FunctionsAreThoseOfFiftyDigits) {
+  for (const Function& f : functions()) {
+    double worst = 0, at = 0;
+    for (int i = 0; i < 2000; ++i) {
+      // steps of the golden ratio, another place in each lane
+      const auto place = [&](double n) {
+        const double turns = n * 0.6180339887498949;
+        return f.from + (f.to - f.from) * (turns - std::floor(turns));
+      };
+      const TwoLanes x(place(i), place(i + 0.5));
+      const TwoLanes y = f.in_lanes(x);
+      for (std::size_t lane = 0; lane < 2; ++lane) {
+        const double off = ulps_off(y[lane], f.in_fifty_digits(Decimal50(x[lane])), double_format);
+        if (off > worst) worst = off, at = x[lane];
+      }
+    }
+    EXPECT_LE(worst, f.most_ulps) << f.name << " at " << at << ", error/tolerance " << worst / f.most_ulps;
+    EXPECT_GT(worst, 0) << f.name;
+  }
+}
+
+// A lane knows nothing of the other: exchanged arguments give exchanged results.
+TEST(TwoLanes, LanesAreApart) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  for (const double a : {-800.0, -1.5, 0.0, 0.25, 3.0, 900.0, infinity, std::nan("")}) {
+    for (const double b : {-40.0, -0.125, 1e-300, 0.5, 700.0}) {
+      for (const auto& f :
+           {+[](const TwoLanes& x) { return exp(x); }, +[](const TwoLanes& x) { return exp2(x); },
+            +[](const TwoLanes& x) { return expm1(x); }}) {
+        const TwoLanes y = f({a, b}), z = f({b, a});
+        EXPECT_EQ(bits(y[0]), bits(z[1])) << a << " beside " << b;
+        EXPECT_EQ(bits(y[1]), bits(z[0])) << b << " beside " << a;
+      }
+    }
+  }
+}
+
+TEST(TwoLanes, BeyondTheFormat) {
+  const TwoLanes far = exp(TwoLanes(-1000, 1000));
+  EXPECT_EQ(far[0], 0);
+  EXPECT_EQ(far[1], infinity);
+  EXPECT_EQ(exp2(TwoLanes(-2000, 2000))[0], 0);
+  EXPECT_EQ(exp2(TwoLanes(-2000, 2000))[1], infinity);
+  EXPECT_EQ(expm1(TwoLanes(-1000, 0))[0], -1);
+  EXPECT_EQ(expm1(TwoLanes(-1000, 0))[1], 0);
+  // a solver that steps there has to see that it is no number to go on with
+  EXPECT_FALSE(std::isfinite(expm1(TwoLanes(0, 1000))[1]));
+  for (const TwoLanes& y :
+       {exp(TwoLanes(std::nan(""), 0)), exp2(TwoLanes(std::nan(""), 0)), expm1(TwoLanes(std::nan(""), 0))}) {
+    EXPECT_TRUE(std::isnan(y[0]));
+    EXPECT_TRUE(std::isfinite(y[1]));
+  }
+}
+
+TEST(TwoLanes, ChoosesByLane) {
+  int left = 0, right = 0;
+  const auto chosen = [&](const TwoLanes& a, const TwoLanes& b) {
+    left = right = 0;
+    return choose(
+        less(a, b), [&] { return ++left, TwoLanes(1, 2); }, [&] { return ++right, TwoLanes(3, 4); });
+  };
+  const TwoLanes both = chosen({0, 0}, {1, 1}), none = chosen({1, 1}, {0, 0});
+  EXPECT_EQ(both[0], 1);
+  EXPECT_EQ(both[1], 2);
+  EXPECT_EQ(none[0], 3);
+  EXPECT_EQ(none[1], 4);
+  EXPECT_EQ(left, 0);  // where both lanes agree, the other branch is not computed
+  const TwoLanes mixed = chosen({0, 1}, {1, 0});
+  EXPECT_EQ(mixed[0], 1);
+  EXPECT_EQ(mixed[1], 4);
+  EXPECT_EQ(left + right, 2);
+  EXPECT_EQ(min(TwoLanes(1, 4), TwoLanes(2, 3))[0], 1);
+  EXPECT_EQ(min(TwoLanes(1, 4), TwoLanes(2, 3))[1], 3);
+  EXPECT_EQ(max(TwoLanes(1, 4), TwoLanes(2, 3))[0], 2);
+  EXPECT_EQ(max(TwoLanes(1, 4), TwoLanes(2, 3))[1], 4);
+}
+
+/// The sums of a problem two nodes at a time against those in long double, one at a time.
+template <class F>
+void expect_sums_of_long_double(const F& family, const Metric& metric,
+                                const std::array<double, F::parameters.size()>& p) {
+  constexpr int N = static_cast<int>(F::parameters.size());
+  const auto panels = Substitution::panels(metric, family.shape());
+  const SampledProblem<F, double> narrow(family, panels, 26);
+  const SampledProblem<F, long double> wide(family, panels, 26);
+  std::array<long double, F::parameters.size()> q;
+  std::copy(p.begin(), p.end(), q.begin());
+  ASSERT_EQ(narrow.size(), wide.size());
+  // all weights together are 1
+  for (std::size_t i = 0; i < narrow.size(); ++i)
+    EXPECT_NEAR(narrow.weight(i), static_cast<double>(wide.weight(i)), 1e-16) << "weight " << i;
+
+  const auto a = narrow.derivatives(p);
+  const auto b = wide.derivatives(q);
+  const auto g = narrow.gradient(p);
+  // A few roundings at each node, and those of the sum; the parameters are far from the optimum, so that
+  // nothing cancels much.
+  const double tolerance = 1e-13;
+  const auto expect = [&](const char* what, long double expected, double computed) {
+    EXPECT_LE(std::abs(computed / static_cast<double>(expected) - 1), tolerance)
+        << F::info.id << ": " << what << ", expected " << expected << ", computed " << computed;
+  };
+  expect("square", b.square, a.square);
+  expect("square alone", b.square, narrow.square(p));
+  expect("square of the gradient", b.square, g.square);
+  std::vector<double> errors(narrow.size()), slopes(narrow.size() * N);
+  narrow.errors(p, errors, slopes);
+  double sum = 0;
+  for (std::size_t node = 0; node < errors.size(); ++node)
+    sum += narrow.weight(node) * errors[node] * errors[node];
+  expect("square of the errors", b.square, sum);
+  for (int i = 0; i < N; ++i) {
+    expect("gradient", b.gradient[i], a.gradient[i]);
+    expect("gradient alone", b.gradient[i], g.gradient[i]);
+    double along = 0;
+    for (std::size_t node = 0; node < errors.size(); ++node)
+      along +=
+          narrow.weight(node) * errors[node] * slopes[static_cast<std::size_t>(i) * errors.size() + node];
+    expect("gradient of the errors", b.gradient[i], along);
+    for (int j = 0; j < N; ++j) expect("Hessian", b.hessian(i, j), a.hessian(i, j));
+  }
+}
+
+TEST(SampledProblem, TwoNodesAtATimeAreTheSameSums) {
+  for (const Measure measure : measures) {
+    const Metric metric{.measure = measure};
+    expect_sums_of_long_double(SgOffset{{5}}, metric, {1.3});
+    expect_sums_of_long_double(SgOffset{{2.5}}, metric, {1.3});
+    expect_sums_of_long_double(SgOffset{{1000}}, metric, {1.3});
+    expect_sums_of_long_double(PhongBlinn{{64}}, metric, {3.5});
+    expect_sums_of_long_double(FresnelOneTerm{}, metric, {7});
+    expect_sums_of_long_double(FresnelQuadratic{}, metric, {-4, -9});
+  }
+  // two panels, of 26 nodes each
+  expect_sums_of_long_double(FresnelQuadratic{{.surface = exact_surface(0.75)}}, {}, {-4, -9});
+}
+
+}  // namespace
+}  // namespace shadefit
