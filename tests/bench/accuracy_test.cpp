@@ -50,7 +50,7 @@ const std::vector<Cell>& row(const std::string& form, const std::string& constan
 }
 
 void expect_what_is_known() {
-  // of the published pair against (1-c)^5: 0.00362/(1 - 0.04) of the README's table
+  // of the published pair against (1-c)^5: 0.00362/(1 - 0.04) of the report's summary
   EXPECT_NEAR(
       number(row("fresnel-quadratic", "published-fresnel-quadratic-a", "library", "double"), "max_abs_error"),
       0.00377, 5e-6);
