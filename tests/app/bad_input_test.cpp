@@ -128,7 +128,7 @@ TEST(BadInput, Targets) {
     }
   }
   for (const char* verb : {"fit", "better"}) {
-    for (const char* ior : {"1e300", "1e17", "1e-300"}) {
+    for (const char* ior : {"1e300", "1e17", "1e-300", "1e-320"}) {
       expect_refusal({verb, "fresnel-quadratic", "--target", "exact", "--ior", ior},
                      "--ior '" + std::string(ior) +
                          "' reflects all light at normal incidence, as doubles have it: no reflectance lies "
@@ -347,7 +347,7 @@ TEST(BadInput, NumbersAtTheEdgeOfADouble) {
   // Two parameters cannot come from a domain as narrow as that.
   for (const char* domain : {"0.5:0.5000000001", "0.9999999998:1"})
     expect_no_answer({"fresnel-quadratic", "--domain", domain});
-  for (const char* ior : {"1e-320", "1e-300", "1e300", "1.0000000000000002", "0.9999999999999999"})
+  for (const char* ior : {"1.0000000000000002", "0.9999999999999999"})
     expect_no_answer({"fresnel-one-term", "--target", "exact", "--ior", ior});
   expect_no_answer({"sg-offset", "--exponent", "1e-320"});
   expect_no_answer({"phong-blinn", "--exponent", "1e308"});
