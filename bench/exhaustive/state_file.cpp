@@ -10,10 +10,10 @@
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/json_document.hpp"
-#include "fit/support/user_error.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/output.hpp"
+#include "reports/io/own_fields.hpp"
 
 namespace shadefit::bench {
 namespace {
@@ -32,92 +32,58 @@ Json place_json(std::uint32_t at) {
   return {{"bits", pattern(at)}, {"c", hex_text(std::bit_cast<float>(at))}};
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& rule) {
-  throw UserError(fmt::format("state file '{}' {}", name, rule));
+std::uint32_t pattern_of(const OwnFields& fields, const Json& json, const char* key) {
+  unsigned bits = 0;
+  const std::string text = fields.text_of(json, key);
+  if (std::sscanf(text.c_str(), "0x%8x", &bits) != 1 || pattern(bits) != text)
+    fields.fail(key, "is not the bit pattern of a float");
+  return bits;
 }
 
-/// The fields of an object, named in errors.
-class Fields {
- public:
-  Fields(const Json& json, std::string name) : json_(json), name_(std::move(name)) {}
+std::uint32_t place_of(const OwnFields& fields, const char* key) {
+  if (fields.field(key).is_null()) return UINT32_MAX;
+  return pattern_of(fields, fields.inner(key).field("bits"), key);
+}
 
-  const Json& field(const char* key) const {
-    if (!json_.is_object() || !json_.contains(key)) fail(key, "is missing");
-    return json_.at(key);
-  }
-  std::string text(const char* key) const {
-    if (!field(key).is_string()) fail(key, "is no text");
-    return field(key).get<std::string>();
-  }
-  std::uint64_t count(const char* key) const { return count_of(field(key), key); }
-  std::uint64_t count_of(const Json& json, const char* key) const {
-    if (!json.is_number_unsigned()) fail(key, "is no count");
-    return json.get<std::uint64_t>();
-  }
-  const Json& list(const char* key) const {
-    if (!field(key).is_array()) fail(key, "is no list");
-    return field(key);
-  }
-  float number_of(const Json& json, const char* key) const {
-    const auto value = json.is_string() ? parse_hex(json.get<std::string>()) : std::nullopt;
-    const bool is_float = value && std::abs(*value) <= std::numeric_limits<float>::max() &&
-                          static_cast<double>(static_cast<float>(*value)) == *value;
-    if (!is_float) fail(key, "is no hexadecimal float");
-    return static_cast<float>(*value);
-  }
-  float number(const char* key) const { return number_of(field(key), key); }
-  std::uint32_t pattern_of(const Json& json, const char* key) const {
-    unsigned bits = 0;
-    const std::string text = json.is_string() ? json.get<std::string>() : "";
-    if (std::sscanf(text.c_str(), "0x%8x", &bits) != 1 || pattern(bits) != text)
-      fail(key, "is no bit pattern of a float");
-    return bits;
-  }
-  std::uint32_t place(const char* key) const {
-    if (field(key).is_null()) return UINT32_MAX;
-    return pattern_of(Fields(field(key), name_).field("bits"), key);
-  }
-  [[noreturn]] void fail(const char* key, const std::string& rule) const {
-    refuse(name_, fmt::format("has a field '{}' that {}", key, rule));
-  }
+/// What would be rounded is refused where the state is compared with what is written of it.
+float float_of(const OwnFields& fields, const Json& json, const char* key) {
+  const double value = fields.number_of(json, key);
+  if (std::abs(value) > std::numeric_limits<float>::max()) fields.fail(key, "is too large for a float");
+  return static_cast<float>(value);
+}
 
- private:
-  const Json& json_;
-  std::string name_;
-};
-
-Stretch read_stretch(const Fields& fields, const char* key) {
-  const Json& ends = fields.list(key);
-  if (ends.size() != 2) fields.fail(key, "is no pair");
-  const Stretch stretch{fields.pattern_of(ends[0], key), fields.pattern_of(ends[1], key)};
+Stretch read_stretch(const OwnFields& fields, const char* key) {
+  const Json& ends = fields.pair(key);
+  const Stretch stretch{pattern_of(fields, ends[0], key), pattern_of(fields, ends[1], key)};
   if (stretch.from > stretch.to) fields.fail(key, "ends before it begins");
   return stretch;
 }
 
-SweepIdentity read_identity(const Fields& fields) {
+SweepIdentity read_identity(const OwnFields& fields) {
   SweepIdentity identity;
   identity.version = fields.text("version");
   identity.form = fields.text("form");
-  identity.exp2_degree = static_cast<int>(fields.count("exp2_degree"));
+  identity.exp2_degree = fields.whole<int>("exp2_degree");
   for (const Json& item : fields.list("constants"))
-    identity.constants.push_back(fields.number_of(item, "constants"));
+    identity.constants.push_back(float_of(fields, item, "constants"));
   identity.width = fields.text("width");
   identity.whole = read_stretch(fields, "whole");
   return identity;
 }
 
-FloatErrors read_errors(const Fields& fields) {
+FloatErrors read_errors(const OwnFields& fields) {
   FloatErrors found;
-  found.max_abs_error = fields.number("max_abs_error");
-  found.max_abs_error_at = fields.place("max_abs_error_at");
-  found.max_ulps = static_cast<std::uint32_t>(fields.count("max_ulps"));
-  found.max_ulps_at = fields.place("max_ulps_at");
-  found.nans = fields.count("nans");
-  found.above_one = fields.count("above_one");
-  found.below_zero = fields.count("below_zero");
+  found.max_abs_error = float_of(fields, fields.field("max_abs_error"), "max_abs_error");
+  found.max_abs_error_at = place_of(fields, "max_abs_error_at");
+  found.max_ulps = fields.whole<std::uint32_t>("max_ulps");
+  found.max_ulps_at = place_of(fields, "max_ulps_at");
+  found.nans = fields.whole<std::uint64_t>("nans");
+  found.above_one = fields.whole<std::uint64_t>("above_one");
+  found.below_zero = fields.whole<std::uint64_t>("below_zero");
   const Json& ulps = fields.list("ulps");
   if (ulps.size() != found.ulps.size()) fields.fail("ulps", "has another number of bins");
-  for (std::size_t i = 0; i < ulps.size(); ++i) found.ulps[i] = fields.count_of(ulps[i], "ulps");
+  for (std::size_t i = 0; i < ulps.size(); ++i)
+    found.ulps[i] = fields.whole_of<std::uint64_t>(ulps[i], "ulps");
   return found;
 }
 
@@ -155,21 +121,18 @@ std::string state_text(const Sweep& sweep) {
 }
 
 Sweep parse_state(const std::string& text, const std::string& name) {
-  const Json json = parse_own_json(text, fmt::format("state file '{}'", name));
-  if (!json.is_object() || !json.contains("file") || json.at("file") != kind_of_file)
-    refuse(name, fmt::format("is none: its field 'file' does not say '{}'", kind_of_file));
-  const Fields fields(json, name);
-  if (const auto schema = fields.count("schema"); schema != sweep_schema)
-    refuse(name, fmt::format("is of schema {}: this shadefit reads schema {}", schema, sweep_schema));
+  const std::string file = fmt::format("state file '{}'", name);
+  const Json json = parse_own_json(text, file);
+  const OwnFields fields(json, file);
+  fields.require_kind(kind_of_file, sweep_schema);
   if (const std::string stated = fields.text(digest_field), digest = digest_of(json); stated != digest)
-    refuse(name, fmt::format("was changed: its digest is {}, that of its fields is {}", stated, digest));
+    fields.fail(digest_field, fmt::format("is {}, the digest of the other fields is {}", stated, digest));
   Sweep sweep;
   sweep.identity = read_identity(fields);
-  const Json& shard = fields.list("shard");
-  if (shard.size() != 2) fields.fail("shard", "is no pair");
-  const auto index = fields.count_of(shard[0], "shard"), of = fields.count_of(shard[1], "shard");
-  if (index < 1 || index > of || of > UINT32_MAX) fields.fail("shard", "is no part of a whole");
-  sweep.shard = {static_cast<unsigned>(index), static_cast<unsigned>(of)};
+  const Json& shard = fields.pair("shard");
+  sweep.shard = {fields.whole_of<unsigned>(shard[0], "shard"), fields.whole_of<unsigned>(shard[1], "shard")};
+  if (sweep.shard.index < 1 || sweep.shard.index > sweep.shard.of)
+    fields.fail("shard", "is not i, n with 1 <= i <= n");
   const Stretch done = read_stretch(fields, "done"), all = sweep.stretch();
   if (done.from != all.from || done.to > all.to) fields.fail("done", "is not of its shard");
   sweep.next = done.to;
@@ -179,10 +142,7 @@ Sweep parse_state(const std::string& text, const std::string& name) {
   if (!is_possible(sweep.found.nans) || !std::all_of(ulps.begin(), ulps.end(), is_possible) ||
       sweep.found.count() != done.size())
     fields.fail("ulps", "has not as many counts as floats are done");
-  Json written = state_json(sweep);
-  written[digest_field] = json.at(digest_field);
-  if (const std::string key = first_difference(json, written); !key.empty())
-    refuse(name, fmt::format("has a field '{}' that shadefit does not write, or not so", key));
+  fields.require_written_as(state_json(sweep));
   return sweep;
 }
 

@@ -132,12 +132,4 @@ nlohmann::ordered_json parse_own_json(std::string_view text, const std::string& 
   return JsonBuilder<nlohmann::ordered_json>(text, file, all, most_own_members).document();
 }
 
-std::string first_difference(const nlohmann::ordered_json& read, const nlohmann::ordered_json& written) {
-  for (const auto& [key, value] : read.items()) {
-    const auto found = written.find(key);
-    if (found == written.end() || *found != value) return key;
-  }
-  return "";
-}
-
 }  // namespace shadefit

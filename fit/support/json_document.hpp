@@ -29,8 +29,4 @@ nlohmann::json parse_json(std::string_view text, const std::string& file,
 /// object. `file` begins every message: "certificate 'a.json'".
 nlohmann::ordered_json parse_own_json(std::string_view text, const std::string& file);
 
-/// The name of the first member of `read`, an object, that `written` lacks or has another value of; empty
-/// where each is the same.
-std::string first_difference(const nlohmann::ordered_json& read, const nlohmann::ordered_json& written);
-
 }  // namespace shadefit

@@ -16,14 +16,8 @@ namespace {
 
 using nlohmann::json;
 using testing::expect_refusal;
+using testing::json_of;
 using testing::TemporaryDirectory;
-
-json json_of(std::vector<std::string> arguments) {
-  arguments.push_back("--json");
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return json::parse(outcome.out);
-}
 
 TEST(BetterCommand, AFresnelFormMeetsItsThreeTargets) {
   const json comparisons = json_of({"better", "fresnel-one-term"});

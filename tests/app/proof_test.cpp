@@ -20,12 +20,11 @@ namespace {
 
 using nlohmann::json;
 using testing::expect_refusal;
+using testing::json_of;
 using testing::TemporaryDirectory;
 
 TEST(Certify, ThePublishedValuesWhereThereAreAny) {
-  const Outcome outcome = run_command_line({"certify", "fresnel-quadratic", "--json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json form = json::parse(outcome.out);
+  const json form = json_of({"certify", "fresnel-quadratic"});
   EXPECT_EQ(form["parameters_from"], "published");
   EXPECT_EQ(form["parameters"]["a"], "-5.55473");
   EXPECT_LE(form["certified_max_error"][0], 3.7664127395073188e-3);
@@ -96,10 +95,8 @@ TEST(Verify, SaysWhatHolds) {
 
 /// From inside glass the error is largest at the critical angle, where the target falls like a square root.
 TEST(Certify, ReachesTheLeastWidthAtAKink) {
-  const Outcome outcome = run_command_line(
-      {"certify", "fresnel-quadratic", "--target", "exact", "--ior", "0.6667", "--width", "1e-15", "--json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json at = json::parse(outcome.out)["certified_max_error_at"];
+  const json at = json_of({"certify", "fresnel-quadratic", "--target", "exact", "--ior", "0.6667", "--width",
+                           "1e-15"})["certified_max_error_at"];
   EXPECT_NEAR(at[0][0], std::sqrt(1 - 0.6667 * 0.6667), 1e-9);
   EXPECT_NEAR(at[0][1], std::sqrt(1 - 0.6667 * 0.6667), 1e-9);
 }
@@ -139,9 +136,7 @@ TEST(Verify, RefusesWithTheReason) {
 }
 
 TEST(Fit, CertifyAddsProofs) {
-  const Outcome outcome = run_command_line({"fit", "fresnel-quadratic", "--certify", "--json"});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json fit = json::parse(outcome.out);
+  const json fit = json_of({"fit", "fresnel-quadratic", "--certify"});
   // The search in doubles rounds: below its last digits the proof knows better.
   EXPECT_LE(fit["certified_max_abs_error"][0], fit["max_abs_error"].get<double>() * (1 + 1e-13));
   EXPECT_GE(fit["certified_max_abs_error"][1], fit["max_abs_error"]);

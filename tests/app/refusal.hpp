@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,14 @@ inline void expect_refusal(const std::vector<std::string>& arguments, const std:
   EXPECT_EQ(outcome.exit_code, 2) << line;
   EXPECT_EQ(outcome.out, "") << line;
   EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
+}
+
+/// What a command prints with --json; the command has to succeed.
+inline nlohmann::json json_of(std::vector<std::string> arguments) {
+  arguments.emplace_back("--json");
+  const Outcome outcome = run_command_line(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return nlohmann::json::parse(outcome.out);
 }
 
 }  // namespace shadefit::testing

@@ -13,18 +13,12 @@ namespace shadefit {
 namespace {
 
 using testing::expect_refusal;
+using testing::json_of;
 
 using nlohmann::json;
 
-json rounded_json(std::vector<std::string> arguments) {
-  arguments.push_back("--json");
-  const Outcome outcome = run_command_line(arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  return json::parse(outcome.out);
-}
-
 TEST(FitRound, SaysBothErrorsInJson) {
-  const json fit = rounded_json({"fit", "fresnel-quadratic", "--round", "half"});
+  const json fit = json_of({"fit", "fresnel-quadratic", "--round", "half"});
   const json& rounded = fit["rounded"];
   EXPECT_EQ(rounded["format"], "half");
   EXPECT_EQ(rounded["parameters"]["a"], -5.4921875);
@@ -44,7 +38,7 @@ TEST(FitRound, SaysBothErrorsInJson) {
 
 TEST(FitRound, EveryFormat) {
   for (const char* format : {"half", "bfloat16", "float", "decimal:3"}) {
-    const json rounded = rounded_json({"fit", "fresnel-one-term", "--round", format})["rounded"];
+    const json rounded = json_of({"fit", "fresnel-one-term", "--round", format})["rounded"];
     EXPECT_EQ(rounded["format"], format);
     EXPECT_LT(rounded["max_abs_error"], rounded["naive"]["max_abs_error"]) << format;
     EXPECT_EQ(rounded["gpu_bound"].is_null(), format == std::string("decimal:3"));
@@ -63,9 +57,9 @@ TEST(FitRound, ForTheConsole) {
 
 // A sweep of the record's own exponents goes on where the format cannot hold one.
 TEST(FitRound, OfARecordsSweepLeavesOutWhatDoesNotFit) {
-  const json fits = rounded_json({"fit", "phong-blinn", "--round", "bfloat16"});
+  const json fits = json_of({"fit", "phong-blinn", "--round", "bfloat16"});
   EXPECT_FALSE(fits.front()["rounded"].is_null());
-  const json sweep = rounded_json({"fit", "sg-offset", "--round", "half"});
+  const json sweep = json_of({"fit", "sg-offset", "--round", "half"});
   EXPECT_FALSE(sweep.front()["rounded"].is_null());
   EXPECT_TRUE(sweep.back()["rounded"].is_null());
   EXPECT_EQ(sweep.back()["rounded_reason"], "exponent 1e+06 is no number of half: the largest is 65504");

@@ -13,21 +13,14 @@
 #include "fit/support/user_error.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/files.hpp"
+#include "tests/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace shadefit::bench {
 namespace {
 
+using shadefit::testing::refusal;
 using shadefit::testing::TemporaryDirectory;
-
-std::string refusal(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 std::uint32_t bits(float x) {
   return std::bit_cast<std::uint32_t>(x);
@@ -278,7 +271,7 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
   EXPECT_EQ(refused(""), "state file 'f', line 1, column 1: the JSON ends early");
   EXPECT_NE(refused(text.substr(0, 300)).find(": the JSON ends early"), std::string::npos);
   EXPECT_EQ(refused("hello"), "state file 'f', line 1, column 1: malformed JSON");
-  EXPECT_EQ(refused("[1]"), "state file 'f' is none: its field 'file' does not say 'shadefit exhaustive'");
+  EXPECT_EQ(refused("[1]"), "state file 'f': the field 'file' is missing");
   // Somebody who makes the digest anew meets the rules of the fields.
   const auto changed = [&](const char* key, const nlohmann::ordered_json& value) {
     auto json = nlohmann::ordered_json::parse(text);
@@ -286,25 +279,27 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
     json[digest_field] = digest_of(json);
     return refused(json.dump());
   };
-  EXPECT_EQ(changed("schema", 2), "state file 'f' is of schema 2: this shadefit reads schema 1");
+  EXPECT_EQ(changed("schema", 2), "state file 'f' is of version 2: this shadefit reads version 1");
   EXPECT_EQ(changed("nans", 11),
-            "state file 'f' has a field 'ulps' that has not as many counts as floats are done");
-  EXPECT_EQ(changed("shard", {4, 3}), "state file 'f' has a field 'shard' that is no part of a whole");
-  EXPECT_EQ(changed("shard", {2, 3}), "state file 'f' has a field 'done' that is not of its shard");
-  EXPECT_EQ(changed("ulps", {1}), "state file 'f' has a field 'ulps' that has another number of bins");
-  EXPECT_EQ(changed("constants", {"1"}),
-            "state file 'f' has a field 'constants' that is no hexadecimal float");
+            "state file 'f': the field 'ulps' has not as many counts as floats are done");
+  EXPECT_EQ(changed("shard", {4, 3}), "state file 'f': the field 'shard' is not i, n with 1 <= i <= n");
+  EXPECT_EQ(changed("shard", {2, 3}), "state file 'f': the field 'done' is not of its shard");
+  EXPECT_EQ(changed("ulps", {1}), "state file 'f': the field 'ulps' has another number of bins");
+  EXPECT_EQ(
+      changed("constants", {"1"}),
+      "state file 'f': the field 'constants' holds '1', which is not a hexadecimal double as shadefit prints it");
   EXPECT_EQ(changed("whole", {"0x10", "0x20"}),
-            "state file 'f' has a field 'whole' that is no bit pattern of a float");
-  EXPECT_EQ(changed("version", nullptr), "state file 'f' has a field 'version' that is no text");
+            "state file 'f': the field 'whole' is not the bit pattern of a float");
+  EXPECT_EQ(changed("version", nullptr), "state file 'f': the field 'version' is not a text");
   // What would be rounded, cut off, or overlooked.
-  EXPECT_EQ(changed("constants", {"0x1.00000000001p+0"}),
-            "state file 'f' has a field 'constants' that is no hexadecimal float");
   const auto not_so = [](const char* key) {
-    return fmt::format("state file 'f' has a field '{}' that shadefit does not write, or not so", key);
+    return fmt::format("state file 'f': the field '{}' is unknown, or not as shadefit writes it", key);
   };
-  EXPECT_EQ(changed("exp2_degree", (std::uint64_t{1} << 32)), not_so("exp2_degree"));
-  EXPECT_EQ(changed("max_ulps", (std::uint64_t{1} << 32)), not_so("max_ulps"));
+  EXPECT_EQ(changed("constants", {"0x1.00000000001p+0"}), not_so("constants"));
+  EXPECT_EQ(changed("exp2_degree", (std::uint64_t{1} << 32)),
+            "state file 'f': the field 'exp2_degree' is not a whole number from 0 to 2147483647");
+  EXPECT_EQ(changed("max_ulps", (std::uint64_t{1} << 32)),
+            "state file 'f': the field 'max_ulps' is not a whole number from 0 to 4294967295");
   EXPECT_EQ(changed("x", 1), not_so("x"));
   auto json = nlohmann::ordered_json::parse(text);
   auto place = json.at("max_abs_error_at");
@@ -314,13 +309,13 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
   counts[0] = counts[0].get<std::uint64_t>() + (std::uint64_t{1} << 63);
   counts[1] = counts[1].get<std::uint64_t>() + (std::uint64_t{1} << 63);
   EXPECT_EQ(changed("ulps", counts),
-            "state file 'f' has a field 'ulps' that has not as many counts as floats are done")
+            "state file 'f': the field 'ulps' has not as many counts as floats are done")
       << "their sum wraps to the right one";
   EXPECT_NE(refused(text + std::string("\0", 1)).find(": a byte 0"), std::string::npos);
   EXPECT_EQ(refused("{\"x\":" + std::string(70000, '[') + std::string(70000, ']') + "," + text.substr(1)),
             "state file 'f': JSON is deeper than 64 values in each other");
   json["nans"] = 11;
-  EXPECT_TRUE(refused(json.dump()).starts_with("state file 'f' was changed: its digest is "));
+  EXPECT_TRUE(refused(json.dump()).starts_with("state file 'f': the field 'digest' is "));
 }
 
 TEST(StateFile, StaysAsItWasWhereANewOneCannotBeWritten) {

@@ -72,9 +72,10 @@ TEST(CertificateJson, AnotherLayoutIsNoChange) {
 TEST(CertificateJson, WhatIsNoCertificate) {
   EXPECT_EQ(refusal("a,b\n1,2\n"), "certificate 'f', line 1, column 1: malformed JSON");
   EXPECT_EQ(refusal(""), "certificate 'f', line 1, column 1: the JSON ends early");
-  EXPECT_EQ(refusal("{\"schema\": 1}"),
-            "'f' is not a certificate: its field 'file' does not say 'shadefit certificate'");
-  EXPECT_EQ(refusal("[1]"), "'f' is not a certificate: its field 'file' does not say 'shadefit certificate'");
+  EXPECT_EQ(refusal("{\"schema\": 1}"), "certificate 'f': the field 'file' is missing");
+  EXPECT_EQ(refusal("[1]"), "certificate 'f': the field 'file' is missing");
+  EXPECT_EQ(refusal("{\"file\": \"shadefit exhaustive\"}"),
+            "certificate 'f': the field 'file' does not say 'shadefit certificate'");
   auto json = write_certificate_json(pair_certificate());
   auto other = json;
   other["schema"] = 2;
@@ -88,7 +89,7 @@ TEST(CertificateJson, WhatIsNoCertificate) {
   other["domain"] = {"0x0p+0", "1"};
   EXPECT_EQ(
       refusal(other.dump()),
-      "certificate 'f': the field 'domain' holds '1', which is no hexadecimal double as shadefit prints it");
+      "certificate 'f': the field 'domain' holds '1', which is not a hexadecimal double as shadefit prints it");
   other = json;
   other["error"] = "squared";
   EXPECT_EQ(refusal(other.dump()), "certificate 'f': the field 'error' is unknown: 'squared'");
@@ -125,7 +126,7 @@ TEST(CertificateJson, IsReadStrictly) {
   }
   EXPECT_EQ(refused("largest", {"0x0p+0", "0x0.7ffffffffffffffffp+0"}),
             field +
-                "'largest' holds '0x0.7ffffffffffffffffp+0', which is no hexadecimal double as shadefit "
+                "'largest' holds '0x0.7ffffffffffffffffp+0', which is not a hexadecimal double as shadefit "
                 "prints it");
   EXPECT_EQ(refused("exponent", "-0x1p+0"), field + "'exponent'" + not_so);
   const nlohmann::ordered_json surface{{"f0", "0x1p-2"}, {"ior", "0x1.8p+0"}};

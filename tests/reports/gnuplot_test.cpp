@@ -9,6 +9,7 @@
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "tests/fake_gnuplot.hpp"
+#include "tests/refusal.hpp"
 #include "tests/reports/stop.hpp"
 
 namespace shadefit {
@@ -195,12 +196,8 @@ TEST(Gnuplot, TemporaryFilesThatHaveNoDirectory) {
   for (const auto& [value, reason] :
        {std::pair{directory / "none", "No such file or directory"}, {file, "Not a directory"}}) {
     const EnvironmentVariable temporary("TMPDIR", value);
-    try {
-      draw_pictures(directory / "none", {}, {});
-      ADD_FAILURE() << value;
-    } catch (const UserError& error) {
-      EXPECT_EQ(error.what(), "TMPDIR '" + value + "' is no directory: " + reason);
-    }
+    EXPECT_EQ(testing::refusal([&] { draw_pictures(directory / "none", {}, {}); }),
+              "TMPDIR '" + value + "' is no directory: " + reason);
   }
   const EnvironmentVariable unset("TMPDIR", "");
   const EnvironmentVariable next("TMP", directory / "none");

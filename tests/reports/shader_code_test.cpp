@@ -11,6 +11,7 @@
 #include "fit/fit.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
+#include "tests/refusal.hpp"
 #include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -144,12 +145,7 @@ TEST(ShaderCode, TakesExp2WhereAFactorIsANumber) {
 
 TEST(ShaderCode, NamesWhatALanguageLacks) {
   const ShaderFunction function{"f", {"c"}, log1p(variable("c"))};
-  try {
-    code_of(function, Language::glsl);
-    FAIL();
-  } catch (const UserError& error) {
-    EXPECT_STREQ(error.what(), "f: 'glsl' has no log1p");
-  }
+  EXPECT_EQ(testing::refusal([&] { code_of(function, Language::glsl); }), "f: 'glsl' has no log1p");
   EXPECT_EQ(code_of(function, Language::c),
             "\n#include <math.h>\n\nstatic inline float f(float c) {\n  return log1pf(c);\n}\n");
 }

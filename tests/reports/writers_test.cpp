@@ -13,6 +13,7 @@
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/report.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
@@ -159,12 +160,7 @@ TEST(Writers, CsvReadsBack) {
 }
 
 void expect_refusal(const std::string& content, const char* message) {
-  try {
-    parse_csv(content, "t.csv");
-    FAIL() << "taken: " << content;
-  } catch (const UserError& error) {
-    EXPECT_STREQ(error.what(), message);
-  }
+  EXPECT_EQ(testing::refusal([&] { parse_csv(content, "t.csv"); }), message) << content;
 }
 
 TEST(Csv, RefusesWhatIsCutOffOrMalformed) {

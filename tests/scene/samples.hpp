@@ -9,21 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/support/user_error.hpp"
+#include "tests/refusal.hpp"
 
 /// Small scenes and pictures, made where they are wanted.
 namespace shadefit::testing {
-
-/// What the UserError of `work` says; empty where it throws none.
-template <class Work>
-std::string refusal(const Work& work) {
-  try {
-    work();
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 struct Picture {
   std::uint32_t width, height;

@@ -11,6 +11,7 @@
 #include "fit/proof/enclosure.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
@@ -206,13 +207,8 @@ TEST(Certificate, HexadecimalTexts) {
 }
 
 TEST(Certificate, SubjectsThatAreNone) {
-  const auto refusal = [](const Subject& subject, double width = usual_width) -> std::string {
-    try {
-      certify(subject, width);
-    } catch (const UserError& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal = [](const Subject& subject, double width = usual_width) {
+    return testing::refusal([&] { certify(subject, width); });
   };
   Subject subject = published_pair();
   subject.parameters[1].first = "c";

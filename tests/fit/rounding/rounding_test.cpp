@@ -12,6 +12,7 @@
 #include "fit/rounding/rounding_problem.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/user_error.hpp"
+#include "tests/refusal.hpp"
 
 namespace shadefit {
 namespace {
@@ -333,33 +334,26 @@ TEST(Rounding, OfManyParametersTheNeighbourhood) {
 }
 
 TEST(Rounding, RefusesWhatAFormatCannotHold) {
-  const auto line = [](const auto& call) -> std::string {
-    try {
-      call();
-    } catch (const UserError& error) {
-      return error.what();
-    }
-    return "";
-  };
-  EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 0.1), half_format, {}); }),
+  using testing::refusal;
+  EXPECT_EQ(refusal([] { round_fit(fit_of("sg-offset", 0.1), half_format, {}); }),
             "exponent 0.1 is no number of half: the nearest is 0.0999755859375");
-  EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 1e6), half_format, {}); }),
+  EXPECT_EQ(refusal([] { round_fit(fit_of("sg-offset", 1e6), half_format, {}); }),
             "exponent 1e+06 is no number of half: the largest is 65504");
-  EXPECT_EQ(line([] { round_fit(fit_of("sg-offset", 1000), bfloat16, {}); }), "");
-  EXPECT_EQ(line([] { round_fit(fit_of("fresnel-one-term"), half_format, {70000}); }),
+  EXPECT_EQ(refusal([] { round_fit(fit_of("sg-offset", 1000), bfloat16, {}); }), "");
+  EXPECT_EQ(refusal([] { round_fit(fit_of("fresnel-one-term"), half_format, {70000}); }),
             "fresnel-one-term: A = 70000 overflows half: the largest is 65504");
-  EXPECT_EQ(line([] {
+  EXPECT_EQ(refusal([] {
               round_fit(fit_of("fresnel-one-term"), {NumberFormat::Kind::decimal, 3}, {1e30});
             }),
             "fresnel-one-term: A = 1e+30 overflows decimal:3: the largest is 1e21");
-  EXPECT_EQ(line([] {
+  EXPECT_EQ(refusal([] {
               round_fit(fit_of("sg-offset", 8, {0.50001, 0.50002}), half_format, {});
             }),
             "--domain '0.50001:0.50002' holds no number of half");
   const auto with = [&](const auto& change) {
     Fit fit = fit_of("fresnel-one-term");
     change(fit.metric);
-    return line([&] { round_fit(fit, half_format, {}); });
+    return refusal([&] { round_fit(fit, half_format, {}); });
   };
   EXPECT_EQ(with([](Metric& m) { m.weight = "1 + c"; }),
             "--round 'half' does not apply with --weight: the largest error is searched without one");

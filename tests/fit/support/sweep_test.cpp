@@ -1,8 +1,7 @@
 #include "fit/support/sweep.hpp"
+#include "tests/refusal.hpp"
 
 #include <gtest/gtest.h>
-
-#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
@@ -34,12 +33,7 @@ TEST(Sweep, NumbersAreFiniteDecimals) {
 }
 
 void expect_refusal(const char* text, const char* message) {
-  try {
-    parse_sweep(text);
-    FAIL() << "'" << text << "' was taken";
-  } catch (const UserError& error) {
-    EXPECT_STREQ(error.what(), message);
-  }
+  EXPECT_EQ(testing::refusal([&] { parse_sweep(text); }), message);
 }
 
 TEST(Sweep, RefusalsNameThePartAndTheRule) {

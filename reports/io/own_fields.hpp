@@ -1,0 +1,109 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/digest.hpp"
+
+namespace shadefit {
+
+/// The fields of a JSON file that shadefit wrote, or of an object in one. Every function throws UserError
+/// where a field breaks its rule: one line that names the file, the field and the rule. Refers to the JSON.
+class OwnFields {
+ public:
+  using Json = nlohmann::ordered_json;
+
+  /// `file` begins every message: "certificate 'a.json'".
+  OwnFields(const Json& json, std::string file) : json_(json), file_(std::move(file)) {}
+
+  [[noreturn]] void fail(std::string_view key, std::string_view rule) const {
+    throw UserError(fmt::format("{}: the field '{}' {}", file_, key, rule));
+  }
+
+  const Json& field(const char* key) const {
+    if (!json_.is_object() || !json_.contains(key)) fail(key, "is missing");
+    return json_.at(key);
+  }
+  /// The fields of an object that is a field itself, or an element of one.
+  OwnFields inner(const char* key) const { return item(field(key)); }
+  OwnFields item(const Json& json) const { return {json, file_}; }
+
+  const Json& list(const char* key) const {
+    if (!field(key).is_array()) fail(key, "is not a list");
+    return field(key);
+  }
+  const Json& pair(const char* key) const {
+    if (list(key).size() != 2) fail(key, "is not a pair");
+    return field(key);
+  }
+
+  std::string text(const char* key) const { return text_of(field(key), key); }
+  std::string text_of(const Json& json, const char* key) const {
+    if (!json.is_string()) fail(key, "is not a text");
+    return json.get<std::string>();
+  }
+
+  /// A whole number from 0 on that T can hold.
+  template <std::integral T>
+  T whole(const char* key) const {
+    return whole_of<T>(field(key), key);
+  }
+  template <std::integral T>
+  T whole_of(const Json& json, const char* key) const {
+    constexpr auto most = std::uint64_t{std::numeric_limits<T>::max()};
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most)
+      fail(key, fmt::format("is not a whole number from 0 to {}", most));
+    return json.get<T>();
+  }
+
+  /// A double that is written as `hex_text` writes it.
+  double number(const char* key) const { return number_of(field(key), key); }
+  double number_of(const Json& json, const char* key) const {
+    const std::string text = text_of(json, key);
+    const auto value = parse_hex(text);
+    if (!value)
+      fail(key, fmt::format("holds '{}', which is not a hexadecimal double as shadefit prints it", text));
+    return *value;
+  }
+  std::vector<double> numbers(const char* key) const {
+    std::vector<double> values;
+    for (const Json& item : list(key)) values.push_back(number_of(item, key));
+    return values;
+  }
+
+  /// Refuses a file of another kind, or of another version of it.
+  void require_kind(std::string_view kind, int schema) const {
+    if (text("file") != kind) fail("file", fmt::format("does not say '{}'", kind));
+    if (const int found = whole<int>("schema"); found != schema) {
+      throw UserError(
+          fmt::format("{} is of version {}: this shadefit reads version {}", file_, found, schema));
+    }
+  }
+
+  /// Refuses a field that differs from `written`, which is what shadefit writes of what was read. The digest
+  /// is judged apart.
+  void require_written_as(const Json& written) const {
+    for (const auto& [key, value] : json_.items()) {
+      const auto found = written.find(key);
+      if (key != digest_field && (found == written.end() || *found != value))
+        fail(key, "is unknown, or not as shadefit writes it");
+    }
+  }
+
+ private:
+  const Json& json_;
+  std::string file_;
+};
+
+}  // namespace shadefit
