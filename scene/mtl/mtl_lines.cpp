@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -31,13 +32,18 @@ std::string_view next_word(std::string_view& values) {
   return words.key.starts_with('#') ? std::string_view() : words.key;
 }
 
+/// The number that a word is. As in C it may have a sign +.
+std::errc read_number(std::string_view word, double& number) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
+  const char* const last = word.data() + word.size();
+  const auto [end, error] = std::from_chars(word.data(), last, number);
+  return end == last ? error : std::errc::invalid_argument;
+}
+
 double number_in(const MtlLine& line, std::string_view word, double most) {
   double number = 0;
-  // of C's numbers a sign + is one too
-  const std::string_view digits = word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (error == std::errc::invalid_argument || end != digits.data() + digits.size())
-    line.refuse(fmt::format("'{}' is no number", shortened(word)));
+  const std::errc error = read_number(word, number);
+  if (error == std::errc::invalid_argument) line.refuse(fmt::format("'{}' is no number", shortened(word)));
   if (error != std::errc() || !std::isfinite(number))
     line.refuse(fmt::format("'{}' is not a finite number of double precision", shortened(word)));
   if (number < 0 || number > most) {
@@ -75,8 +81,41 @@ int illumination_of(const MtlLine& line) {
   return static_cast<int>(number);
 }
 
+/// An option of a map, and how many words follow it at most: a first one, then numbers.
+struct MapOption {
+  std::string_view name;
+  int most_words;
+};
+constexpr std::array map_options{
+    MapOption{"-imfchan", 1}, MapOption{"-blendu", 1}, MapOption{"-blendv", 1},     MapOption{"-bm", 1},
+    MapOption{"-boost", 1},   MapOption{"-cc", 1},     MapOption{"-clamp", 1},      MapOption{"-mm", 2},
+    MapOption{"-texres", 1},  MapOption{"-type", 1},   MapOption{"-colorspace", 1}, MapOption{"-o", 3},
+    MapOption{"-s", 3},       MapOption{"-t", 3}};
+
+ScalarMap map_of(std::string_view values) {
+  ScalarMap map;
+  for (;;) {
+    const Words option = words_of_line(values);
+    const auto known = std::find_if(map_options.begin(), map_options.end(),
+                                    [&](const MapOption& o) { return o.name == option.key; });
+    if (known == map_options.end()) break;
+    values = option.values;
+    for (int i = 0; i < known->most_words; ++i) {
+      const Words word = words_of_line(values);
+      double ignored = 0;
+      if (i > 0 && read_number(word.key, ignored) == std::errc::invalid_argument) break;
+      if (option.key == "-imfchan") {
+        map.channel = word.key == "g" ? Channel::green : word.key == "b" ? Channel::blue : Channel::red;
+      }
+      values = word.values;
+    }
+  }
+  map.name = values;
+  return map;
+}
+
 /// Takes what a line says into the material that it belongs to.
-void take_line(const MtlLine& line, MtlNumbers& material) {
+void take_line(const MtlLine& line, MtlEntry& material) {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
   const std::string_view key = line.words.key;
   if (key == "Ns") material.shininess = number_of(line, no_limit);
@@ -86,6 +125,12 @@ void take_line(const MtlLine& line, MtlNumbers& material) {
   if (key == "Kd") material.diffuse = colour_of(line);
   if (key == "Ks") material.specular = colour_of(line);
   if (key == "illum") material.illumination = illumination_of(line);
+  if (key == "map_Ns") material.shininess_map = map_of(line.words.values);
+  if (key == "map_Ka") material.ambient_map = map_of(line.words.values);
+  if (key == "map_Pr") material.roughness_map = map_of(line.words.values);
+  if (key == "map_Pm") material.metallic_map = map_of(line.words.values);
+  if (key == "map_Ks") material.has_specular_map = !map_of(line.words.values).name.empty();
+  if (key == "map_Kd") material.has_diffuse_map = !map_of(line.words.values).name.empty();
   // clear coat, sheen, anisotropy
   if (key == "Pc" || key == "aniso") {
     if (number_of(line, no_limit) > 0) material.left_out.emplace(key);
@@ -95,9 +140,9 @@ void take_line(const MtlLine& line, MtlNumbers& material) {
 
 }  // namespace
 
-std::vector<MtlNumbers> checked_lines(std::string_view text, const std::string& file, std::size_t most) {
-  std::vector<MtlNumbers> materials;
-  MtlNumbers before_all{};  // belongs to no material, and is checked nevertheless
+std::vector<MtlEntry> parse_mtl(std::string_view text, const std::string& file, std::size_t most) {
+  std::vector<MtlEntry> materials;
+  MtlEntry before_all{};  // belongs to no material, and is checked nevertheless
   std::size_t number = 0;
   while (!text.empty()) {
     const MtlLine line{file, ++number, words_of_line(next_line(text))};

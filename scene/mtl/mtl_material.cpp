@@ -22,8 +22,7 @@ constexpr std::uintmax_t most_map_bytes = 4 * most_pixels;
 
 /// A material while it is read.
 struct MtlReading {
-  const MtlNumbers& numbers;
-  const MtlMaps& maps;
+  const MtlEntry& entry;
   MtlMapReader& reader;
   const Conventions& conventions;
   Material material;
@@ -35,26 +34,26 @@ struct MtlReading {
 
 /// The map of roughness, where the material has one: map_Pr, or what an exporter puts into map_Ns.
 const ScalarMap* roughness_map(const MtlReading& reading) {
-  if (!reading.maps.roughness.name.empty()) return &reading.maps.roughness;
-  const bool has = reading.conventions.are_maps_pbr && !reading.maps.shininess.name.empty();
-  return has ? &reading.maps.shininess : nullptr;
+  if (!reading.entry.roughness_map.name.empty()) return &reading.entry.roughness_map;
+  const bool has = reading.conventions.are_maps_pbr && !reading.entry.shininess_map.name.empty();
+  return has ? &reading.entry.shininess_map : nullptr;
 }
 
 /// The map of metallic: map_Pm, or what an exporter puts into map_Ka.
 const ScalarMap* metallic_map(const MtlReading& reading) {
-  if (!reading.maps.metallic.name.empty()) return &reading.maps.metallic;
-  const bool has = reading.conventions.are_maps_pbr && !reading.maps.ambient.name.empty();
-  return has ? &reading.maps.ambient : nullptr;
+  if (!reading.entry.metallic_map.name.empty()) return &reading.entry.metallic_map;
+  const bool has = reading.conventions.are_maps_pbr && !reading.entry.ambient_map.name.empty();
+  return has ? &reading.entry.ambient_map : nullptr;
 }
 
 /// Ns, times map_Ns where that scales it.
 void read_shininess(MtlReading& reading) {
   Material& material = reading.material;
-  if (!reading.numbers.shininess) material.remarks.push_back("Ns is not said and is taken for 1");
-  const double shininess = reading.numbers.shininess.value_or(1);
-  const bool is_scaled = !reading.conventions.are_maps_pbr && !reading.maps.shininess.name.empty();
+  if (!reading.entry.shininess) material.remarks.push_back("Ns is not said and is taken for 1");
+  const double shininess = reading.entry.shininess.value_or(1);
+  const bool is_scaled = !reading.conventions.are_maps_pbr && !reading.entry.shininess_map.name.empty();
   if (is_scaled) {
-    const Histogram texels = reading.read(reading.maps.shininess, "shininess texture");
+    const Histogram texels = reading.read(reading.entry.shininess_map, "shininess texture");
     take_powers(material, power_shares(texels, shininess, [](double power) { return power; }),
                 PowerTexture::power);
   } else {
@@ -67,14 +66,14 @@ void read_shininess(MtlReading& reading) {
 void read_phong(MtlReading& reading) {
   Material& material = reading.material;
   material.fresnel = FresnelTerm::none;
-  const bool is_specular = reading.numbers.illumination.value_or(2) > 1;
-  const bool is_textured = reading.maps.has_specular;
+  const bool is_specular = reading.entry.illumination.value_or(2) > 1;
+  const bool is_textured = reading.entry.has_specular_map;
   const double unsaid = is_textured ? 1 : 0;  // a map alone is the colour itself
-  auto colour = reading.numbers.specular.value_or(std::array{unsaid, unsaid, unsaid});
+  auto colour = reading.entry.specular.value_or(std::array{unsaid, unsaid, unsaid});
   const bool is_black =
       std::all_of(colour.begin(), colour.end(), [](double channel) { return channel == 0; });
   if (!is_specular || is_black) {
-    material.powers = {{reading.numbers.shininess.value_or(0), 1}};
+    material.powers = {{reading.entry.shininess.value_or(0), 1}};
     limit_powers(material, "Ns");
     return;
   }
@@ -92,14 +91,14 @@ void read_phong(MtlReading& reading) {
 void read_roughness(MtlReading& reading) {
   Material& material = reading.material;
   const ScalarMap* const map = roughness_map(reading);
-  const auto roughness = reading.numbers.roughness;
+  const auto roughness = reading.entry.roughness;
   const PowerOf power = [&](double value) { return power_of_roughness(value, reading.conventions); };
   if (map != nullptr) {
     take_powers(material, power_shares(reading.read(*map, "roughness texture"), roughness.value_or(1), power),
                 PowerTexture::roughness);
   } else if (roughness) {
     material.powers = {{power(*roughness), 1}};
-  } else if (reading.numbers.shininess) {
+  } else if (reading.entry.shininess) {
     read_shininess(reading);
   } else {
     material.unknowns.push_back("roughness is not said");
@@ -110,7 +109,7 @@ void read_roughness(MtlReading& reading) {
 
 Range read_metallic(MtlReading& reading) {
   const ScalarMap* const map = metallic_map(reading);
-  const double metallic = reading.numbers.metallic.value_or(map != nullptr ? 1 : 0);
+  const double metallic = reading.entry.metallic.value_or(map != nullptr ? 1 : 0);
   if (map == nullptr) return {metallic, metallic};
   return range_of_texture(reading.read(*map, "metallic texture"), metallic);
 }
@@ -120,15 +119,15 @@ void read_metallic_roughness(MtlReading& reading) {
   Material& material = reading.material;
   read_roughness(reading);
   const Range metallic = read_metallic(reading);
-  auto base = reading.numbers.diffuse.value_or(std::array{1.0, 1.0, 1.0});
+  auto base = reading.entry.diffuse.value_or(std::array{1.0, 1.0, 1.0});
   if (*std::max_element(base.begin(), base.end()) > 1) {
     material.remarks.push_back("Kd above 1 is taken for 1");
     for (double& channel : base) channel = std::min(channel, 1.0);
   }
-  const double ior = reading.numbers.index_of_refraction.value_or(1.5);
+  const double ior = reading.entry.index_of_refraction.value_or(1.5);
   const double dielectric = reflectance_at_normal(ior);
-  const ColourRange colours = scaled_colour(base, reading.maps.has_diffuse);
-  material.has_unread_colours = reading.maps.has_diffuse && metallic.most > 0;
+  const ColourRange colours = scaled_colour(base, reading.entry.has_diffuse_map);
+  material.has_unread_colours = reading.entry.has_diffuse_map && metallic.most > 0;
   if (material.has_unread_colours)
     material.unknowns.push_back("base colour texture is not read: F0 of metal is taken from 0 to Kd");
   for (std::size_t i = 0; i < colours.size(); ++i)
@@ -157,14 +156,14 @@ Histogram MtlMapReader::read(const ScalarMap& map, std::string_view what,
   return read_.emplace(key, counted.front()).first->second;
 }
 
-Material mtl_material(const MtlNumbers& numbers, const MtlMaps& maps, const std::string& file,
-                      MtlMapReader& reader, const Conventions& conventions) {
-  MtlReading reading{numbers, maps, reader, conventions, {}};
-  reading.material.name = numbers.name;
+Material mtl_material(const MtlEntry& entry, const std::string& file, MtlMapReader& reader,
+                      const Conventions& conventions) {
+  MtlReading reading{entry, reader, conventions, {}};
+  reading.material.name = entry.name;
   reading.material.file = file;
-  const std::string place = fmt::format("'{}', material '{}' of line {}", file, numbers.name, numbers.line);
+  const std::string place = fmt::format("'{}', material '{}' of line {}", file, entry.name, entry.line);
   at_place(place, [&] {
-    const bool is_metallic_roughness = numbers.roughness || numbers.metallic ||
+    const bool is_metallic_roughness = entry.roughness || entry.metallic ||
                                        roughness_map(reading) != nullptr || metallic_map(reading) != nullptr;
     if (is_metallic_roughness) {
       read_metallic_roughness(reading);
@@ -172,7 +171,7 @@ Material mtl_material(const MtlNumbers& numbers, const MtlMaps& maps, const std:
       read_phong(reading);
     }
   });
-  for (const std::string& key : numbers.left_out) reading.material.remarks.push_back(key + " is left out");
+  for (const std::string& key : entry.left_out) reading.material.remarks.push_back(key + " is left out");
   return std::move(reading.material);
 }
 

@@ -12,18 +12,6 @@
 /// A material of Wavefront's format in the terms of one lobe.
 namespace shadefit::scene {
 
-/// A texture of a scalar: the name as the file has it, and which channel it is in.
-struct ScalarMap {
-  std::string name;  ///< empty where the material has none
-  Channel channel = Channel::red;
-};
-
-/// The textures of a material that matter here.
-struct MtlMaps {
-  ScalarMap shininess, ambient, roughness, metallic;
-  bool has_specular = false, has_diffuse = false;
-};
-
 /// Reads maps of one file, each once.
 class MtlMapReader {
  public:
@@ -40,7 +28,7 @@ class MtlMapReader {
 };
 
 /// The material as `read_mtl` says. Throws UserError naming file, line and rule.
-Material mtl_material(const MtlNumbers& numbers, const MtlMaps& maps, const std::string& file,
-                      MtlMapReader& reader, const Conventions& conventions);
+Material mtl_material(const MtlEntry& entry, const std::string& file, MtlMapReader& reader,
+                      const Conventions& conventions);
 
 }  // namespace shadefit::scene

@@ -120,6 +120,21 @@ TEST(Mtl, MapsScaleWhatTheyAreNamedAfter) {
   EXPECT_EQ(material.unknowns,
             std::vector<std::string>{"specular texture is not read: Ks is taken from 0 to its value"});
   EXPECT_EQ(read("Ns 50\nmap_Ks gone.png").f0[0], (Range{0, 1}));
+  EXPECT_EQ(read("Ns 50\nmap_Ks -clamp on").f0[0], (Range{0, 0})) << "options without a file";
+}
+
+TEST(Mtl, OptionsOfMapsStandBeforeTheName) {
+  const TemporaryDirectory directory;
+  directory.file("2 n.png", png_of({2, 1, PNG_COLOR_TYPE_RGB, {255, 51, 255, 255, 51, 255}}));
+  for (const std::string options : {"-imfchan g ", "-o 1 -imfchan g ", "-s 1 -2 -imfchan g -clamp on ",
+                                    "-t +1 .5 2e0 -imfchan g ", "-mm 0 1 -imfchan g -bm 1 -type sphere "}) {
+    const std::string lines = "newmtl a\nNs 50\nKs 1\nmap_Ns " + options + "2 n.png";
+    const Material material = read_mtl(lines, directory / "a.mtl", {}).materials.at(0);
+    EXPECT_EQ(material.powers, (std::vector<PowerShare>{{10, 1}})) << options;
+  }
+  const Material unknown =
+      read_mtl("newmtl a\nNs 50\nKs 1\nmap_Ns -x y.png", directory / "a.mtl", {}).materials.at(0);
+  EXPECT_EQ(unknown.unknowns, std::vector<std::string>{"shininess texture '-x y.png' is missing"});
 }
 
 TEST(Mtl, MapsOfThePhysicallyBasedKeys) {
