@@ -100,7 +100,7 @@ Json json_of(const scene::Range& range) {
 Table decisions_table(const Plan& plan) {
   Table table{.columns = {"term", "verdict", "form", "error", "reason"}, .rows = {}};
   for (const scene::Decision& d : plan.decisions)
-    table.rows.push_back({d.term, word(name(d.verdict)), d.form, bound(d.error), d.reason});
+    table.rows.push_back({d.term, word(name(d.treatment)), d.form, bound(d.error), d.reason});
   return table;
 }
 
@@ -147,7 +147,7 @@ std::string plan_json(const Scene& scene, const Plan& plan) {
   const bool are_powers_listed = all_powers <= most_powers;
   for (const scene::Decision& d : plan.decisions) {
     terms.push_back({{"term", d.term},
-                     {"verdict", name(d.verdict)},
+                     {"verdict", name(d.treatment)},
                      {"form", d.form},
                      {"error", d.error},
                      {"reason", d.reason}});

@@ -22,66 +22,37 @@ using Kind = Symbolic::Kind;
 /// What tells a language from the others.
 struct Dialect {
   std::string_view name;
-  std::string_view prologue;             ///< before the first function, a line or more; or empty
-  std::string_view prologue_half;        ///< the same where the arithmetic is half
-  std::string_view type, half;           ///< of numbers; `half` is empty where there is none
-  std::string_view suffix, half_suffix;  ///< of literals
-  std::string_view functions;            ///< in front of the name of a function of the library
-  std::string_view float_suffix;         ///< behind it
-  std::string_view before;               ///< in front of a function's definition
+  std::string_view prologue = {};       ///< before the first function, a line or more; or empty
+  std::string_view prologue_half = {};  ///< the same where the arithmetic is half
+  std::string_view type;
+  std::string_view half = {};                      ///< the type of half; empty where there is none
+  std::string_view suffix = {}, half_suffix = {};  ///< of literals
+  std::string_view functions = {};                 ///< in front of the name of a function of the library
+  std::string_view float_suffix = {};              ///< behind it
+  std::string_view before = {};                    ///< in front of a function's definition
 };
 
 constexpr std::array<Dialect, languages.size()> dialects{{
-    {.name = "glsl",
-     .prologue = "",
-     .prologue_half = "",
-     .type = "float",
-     .half = "mediump float",
-     .suffix = "",
-     .half_suffix = "",
-     .functions = "",
-     .float_suffix = "",
-     .before = ""},
-    {.name = "hlsl",
-     .prologue = "",
-     .prologue_half = "",
-     .type = "float",
-     .half = "min16float",
-     .suffix = "f",
-     .half_suffix = "h",
-     .functions = "",
-     .float_suffix = "",
-     .before = ""},
+    {.name = "glsl", .type = "float", .half = "mediump float"},
+    {.name = "hlsl", .type = "float", .half = "min16float", .suffix = "f", .half_suffix = "h"},
     {.name = "c",
      .prologue = "#include <math.h>\n",
-     .prologue_half = "",
      .type = "float",
-     .half = "",
      .suffix = "f",
-     .half_suffix = "",
-     .functions = "",
      .float_suffix = "f",
      .before = "static inline "},
     {.name = "cpp",
      .prologue = "#include <algorithm>\n#include <cmath>\n",
-     .prologue_half = "",
      .type = "float",
-     .half = "",
      .suffix = "f",
-     .half_suffix = "",
      .functions = "std::",
-     .float_suffix = "",
      .before = "inline "},
     {.name = "wgsl",
-     .prologue = "",
      .prologue_half = "enable f16;\n",
      .type = "f32",
      .half = "f16",
      .suffix = "f",
-     .half_suffix = "h",
-     .functions = "",
-     .float_suffix = "",
-     .before = ""},
+     .half_suffix = "h"},
     {.name = "msl",
      .prologue = "#include <metal_stdlib>\n",
      .prologue_half = "#include <metal_stdlib>\n",
@@ -90,7 +61,6 @@ constexpr std::array<Dialect, languages.size()> dialects{{
      .suffix = "f",
      .half_suffix = "h",
      .functions = "metal::",
-     .float_suffix = "",
      .before = "inline "},
 }};
 

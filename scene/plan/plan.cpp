@@ -48,8 +48,8 @@ class Planner {
  private:
   ShownScale scale() const { return plan_.wanted.scale; }
 
-  void decide(std::string term, Verdict verdict, std::string form, std::string reason, double error = 0) {
-    plan_.decisions.push_back({std::move(term), verdict, std::move(form), std::move(reason), error});
+  void decide(std::string term, Treatment treatment, std::string form, std::string reason, double error = 0) {
+    plan_.decisions.push_back({std::move(term), treatment, std::move(form), std::move(reason), error});
   }
 
   MaterialPlan plan_material(const Material& material) const {
@@ -85,9 +85,9 @@ class Planner {
     const auto needed = std::count(has_lobe.begin(), has_lobe.end(), true);
     const std::string all = counted(total, "material");
     if (needed == total) {
-      decide("specular lobe", Verdict::keep, "for " + all, "every material has one", error);
+      decide("specular lobe", Treatment::keep, "for " + all, "every material has one", error);
     } else {
-      decide("specular lobe", needed == 0 ? Verdict::skip : Verdict::replace,
+      decide("specular lobe", needed == 0 ? Treatment::skip : Treatment::replace,
              needed == 0 ? "" : "for " + std::to_string(needed) + " of " + all,
              "skipped for " + std::to_string(total - needed) + " of " + all, error);
     }
@@ -98,7 +98,7 @@ class Planner {
     plan_.shading.lobe.kind = LobeKind::constant;
     for (const char* term : {"Fresnel", "n.v < 0", "culling", "lobe", "offset x", "exp2", "rounding", "power",
                              "gloss decode", "normalisation", "mip level", "coloured F0"})
-      decide(term, Verdict::skip, "", "no material needs a specular lobe");
+      decide(term, Treatment::skip, "", "no material needs a specular lobe");
   }
 
   /// What F0 in place of the reflectance would be off by, at most.
@@ -121,21 +121,21 @@ class Planner {
     const double skipped = error_without_fresnel();
     plan_.shading.has_fresnel = lobes_.has_schlick && skipped > for_fresnel * budget_;
     if (!lobes_.has_schlick) {
-      decide("Fresnel", Verdict::skip, "", "the format has none: Ks times the lobe");
+      decide("Fresnel", Treatment::skip, "", "the format has none: Ks times the lobe");
     } else if (!plan_.shading.has_fresnel) {
-      decide("Fresnel", Verdict::skip, "F0", "F90 is next to F0", skipped);
+      decide("Fresnel", Treatment::skip, "F0", "F90 is next to F0", skipped);
       left_ -= skipped;
     } else {
-      decide("Fresnel", Verdict::keep, "F0 + (F90 - F0) (1 - c)^5, three multiplications",
+      decide("Fresnel", Treatment::keep, "F0 + (F90 - F0) (1 - c)^5, three multiplications",
              "exact, and cheaper than exp2((a c + b) c)");
     }
   }
 
   void decide_horizon() {
     if (is_constant()) {
-      decide("n.v < 0", Verdict::skip, "", "every power is 0");
+      decide("n.v < 0", Treatment::skip, "", "every power is 0");
     } else {
-      decide("n.v < 0", Verdict::keep, "min(n.l, 2 n.h)",
+      decide("n.v < 0", Treatment::keep, "min(n.l, 2 n.h)",
              "n.l itself where n.v >= 0; bounds a light where a normal map turns away");
     }
   }
@@ -145,7 +145,7 @@ class Planner {
 
   void decide_culling() {
     if (is_constant()) {
-      decide("culling", Verdict::skip, "", "no light falls with n.h");
+      decide("culling", Treatment::skip, "", "no light falls with n.h");
       return;
     }
     const double spent = for_cutoff * budget_, error = from_scale(scale(), spent) * downwards;
@@ -159,7 +159,7 @@ class Planner {
     }
     plan_.shading.least_exponent = std::log2(error / largest) * (error < largest ? 1 / downwards : downwards);
     left_ -= spent;
-    decide("culling", Verdict::keep,
+    decide("culling", Treatment::keep,
            lobes_.is_textured() ? "where n.h < " + decimal_below(least, 3) + " or the lobe < 2^" +
                                       decimal(plan_.shading.least_exponent, 3)
                                 : "where n.h < " + decimal_below(least, 3) + " or more, by material",
@@ -178,12 +178,12 @@ class Planner {
     plan_.fits_run = chosen.fits_run;
     const bool is_kept = chosen.form.kind == LobeKind::power;
     decide("lobe",
-           is_kept                                  ? Verdict::keep
-           : chosen.form.kind == LobeKind::constant ? Verdict::skip
-                                                    : Verdict::replace,
+           is_kept                                  ? Treatment::keep
+           : chosen.form.kind == LobeKind::constant ? Treatment::skip
+                                                    : Treatment::replace,
            to_text(chosen.form), reason_of(chosen), chosen.error);
     const bool has_offset = chosen.form.offset != 0;
-    decide("offset x", has_offset ? Verdict::keep : Verdict::skip,
+    decide("offset x", has_offset ? Treatment::keep : Treatment::skip,
            has_offset ? "x = " + decimal(chosen.form.offset, 6) : "",
            has_offset ? "best for this scene's powers, by how often each is used; its ADD is the material's"
            : chosen.form.kind != LobeKind::exponential ? "no Gaussian"
@@ -191,7 +191,7 @@ class Planner {
                                                        : "0 is near enough");
     decide_exp2(chosen.form, left_ - chosen.error - chosen.rounding);
     const bool is_float = plan_.wanted.precision == PixelPrecision::float32;
-    decide("rounding", Verdict::keep, std::string(name(plan_.wanted.precision)),
+    decide("rounding", Treatment::keep, std::string(name(plan_.wanted.precision)),
            is_float ? "each operation by 2^-24, exp2 and log2 by four times that"
                     : "each operation by 2^-11, exp2 and log2 too; powers up to 65504",
            chosen.rounding);
@@ -223,12 +223,12 @@ class Planner {
 
   void decide_exp2(const LobeForm& form, double left) {
     if (form.kind == LobeKind::constant || form.kind == LobeKind::multiplied) {
-      decide("exp2", Verdict::skip, "", "none is computed");
+      decide("exp2", Treatment::skip, "", "none is computed");
       return;
     }
     const ChosenExp2 chosen = choose_exp2(left, scale());
     plan_.shading.exp2_degree = chosen.degree;
-    decide("exp2", Verdict::replace, "of degree " + std::to_string(chosen.degree),
+    decide("exp2", Treatment::replace, "of degree " + std::to_string(chosen.degree),
            "where it is no instruction: the least that is near enough", chosen.error);
   }
 
@@ -238,18 +238,19 @@ class Planner {
     const std::string powers = "powers from " + decimal(range.least, 3) + " to " + decimal(range.most, 3);
     plan_.shading.is_power_of_pixel = lobes_.is_textured();
     if (lobes_.is_textured()) {
-      decide("power", Verdict::keep, "for each pixel", powers);
+      decide("power", Treatment::keep, "for each pixel", powers);
       decide_decode();
-      decide("normalisation", Verdict::keep, "(n + 2)/8", powers);
-      decide("mip level", Verdict::keep, "of the pixel's power", powers);
+      decide("normalisation", Treatment::keep, "(n + 2)/8", powers);
+      decide("mip level", Treatment::keep, "of the pixel's power", powers);
     } else {
       const bool is_one = lobes_.is_one_power();
       const std::string reason = is_one ? one : powers + ", one for each material";
-      decide("power", is_one ? Verdict::skip : Verdict::replace, is_one ? "" : "for each material", reason);
-      decide("gloss decode", Verdict::skip, "", is_one ? one : "no power comes from a texture");
-      decide("normalisation", Verdict::replace,
+      decide("power", is_one ? Treatment::skip : Treatment::replace, is_one ? "" : "for each material",
+             reason);
+      decide("gloss decode", Treatment::skip, "", is_one ? one : "no power comes from a texture");
+      decide("normalisation", Treatment::replace,
              is_one ? decimal(game_normalisation(range.least), 6) : "a constant of the material", reason);
-      decide("mip level", Verdict::replace, "a constant of the material", reason);
+      decide("mip level", Treatment::replace, "a constant of the material", reason);
     }
   }
 
@@ -262,9 +263,9 @@ class Planner {
     if (is_by_alpha) forms.emplace_back("n = 2/alpha^2 - 2");
     if (is_gloss_a_power) forms.emplace_back("n = 2^(10 g + 1)");
     if (forms.empty()) {
-      decide("gloss decode", Verdict::skip, "", "the textures hold powers");
+      decide("gloss decode", Treatment::skip, "", "the textures hold powers");
     } else {
-      decide("gloss decode", Verdict::keep, enumerated(forms), "a texture holds it");
+      decide("gloss decode", Treatment::keep, enumerated(forms), "a texture holds it");
     }
   }
 
@@ -272,9 +273,9 @@ class Planner {
     plan_.shading.is_coloured = lobes_.is_coloured;
     const std::string metal = lobes_.has_metal ? "metals among them" : "no metal";
     if (lobes_.is_coloured) {
-      decide("coloured F0", Verdict::keep, "three channels", "a reflectance is coloured, " + metal);
+      decide("coloured F0", Treatment::keep, "three channels", "a reflectance is coloured, " + metal);
     } else {
-      decide("coloured F0", Verdict::replace, "one channel", "every reflectance is grey, " + metal);
+      decide("coloured F0", Treatment::replace, "one channel", "every reflectance is grey, " + metal);
     }
   }
 
@@ -299,8 +300,8 @@ class Planner {
 
 }  // namespace
 
-std::string_view name(Verdict verdict) {
-  return verdict == Verdict::keep ? "keep" : verdict == Verdict::replace ? "replace" : "skip";
+std::string_view name(Treatment treatment) {
+  return treatment == Treatment::keep ? "keep" : treatment == Treatment::replace ? "replace" : "skip";
 }
 
 bool Plan::has_lobes() const {

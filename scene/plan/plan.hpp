@@ -28,14 +28,14 @@ struct Wanted {
   PixelPrecision precision = PixelPrecision::float32;
 };
 
-enum class Verdict { keep, replace, skip };
+enum class Treatment { keep, replace, skip };
 
-std::string_view name(Verdict verdict);
+std::string_view name(Treatment treatment);
 
 /// What becomes of one term.
 struct Decision {
   std::string term;  ///< "specular lobe" ..
-  Verdict verdict;
+  Treatment treatment;
   std::string form;  ///< what is computed; empty where nothing is
   std::string reason;
   double error = 0;  ///< of one light's result, at most, on the scale

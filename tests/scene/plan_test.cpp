@@ -45,7 +45,7 @@ TEST(Plan, SkipsWhatIsBlack) {
   EXPECT_TRUE(plan.is_within());
   EXPECT_TRUE(plan.has_lobes());
   const Decision& specular = decision(plan, "specular lobe");
-  EXPECT_EQ(specular.verdict, Verdict::replace);
+  EXPECT_EQ(specular.treatment, Treatment::replace);
   EXPECT_EQ(specular.form, "for 1 of 20 materials");
   EXPECT_EQ(specular.reason, "skipped for 19 of 20 materials");
   EXPECT_EQ(plan.materials[0].reason, "black specular colour");
@@ -53,11 +53,11 @@ TEST(Plan, SkipsWhatIsBlack) {
   EXPECT_TRUE(plan.materials[19].has_lobe);
   EXPECT_EQ(decision(plan, "lobe").form, "c^1 by multiplications");
   EXPECT_EQ(decision(plan, "lobe").error, 0);
-  EXPECT_EQ(decision(plan, "exp2").verdict, Verdict::skip);
-  EXPECT_EQ(decision(plan, "Fresnel").verdict, Verdict::skip);
+  EXPECT_EQ(decision(plan, "exp2").treatment, Treatment::skip);
+  EXPECT_EQ(decision(plan, "Fresnel").treatment, Treatment::skip);
   EXPECT_EQ(decision(plan, "normalisation").form, "0.375");
   EXPECT_EQ(decision(plan, "coloured F0").form, "one channel");
-  EXPECT_EQ(decision(plan, "gloss decode").verdict, Verdict::skip);
+  EXPECT_EQ(decision(plan, "gloss decode").treatment, Treatment::skip);
   EXPECT_EQ(plan.fits_run, 0);
   // 2 c c 0.5 3/8 = 0.1/255
   const double cutoff = std::sqrt(0.1 / 255 / (2 * 0.1875));
@@ -71,7 +71,7 @@ TEST(Plan, OfASceneWithoutSpecularIsEmpty) {
   scene.materials[1].is_unlit = true;
   const Plan plan = make_plan(scene, {});
   for (const Decision& d : plan.decisions) {
-    EXPECT_EQ(d.verdict, Verdict::skip) << d.term;
+    EXPECT_EQ(d.treatment, Treatment::skip) << d.term;
     EXPECT_EQ(d.error, 0) << d.term;
   }
   EXPECT_EQ(plan.materials[1].reason, "unlit");
@@ -114,7 +114,7 @@ TEST(Plan, TakesTheCheapestFormThatIsNearEnough) {
     EXPECT_EQ(plan.fits_run + plan.fits_skipped,
               make_plan(scene, {}).fits_run + make_plan(scene, {}).fits_skipped);
     EXPECT_TRUE(plan.is_within()) << expected.tolerance << " " << plan.error;
-    EXPECT_EQ(decision(plan, "offset x").verdict, expected.has_offset ? Verdict::keep : Verdict::skip);
+    EXPECT_EQ(decision(plan, "offset x").treatment, expected.has_offset ? Treatment::keep : Treatment::skip);
   }
 }
 
@@ -174,7 +174,7 @@ TEST(Plan, LightsCodesAndHalves) {
   EXPECT_GT(lights.shading.lobe.slopes.size(), 1U);
   EXPECT_TRUE(lights.is_within());
   EXPECT_EQ(decision(lights, "power").form, "for each pixel");
-  EXPECT_EQ(decision(lights, "gloss decode").verdict, Verdict::keep);
+  EXPECT_EQ(decision(lights, "gloss decode").treatment, Treatment::keep);
   const Plan codes = make_plan(scene, {.tolerance = 0.5, .scale = ShownScale::codes});
   EXPECT_TRUE(codes.is_within());
   EXPECT_GT(codes.shading.lobe.slopes.size(), 1U) << "0.5/255 in linear values is a Gaussian's";
@@ -188,7 +188,7 @@ TEST(Plan, DecodesWhatTexturesHold) {
   Scene scene = dull_scene();
   EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").form, "n = 2/alpha^2 - 2");
   scene.materials[0].power_texture = PowerTexture::power;
-  EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").verdict, Verdict::skip);
+  EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").treatment, Treatment::skip);
   EXPECT_TRUE(make_plan(scene, {}).shading.is_power_of_pixel);
   scene.materials[0].power_texture = PowerTexture::gloss;
   EXPECT_EQ(decision(make_plan(scene, {}), "gloss decode").form, "n = 2/alpha^2 - 2");
@@ -206,7 +206,7 @@ TEST(Plan, KeepsFresnelWhereItRises) {
   scene.materials[0].f90 = {0.0402, 0.0402};
   const Plan flat = make_plan(scene, {});
   EXPECT_FALSE(flat.shading.has_fresnel);
-  EXPECT_EQ(decision(flat, "Fresnel").verdict, Verdict::skip);
+  EXPECT_EQ(decision(flat, "Fresnel").treatment, Treatment::skip);
   EXPECT_GT(decision(flat, "Fresnel").error, 0);
   scene.materials[0].f0[2] = {0.9, 0.9};
   EXPECT_TRUE(make_plan(scene, {}).shading.is_coloured);
@@ -234,12 +234,12 @@ TEST(Plan, OfAConstantLobe) {
   Scene scene;
   scene.materials = {wavefront("rough", 1, 0)};
   const Plan plan = make_plan(scene, {});
-  EXPECT_EQ(decision(plan, "lobe").verdict, Verdict::skip);
+  EXPECT_EQ(decision(plan, "lobe").treatment, Treatment::skip);
   EXPECT_EQ(decision(plan, "lobe").reason, "every power is 0");
   // no cosine n.h is asked, so that none is bounded
   EXPECT_EQ(plan.materials[0].cutoff, 0);
-  EXPECT_EQ(decision(plan, "culling").verdict, Verdict::skip);
-  EXPECT_EQ(decision(plan, "n.v < 0").verdict, Verdict::skip);
+  EXPECT_EQ(decision(plan, "culling").treatment, Treatment::skip);
+  EXPECT_EQ(decision(plan, "n.v < 0").treatment, Treatment::skip);
   // 0.001 (0 + 2)/8 is less than a code
   scene.materials = {wavefront("faint", 0.001, 0)};
   const Plan faint = make_plan(scene, {});
