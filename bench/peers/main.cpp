@@ -48,17 +48,17 @@ Tool tool_of(const std::string& text) {
 }
 
 /// A row yet without times, and the two programs that it stands for.
-struct Contender {
+struct TaskRun {
   Row row;
   std::vector<std::string> task_program, process;
 };
 
-std::vector<Contender> contenders(Tool& tool) {
+std::vector<TaskRun> task_runs(Tool& tool) {
   std::vector<std::string> listing = tool.program;
   listing.push_back("--list");
   const Finished finished = run(listing);
   if (!finished.is_well) throw std::runtime_error(tool.name + " does not run: " + tool.program.back());
-  std::vector<Contender> result;
+  std::vector<TaskRun> result;
   for (const std::string& line : split(finished.output, '\n')) {
     if (line.rfind("version ", 0) == 0) {
       tool.version = line.substr(8);
@@ -66,20 +66,20 @@ std::vector<Contender> contenders(Tool& tool) {
     }
     const auto cells = split(line, '\t');
     const std::string task = cells.at(0), variant = cells.at(1);
-    Contender contender{{.task = task, .tool = tool.name, .variant = variant}, tool.program, {}};
-    contender.row.is_ours = !tool.command.empty();
-    contender.row.is_judged = cells.at(2) != "listed";
-    contender.row.is_expert = cells.at(2) == "expert";
-    contender.task_program.insert(contender.task_program.end(), {task, variant});
+    TaskRun task_run{{.task = task, .tool = tool.name, .variant = variant}, tool.program, {}};
+    task_run.row.is_ours = !tool.command.empty();
+    task_run.row.is_judged = cells.at(2) != "listed";
+    task_run.row.is_expert = cells.at(2) == "expert";
+    task_run.task_program.insert(task_run.task_program.end(), {task, variant});
     if (cells.size() > 3) {
-      contender.process = split(cells[3], ' ');
-      contender.process.insert(contender.process.begin(), tool.command);
+      task_run.process = split(cells[3], ' ');
+      task_run.process.insert(task_run.process.begin(), tool.command);
     } else {
-      contender.process = contender.task_program;
-      contender.process.push_back("0");
+      task_run.process = task_run.task_program;
+      task_run.process.push_back("0");
     }
-    contender.task_program.push_back("");  // the seconds
-    result.push_back(std::move(contender));
+    task_run.task_program.push_back("");  // the seconds
+    result.push_back(std::move(task_run));
   }
   return result;
 }
@@ -168,9 +168,9 @@ std::string load() {
 
 int compare(Options options) {
   const std::vector<Task> all = tasks(options.references);
-  std::vector<Contender> by_tool;
+  std::vector<TaskRun> by_tool;
   for (Tool& tool : options.tools) {
-    for (Contender& contender : contenders(tool)) by_tool.push_back(std::move(contender));
+    for (TaskRun& task_run : task_runs(tool)) by_tool.push_back(std::move(task_run));
   }
   const std::string load_before = load();
   // Neighbours in time are what will be compared: all tools at one task, then the next task, round after
@@ -178,23 +178,23 @@ int compare(Options options) {
   for (int round = 1; round <= options.rounds; ++round) {
     for (const Task& task : all) {
       std::fprintf(stderr, "\rround %d of %d, %s   ", round, options.rounds, task.id.c_str());
-      for (Contender& contender : by_tool) {
-        if (contender.row.task != task.id) continue;
-        contender.task_program.back() = options.seconds;
-        const Finished timed = run(contender.task_program);
+      for (TaskRun& task_run : by_tool) {
+        if (task_run.row.task != task.id) continue;
+        task_run.task_program.back() = options.seconds;
+        const Finished timed = run(task_run.task_program);
         if (timed.is_well)
-          take(contender.row, timed.output, task);
+          take(task_run.row, timed.output, task);
         else
-          contender.row.notes = {"FAILED"};
-        const Finished process = run(contender.process);
-        if (process.is_well) keep_least(contender.row.process_seconds, process.seconds);
+          task_run.row.notes = {"FAILED"};
+        const Finished process = run(task_run.process);
+        if (process.is_well) keep_least(task_run.row.process_seconds, process.seconds);
       }
     }
   }
   std::fputs("\n", stderr);
 
   std::vector<Row> rows;
-  for (const Contender& contender : by_tool) rows.push_back(contender.row);
+  for (const TaskRun& task_run : by_tool) rows.push_back(task_run.row);
   std::string text = "# shadefit beside others\n\n" + said_in("/proc/cpuinfo", "model name") +
                      ", one core, one thread; load " + load_before + " before and " + load() +
                      " after. Times are the least of " + std::to_string(options.rounds) +

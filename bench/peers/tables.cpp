@@ -58,7 +58,7 @@ std::string verdict_table(const std::vector<Task>& tasks, const std::vector<Row>
   std::string why;
   for (const Task& task : tasks) {
     if (!task.is_fit) continue;
-    const Verdict verdict = judge(rows, task.id);
+    const TaskVerdict verdict = judge(rows, task.id);
     const Row* ours = verdict.ours;
     text += "| " + task.id + " | " +
             (ours == nullptr ? std::string() : time(ours->seconds) + " (" + digits(ours->digits) + ")") +

@@ -17,8 +17,8 @@ std::string times(double ratio) {
 
 }  // namespace
 
-Verdict judge(const std::vector<Row>& rows, const std::string& task) {
-  Verdict verdict;
+TaskVerdict judge(const std::vector<Row>& rows, const std::string& task) {
+  TaskVerdict verdict;
   bool has_peer = false;
   for (const Row& row : rows) {
     if (row.task != task || !row.is_judged || !row.seconds || !row.digits) continue;

@@ -24,7 +24,7 @@ inline constexpr double wanted_ratio = 10;
 /// a peer with as many counts as equal.
 inline constexpr double promised_digits = 14;
 
-struct Verdict {
+struct TaskVerdict {
   const Row* ours = nullptr;
   const Row* as_exact = nullptr;  ///< the fastest judged peer with as many digits; null where there is none
   const Row* usual = nullptr;     ///< the fastest judged peer of any digits, experts' ways apart
@@ -35,6 +35,6 @@ struct Verdict {
 
 /// The verdict on one task. Ours has to have kept its digits and to be `wanted_ratio` times as fast as
 /// `as_exact`, where there is one. The rows have to outlive it.
-Verdict judge(const std::vector<Row>& rows, const std::string& task);
+TaskVerdict judge(const std::vector<Row>& rows, const std::string& task);
 
 }  // namespace shadefit::side_by_side

@@ -20,9 +20,9 @@ constexpr double no_multiplier = 1e-9;
 constexpr double largest_rounding = 0.1;
 
 /// From a start to the settled alternation.
-class Exchange {
+class RemezExchange {
  public:
-  Exchange(const MinimaxProblem& problem, const MinimaxParameters& start)
+  RemezExchange(const MinimaxProblem& problem, const MinimaxParameters& start)
       : problem_(problem), here_(problem, start) {}
 
   MinimaxOptimum solve() {
@@ -282,7 +282,7 @@ class Exchange {
 }  // namespace
 
 MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start) {
-  return Exchange(problem, start).solve();
+  return RemezExchange(problem, start).solve();
 }
 
 }  // namespace shadefit

@@ -50,7 +50,7 @@ constexpr LobeFormulas blinn = formulas_of<PhongBlinn>;
 std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double> exponents) {
   std::vector<const Fit*> fits;
   for (const double exponent : exponents) {
-    if (const Fit* fit = find_fit(refit, measures.front(), exponent)) fits.push_back(fit);
+    if (const Fit* fit = fit_at(refit, measures.front(), exponent)) fits.push_back(fit);
   }
   return fits;
 }

@@ -36,7 +36,7 @@ std::string typeset(std::string_view decimal) {
   return decimal.starts_with('-') ? "−" + std::string(decimal.substr(1)) : std::string(decimal);
 }
 
-const Fit* find_fit(const Refit& refit, Measure measure, double exponent) {
+const Fit* fit_at(const Refit& refit, Measure measure, double exponent) {
   for (const FitReport& report : refit.fits) {
     const Fit& fit = report.fit;
     if (fit.metric == Metric{.measure = measure} && fit.exponent == exponent) return &fit;
@@ -52,7 +52,7 @@ Table best_parameter_table(const Refit& refit) {
     const double exponent = *report.fit.exponent;
     std::vector<Cell> row{plotted(exponent)};
     for (const Measure measure : measures) {
-      const Fit* fit = find_fit(refit, measure, exponent);
+      const Fit* fit = fit_at(refit, measure, exponent);
       row.push_back(fit != nullptr ? plotted(fit->parameters.front()) : Cell());
     }
     table.rows.push_back(row);

@@ -30,7 +30,7 @@ std::string printed(std::string_view id);
 std::string typeset(std::string_view decimal);
 
 /// The fit of the whole domain under a measure at that exponent, or null.
-const Fit* find_fit(const Refit& refit, Measure measure, double exponent);
+const Fit* fit_at(const Refit& refit, Measure measure, double exponent);
 
 /// A family's only parameter by exponent, one column per measure: `exponent`, `cosine`, `angle`, ..
 Table best_parameter_table(const Refit& refit);

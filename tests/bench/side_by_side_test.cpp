@@ -54,7 +54,7 @@ TEST(SideBySide, EveryTaskHasItsTruth) {
 
 TEST(SideBySide, TenTimesAsFastHolds) {
   EXPECT_TRUE(judge({ours(1e-6, 15), peer(1.001e-5, 14)}, "T1").holds);
-  const Verdict slow = judge({ours(1e-6, 15), peer(9.9e-6, 14)}, "T1");
+  const TaskVerdict slow = judge({ours(1e-6, 15), peer(9.9e-6, 14)}, "T1");
   EXPECT_FALSE(slow.holds);
   EXPECT_TRUE(slow.is_slow);
   EXPECT_EQ(slow.text, "ONLY 9.9 x");
@@ -62,12 +62,12 @@ TEST(SideBySide, TenTimesAsFastHolds) {
 
 TEST(SideBySide, OnlyAPeerWithAsManyDigitsCounts) {
   const std::vector rows{ours(1e-6, 15), peer(2e-6, 13.9), peer(1.2e-4, 14), peer(3e-5, 15)};
-  const Verdict verdict = judge(rows, "T1");
+  const TaskVerdict verdict = judge(rows, "T1");
   EXPECT_TRUE(verdict.holds);
   EXPECT_EQ(verdict.as_exact, &rows[3]);
   EXPECT_EQ(verdict.usual, &rows[1]);
   EXPECT_EQ(verdict.text, "30.0 x");
-  const Verdict alone = judge({ours(1e-6, 15), peer(2e-6, 13.9)}, "T1");
+  const TaskVerdict alone = judge({ours(1e-6, 15), peer(2e-6, 13.9)}, "T1");
   EXPECT_TRUE(alone.holds);
   EXPECT_EQ(alone.as_exact, nullptr);
   EXPECT_EQ(alone.text, "no peer reaches our digits");
@@ -76,7 +76,7 @@ TEST(SideBySide, OnlyAPeerWithAsManyDigitsCounts) {
 TEST(SideBySide, AnExpertsWayIsJudgedButNotUsual) {
   std::vector rows{ours(1e-6, 15), peer(2e-6, 15), peer(1.2e-4, 5)};
   rows[1].is_expert = true;
-  const Verdict verdict = judge(rows, "T1");
+  const TaskVerdict verdict = judge(rows, "T1");
   EXPECT_FALSE(verdict.holds);
   EXPECT_EQ(verdict.as_exact, &rows[1]);
   EXPECT_EQ(verdict.usual, &rows[2]);
@@ -87,7 +87,7 @@ TEST(SideBySide, WhatIsListedFailedOrElsewhereDoesNotCount) {
   listed.is_judged = false;
   failed.seconds.reset();
   elsewhere.task = "T2";
-  const Verdict verdict = judge({ours(1e-6, 15), listed, failed, elsewhere}, "T1");
+  const TaskVerdict verdict = judge({ours(1e-6, 15), listed, failed, elsewhere}, "T1");
   EXPECT_TRUE(verdict.holds);
   EXPECT_EQ(verdict.text, "no peer ran");
 }
