@@ -90,7 +90,8 @@ Verdict parse_verdict(const std::string& text) {
 }
 
 std::vector<JudgedClaim> claims_with(Verdict verdict, const Checkpoint& checkpoint) {
-  auto claims = judge_claims([](std::string_view) { return true; }, checkpoint);
+  Fits fits;
+  auto claims = judge_claims([](std::string_view) { return true; }, fits, checkpoint);
   std::erase_if(claims, [&](const JudgedClaim& judged) { return judged.finding.verdict != verdict; });
   return claims;
 }
@@ -119,7 +120,8 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
 
 Outcome explain_command(const ExplainOptions& options) {
   require_known(options.id, claim_ids(), "claim");
-  const auto judged = judge_claims([&](std::string_view id) { return id == options.id; });
+  Fits fits;
+  const auto judged = judge_claims([&](std::string_view id) { return id == options.id; }, fits);
   return {judged.front().finding.verdict ? 0 : 1, explanation(judged.front()), ""};
 }
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <array>
 #include <span>
 
-#include "approx/records/claim.hpp"
-#include "approx/records/sources.hpp"
 #include "approx/scalar.hpp"
 
 /// Other kernels for a lobe: Gauss-Weierstrass and Abel-Poisson, as printed and on the sphere. All have their
@@ -103,29 +100,5 @@ T gaussian_error_ratio() {
   const T of_angle = integer<T>(1) / integer<T>(12), spherical = integer<T>(1) / integer<T>(8);
   return of_angle / spherical;
 }
-
-/// The rows of the ledger on this topic.
-inline constexpr std::array kernels_claims{
-    Claim{
-        .id = "other-kernels",
-        .statement =
-            "a reader asks why not the Gauss-Weierstrass kernel exp(-x^2/(2t)) or the Abel-Poisson kernel "
-            "(1-t^2)/(1-2tc+t^2); tested, our guess and not his: of these and their forms on the sphere, the spherical Gaussian has "
-            "the smallest error against c^k at every k = 3 .. 2048",
-        .inputs = {{"exponents", "3,4,5,8,16,32,64,128,256,512,1024,2048"},
-                   {"shown", "3,8,32,256,2048"},
-                   {"kernels",
-                    "the printed Gauss-Weierstrass,the printed Abel-Poisson,"
-                    "Abel-Poisson on the sphere,Gauss-Weierstrass on the sphere"},
-                   {"x", "angle"}},
-        .derivation =
-            "Each kernel, its peak scaled to 1, has its one parameter fitted to c^k: continuous least "
-            "squares, uniform in the cosine. c^k is exp(-k(theta^2/2 + theta^4/12 + ..)): a Gaussian of the "
-            "angle misses theta^4/12, the spherical one, which adds theta^4/24, theta^4/8. So for sharp "
-            "lobes its error is 2/3 as large; but it needs the angle, an arc cosine. With the chord for x "
-            "the printed Gaussian is the spherical one. The tails of Abel-Poisson are algebraic.",
-        .figure = {},
-        .source = sources::lagarde_2012},
-};
 
 }  // namespace shadefit

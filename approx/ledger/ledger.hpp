@@ -2,24 +2,24 @@
 
 #include <array>
 
-#include "approx/arithmetic.hpp"
-#include "approx/cost.hpp"
-#include "approx/dither.hpp"
-#include "approx/environment_map.hpp"
-#include "approx/fresnel.hpp"
-#include "approx/gloss.hpp"
-#include "approx/harmonics.hpp"
-#include "approx/kernels.hpp"
-#include "approx/lobe.hpp"
-#include "approx/material.hpp"
-#include "approx/microfacet.hpp"
-#include "approx/normalisation.hpp"
-#include "approx/phase.hpp"
-#include "approx/phong_blinn.hpp"
+#include "approx/ledger/arithmetic.hpp"
+#include "approx/ledger/cost.hpp"
+#include "approx/ledger/dither.hpp"
+#include "approx/ledger/environment_map.hpp"
+#include "approx/ledger/fresnel.hpp"
+#include "approx/ledger/gloss.hpp"
+#include "approx/ledger/harmonics.hpp"
+#include "approx/ledger/kernels.hpp"
+#include "approx/ledger/lobe.hpp"
+#include "approx/ledger/material.hpp"
+#include "approx/ledger/microfacet.hpp"
+#include "approx/ledger/normalisation.hpp"
+#include "approx/ledger/phase.hpp"
+#include "approx/ledger/phong_blinn.hpp"
+#include "approx/ledger/von_mises_fisher.hpp"
 #include "approx/records/claim.hpp"
-#include "approx/von_mises_fisher.hpp"
 
-/// Every claim in one list, a section a topic; the records stand beside their formulas, one file a topic.
+/// Every claim in one list, a section a topic. The records of a topic stand in approx/ledger/.
 namespace shadefit {
 
 inline constexpr std::array ledger{

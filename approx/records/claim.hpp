@@ -61,10 +61,13 @@ struct Claim {
   std::string_view derivation;   ///< why the computed value is what it is, in a few lines
   std::string_view figure = {};  ///< the figure that shows it, as in `plots/NAME.svg`; empty: none
   Source source;
+  /// The published constants that fits have to give, one for each printed number, in that order; empty for a
+  /// claim of another kind.
+  std::span<const Published> constants = {};
 };
 
-/// The claim of a published constant of a fitted family: its own record says what is printed, for which
-/// exponents and where. It is computed by a fit over the cosines from 0 to 1.
+/// The claim of one published constant: its record says what is printed and for which exponents. Fits over
+/// the cosines from 0 to 1 judge it.
 constexpr Claim claim_of(const Published& published, std::string_view statement, std::string_view derivation,
                          std::string_view figure) {
   Claim claim{.id = published.id,
@@ -73,7 +76,8 @@ constexpr Claim claim_of(const Published& published, std::string_view statement,
               .inputs = {{"from", "0"}, {"to", "1"}},
               .derivation = derivation,
               .figure = figure,
-              .source = published.source};
+              .source = published.source,
+              .constants = std::span(&published, 1)};
   if (!published.exponents.empty())
     claim.inputs = {{"exponents", published.exponents}, {"from", "0"}, {"to", "1"}};
   return claim;

@@ -137,8 +137,10 @@ void append_gloss(Catalogue& all) {
   std::vector<Constants> constants;
   for (const auto& [name, origin, offset] :
        {std::array<std::string_view, 3>{"plain", "Lagarde 2012", "0"},
-        std::array<std::string_view, 3>{"published-sg-offset-mean", "Lagarde 2012", "0.775"},
-        std::array<std::string_view, 3>{"published-sg-offset-limit", "Lagarde 2012", "0.75"}}) {
+        std::array<std::string_view, 3>{"published-sg-offset-mean", "Lagarde 2012",
+                                        sg_offset_published[0].printed},
+        std::array<std::string_view, 3>{"published-sg-offset-limit", "Lagarde 2012",
+                                        sg_offset_published[1].printed}}) {
     constants.push_back({std::string(name),
                          std::string(origin),
                          {printed_number("m", "1.528766"), printed_number("x", offset)}});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "approx/lobe.hpp"
 #include "bench/shading/operations.hpp"
 #include "bench/timing/statistics.hpp"
 
@@ -132,7 +133,8 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
   result.lights = workload.lights();
   result.is_half = plan.wanted.precision == scene::PixelPrecision::float16;
   const std::vector<double> ns = Timed(workload, ways, result.samples).times(timing, between);
-  const std::string published = "exp2(A c - A), A = (n + 0.775)/ln 2";
+  const std::string published =
+      "exp2(A c - A), A = (n + " + std::string(sg_offset_published[0].printed) + ")/ln 2";
   result.reference = {.name = "reference", .form = "pow", .ns = ns[0], .errors = errors[0]};
   result.published = {.name = "published", .form = published, .ns = ns[1], .errors = errors[1]};
   result.published_culled = {

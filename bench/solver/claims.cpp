@@ -13,7 +13,8 @@ namespace {
 void register_claim(const Claim& claim) {
   benchmark::RegisterBenchmark(("claim/" + std::string(claim.id)).c_str(), [&claim](benchmark::State& state) {
     for (auto _ : state) {
-      const Finding finding = evaluate(claim);
+      Fits fits;
+      const Finding finding = evaluate(claim, fits);
       benchmark::DoNotOptimize(finding.evidence.data());
     }
   })->Unit(benchmark::kMillisecond);
@@ -26,10 +27,11 @@ void measure_ledger(benchmark::State& state) {
   std::string_view slowest;
   for (auto _ : state) {
     longest = 0;
+    Fits fits;
     for (const Topic& topic : ledger) {
       for (const Claim& claim : topic.claims) {
         const auto start = Clock::now();
-        const Finding finding = evaluate(claim);
+        const Finding finding = evaluate(claim, fits);
         benchmark::DoNotOptimize(finding.evidence.data());
         const double time = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         if (time <= longest) continue;

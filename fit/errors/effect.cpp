@@ -1,5 +1,6 @@
 #include "fit/errors/effect.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "fit/support/decimal.hpp"
@@ -30,9 +31,18 @@ std::string counted_share(double value, std::string_view noun) {
 }
 
 std::string relative_words(const Effect& effect) {
-  if (!effect.reaches_visible) return "no relative change as no value reaches 1/255";
-  if (effect.relative.magnitude == 0) return "0 of any value from 1/255 on";
-  return decimal(effect.relative.magnitude, 2) + " of its value (at " + words(effect.relative.at) + ")";
+  if (!effect.reaches_visible) return "none, as no value reaches 1/255";
+  if (effect.relative.magnitude == 0) return "0 for values from 1/255 on";
+  return decimal(effect.relative.magnitude, 2) + " at " + words(effect.relative.at);
+}
+
+/// Starts the part with a capital where it starts with a word: "exp(-1)" and "x = 1" stay as they are.
+std::string capitalised(std::string part) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto end = std::find_if_not(part.begin(), part.end(), is_small);
+  const bool is_word = end - part.begin() > 1 && (end == part.end() || *end == ' ' || *end == ',');
+  if (is_word) part.front() = static_cast<char>(part.front() - 'a' + 'A');
+  return part;
 }
 
 }  // namespace
@@ -69,17 +79,20 @@ std::string sentence(const Effect& effect, std::string_view what, std::string_vi
   if (effect.absolute.magnitude == 0) return "none";
   const std::string start =
       std::string(lead) + (lead.empty() ? "" : " ") + "moves " + std::string(what) + " ";
-  const std::string place = " (at " + words(effect.absolute.at) + ")";
-  if (!std::isfinite(effect.absolute.magnitude)) return start + "beyond the range of a double" + place;
-  return start + "by at most " + decimal(effect.absolute.magnitude, 2) + place + ", " +
-         relative_words(effect) + ", " + counted_share(effect.half_ulps, "ulp") + " of a half float, " +
-         counted_share(effect.srgb_codes, "8-bit sRGB code") + ", each at its worst";
+  const std::string place = words(effect.absolute.at);
+  if (!std::isfinite(effect.absolute.magnitude))
+    return start + "beyond the range of a double (at " + place + ")";
+  return start + "by up to " + counted_share(effect.srgb_codes, "code") +
+         " of 8-bit sRGB (absolute: " + decimal(effect.absolute.magnitude, 2) + " at " + place +
+         "; relative: " + relative_words(effect) + "; half float: " + counted_share(effect.half_ulps, "ulp") +
+         ")";
 }
 
-std::string sentences(const std::vector<std::string>& effects) {
+std::string sentences(const std::vector<std::string>& parts) {
   std::string out;
-  for (const std::string& effect : effects) {
-    if (effect != "none") out += (out.empty() ? "" : "; ") + effect;
+  for (const std::string& part : parts) {
+    if (part.empty() || part == "none") continue;
+    out += out.empty() ? part : ". " + capitalised(part);
   }
   return out.empty() ? "none" : out;
 }

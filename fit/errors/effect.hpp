@@ -118,12 +118,13 @@ Effect effect_of_change(const F& family, const Domain& domain, const std::array<
 /// "c = 0.735, k = 3": whole numbers in full, others to three digits.
 std::string words(const Place& place);
 
-/// "moves the curve by at most 3.7e-06 (at c = 0.284), 0.00013 of its value (at c = 0.0684), 0.48 ulps of a
-/// half float, 0.0017 8-bit sRGB codes, each at its worst", or "none" where nothing was moved. A lead comes
-/// in front: "at k = 5 the form moves ..".
+/// "moves the curve by up to 0.0017 codes of 8-bit sRGB (absolute: 3.7e-06 at c = 0.284; relative: 0.00013 at
+/// c = 0.0684; half float: 0.48 ulps)", or "none" where nothing moved. Each number is the largest of its
+/// kind. The lead comes in front: "at k = 5 the form moves ..".
 std::string sentence(const Effect& effect, std::string_view what = "the curve", std::string_view lead = {});
 
-/// The sentences of several effects but for those that are "none"; "none" where all are.
-std::string sentences(const std::vector<std::string>& effects);
+/// The parts as sentences, without the last full stop: {"x is 1", "the rest is 2"} gives "x is 1. The rest is
+/// 2". Leaves out parts that are empty or "none"; "none" where nothing is left.
+std::string sentences(const std::vector<std::string>& parts);
 
 }  // namespace shadefit

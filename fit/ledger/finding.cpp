@@ -5,7 +5,7 @@
 
 #include "approx/scalar.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -60,14 +60,14 @@ std::string effect_of_factor(double printed, double exact, std::string_view lead
   const double ratio = printed / exact;
   // of a ratio to 1 there is nothing to add
   const std::string itself =
-      exact == 1 ? "" : " (itself off by " + decimal(std::abs(printed - exact), 2) + ")";
+      exact == 1 ? "" : fmt::format(" (itself off by {:.2g})", std::abs(printed - exact));
   return sentence(effect_on_greys(ratio), "a linear grey",
-                  std::string(lead) + (lead.empty() ? "" : " ") + "scales what it multiplies by 1 " +
-                      (ratio < 1 ? "- " : "+ ") + decimal(std::abs(ratio - 1), 2) + itself + ", which");
+                  fmt::format("{}{}scales what it multiplies by 1 {}{:.2g}{}, which", lead,
+                              lead.empty() ? "" : " ", ratio < 1 ? "- " : "+ ", std::abs(ratio - 1), itself));
 }
 
 std::string none_because(std::string_view reason) {
-  return "none: " + std::string(reason);
+  return fmt::format("none: {}", reason);
 }
 
 }  // namespace shadefit

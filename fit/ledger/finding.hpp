@@ -16,14 +16,15 @@ namespace shadefit {
 struct Finding {
   std::optional<Verdict> verdict;  ///< empty where the evidence is weaker than the printed digits
   std::string computed;            ///< what stands beside the printed numbers
-  std::string evidence;            ///< one sentence with its numbers, without a full stop
-  /// What the difference does to a picture, by `sentence` of fit/errors/effect.hpp, parts between semicolons;
+  std::string evidence;  ///< short sentences with their numbers, by `sentences` of fit/errors/effect.hpp
+  /// What the difference does to a picture: `sentence` of fit/errors/effect.hpp, or several by `sentences`;
   /// or "none", or "none: " with the reason.
   std::string effect = "none";
 };
 
-/// How a claim is computed: of the record alone, so that a test may change what is printed or given and see
-/// the finding change. Throws std::exception for a record that cannot be read.
+/// How a claim is computed: from the record alone, so that a test may change what is printed or given and see
+/// the finding change. Throws std::exception for a record that cannot be read. A claim of published constants
+/// needs none; where it has one, this holds what fits do not check.
 using Evaluate = Finding (*)(const Claim& claim);
 
 struct Evaluator {

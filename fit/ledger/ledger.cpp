@@ -5,14 +5,17 @@
 #include <stdexcept>
 #include <string>
 
-#include "approx/ledger/catalogue.hpp"
 #include "approx/ledger/ledger.hpp"
+#include "fit/errors/effect.hpp"
 #include "fit/ledger/published.hpp"
 #include "fit/ledger/topics.hpp"
 
 namespace shadefit {
 
-Finding evaluate(const Claim& claim) {
+namespace {
+
+/// How that claim is computed, or null.
+Evaluate evaluator_of(const Claim& claim) {
   const std::array topics{
       lobe_evaluators(),          gloss_evaluators(),
       arithmetic_evaluators(),    cost_evaluators(),
@@ -25,23 +28,38 @@ Finding evaluate(const Claim& claim) {
   };
   for (const auto& evaluators : topics) {
     for (const Evaluator& evaluator : evaluators) {
-      if (evaluator.id == claim.id) return evaluator.evaluate(claim);
+      if (evaluator.id == claim.id) return evaluator.evaluate;
     }
   }
-  for (const Published& published : published_constants) {
-    if (published.id == claim.id) return evaluate_published(claim, {published.id});
-  }
-  throw std::logic_error("nothing computes the claim " + std::string(claim.id));
+  return nullptr;
 }
 
-std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted,
+}  // namespace
+
+Finding evaluate(const Claim& claim, Fits& fits) {
+  const Evaluate evaluate_claim = evaluator_of(claim);
+  if (claim.constants.empty()) {
+    if (evaluate_claim == nullptr)
+      throw std::logic_error("nothing computes the claim " + std::string(claim.id));
+    return evaluate_claim(claim);
+  }
+  Finding finding = evaluate_published(claim, fits);
+  if (evaluate_claim != nullptr) {
+    const Finding further = evaluate_claim(claim);
+    finding.verdict = worst(std::array{finding.verdict, further.verdict});
+    finding.evidence = sentences({finding.evidence, further.evidence});
+  }
+  return finding;
+}
+
+std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,
                                       const Checkpoint& checkpoint) {
   std::vector<JudgedClaim> judged;
   for (const Topic& topic : ledger) {
     for (const Claim& claim : topic.claims) {
       if (!is_wanted(claim.id)) continue;
       checkpoint();
-      judged.push_back({&topic, &claim, evaluate(claim)});
+      judged.push_back({&topic, &claim, evaluate(claim, fits)});
     }
   }
   return judged;

@@ -7,6 +7,7 @@
 #include "approx/records/claim.hpp"
 #include "fit/ledger/finding.hpp"
 #include "fit/support/checkpoint.hpp"
+#include "fit/verdicts/refit.hpp"
 
 /// The ledger computed: a finding for each claim.
 namespace shadefit {
@@ -17,11 +18,12 @@ struct JudgedClaim {
   Finding finding;
 };
 
-/// Computes one claim. Throws std::logic_error where nothing computes a claim of that id.
-Finding evaluate(const Claim& claim);
+/// Computes one claim; what needs fits takes them from `fits`. Throws std::logic_error where nothing computes
+/// a claim of that id.
+Finding evaluate(const Claim& claim, Fits& fits);
 
 /// Computes every claim that is wanted, in the order of the ledger. The checkpoint is called before each.
-std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted,
+std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,
                                       const Checkpoint& checkpoint = keep_going);
 
 /// The claim of that id, or null.

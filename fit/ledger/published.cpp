@@ -5,26 +5,23 @@
 #include <string>
 #include <vector>
 
-#include "approx/ledger/catalogue.hpp"
 #include "fit/errors/effect.hpp"
+#include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/verdicts/refit.hpp"
 
 namespace shadefit {
 namespace {
 
-/// The record of that id, saying what the claim says.
-Published as_claimed(std::string_view id, const Claim& claim, std::string_view printed) {
-  for (Published record : published_constants) {
-    if (record.id != id) continue;
-    record.printed = printed;
-    for (const Quantity& input : claim.inputs) {
-      if (input.name == "exponents") record.exponents = input.value;
-    }
-    return record;
+/// The record with the claim's printed number and exponents, which a test may change.
+Published as_claimed(Published record, const Claim& claim, std::string_view printed) {
+  record.printed = printed;
+  for (const Quantity& input : claim.inputs) {
+    if (input.name == "exponents") record.exponents = input.value;
   }
-  throw std::logic_error("no published constant " + std::string(id));
+  return record;
 }
 
 /// "0.7753642585 under the cosine measure, .."
@@ -32,23 +29,23 @@ std::string under_each_measure(FitCache& fits, const Published& published, const
   std::vector<std::string> values;
   for (const Measure measure : measures) {
     const auto value = computed_value(fits, published, {.measure = measure, .domain = domain});
-    values.push_back((value ? decimal(*value, 10) : "no value") + " under the " + std::string(name(measure)) +
-                     " measure");
+    values.push_back(
+        fmt::format("{} under the {} measure", value ? decimal(*value, 10) : "no value", name(measure)));
   }
   return enumerated(values);
 }
 
 std::string what_is_computed(const Published& published) {
-  const std::string best = "the best " + std::string(published.parameter);
+  const std::string best = fmt::format("the best {}", published.parameter);
   switch (published.statement) {
     case Statement::best_fit:
-      return best + (published.exponents.empty() ? "" : " at k = " + std::string(published.exponents));
+      return best + (published.exponents.empty() ? "" : fmt::format(" at k = {}", published.exponents));
     case Statement::mean_of_fits:
-      return "the mean of " + best + " over k = " + std::string(published.exponents);
+      return fmt::format("the mean of {} over k = {}", best, published.exponents);
     case Statement::limit_of_fits:
-      return "the limit of " + best;
+      return fmt::format("the limit of {}", best);
     case Statement::fit_somewhere:
-      return best + " takes the printed value";
+      return fmt::format("{} takes the printed value", best);
   }
   throw std::logic_error("a statement without words");
 }
@@ -65,60 +62,62 @@ std::string effect_elsewhere(FitCache& fits, const Published& published, const M
     from[parameter] = number_of(published.printed);
     worst.include(fits.family().effect(exponent, metric.domain, from, fit.parameters), {"k = ", exponent});
   }
-  return sentence(worst, "the curve", "in the place of the best one it");
+  return sentence(worst, "the curve", "instead of the best one it");
 }
 
 /// One printed number: its verdict and its part of the sentence.
 Finding evaluate_part(FitCache& fits, const Published& published, const Domain& domain) {
   const auto assessment = assess(fits, published, {.domain = domain});
   if (!assessment)
-    return {std::nullopt, "", what_is_computed(published) + " rests on fits that did not converge", "none"};
+    return {std::nullopt, "",
+            fmt::format("{} rests on fits that did not converge", what_is_computed(published)), "none"};
   Finding finding{assessment->judgement.verdict, decimal(assessment->judgement.value, 10),
                   what_is_computed(published), sentence(assessment->effect)};
   if (published.statement == Statement::fit_somewhere) {
     const auto& range = assessment->holds_for;
-    finding.evidence += range ? " at k = " + decimal(range->exactly, 3) +
-                                    " and rounds to it from k = " + decimal(range->from, 3) + " to " +
-                                    decimal(range->to, 3) + " under the cosine measure"
-                              : " at no exponent of the sweep";
+    finding.evidence +=
+        range ? fmt::format(
+                    " at k = {:.3g} under the cosine measure, and rounds to it from k = {:.3g} to {:.3g}",
+                    range->exactly, range->from, range->to)
+              : " at no exponent of the sweep";
     // of a number without its exponent the computed thing is where it is right
-    finding.computed = range ? "the best from k = " + decimal(range->from, 3) + " to " + decimal(range->to, 3)
+    finding.computed = range ? fmt::format("the best from k = {:.3g} to {:.3g}", range->from, range->to)
                              : "the best at no k";
     finding.effect = effect_elsewhere(fits, published, assessment->metric);
   } else {
-    finding.evidence += " is " + under_each_measure(fits, published, domain);
+    finding.evidence += fmt::format(" is {}", under_each_measure(fits, published, domain));
   }
   if (finding.verdict == Verdict::other_objective)
-    finding.evidence += "; the printed digits are those of: " + assessment->judgement.objective;
+    finding.evidence += fmt::format(". The printed digits are those of another objective: {}",
+                                    assessment->judgement.objective);
   return finding;
 }
 
 }  // namespace
 
-Finding evaluate_published(const Claim& claim, std::initializer_list<std::string_view> published_ids) {
-  if (claim.printed.size() != published_ids.size()) throw std::logic_error("a number without its record");
+Finding evaluate_published(const Claim& claim, Fits& fits) {
+  if (claim.printed.size() != claim.constants.size()) throw std::logic_error("a number without its record");
   const Domain domain{given(claim, "from"), given(claim, "to")};
   std::vector<std::optional<Verdict>> found;
   std::vector<std::string> computed, evidence, effects;
   std::size_t i = 0;
-  for (const std::string_view id : published_ids) {
+  for (const Published& record : claim.constants) {
     const Quantity& printed = claim.printed[i++];
-    const Published published = as_claimed(id, claim, printed.value);
-    FitCache fits(*find_family(published.family));
-    const Finding part = evaluate_part(fits, published, domain);
+    const Published published = as_claimed(record, claim, printed.value);
+    const Finding part = evaluate_part(fits.of(*find_family(published.family)), published, domain);
     found.push_back(part.verdict);
-    computed.push_back((printed.name.empty() ? "" : std::string(printed.name) + " = ") + part.computed);
+    computed.push_back((printed.name.empty() ? "" : fmt::format("{} = ", printed.name)) + part.computed);
     evidence.push_back(part.evidence);
     effects.push_back(part.effect == "none" || printed.name.empty()
                           ? part.effect
-                          : std::string(printed.name) + ": " + part.effect);
+                          : fmt::format("{}: {}", printed.name, part.effect));
   }
   const auto joined = [](const std::vector<std::string>& parts, const char* between) {
     std::string out;
     for (const std::string& part : parts) out += (out.empty() ? "" : between) + part;
     return out;
   };
-  return {worst(found), joined(computed, ", "), joined(evidence, "; "), sentences(effects)};
+  return {worst(found), joined(computed, ", "), sentences(evidence), sentences(effects)};
 }
 
 }  // namespace shadefit

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <initializer_list>
-#include <string_view>
-
 #include "fit/ledger/finding.hpp"
+#include "fit/verdicts/refit.hpp"
 
 /// Claims about the constants of fitted families.
 namespace shadefit {
 
-/// Judges the printed numbers of a claim as those of the published records of these ids, one each, in their
-/// order: by fits on the domain of the inputs `from`, `to`, over the exponents of the input `exponents` where
-/// the claim has one.
-Finding evaluate_published(const Claim& claim, std::initializer_list<std::string_view> published_ids);
+/// Judges the printed numbers of a claim as those of its published constants: by fits on the domain of the
+/// inputs `from` and `to`, over the exponents of the input `exponents` where the claim has one.
+Finding evaluate_published(const Claim& claim, Fits& fits);
 
 }  // namespace shadefit

@@ -98,12 +98,13 @@ std::vector<std::string> claim_ids() {
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
   for (const std::string& id : ids) require_known(id, known_ids(), "constant");
   Results results;
+  Fits fits;
   std::vector<const FittableFamily*> fresnel_families;
   for (const FittableFamily& family : fittable_families()) {
     const auto wanted = wanted_fits(ids, family.info);
     if (!wanted) continue;
     results.refits.push_back(
-        refit(family, wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
+        refit(fits.of(family), wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
     // The chain is of what was published.
     if (family.is_fresnel() && !family.info.is_comparison) fresnel_families.push_back(&family);
   }
@@ -116,7 +117,8 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
   }
   const auto wanted = [&](std::string_view id) { return is_wanted(ids, id); };
   results.reflectances = reflectance_curves(wanted);
-  results.claims = judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, checkpoint);
+  results.claims =
+      judge_claims([&](std::string_view id) { return is_claim_wanted(ids, id); }, fits, checkpoint);
   results.comparisons = comparisons(ids, checkpoint);
   return results;
 }

@@ -53,6 +53,10 @@ const Fit& FitCache::at(const Setting& setting, const Metric& metric) {
                               : fits_.emplace(key, family_.fit(setting, metric)).first->second;
 }
 
+FitCache& Fits::of(const FittableFamily& family) {
+  return caches_.try_emplace(&family, family).first->second;
+}
+
 std::optional<double> computed_value(FitCache& fits, const Published& published, const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
   if (published.statement == Statement::limit_of_fits) {
@@ -175,9 +179,9 @@ std::vector<double> exponents_needed_by(const Published& published, const Family
                                                          : exponents_of(published);
 }
 
-Refit refit(const FittableFamily& family, std::vector<double> exponents,
-            std::vector<const Published*> numbers, std::span<const Metric> under,
-            const Checkpoint& checkpoint) {
+Refit refit(FitCache& fits, std::vector<double> exponents, std::vector<const Published*> numbers,
+            std::span<const Metric> under, const Checkpoint& checkpoint) {
+  const FittableFamily& family = fits.family();
   // A number published for an exponent outside the sweep is fitted and judged too.
   for (const Published* number : numbers) {
     if (number->statement == Statement::best_fit && family.has_exponent())
@@ -186,7 +190,6 @@ Refit refit(const FittableFamily& family, std::vector<double> exponents,
   std::sort(exponents.begin(), exponents.end());
   exponents.erase(std::unique(exponents.begin(), exponents.end()), exponents.end());
 
-  FitCache fits(family);
   const std::vector<Setting> settings = family.has_exponent()
                                             ? std::vector<Setting>(exponents.begin(), exponents.end())
                                             : std::vector<Setting>{{}};

@@ -59,18 +59,26 @@ class FitCache {
   std::map<std::pair<Metric, Setting>, Fit> fits_;
 };
 
+/// The fits of all families, each computed once: a run has one, which its tables and its ledger share.
+class Fits {
+ public:
+  FitCache& of(const FittableFamily& family);
+
+ private:
+  std::map<const FittableFamily*, FitCache> caches_;
+};
+
 /// Fits the family at each setting under each of `under`, and judges the published
 /// numbers that are meant for those fits. The checkpoint is called before each fit.
 std::vector<FitReport> fit_and_assess(FitCache& fits, const std::vector<Setting>& settings,
                                       std::span<const Metric> under,
                                       const Checkpoint& checkpoint = keep_going);
 
-/// What there is to say of a family: the exponents and those that the `numbers` were published for, in rising
-/// order, and the means and limits of fits among the numbers. The checkpoint is called before each fit and
-/// each mean or limit.
-Refit refit(const FittableFamily& family, std::vector<double> exponents,
-            std::vector<const Published*> numbers, std::span<const Metric> under,
-            const Checkpoint& checkpoint = keep_going);
+/// Fits the cache's family at the exponents, and at those that the `numbers` were published for, in rising
+/// order, and judges the numbers: also those that are means or limits of fits. The checkpoint is called
+/// before each fit and each mean or limit.
+Refit refit(FitCache& fits, std::vector<double> exponents, std::vector<const Published*> numbers,
+            std::span<const Metric> under, const Checkpoint& checkpoint = keep_going);
 
 /// The value that a published number states, computed under a metric. Empty where a fit that it needs did not
 /// converge, or where there is no limit.

@@ -41,6 +41,18 @@ std::string wrapped(std::string_view text, std::size_t width, const std::string&
   return out;
 }
 
+/// The same for `sentences` of fit/errors/effect.hpp: each sentence starts a line.
+std::string wrapped_sentences(std::string_view text, std::size_t width, const std::string& indent) {
+  std::string out;
+  while (true) {
+    auto end = text.find(". ");
+    while (end != std::string_view::npos && end > 0 && text[end - 1] == '.') end = text.find(". ", end + 1);
+    if (end == std::string_view::npos) return out + wrapped(text, width, indent);
+    out += wrapped(text.substr(0, end + 1), width, indent) + "\n" + indent;
+    text.remove_prefix(end + 2);
+  }
+}
+
 /// What of a text a column of a terminal has room for.
 std::string shortened(const std::string& text) {
   constexpr std::size_t room = 40;
@@ -179,8 +191,8 @@ std::string explanation(const JudgedClaim& judged) {
   line("why", std::string(claim->derivation));
   line("computed", finding.computed);
   line("verdict", verdict_text(finding));
-  line("evidence", finding.evidence);
-  line("effect", finding.effect);
+  out += fmt::format("evidence  {}\n", wrapped_sentences(finding.evidence, width, indent));
+  out += fmt::format("effect    {}\n", wrapped_sentences(finding.effect, width, indent));
   line("plot", claim->figure.empty() ? "" : fmt::format("plots/{}.svg", claim->figure));
   return out;
 }

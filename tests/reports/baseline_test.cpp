@@ -107,8 +107,8 @@ TEST(Baseline, DriftsHaveTheEffectOnTheCurve) {
   EXPECT_EQ(drifts[0].after, "-5.554727813");
   EXPECT_EQ(
       drifts[0].effect,
-      "moves the curve by at most 3.7e-06 (at c = 0.284), 0.00013 of its value (at c = 0.725), 0.48 ulps of "
-      "a half float, 0.0017 8-bit sRGB codes, each at its worst");
+      "moves the curve by up to 0.0017 codes of 8-bit sRGB (absolute: 3.7e-06 at c = 0.284; relative: 0.00013 "
+      "at c = 0.725; half float: 0.48 ulps)");
 }
 
 TEST(Baseline, DriftsOfOtherCells) {

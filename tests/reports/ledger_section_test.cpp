@@ -84,5 +84,13 @@ TEST(Explanation, HasEveryPartOnceAndWrapsLongLines) {
   EXPECT_NE(text.find("\n          word word"), std::string::npos);
 }
 
+TEST(Explanation, StartsALineWithEachSentence) {
+  JudgedClaim two = judged;
+  two.finding.evidence = "over c = 0 .. 1 it is 1.6. The rest is 2";
+  EXPECT_NE(explanation(two).find("evidence  over c = 0 .. 1 it is 1.6.\n          The rest is 2\n"),
+            std::string::npos)
+      << explanation(two);
+}
+
 }  // namespace
 }  // namespace shadefit

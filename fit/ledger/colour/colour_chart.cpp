@@ -12,6 +12,7 @@
 #include "fit/ledger/colour/transfer_function.hpp"
 #include "fit/ledger/list.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -29,7 +30,7 @@ template <class Value>
 std::string under_each(const std::vector<TransferFunction>& conventions, const Value& value, int digits) {
   std::vector<std::string> parts;
   for (const TransferFunction& convention : conventions)
-    parts.push_back(decimal(value(convention), digits) + " under " + convention.name);
+    parts.push_back(fmt::format("{} under {}", decimal(value(convention), digits), convention.name));
   return enumerated(parts);
 }
 
@@ -57,7 +58,7 @@ Judgement judge_under(const std::vector<TransferFunction>& conventions, std::str
 std::string effect_of_linear(double used, double right, double code) {
   Effect effect;
   effect.show(right, used, {{"code ", code}});
-  return sentence(effect, "a linear value", decimal(used, 4) + " in the place of " + decimal(right, 4));
+  return sentence(effect, "a linear value", fmt::format("{:.4g} instead of {:.4g}", used, right));
 }
 
 struct Range {
@@ -76,8 +77,8 @@ Range exponents_that_give(std::string_view printed, double code) {
 
 std::string exponents_sentence(const Range& range) {
   if (!(range.from <= range.to)) return "no power of code/255 gives both";
-  return "a power of code/255 gives both for exponents from " + decimal(range.from, 4) + " to " +
-         decimal(range.to, 4);
+  return fmt::format("a power of code/255 gives both numbers for exponents from {:.4g} to {:.4g}", range.from,
+                     range.to);
 }
 
 /// The names of the conventions under which every printed number has all its digits.
@@ -113,17 +114,19 @@ Finding chart_range(const Claim& claim) {
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const auto& [name, printed] = claim.printed[i];
     verdicts.push_back(judge(printed, {"", convention.linear(codes[i])}, {}).verdict);
-    computed.push_back(std::string(name) + " = " + decimal(convention.linear(codes[i]), 7));
-    values.push_back("code " + decimal(codes[i], 6) + " is " + linear_under_each(conventions, codes[i]));
+    computed.push_back(fmt::format("{} = {:.7g}", name, convention.linear(codes[i])));
+    values.push_back(fmt::format("code {:.6g} is {}", codes[i], linear_under_each(conventions, codes[i])));
     const Range own = exponents_that_give(printed, codes[i]);
     exponents = {std::max(exponents.from, own.from), std::min(exponents.to, own.to)};
     effects.push_back(effect_of_linear(number_of(printed), conventions.front().linear(codes[i]), codes[i]));
   }
   const bool is_other = found != conventions.end() && found != conventions.begin();
   return {is_other ? Verdict::other_objective : worst(verdicts),
-          computed[0] + ", " + computed[1] + " under " + convention.name,
-          values[0] + "; " + values[1] + "; both printed numbers have all their digits under " +
-              conventions_that_give_all(conventions, claim, codes) + "; " + exponents_sentence(exponents),
+          fmt::format("{}, {} under {}", computed[0], computed[1], convention.name),
+          sentences({values[0], values[1],
+                     fmt::format("both printed numbers have all their digits under {}",
+                                 conventions_that_give_all(conventions, claim, codes)),
+                     exponents_sentence(exponents)}),
           sentences(effects)};
 }
 
@@ -136,15 +139,17 @@ Finding chart_range_given_twice(const Claim& claim) {
       std::count_if(conventions.begin(), conventions.end(), [&](const TransferFunction& t) {
         return std::abs(t.linear(code) - first) < std::abs(t.linear(code) - second);
       });
-  return {judge(printed_second, {std::string(printed_first), first}, {}).verdict,
-          decimal(conventions.front().linear(code), 7) + " under " + conventions.front().name,
-          std::string(printed_second) + " is " + counted(units_off(printed_second, first), "unit") +
-              " of its last digit from " + std::string(printed_first) + "; code " + decimal(code, 6) +
-              " is " + linear_under_each(conventions, code) + ", closer to " + std::string(printed_first) +
-              " under " + std::to_string(closer_to_first) + " of " + std::to_string(conventions.size()) +
-              "; " + std::string(printed_first) + " is code " + code_under_each(conventions, first) + ", " +
-              std::string(printed_second) + " code " + code_under_each(conventions, second),
-          effect_of_linear(second, first, code)};
+  return {
+      judge(printed_second, {std::string(printed_first), first}, {}).verdict,
+      fmt::format("{:.7g} under {}", conventions.front().linear(code), conventions.front().name),
+      fmt::format(
+          "{} is {} of its last digit from {}. Code {:.6g} is {}, closer to {} under {} of {} conventions. "
+          "In codes, {} is {}. In codes, {} is {}",
+          printed_second, counted(units_off(printed_second, first), "unit"), printed_first, code,
+          linear_under_each(conventions, code), printed_first, closer_to_first, conventions.size(),
+          printed_first, code_under_each(conventions, first), printed_second,
+          code_under_each(conventions, second)),
+      effect_of_linear(second, first, code)};
 }
 
 namespace {
@@ -164,8 +169,8 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
   };
   std::vector<std::string> ranges;
   for (const TransferFunction& t : conventions) {
-    ranges.push_back(decimal(chart(t).from, 4) + " to " + decimal(chart(t).to, 4) + " under " + t.name +
-                     (holds(t) ? " (holds them)" : " (leaves some out)"));
+    ranges.push_back(fmt::format("{:.4g} to {:.4g} under {}{}", chart(t).from, chart(t).to, t.name,
+                                 holds(t) ? " (holds them)" : " (leaves some out)"));
   }
   const TransferFunction& stored = conventions.front();
   const Range own = chart(stored);
@@ -177,15 +182,14 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
   Effect effect;  // of keeping a common value within the chart
   for (const double value : common)
     effect.show(value, std::clamp(value, own.from, std::max(own.from, own.to)), {{"linear ", value}});
-  return {verdict, decimal(own.from, 7) + " .. " + decimal(own.to, 7),
-          std::string(material) + " of " + decimal(common.at(0), 4) + " to " + decimal(common.at(1), 4) +
-              ", codes " + decimal(stored.code(common.at(0)), 4) + " to " +
-              decimal(stored.code(common.at(1)), 4) + " of " + stored.name + ": the chart's " +
-              decimal(codes.at(0), 6) + " to " + decimal(codes.at(1), 6) + " are " + enumerated(ranges) +
-              ", and overlap them under " +
-              std::to_string(std::count_if(conventions.begin(), conventions.end(), overlaps)) + " of " +
-              std::to_string(conventions.size()),
-          sentence(effect, "a linear value", "keeping " + std::string(material) + " within the chart")};
+  return {verdict, fmt::format("{:.7g} .. {:.7g}", own.from, own.to),
+          fmt::format(
+              "common {} have {:.4g} to {:.4g}, which is codes {:.4g} to {:.4g} under {}. The chart's codes "
+              "{:.6g} to {:.6g} are {}. They overlap under {} of {} conventions",
+              material, common.at(0), common.at(1), stored.code(common.at(0)), stored.code(common.at(1)),
+              stored.name, codes.at(0), codes.at(1), enumerated(ranges),
+              std::count_if(conventions.begin(), conventions.end(), overlaps), conventions.size()),
+          sentence(effect, "a linear value", fmt::format("keeping {} within the chart", material))};
 }
 
 }  // namespace
@@ -199,8 +203,8 @@ Finding chart_holds_common_materials(const Claim& claim) {
   const Finding dielectrics = part("dielectrics", "dielectric codes", "common dielectrics");
   const Finding metals = part("metals", "metal codes", "common metals");
   const std::array verdicts{*dielectrics.verdict, *metals.verdict};
-  return {worst(verdicts), "dielectrics " + dielectrics.computed + ", metals " + metals.computed,
-          dielectrics.evidence + "; " + metals.evidence, sentences({dielectrics.effect, metals.effect})};
+  return {worst(verdicts), fmt::format("dielectrics {}, metals {}", dielectrics.computed, metals.computed),
+          sentences({dielectrics.evidence, metals.evidence}), sentences({dielectrics.effect, metals.effect})};
 }
 
 Finding middle_grey(const Claim& claim) {
@@ -214,12 +218,13 @@ Finding middle_grey(const Claim& claim) {
       judge_under(conventions, printed, [&](const TransferFunction& t) { return t.code(linear); });
   const double exact = stored.code(linear);
   return {judged.verdict, decimal(judged.value, 6),
-          decimal(linear, 4) + " of the light of white is code " + code_under_each(conventions, linear) +
-              "; the first is " + decimal(std::round(exact), 6) + " rounded and " +
-              decimal(std::floor(exact), 6) + " cut off; code " + std::string(printed) + " is " +
-              decimal(stored.linear(number_of(printed)), 4) + " and code " + decimal(naive, 6) + " is " +
-              decimal(stored.linear(naive), 4) + " of the light under " + stored.name + "; the grey card's " +
-              decimal(photographic, 4) + " is code " + decimal(stored.code(photographic), 4),
+          fmt::format(
+              "{:.4g} of the light of white is code {}. The first of these rounds to {:.6g} and truncates to "
+              "{:.6g}. Code {} is {:.4g} of the light of white and code {:.6g} is {:.4g}, under {}. The grey "
+              "card's {:.4g} is code {:.4g}",
+              linear, code_under_each(conventions, linear), std::round(exact), std::floor(exact), printed,
+              stored.linear(number_of(printed)), naive, stored.linear(naive), stored.name, photographic,
+              stored.code(photographic)),
           effect_of_linear(stored.linear(number_of(printed)), linear, number_of(printed))};
 }
 

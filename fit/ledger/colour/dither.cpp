@@ -15,6 +15,7 @@
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -52,7 +53,7 @@ std::string effect_of_entry(std::string_view matrix, double x, double wanted) {
         corrected[i], printed[i],
         {{"row ", static_cast<double>(i / size + 1)}, {"column ", static_cast<double>(i % size + 1)}});
   }
-  return sentence(effect, "an entry, a share of a step,", "x = " + decimal(x, 6));
+  return sentence(effect, "an entry, a share of a step,", fmt::format("x = {:.6g}", x));
 }
 
 Finding bayer(const Claim& claim) {
@@ -62,19 +63,21 @@ Finding bayer(const Claim& claim) {
   const std::vector<double> entries = dither_matrix(matrix, x);
   const auto missing = missing_from(entries);
   const std::string count = std::to_string(entries.size());
-  std::string evidence = std::to_string(entries.size() - missing.size()) + " of the " + count + " values 0/" +
-                         count + " to " + std::to_string(entries.size() - 1) + "/" + count + " are there, " +
-                         std::to_string(entries_of_bayer(entries)) + " in the places of Bayer's construction";
+  std::string evidence = fmt::format(
+      "the matrix has {} of the {} values 0/{} to {}/{}; {} stand where Bayer's construction puts them",
+      entries.size() - missing.size(), count, count, entries.size() - 1, count, entries_of_bayer(entries));
   for (const double value : missing)
-    evidence += ", " + decimal(value, 6) + " (" + decimal(value * static_cast<double>(entries.size()), 6) +
-                "/" + count + ") is missing";
+    evidence += fmt::format(". {:.6g} ({:.6g}/{}) is missing", value,
+                            value * static_cast<double>(entries.size()), count);
   if (!wanted) return {Verdict::refuted, "none", evidence, "none"};
   const std::vector<double> corrected = dither_matrix(matrix, *wanted);
-  return {judge(printed, {"what the others leave over", *wanted}, {}).verdict, decimal(*wanted, 6),
-          evidence + "; x = " + std::string(printed) + " where the others leave " + decimal(*wanted, 6) +
-              " over; the mean offset is " + decimal(mean_of(entries), 6) + ", complete " +
-              decimal(mean_of(corrected), 6),
-          effect_of_entry(matrix, x, *wanted)};
+  return {
+      judge(printed, {"what the others leave over", *wanted}, {}).verdict, decimal(*wanted, 6),
+      fmt::format(
+          "{}. The printed entry is x = {}; the others leave {:.6g} for it. The mean offset is {:.6g}, and "
+          "{:.6g} with the right entry",
+          evidence, printed, *wanted, mean_of(entries), mean_of(corrected)),
+      effect_of_entry(matrix, x, *wanted)};
 }
 
 /// The rms of single pixels, each with its own offset, over all of them.
@@ -103,21 +106,20 @@ March plain_marches(const std::vector<double>& counts) {
     const MarchError error = march_error(march_places(steps, {0.0}));
     march.is_known = march.is_known && std::abs(error.rms_by_warnock / error.rms - 1) < 1e-6 &&
                      std::abs(march_rms(counts[i]) / error.rms - 1) < 1e-9;
-    parts.push_back(decimal(error.rms, 4) + " at " + decimal(counts[i], 6));
+    parts.push_back(fmt::format("{:.4g} at {:.6g}", error.rms, counts[i]));
     if (!(march_rms(counts[i]) < last)) march.verdict = Verdict::refuted;
     last = march_rms(counts[i]);
     if (i == 0) continue;
     const double share = share_made_worse(static_cast<int>(counts[i - 1]), steps);
     if (share <= worst_share) continue;
     worst_share = share;
-    worst_pair = "from " + decimal(counts[i - 1], 6) + " to " + decimal(counts[i], 6) + " steps";
+    worst_pair = fmt::format("from {:.6g} to {:.6g} steps", counts[i - 1], counts[i]);
   }
-  march.sentence =
-      "the rms error over all edges, 1/(n sqrt 3) of the beam, is " + enumerated(parts) + " steps, " +
-      (march.verdict == Verdict::confirmed ? "falling all the way" : "not falling all the way") +
-      (worst_share > 0
-           ? ", though going " + worst_pair + " makes " + decimal(worst_share, 4) + " of the edges worse"
-           : "");
+  march.sentence = fmt::format(
+      "the rms error over all edges is 1/(n sqrt 3) of the beam: {} steps, {}{}", enumerated(parts),
+      march.verdict == Verdict::confirmed ? "falling all the way" : "not falling all the way",
+      worst_share > 0 ? fmt::format(". But going {} makes {:.4g} of the edges worse", worst_pair, worst_share)
+                      : "");
   return march;
 }
 
@@ -132,8 +134,8 @@ March dithered_march(const std::vector<double>& offsets, double dithered, double
   march.verdict = !(blurred.rms < rival) ? Verdict::refuted
                   : noisy < rival        ? Verdict::confirmed
                                          : Verdict::conditional;
-  march.sentence = decimal(blurred.rms, 4) + " blurred and " + decimal(noisy, 4) + " before (" +
-                   decimal(rival / blurred.rms, 4) + " and " + decimal(rival / noisy, 4) + " times less)";
+  march.sentence = fmt::format("{:.4g} after the blur and {:.4g} before it ({:.4g} and {:.4g} times less)",
+                               blurred.rms, noisy, rival / blurred.rms, rival / noisy);
   return march;
 }
 
@@ -156,16 +158,19 @@ Finding march_steps(const Claim& claim) {
   const std::array verdicts{falling.verdict, as_printed.verdict, corrected.verdict};
   const bool is_known = falling.is_known && as_printed.is_known && corrected.is_known;
   const std::string plain_steps = counted(static_cast<long>(plain), "plain step");
-  const std::string corrected_x = "x = " + decimal(*wanted, 4);
-  return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
-          "rms " + decimal(march_rms(plain), 6) + " plain, " + decimal(as_printed.rms, 6) + " dithered, " +
-              decimal(corrected.rms, 6) + " with " + corrected_x,
-          falling.sentence + "; against " + decimal(march_rms(plain), 4) + " of " + plain_steps + ", " +
-              counted(static_cast<long>(dithered), "dithered step") + " have " + as_printed.sentence +
-              " with x = " + std::string(x) + ", and " + corrected.sentence + " with " + corrected_x,
-          sentences({effect_of_march(1 / plain, "a half-lit ray of strength 1", "a march of " + plain_steps),
-                     effect_of_march(as_printed.largest, "it", "a dithered and blurred one"),
-                     effect_of_march(corrected.largest, "it", "such a one with " + corrected_x)})};
+  const std::string corrected_x = fmt::format("x = {:.4g}", *wanted);
+  return {
+      is_known ? std::optional(worst(verdicts)) : std::nullopt,
+      fmt::format("rms {:.6g} plain, {:.6g} dithered, {:.6g} with {}", march_rms(plain), as_printed.rms,
+                  corrected.rms, corrected_x),
+      fmt::format("{0}. With {2} it is {1:.4g}. With {3} and x = {5} it is {4}; with {7} it is {6}",
+                  falling.sentence, march_rms(plain), plain_steps,
+                  counted(static_cast<long>(dithered), "dithered step"), as_printed.sentence, x,
+                  corrected.sentence, corrected_x),
+      sentences({effect_of_march(1 / plain, "a half-lit ray of strength 1",
+                                 fmt::format("a march of {}", plain_steps)),
+                 effect_of_march(as_printed.largest, "it", "the dithered and blurred march"),
+                 effect_of_march(corrected.largest, "it", fmt::format("the same with {}", corrected_x))})};
 }
 
 /// The sum of weights at which white loses so many codes.
@@ -197,20 +202,19 @@ Finding bilateral_epsilon(const Claim& claim) {
                           : limit < taps ? Verdict::conditional
                                          : Verdict::refuted;
   const std::string black = decimal(1 / falloff, 4);
-  return {verdict, decimal(limit, 4),
-          "on a flat surface (W = " + decimal(taps, 6) + ") white is darkened by " + decimal(1 - flat, 3) +
-              ", " + decimal(255 - srgb_code(flat), 2) + " codes" +
-              (half_keeps ? ", in half arithmetic by nothing" : "") + "; it is less than " +
-              decimal(visible_codes, 3) + " for W above " + decimal(limit, 4) +
-              ", that is while the taps are less than " + decimal(gap_of(limit), 6) +
-              " away in depth, and less than " + decimal(second_codes, 3) + " for W above " +
-              decimal(weight_that_loses(second_codes, epsilon), 4) + " (" +
-              decimal(gap_of(weight_that_loses(second_codes, epsilon)), 6) +
-              " away); from there the loss grows up to all of it, and with every tap " + black +
-              " or more away W = 0 leaves black",
-          sentences({effect_on_white(taps, epsilon, "where depths agree it"),
-                     epsilon > 0 ? effect_on_white(0, epsilon, "where every tap is beyond a depth edge it")
-                                 : "none"})};
+  return {
+      verdict, decimal(limit, 4),
+      fmt::format(
+          "on a flat surface (W = {:.6g}) white loses {:.3g}, which is {:.2g} codes{}. It loses less than "
+          "{:.3g} codes for W above {:.4g}, which means taps less than {:.6g} away in depth, and less than "
+          "{:.3g} for W above {:.4g} ({:.6g} away). Further away the loss grows. With every tap {} or more "
+          "away, W = 0 and white becomes black",
+          taps, 1 - flat, 255 - srgb_code(flat), half_keeps ? "; in half arithmetic it loses nothing" : "",
+          visible_codes, limit, gap_of(limit), second_codes, weight_that_loses(second_codes, epsilon),
+          gap_of(weight_that_loses(second_codes, epsilon)), black),
+      sentences(
+          {effect_on_white(taps, epsilon, "where depths agree it"),
+           epsilon > 0 ? effect_on_white(0, epsilon, "where every tap is beyond a depth edge it") : "none"})};
 }
 
 }  // namespace

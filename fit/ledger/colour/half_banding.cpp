@@ -14,6 +14,7 @@
 #include "fit/ledger/formats.hpp"
 #include "fit/scalars/half_result.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -146,15 +147,16 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
     low_steps.push_back(decimal(at_low.step, 2));
     first.push_back(from ? std::to_string(*from) : "none");
   }
-  found.computed = "steps of " + enumerated(steps);
-  found.evidence = enumerated(steps) + " codes, showing " + enumerated(codes) + " of the 256, and at power " +
-                   decimal(low, 4) + " " + enumerated(low_steps) + " codes, the first whole power up to " +
-                   decimal(last, 6) + " (each tried, from 1 on) that bands being " + enumerated(first);
+  found.computed = fmt::format("steps of {}", enumerated(steps));
+  found.evidence = fmt::format(
+      "at power {} their largest steps are {} codes, and {} of the 256 codes are shown. At power {:.4g} "
+      "the steps are {} codes. Of the whole powers from 1 to {:.6g}, each tried, the first that bands is {}",
+      claim.printed[0].value, enumerated(steps), enumerated(codes), low, enumerated(low_steps), last,
+      enumerated(first));
   for (const RoundedForm& form : rounded_forms) {
     if (half_cosine || !never_bands(form, visible, last)) continue;
-    found.evidence += " (none because its roundings leave at most " +
-                      decimal(largest_step_of_roundings(form.relative_roundings, last), 2) +
-                      " codes at any of them)";
+    found.evidence += fmt::format(" (none because its roundings leave at most {:.2g} codes at any of them)",
+                                  largest_step_of_roundings(form.relative_roundings, last));
     break;  // the same for all of them
   }
   return found;
@@ -184,14 +186,16 @@ Finding evaluate_half_banding(const Claim& claim) {
   for (const RoundedForm& form : rounded_forms) names.emplace_back(form.name);
   const int samples = static_cast<int>(given(claim, "samples of a float cosine"));
   return {
-      worst(parts), half.computed + " codes with a half cosine, " + wide.computed + " with a float one",
-      "largest steps of " + enumerated(names) + " at power " + exponent + ": with the cosine in half " +
-          half.evidence + "; with the cosine in float and half arithmetic " + wide.evidence +
-          "; with cosine and arithmetic in float and only the result in half, the remedy of the comments, "
-          "the largest step at power " +
-          exponent + " is " + decimal(step_of_remedy(number_of(exponent), samples), 2) + " codes",
+      worst(parts),
+      fmt::format("{} codes with a half cosine, {} with a float one", half.computed, wide.computed),
+      fmt::format(
+          "the forms are {}. With the cosine in half, {}. With the cosine in float and arithmetic in half, "
+          "{}. The remedy of the comments is cosine and arithmetic in float and only the result in half: "
+          "then the largest step at power {} is {:.2g} codes",
+          enumerated(names), half.evidence, wide.evidence, exponent,
+          step_of_remedy(number_of(exponent), samples)),
       sentences({sentence(half.effect, "a smooth highlight of peak 1",
-                          "at power " + exponent + " rounding, with the cosine in half,"),
+                          fmt::format("at power {} rounding with the cosine in half", exponent)),
                  sentence(wide.effect, "it", "with the cosine in float it")})};
 }
 

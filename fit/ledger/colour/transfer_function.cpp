@@ -4,6 +4,7 @@
 
 #include "approx/encoding.hpp"
 #include "fit/ledger/list.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 
@@ -27,11 +28,12 @@ TransferFunction transfer_function(std::string_view name) {
   }
   if (function.starts_with(exponent)) {
     result.gamma = number_of(function.substr(exponent.size()));
-    if (!(result.gamma > 0)) throw std::invalid_argument("not an exponent above 0: " + result.name);
+    if (!(result.gamma > 0))
+      throw std::invalid_argument(fmt::format("not an exponent above 0: {}", result.name));
   } else if (function != "sRGB") {
-    throw std::invalid_argument("not a transfer function: '" + result.name + "'");
+    throw std::invalid_argument(fmt::format("not a transfer function: '{}'", result.name));
   }
-  if (!(result.codes > 0)) throw std::invalid_argument("not a divisor above 0: " + result.name);
+  if (!(result.codes > 0)) throw std::invalid_argument(fmt::format("not a divisor above 0: {}", result.name));
   return result;
 }
 

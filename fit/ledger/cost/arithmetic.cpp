@@ -17,6 +17,7 @@
 #include "fit/ledger/words.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -25,9 +26,9 @@ namespace {
 std::string split_list(const std::vector<std::string>& yes, std::string_view word,
                        const std::vector<std::string>& no, std::string_view other) {
   std::string out;
-  if (!yes.empty()) out += std::string(word) + " in " + enumerated(yes);
+  if (!yes.empty()) out += fmt::format("{} in {}", word, enumerated(yes));
   if (!yes.empty() && !no.empty()) out += " and ";
-  if (!no.empty()) out += std::string(other) + " in " + enumerated(no);
+  if (!no.empty()) out += fmt::format("{} in {}", other, enumerated(no));
   return out;
 }
 
@@ -76,20 +77,19 @@ Finding gaussian_at_zero(const Claim& claim) {
   const Verdict verdict = power_is_zero && exact > 0
                               ? verdict_of_cases(1 + nonzero.size(), 1 + formats.size())
                               : Verdict::refuted;
-  const std::string value = "exp(-" + decimal(power, 6) + ")";
+  const std::string value = fmt::format("exp(-{:.6g})", power);
   Effect left;
   left.show(power_lobe(0.0, power), static_cast<double>(exact), at_cosine({0, 1}));
   const std::string effect = sentence(left, "the edge of a highlight", "the Gaussian");
   return {
-      verdict, split_list(zero, "0", nonzero, "not 0") + ", exactly 10^" + decimal(magnitude, 7),
-      "exactly " + value + " is 10^" + decimal(magnitude, 7) + ", but it is " +
-          split_list(zero, "0", nonzero, "not 0") + "; exp(-k) is above 0 up to k = " + enumerated(last) +
-          " in " + enumerated(formats) + ", and where subnormals are flushed up to about " +
-          enumerated(last_normal) + "; 0^" + decimal(power, 6) + " is " + (power_is_zero ? "" : "not ") +
-          "0 in each; of a highlight of peak 1 the Gaussian leaves an 8-bit sRGB code or more at c = 0 up "
-          "to power " +
-          decimal(last_visible_power(), 3) + " alone",
-      effect == "none" ? none_because(value + " is below the least positive double") : effect};
+      verdict, fmt::format("{}, exactly 10^{:.7g}", split_list(zero, "0", nonzero, "not 0"), magnitude),
+      fmt::format(
+          "{} is exactly 10^{:.7g}, but a computer gives {}. exp(-k) stays above 0 up to k = {} in {}; "
+          "where subnormals are flushed, up to about k = {}. 0^{:.6g} is {}0 in each. At c = 0 the "
+          "Gaussian of a highlight with peak 1 leaves at least one 8-bit sRGB code only up to power {:.3g}",
+          value, magnitude, split_list(zero, "0", nonzero, "not 0"), enumerated(last), enumerated(formats),
+          enumerated(last_normal), power, power_is_zero ? "" : "not ", last_visible_power()),
+      effect == "none" ? none_because(fmt::format("{} is below the least positive double", value)) : effect};
 }
 
 /// How exp2(log2(0) b) fares in a format.
@@ -110,9 +110,10 @@ std::string exponents_that(const std::vector<std::string>& exponents, const std:
                  [&](const std::string& format) { return is_so(power_of_zero(format, b)); });
     cases += where.size();
     if (where.empty()) continue;
-    found.push_back(b + (where.size() == formats.size() ? "" : " (in " + enumerated(where) + " alone)"));
+    found.push_back(b +
+                    (where.size() == formats.size() ? "" : fmt::format(" (in {} alone)", enumerated(where))));
   }
-  return found.empty() ? "no b" : "b = " + enumerated(found);
+  return found.empty() ? "no b" : fmt::format("b = {}", enumerated(found));
 }
 
 /// What a render target of fixed point stores: NaN becomes 0. Source: Microsoft, Direct3D 11.3 Functional
@@ -178,7 +179,7 @@ Finding nan_at_zero(const Claim& claim) {
   std::vector<std::string> last, safe;
   for (const std::string& format : formats) {
     const Overflow found = overflow_in(format);
-    last.push_back(decimal(found.last_power, 5) + " in " + format);
+    last.push_back(fmt::format("{:.5g} in {}", found.last_power, format));
     least = std::min(least, found.last_power);
     if (largest > found.last_power) lost.include(found.effect);
     is_nan = is_nan && found.is_nan;
@@ -188,16 +189,16 @@ Finding nan_at_zero(const Claim& claim) {
   const std::array parts{verdict_of_cases(nan, formats.size() * exponents.size()),
                          verdict_of_cases(safe.size(), formats.size())};
   return {
-      worst(parts), "NaN for " + of_nan + ", 0 for " + of_zero,
-      "exp2(log2(0) b) is NaN for " + of_nan + " and 0, the right value, for " + of_zero + " in " +
-          enumerated(formats) + "; exp2(A c - A) is never NaN while A = k/ln 2 is finite, up to k = " +
-          enumerated(last) + ", which covers the powers up to " + decimal(largest, 6) + " in " +
-          (safe.empty() ? "none of them" : enumerated(safe)) +
-          (is_nan ? "; beyond, it is NaN at c = 0, 0.5 and 1" : "") +
-          (is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : "") + "; for a power above 0 and up to " +
-          decimal(least, 5) +
-          " no pixel is without a value; elsewhere one is, which every filter that reads it spreads and a "
-          "target of fixed point stores as 0",
+      worst(parts), fmt::format("NaN for {}, 0 for {}", of_nan, of_zero),
+      fmt::format(
+          "exp2(log2(0) b) is NaN for {} and has the right value, 0, for {} in {}. exp2(A c - A) is not "
+          "NaN while A = k/ln 2 is finite: up to k = {}. That covers the powers up to {:.6g} in {}{}{}. "
+          "For a power above 0 and up to {:.5g} every pixel has a value. Elsewhere a pixel is NaN: filters "
+          "spread it, and a fixed-point target stores it as 0",
+          of_nan, of_zero, enumerated(formats), enumerated(last), largest,
+          safe.empty() ? "none of them" : enumerated(safe),
+          is_nan ? ". Beyond, it is NaN at c = 0, 0.5 and 1" : "",
+          is_peak_alone ? ", exp2(A (c - 1)) at c = 1 alone" : "", least),
       sentences({sentence(effect_of_power_of_zero(exponents, formats), "the curve",
                           "NaN stored as 0, exp2(log2(0) b)"),
                  sentence(lost, "the curve", "exp2(A c - A)")})};

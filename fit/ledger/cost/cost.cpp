@@ -9,11 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/errors/effect.hpp"
 #include "fit/ledger/lobes/shader_forms.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/ledger/words.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -34,7 +36,7 @@ Operations instructions_of(std::string_view text) {
   for (const std::string& word : words_of(text)) {
     const auto named =
         std::find_if(known.begin(), known.end(), [&](const Named& k) { return k.name == word; });
-    if (named == known.end()) throw std::invalid_argument("no instruction '" + word + "'");
+    if (named == known.end()) throw std::invalid_argument(fmt::format("no instruction '{}'", word));
     ++(found.*(named->count));
   }
   return found;
@@ -62,34 +64,33 @@ std::string text_of_form(std::string_view name) {
 
 /// "MAD, EXP2 (2)".
 std::string with_total(const Operations& count) {
-  return to_text(count) + " (" + std::to_string(count.total()) + ")";
+  return fmt::format("{} ({})", to_text(count), count.total());
 }
 
-/// "; compilers emit .. for pow (..)", or nothing where none of the forms was compiled.
+/// ". Compilers emit .. for pow (..)", or nothing where none of the forms was compiled.
 std::string compiled_text(const std::vector<std::string_view>& forms) {
   std::vector<std::string> words;
-  const auto pair = [](int alu, int transcendental) {
-    return std::to_string(alu) + "+" + std::to_string(transcendental);
-  };
+  const auto pair = [](int alu, int transcendental) { return fmt::format("{}+{}", alu, transcendental); };
   for (const std::string_view form : forms) {
     for (const CompiledCost& cost : compiled_costs) {
       if (cost.form != form) continue;
       const std::string nvidia = pair(cost.nvidia_alu, cost.nvidia_transcendental);
       const std::string amd = pair(cost.amd_alu, cost.amd_transcendental);
-      words.push_back(std::string(form) + " " + nvidia + (nvidia == amd ? "" : " and " + amd));
+      words.push_back(fmt::format("{} {}{}", form, nvidia, nvidia == amd ? "" : fmt::format(" and {}", amd)));
     }
   }
   if (words.empty()) return "";
-  return "; compilers emit, as vector arithmetic + transcendental instructions, " + enumerated(words) +
-         " (own measurement: " + std::string(nvidia_compiler) + "; " + std::string(amd_compiler) + ")";
+  return fmt::format(
+      ". Compilers emit, as vector arithmetic + transcendental instructions: {} (own measurement: {}; {})",
+      enumerated(words), nvidia_compiler, amd_compiler);
 }
 
 /// What a wrong count means: "1 instruction more than printed".
 std::string effect_of_count(double printed, int counted_total) {
   const double difference = counted_total - printed;
-  if (difference == 0) return "the number is right, the instructions are others";
-  return counted(std::lround(std::abs(difference)), "instruction") + (difference > 0 ? " more" : " fewer") +
-         " than printed";
+  if (difference == 0) return "the number is right, but the instructions differ";
+  return fmt::format("{}{} than printed", counted(std::lround(std::abs(difference)), "instruction"),
+                     difference > 0 ? " more" : " fewer");
 }
 
 /// The parts of a finding, joined as they come. A count changes no picture: what it means is the reason of a
@@ -103,14 +104,14 @@ struct Parts {
            const std::string& what = "") {
     verdicts.push_back(verdict);
     computed.push_back(value);
-    evidence += (evidence.empty() ? "" : "; ") + sentence;
+    evidence = sentences({evidence, sentence});
     if (!what.empty()) effect += (effect.empty() ? "" : "; ") + what;
   }
   Finding finding(const std::string& context) const {
     std::string values;
     for (const std::string& value : computed) values += (values.empty() ? "" : "; ") + value;
     return {worst(verdicts), values, evidence + context,
-            effect.empty() ? "none" : none_because("no value changes; " + effect)};
+            effect.empty() ? "none" : none_because(fmt::format("no value changes; {}", effect))};
   }
 };
 
@@ -123,9 +124,9 @@ Finding count_forms(const Claim& claim) {
     const Operations count = count_form(form);
     const PrintedCount printed = PrintedCount::of(claim, i);
     const bool is_right = printed.is(count);
-    parts.add(verdict_of(is_right), std::string(what) + ": " + with_total(count),
-              text_of_form(form) + " is " + with_total(count),
-              is_right ? "" : std::string(what) + ": " + effect_of_count(printed.total, count.total()));
+    parts.add(verdict_of(is_right), fmt::format("{}: {}", what, with_total(count)),
+              fmt::format("{} is {}", text_of_form(form), with_total(count)),
+              is_right ? "" : fmt::format("{}: {}", what, effect_of_count(printed.total, count.total())));
     forms.push_back(form);
   }
   return parts.finding(compiled_text(forms));
@@ -148,9 +149,11 @@ Verdict judge_count(const PrintedCount& printed, const Operations& as_written,
   return Verdict::refuted;
 }
 
-std::string conventions_text(std::span<const Convention> conventions) {
+/// "; with s + 1 given it is MAD, LOG2 (2), as printed".
+std::string conventions_text(const PrintedCount& printed, std::span<const Convention> conventions) {
   std::string out;
-  for (const auto& [name, count] : conventions) out += ", " + name + " " + with_total(count);
+  for (const auto& [name, count] : conventions)
+    out += fmt::format("; {} it is {}{}", name, with_total(count), printed.is(count) ? ", as printed" : "");
   return out;
 }
 
@@ -162,11 +165,12 @@ Finding mip_level_cost(const Claim& claim) {
   const Verdict verdict = judge_count(printed, count, conventions);
   Parts parts;
   parts.add(verdict, with_total(count),
-            text_of_form(form) + " is " + with_total(count) + conventions_text(conventions),
-            verdict == Verdict::confirmed
-                ? ""
-                : effect_of_count(printed.total, count.total()) + ": " +
-                      to_text(count - conventions.front().count) + " a pixel, unless s + 1 is stored");
+            fmt::format("{} is {}{}", text_of_form(form), with_total(count),
+                        conventions_text(printed, conventions)),
+            verdict == Verdict::confirmed ? ""
+                                          : fmt::format("{}: {} per pixel, unless s + 1 is stored",
+                                                        effect_of_count(printed.total, count.total()),
+                                                        to_text(count - conventions.front().count)));
   return parts.finding("");
 }
 
@@ -177,20 +181,21 @@ Finding power_four_cost(const Claim& claim) {
   const std::string_view form = claim.inputs.at("by exp2"), squared = claim.inputs.at("by squaring");
   const Operations count = count_form(form), scaled = count_form(form, with_scales);
   const Operations squaring = count_form(squared);
-  const std::array conventions{Convention{"with a free scale of the result", scaled},
-                               Convention{"with 1 - c given besides",
-                                          count_form(claim.inputs.at("by exp2, 1 - c given"), with_scales)}};
+  const std::array conventions{
+      Convention{"with a free scale of the result", scaled},
+      Convention{"with 1 - c also given", count_form(claim.inputs.at("by exp2, 1 - c given"), with_scales)}};
   const PrintedCount printed = PrintedCount::of(claim, 0), printed_squaring = PrintedCount::of(claim, 1);
   Parts parts;
   parts.add(judge_count(printed, count, conventions), with_total(count),
-            text_of_form(form) + " is " + with_total(count) + conventions_text(conventions));
+            fmt::format("{} is {}{}", text_of_form(form), with_total(count),
+                        conventions_text(printed, conventions)));
   parts.add(verdict_of(printed_squaring.is(squaring)), with_total(squaring),
-            text_of_form(squared) + " by squaring is " + with_total(squaring));
-  parts.effect = "with the subtraction on both sides the free scale leaves " +
-                 std::to_string(scaled.total()) + " against " + std::to_string(squaring.total()) +
-                 " by squaring: it saves " + counted(squaring.total() - scaled.total(), "instruction") +
-                 " where " + counted(std::lround(printed_squaring.total - printed.total), "instruction") +
-                 " is printed";
+            fmt::format("{} by squaring is {}", text_of_form(squared), with_total(squaring)));
+  parts.effect = fmt::format(
+      "with the subtraction counted on both sides it is {} with the free scale and {} by squaring. It "
+      "saves {}; the source says {}",
+      scaled.total(), squaring.total(), counted(squaring.total() - scaled.total(), "instruction"),
+      counted(std::lround(printed_squaring.total - printed.total), "instruction"));
   return parts.finding("");
 }
 
@@ -207,19 +212,19 @@ Finding light_cost(const Claim& claim) {
   const PrintedCount printed = PrintedCount::of(claim, 0);
   const bool is_right = printed.is(count);
   Parts parts;
-  parts.add(verdict_of(is_right), with_total(count),
-            "the last of " + counted(lights, "light") + ", " + text_of_form(form) + ", adds " +
-                with_total(count) + ", by " + text_of_form(other) + " " + with_total(pow) +
-                "; without dot products " + with_total(scalar) + " against " +
-                with_total(per_light(other, {})),
-            is_right ? "" : effect_of_count(printed.total, count.total()));
+  parts.add(
+      verdict_of(is_right), with_total(count),
+      fmt::format("the last of {}, {}, adds {}; with {} it adds {}. Without dot products they add {} and {}",
+                  counted(lights, "light"), text_of_form(form), with_total(count), text_of_form(other),
+                  with_total(pow), with_total(scalar), with_total(per_light(other, {}))),
+      is_right ? "" : effect_of_count(printed.total, count.total()));
   return parts.finding(compiled_text({form, other}));
 }
 
 Finding saved_cost(const Claim& claim) {
   const auto total = [&](std::string_view input) { return count_form(claim.inputs.at(input)).total(); };
   const auto from_to = [](int before, int after) {
-    return std::to_string(after) + " instructions instead of " + std::to_string(before);
+    return fmt::format("{} instructions instead of {}", after, before);
   };
   const auto percent = [](int before, int after) { return 100.0 * (before - after) / before; };
   const int pow = total("with pow"), gaussian = total("with the Gaussian");
@@ -228,13 +233,14 @@ Finding saved_cost(const Claim& claim) {
   const bool is_saved = number_of(claim.printed[0].value) == pow - gaussian;
   Parts parts;
   parts.add(verdict_of(is_saved), std::to_string(pow - gaussian),
-            "decode, lobe, normalisation and product are " + from_to(pow, gaussian),
+            fmt::format("decode, lobe, normalisation and product take {}", from_to(pow, gaussian)),
             is_saved ? "" : effect_of_count(number_of(claim.printed[0].value), pow - gaussian));
-  parts.add(judge(claim.printed[1].value, {"(1-c)^5", percent(fresnel_pow, one_term)}, {}).verdict,
-            decimal(percent(fresnel_pow, one_term), 4) + " %",
-            "(1-c)^5 is " + from_to(fresnel_pow, one_term) + ", " +
-                decimal(percent(fresnel_pow, one_term), 4) + " % less; the whole F0 + (1 - F0) (1-c)^5 is " +
-                from_to(whole_pow, whole) + ", " + decimal(percent(whole_pow, whole), 2) + " % less");
+  parts.add(
+      judge(claim.printed[1].value, {"(1-c)^5", percent(fresnel_pow, one_term)}, {}).verdict,
+      fmt::format("{:.4g} %", percent(fresnel_pow, one_term)),
+      fmt::format("(1-c)^5 takes {}: {:.4g} % less. The whole F0 + (1 - F0) (1-c)^5 takes {}: {:.2g} % less",
+                  from_to(fresnel_pow, one_term), percent(fresnel_pow, one_term), from_to(whole_pow, whole),
+                  percent(whole_pow, whole)));
   return parts.finding(
       compiled_text({claim.inputs.at("Fresnel with pow"), claim.inputs.at("Fresnel with one term")}));
 }

@@ -2,12 +2,12 @@
 
 #include "approx/lobe.hpp"
 #include "fit/errors/effect.hpp"
-#include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 
 std::string within(double gap, std::string_view tolerance) {
-  return gap <= number_of(tolerance) ? "within " + std::string(tolerance) : "to " + decimal(gap, 2);
+  return gap <= number_of(tolerance) ? fmt::format("within {}", tolerance) : fmt::format("to {:.2g}", gap);
 }
 
 std::string effect_of_power(double from, double to, std::string_view lead) {

@@ -10,6 +10,7 @@
 #include "fit/ledger/light/solid_angle.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -31,18 +32,18 @@ Finding evaluate_lambert(const Claim& claim) {
   const double beyond = mip_level_of_power(width, printed) - std::log2(width);
   const std::optional<Verdict> verdict =
       apart <= tolerance ? std::optional(verdict_of(gap <= tolerance)) : std::nullopt;
-  return {verdict, "power = " + decimal(found, 10),
-          "the last level, log2(w), is one texel of " + decimal(lobe_solid_angle(found), 10) +
-              " sr, which is the lobe of power " + decimal(found, 10) + " at " +
-              counted(static_cast<long>(widths.size()), "width") + " from " + decimal(widths.front(), 6) +
-              " to " + decimal(widths.back(), 6) + ", by the mean and by the closed form of a face " +
-              within(apart, claim.inputs.at("tolerance")) + "; the lobe of power " + decimal(printed, 6) +
-              " covers " + decimal(lobe_solid_angle(printed), 10) + " sr and lies " + decimal(beyond, 6) +
-              " levels beyond the last; with both lobes scaled to the same integral the peak is " +
-              decimal(lobe_solid_angle(printed) / lobe_solid_angle(found), 3) + " times as bright",
+  return {verdict, fmt::format("power = {:.10g}", found),
+          fmt::format(
+              "the last level, log2(w), is one texel of {:.10g} sr. That is the lobe of power {:.10g}, at {} "
+              "from {:.6g} to {:.6g}; the mean and the closed form of a face agree {}. The lobe of power "
+              "{:.6g} covers {:.10g} sr and lies {:.6g} levels beyond the last one. Scaled to the same "
+              "integral, its peak is {:.3g} times as bright",
+              lobe_solid_angle(found), found, counted(static_cast<long>(widths.size()), "width"),
+              widths.front(), widths.back(), within(apart, claim.inputs.at("tolerance")), printed,
+              lobe_solid_angle(printed), beyond, lobe_solid_angle(printed) / lobe_solid_angle(found)),
           gap <= tolerance
               ? "none"
-              : effect_of_power(printed, found, "c^" + decimal(found, 3) + " for c^" + decimal(printed, 3))};
+              : effect_of_power(printed, found, fmt::format("c^{:.3g} for c^{:.3g}", found, printed))};
 }
 
 /// A way to read "unblurred", and the power from which on it holds.
@@ -54,7 +55,7 @@ std::vector<Alternative> readings_of_unblurred(const Claim& claim) {
       {"a lobe that covers a texel at a face's centre", power_that_covers(texel_solid_angle(0.0, 0.0, size))},
       {"a lobe that covers a corner texel", power_that_covers(texel_solid_angle(1 - size, 1 - size, size))}};
   for (const double folds : parse_sweep(claim.inputs.at("falls by e to the minus"))) {
-    readings.push_back({"a lobe that has fallen to e^-" + decimal(folds, 3) + " at the next texel",
+    readings.push_back({fmt::format("a lobe that has fallen to e^-{:.3g} at the next texel", folds),
                         power_that_falls(folds, size)});
   }
   return readings;
@@ -69,23 +70,27 @@ Finding evaluate_mean_power(const Claim& claim) {
   std::vector<Alternative> readings = readings_of_unblurred(claim);
   std::vector<std::string> words;
   for (Alternative& reading : readings) {
-    words.push_back(decimal(reading.value, 6) + " for " + reading.objective);
+    words.push_back(fmt::format("{:.6g} for {}", reading.value, reading.objective));
     reading.value /= unit;
   }
   // The source names no criterion, so each reading is a convention that the digits may come from.
   const Judgement closest = judge(leading, readings.front(), std::span(readings).subspan(1));
   const double s = number_of(printed);
-  std::string evidence = "s = " + enumerated(words) + "; at " + decimal(s, 6) + " the lobe covers " +
-                         decimal(lobe_solid_angle(s) / mean_texel_solid_angle(width, 0.0), 4) +
-                         " mean texels and belongs to level " + decimal(mip_level_of_power(width, s), 3);
+  std::string evidence =
+      fmt::format("s = {}. At s = {:.6g} the lobe covers {:.4g} mean texels and belongs to level {:.3g}",
+                  enumerated(words), s, lobe_solid_angle(s) / mean_texel_solid_angle(width, 0.0),
+                  mip_level_of_power(width, s));
   if (closest.verdict == Verdict::other_objective)
-    evidence += "; of these " + counted(static_cast<long>(readings.size()), "reading") + " the first " +
-                counted(static_cast<long>(digits), "printed digit") + " are those of " + closest.objective;
+    evidence += fmt::format(". Among these {} the first {} are those of {}",
+                            counted(static_cast<long>(readings.size()), "reading"),
+                            counted(static_cast<long>(digits), "printed digit"), closest.objective);
   const double covering = readings.front().value * unit;
-  return {closest.verdict, "power = " + decimal(closest.value * unit, 6), evidence,
-          effect_of_power(s, covering,
-                          "an unfiltered level 0, whose mean texel is a lobe of power " +
-                              decimal(covering, 6) + ", in the place of " + decimal(s, 6))};
+  return {
+      closest.verdict, fmt::format("power = {:.6g}", closest.value * unit), evidence,
+      effect_of_power(
+          s, covering,
+          fmt::format("an unfiltered level 0, whose mean texel is a lobe of power {:.6g}, instead of {:.6g}",
+                      covering, s))};
 }
 
 Finding evaluate_power_range(const Claim& claim) {
@@ -93,21 +98,23 @@ Finding evaluate_power_range(const Claim& claim) {
   const auto steps = [](double bits) { return std::exp2(bits) - 1; };
   const double step = relative_gloss_step(input("octaves"), steps(input("bits")));
   const double range = std::log2(input("most") / input("least"));
-  const auto percent = [](double share) { return decimal(100 * share, 5) + " %"; };
+  const auto percent = [](double share) { return fmt::format("{:.5g} %", 100 * share); };
   const double middle = decode_gloss(0.5, input("octaves"), input("first octave"));
-  const auto bits = [&](std::string_view name) { return std::string(claim.inputs.at(name)) + " bits"; };
+  const auto bits = [&](std::string_view name) { return fmt::format("{} bits", claim.inputs.at(name)); };
   const double lowest = decode_gloss(0.0, input("octaves"), input("first octave"));
   const double highest = decode_gloss(1.0, input("octaves"), input("first octave"));
   return {
-      judge(claim.printed[0].value, {"", 100 * step}, {}).verdict, "step = " + percent(step),
-      "a gloss of " + bits("bits") + " over [" + decimal(lowest, 6) + ", " + decimal(highest, 6) +
-          "] steps by " + percent(step) + " of the power; over the " + decimal(range, 4) + " octaves from " +
-          decimal(input("least"), 6) + " to " + decimal(input("most"), 6) + " by " +
-          percent(relative_gloss_step(range, steps(input("bits")))) + ", with " + bits("more bits") + " by " +
-          percent(relative_gloss_step(range, steps(input("more bits")))) +
-          "; a power stored as a whole number of " + bits("bits") + " steps by " + percent(1) +
-          " at 1, ends at " + decimal(steps(input("bits")), 6) + " and has no power below 1",
-      effect_of_power(middle, middle * (1 + step), "one step of the gloss at power " + decimal(middle, 4))};
+      judge(claim.printed[0].value, {"", 100 * step}, {}).verdict, fmt::format("step = {}", percent(step)),
+      fmt::format(
+          "one step of a gloss of {} over [{:.6g}, {:.6g}] changes the power by {}. Over the {:.4g} "
+          "octaves from {:.6g} to {:.6g} a step changes it by {}; with {} by {}. A power stored as a whole "
+          "number of {} changes by {} at 1, ends at {:.6g} and cannot be below 1",
+          bits("bits"), lowest, highest, percent(step), range, input("least"), input("most"),
+          percent(relative_gloss_step(range, steps(input("bits")))), bits("more bits"),
+          percent(relative_gloss_step(range, steps(input("more bits")))), bits("bits"), percent(1),
+          steps(input("bits"))),
+      effect_of_power(middle, middle * (1 + step),
+                      fmt::format("one step of the gloss at power {:.4g}", middle))};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "fit/scalars/binary_logarithm.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -46,15 +47,15 @@ std::vector<double> powers(const Claim& claim) {
 }
 
 std::string agreement(const Decimal50& a, const Decimal50& b) {
-  return (abs(a - b) < truths_agree ? "agree below " : "differ by more than ") + decimal(truths_agree, 1);
+  return fmt::format("{}{:.1g}", abs(a - b) < truths_agree ? "agree below " : "differ by more than ",
+                     truths_agree);
 }
 
 /// "17 glosses from 0 to 1 (powers 2 to 2048)"
 std::string glosses(const Claim& claim) {
   const auto all = powers(claim);
-  return std::to_string(all.size()) + " glosses from " + std::string(claim.inputs.at("from")) + " to " +
-         std::string(claim.inputs.at("to")) + " (powers " + decimal(all.front(), 6) + " to " +
-         decimal(all.back(), 6) + ")";
+  return fmt::format("{} glosses from {} to {} (powers {:.6g} to {:.6g})", all.size(),
+                     claim.inputs.at("from"), claim.inputs.at("to"), all.front(), all.back());
 }
 
 /// What decoding to M with the printed constant does to exp2(M c - M), at the gloss where it is most.
@@ -71,8 +72,8 @@ std::string effect_on_lobe(const Claim& claim, double ratio) {
         {"power ", exponent});
   }
   return sentence(most, "the lobe",
-                  "every power is " + decimal(std::abs(ratio - 1), 2) + " of itself too " +
-                      (ratio < 1 ? "low" : "high") + ", which over " + glosses(claim));
+                  fmt::format("every power is too {1} by {0:.2g} of itself, which over {2}",
+                              std::abs(ratio - 1), ratio < 1 ? "low" : "high", glosses(claim)));
 }
 
 Finding log2_constant(const Claim& claim) {
@@ -82,13 +83,14 @@ Finding log2_constant(const Claim& claim) {
   const Quantity& printed = claim.printed[0];
   // 2^(10 g + constant) over 2^(10 g + first)/ln 2
   const Decimal50 ratio = exp2(Decimal50(constant<Decimal50>(printed.value) - exact));
-  return {
-      judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))), decimal(rounded(exact), 10),
-      decimal(rounded(first), 4) + " + log2(1/ln 2) = " + decimal(rounded(exact), 10) +
-          " at 50 digits, by the natural logarithm and by squaring, which " + agreement(exact, other) +
-          "; it decodes " + glosses(claim) + " to M = " + decimal(base_two_power(powers(claim).front()), 6) +
-          " to " + decimal(base_two_power(powers(claim).back()), 6),
-      effect_on_lobe(claim, rounded(ratio))};
+  return {judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))),
+          decimal(rounded(exact), 10),
+          fmt::format(
+              "{:.4g} + log2(1/ln 2) = {:.10g} at 50 digits. The natural logarithm and repeated squaring {}. "
+              "The constant decodes {} to M = {:.6g} to {:.6g}",
+              rounded(first), rounded(exact), agreement(exact, other), glosses(claim),
+              base_two_power(powers(claim).front()), base_two_power(powers(claim).back())),
+          effect_on_lobe(claim, rounded(ratio))};
 }
 
 /// What a printed factor does to the normalisation, at the gloss where it is most.
@@ -102,21 +104,20 @@ std::string effect_on_normalisation(const Claim& claim, double factor, double co
   const auto all = powers(claim);
   const double worst =
       *std::max_element(all.begin(), all.end(), [&](double a, double b) { return off(a) < off(b); });
-  return effect_of_factor(
-      printed(worst), game_normalisation(worst),
-      "the normalisation is furthest off at the power " + decimal(worst, 5) + ", where it");
+  return effect_of_factor(printed(worst), game_normalisation(worst),
+                          fmt::format("the normalisation is worst at the power {:.5g}, where it", worst));
 }
 
 Finding ln2_over_eight(const Claim& claim) {
   const auto exact = base_two_normalisation_factor<Decimal50>();
   const Decimal50 other = 1 / (8 * log2_by_squares(exp(Decimal50(1))));
   const Quantity& printed = claim.printed[0];
-  return {judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))),
-          decimal(rounded(exact), 10),
-          "ln 2/8 = " + decimal(rounded(exact), 10) +
-              " at 50 digits; the constant and the binary logarithm of e by squaring " +
-              agreement(exact, other) + "; it normalises " + glosses(claim),
-          effect_on_normalisation(claim, number_of(printed.value), game_normalisation(0.0))};
+  return {
+      judge_known_to(printed.value, rounded(exact), rounded(abs(exact - other))), decimal(rounded(exact), 10),
+      fmt::format("ln 2/8 = {:.10g} at 50 digits. The constant and the binary logarithm of e, by repeated "
+                  "squaring, {}. It normalises {}",
+                  rounded(exact), agreement(exact, other), glosses(claim)),
+      effect_on_normalisation(claim, number_of(printed.value), game_normalisation(0.0))};
 }
 
 Finding gloss_decode(const Claim& claim) {
@@ -133,18 +134,19 @@ Finding gloss_decode(const Claim& claim) {
   const std::array parts{judge_known_to(claim.printed.at("lowest"), rounded(lowest), 0),
                          judge_known_to(claim.printed.at("highest"), rounded(highest), 0)};
   const auto exactly = [](const Decimal50& s) {
-    return std::string(s == floor(s) ? "exactly " : "") + decimal(rounded(s), 10);
+    return fmt::format("{}{:.10g}", s == floor(s) ? "exactly " : "", rounded(s));
   };
-  return {worst(parts),
-          "lowest = " + decimal(rounded(lowest), 10) + ", highest = " + decimal(rounded(highest), 10),
-          "s is " + exactly(lowest) + " at g = " + std::string(claim.inputs.at("from")) + " and " +
-              exactly(highest) + " at g = " + std::string(claim.inputs.at("to")) + ", and " +
-              (ratio > 1 ? "rises" : "does not rise") + " between: " + counted(std::lround(steps), "step") +
-              " of a stored gloss, each times " + decimal(ratio, 6),
-          sentences(
-              {effect_of_power(rounded(lowest), number_of(claim.printed.at("lowest")), "at the lowest gloss"),
-               effect_of_power(rounded(highest), number_of(claim.printed.at("highest")),
-                               "at the highest gloss")})};
+  return {
+      worst(parts), fmt::format("lowest = {:.10g}, highest = {:.10g}", rounded(lowest), rounded(highest)),
+      fmt::format(
+          "s is {} at g = {} and {} at g = {}, and {} between. A stored gloss has {}; each multiplies s by "
+          "{:.6g}",
+          exactly(lowest), claim.inputs.at("from"), exactly(highest), claim.inputs.at("to"),
+          ratio > 1 ? "rises" : "does not rise", counted(std::lround(steps), "step"), ratio),
+      sentences(
+          {effect_of_power(rounded(lowest), number_of(claim.printed.at("lowest")), "at the lowest gloss"),
+           effect_of_power(rounded(highest), number_of(claim.printed.at("highest")),
+                           "at the highest gloss")})};
 }
 
 /// Two sides of an identity at the places of a claim: the largest difference, and whether it is rounding.
@@ -159,13 +161,13 @@ struct Sides {
   }
   /// "agree below 1e-45 of themselves", or by how much they differ
   std::string words(const Claim& claim) const {
-    return agree(claim) ? "agree below " + std::string(claim.inputs.at("agreement"))
-                        : "differ by up to " + decimal(rounded(difference), 3);
+    return agree(claim) ? fmt::format("agree below {}", claim.inputs.at("agreement"))
+                        : fmt::format("differ by up to {:.3g}", rounded(difference));
   }
 };
 
 std::string domain(const Claim& claim) {
-  return "[" + std::string(claim.inputs.at("from")) + ", " + std::string(claim.inputs.at("to")) + "]";
+  return fmt::format("[{}, {}]", claim.inputs.at("from"), claim.inputs.at("to"));
 }
 
 Finding exp2_identity(const Claim& claim) {
@@ -178,8 +180,8 @@ Finding exp2_identity(const Claim& claim) {
     sides.compare(roots.exp2(a / ln2<Decimal50>()) / truth, 1);
   }
   return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
-          "at " + counted(std::ssize(all), "place") + " a of " + domain(claim) + " both sides " +
-              sides.words(claim) + " of themselves, with 2^x from square roots of 2 alone"};
+          fmt::format("at {} a of {} both sides {}, relative. Here 2^x comes from square roots of 2 only",
+                      counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
 }
 
 Finding normalised_mad(const Claim& claim) {
@@ -192,11 +194,12 @@ Finding normalised_mad(const Claim& claim) {
   }
   const std::string_view printed = claim.inputs.at("factor");
   const std::array parts{verdict_of(sides.agree(claim)), judge(printed, {"", rounded(factor)}, {}).verdict};
-  return {worst(parts), identity_if(worst(parts)),
-          "with the factor ln 2/8 = " + decimal(rounded(factor), 10) + " both sides " + sides.words(claim) +
-              " of themselves at " + glosses(claim) + "; " + std::string(printed) + " is off by " +
-              decimal(number_of(printed) - rounded(factor), 2),
-          effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
+  return {
+      worst(parts), identity_if(worst(parts)),
+      fmt::format(
+          "with the factor ln 2/8 = {:.10g} both sides {}, relative, at {}. The printed {} is off by {:.2g}",
+          rounded(factor), sides.words(claim), glosses(claim), printed, number_of(printed) - rounded(factor)),
+      effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
 }
 
 /// What c = exp(log(c)) becomes with it.
@@ -221,16 +224,17 @@ Finding log2_first(const Claim& claim) {
     formulas.compare(misprinted_log_by_log2(roots.exp2(u)) - log(roots.exp2(u)), excess(u));
   }
   const double peak = exp(misprinted_log_by_log2(1.0));
-  return {formulas.agree(claim) ? std::optional(verdict_of(sides.agree(claim))) : std::nullopt,
-          "only at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6),
-          "at " + counted(std::ssize(all), "place") + " a = 2^u the sides " + sides.words(claim) +
-              ": log2(a ln 2) - log(a) is " + decimal(rounded(excess(all.front())), 4) + " at a = 2^" +
-              decimal(rounded(all.front()), 6) + ", " + decimal(rounded(excess(all.back())), 4) +
-              " at a = 2^" + decimal(rounded(all.back()), 6) +
-              " and 0 at a = " + decimal(rounded(misprinted_log_is_right_at<Decimal50>()), 6) +
-              " alone; c^k computed with it as exp(k log(c)) peaks at " + decimal(peak, 3) +
-              "^k instead of 1, the darker the higher the power",
-          sentence(effect_of_misprinted_log(), "the curve", "at k = 1 c^k computed with it")};
+  return {
+      formulas.agree(claim) ? std::optional(verdict_of(sides.agree(claim))) : std::nullopt,
+      fmt::format("only at a = {:.6g}", rounded(misprinted_log_is_right_at<Decimal50>())),
+      fmt::format(
+          "at {} a = 2^u the sides {}. log2(a ln 2) - log(a) is {:.4g} at a = 2^{:.6g}, {:.4g} at a = "
+          "2^{:.6g} and 0 only at a = {:.6g}. exp(k log(c)) with this logarithm peaks at {:.3g}^k instead "
+          "of 1: the higher the power, the darker the highlight",
+          counted(std::ssize(all), "place"), sides.words(claim), rounded(excess(all.front())),
+          rounded(all.front()), rounded(excess(all.back())), rounded(all.back()),
+          rounded(misprinted_log_is_right_at<Decimal50>()), peak),
+      sentence(effect_of_misprinted_log(), "the curve", "at k = 1 c^k computed with it")};
 }
 
 Finding log2_second(const Claim& claim) {
@@ -246,9 +250,10 @@ Finding log2_second(const Claim& claim) {
     }
   }
   return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
-          "at a = 2^u and 2^u/3, " + counted(std::ssize(all), "place") + " u of " + domain(claim) +
-              ", both sides " + sides.words(claim) +
-              " of the larger of 1 and themselves, with log2 by squaring alone"};
+          fmt::format(
+              "at a = 2^u and 2^u/3, {} u of {}, both sides {}, relative to the larger of 1 and themselves. "
+              "Here log2 comes from repeated squaring only",
+              counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
 }
 
 }  // namespace

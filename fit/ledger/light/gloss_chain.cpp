@@ -9,6 +9,7 @@
 #include "approx/environment_map.hpp"
 #include "fit/ledger/light/agreement.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 /// The powers of a chain, the finest level first.
 std::string series(const std::vector<double>& powers) {
   std::string out;
-  for (const double s : powers) out += (out.empty() ? "" : " ") + decimal(s, 6);
+  for (const double s : powers) out += fmt::format("{}{:.6g}", out.empty() ? "" : " ", s);
   return out;
 }
 
@@ -56,11 +57,11 @@ std::string effect_of(const Places& places, std::string_view maker) {
   if (places.wrong == 0) return "none";
   if (places.wanted == 0) return none_because("the series have different lengths");
   const double found = places.wanted * places.worst;
-  return effect_of_power(places.wanted, found,
-                         std::string(maker) + " makes " + counted(places.wrong, "level") +
-                             " for another power, up to " + decimal(places.worst, 4) +
-                             " times the one meant: the lobe of power " + decimal(found, 4) +
-                             " for that of " + decimal(places.wanted, 4));
+  return effect_of_power(
+      places.wanted, found,
+      fmt::format("{} makes {} for a wrong power, up to {:.4g} times the right one: the lobe of power {:.4g} "
+                  "instead of {:.4g}",
+                  maker, counted(places.wrong, "level"), places.worst, found, places.wanted));
 }
 
 /// The powers for which the levels of a chain are made. `is_whole_quotient`: level / (levels - 1) as the
@@ -120,7 +121,7 @@ std::string runs_of(const std::vector<int>& codes) {
   for (std::size_t i = 0; i < codes.size();) {
     std::size_t last = i;
     while (last + 1 < codes.size() && codes[last + 1] == codes[last] + 1) ++last;
-    runs.push_back(std::to_string(codes[i]) + (last > i ? " to " + std::to_string(codes[last]) : ""));
+    runs.push_back(fmt::format("{}{}", codes[i], last > i ? fmt::format(" to {}", codes[last]) : ""));
     i = last + 1;
   }
   return runs.empty() ? "none" : enumerated(runs);
@@ -141,11 +142,11 @@ Finding evaluate_gloss_chain(const Claim& claim) {
                           : formula.wrong == 0 ? Verdict::conditional
                                                : Verdict::refuted;
   return {verdict, series(by_formula),
-          "with a quotient of real numbers the " + counted(levels, "level") + " are made for " +
-              series(by_formula) + ", " + number(formula.right) + " of the " +
-              counted(static_cast<long>(claim.printed.size()), "power") +
-              " printed; the loop as printed divides integers and makes them for " + series(by_loop) + ", " +
-              number(loop.right) + " of them",
+          fmt::format(
+              "with a floating-point division the {} are made for {}: {} of the {} printed. The loop as "
+              "printed divides integers and makes them for {}: {} of the printed ones",
+              counted(levels, "level"), series(by_formula), number(formula.right),
+              counted(static_cast<long>(claim.printed.size()), "power"), series(by_loop), number(loop.right)),
           effect_of(loop, "the loop as printed")};
 }
 
@@ -153,11 +154,12 @@ Finding evaluate_sphere_powers(const Claim& claim) {
   const int spheres = static_cast<int>(given(claim, "spheres"));
   const auto powers = gloss_chain(spheres, given(claim, "octaves"), given(claim, "first octave"), false);
   const Places places = compare_with_printed(claim.printed, powers);
-  return {verdict_of(places.wrong == 0), series(powers),
-          counted(spheres, "sphere") + " with glosses from 1 to 0 in steps of " +
-              decimal(1.0 / (spheres - 1), 6) + " have the powers " + series(powers) + ": " +
-              counted(places.right, "power") + " as printed, " + number(places.wrong) + " not",
-          effect_of(places, "the series")};
+  return {
+      verdict_of(places.wrong == 0), series(powers),
+      fmt::format("{} with glosses from 1 to 0 in steps of {:.6g} have the powers {}: {} as printed, {} not",
+                  counted(spheres, "sphere"), 1.0 / (spheres - 1), series(powers),
+                  counted(places.right, "power"), number(places.wrong)),
+      effect_of(places, "the series")};
 }
 
 Finding evaluate_power_drop(const Claim& claim) {
@@ -171,11 +173,12 @@ Finding evaluate_power_drop(const Claim& claim) {
     return decimal(decode_gloss(gloss_of_level<double>(1, count) - 1, given(claim, "octaves"), 0.0), 4);
   };
   return {verdict_of(places.wrong == 0), series(powers),
-          "the series is " + series(powers) + " and goes on with " +
-              decimal(power_after_drops(first, drop, levels), 6) + "; a gloss of " +
-              std::string(claim.inputs.at("octaves")) + " octaves drops by " + drop_of_gloss(levels) +
-              " a level over " + counted(levels, "level") + ", by " + drop_of_gloss(levels + 2) + " over " +
-              counted(levels + 2, "level"),
+          fmt::format(
+              "the series is {} and continues with {:.6g}. A gloss of {} octaves drops by {} per level over "
+              "{}, and by {} over {}",
+              series(powers), power_after_drops(first, drop, levels), claim.inputs.at("octaves"),
+              drop_of_gloss(levels), counted(levels, "level"), drop_of_gloss(levels + 2),
+              counted(levels + 2, "level")),
           effect_of(places, "the series")};
 }
 
@@ -190,21 +193,21 @@ Finding evaluate_mip_select(const Claim& claim) {
                               : Verdict::refuted;
   const std::string_view steps = claim.inputs.at("gloss steps that count as found");
   const double found = printed.wanted * printed.worst_ratio;
-  return {verdict, "found / wanted = " + decimal(printed.worst_ratio, 4) + " at worst",
-          "of the " + counted(codes, "gloss code") + " the power is found within " +
-              (steps == "1" ? "one code's step" : std::string(steps) + " of a code's step") + " at " +
-              runs_of(printed.found) + "; at worst, code " + std::to_string(printed.worst_code) +
-              ", it finds " + decimal(found, 4) + " where " + decimal(printed.wanted, 4) + " is wanted, " +
-              decimal(printed.worst_ratio, 4) +
-              " of it; a shader that multiplies by levels - 1 = " + decimal(levels - 1, 3) + " finds it at " +
-              counted(static_cast<long>(inverse.found.size()), "code") +
-              "; at the worst the reflection is as wide as " +
-              decimal(lobe_solid_angle(found) / lobe_solid_angle(printed.wanted), 3) +
-              " times the solid angle meant",
-          verdict == Verdict::confirmed ? "none"
-                                        : effect_of_power(printed.wanted, found,
-                                                          "the lobe of power " + decimal(found, 4) +
-                                                              " for that of " + decimal(printed.wanted, 4))};
+  return {verdict, fmt::format("found / wanted = {:.4g} at worst", printed.worst_ratio),
+          fmt::format(
+              "among {} the shader finds the power within {} at {}. The worst is code {}: it finds {:.4g} "
+              "instead of {:.4g}, {:.4g} times it. A shader that multiplies by levels - 1 = {:.3g} finds the "
+              "power at {}. At worst the reflection covers {:.3g} times the right solid angle",
+              counted(codes, "gloss code"),
+              steps == "1" ? "one code's step" : fmt::format("{} of a code's step", steps),
+              runs_of(printed.found), printed.worst_code, found, printed.wanted, printed.worst_ratio,
+              levels - 1, counted(static_cast<long>(inverse.found.size()), "code"),
+              lobe_solid_angle(found) / lobe_solid_angle(printed.wanted)),
+          verdict == Verdict::confirmed
+              ? "none"
+              : effect_of_power(
+                    printed.wanted, found,
+                    fmt::format("the lobe of power {:.4g} instead of {:.4g}", found, printed.wanted))};
 }
 
 }  // namespace shadefit

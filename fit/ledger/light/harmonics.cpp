@@ -14,6 +14,7 @@
 #include "fit/ledger/topics.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -97,18 +98,19 @@ Finding evaluate_basis(const Claim& claim) {
     verdicts.push_back(judge_known_to(printed.value, 1 / std::sqrt(products.norm[band]), error));
     for (std::size_t i = band * band; i < (band + 1) * (band + 1); ++i)
       gap = std::max(gap, std::abs(products.norm[i] * exact * exact - 1));
-    computed.push_back(std::string(printed.name) + " = " + decimal(exact, 10));
-    norms.push_back("1 " + std::string(stated < exact ? "- " : "+ ") +
-                    decimal(std::abs(stated * stated / (exact * exact) - 1), 3));
+    computed.push_back(fmt::format("{} = {:.10g}", printed.name, exact));
+    norms.push_back(fmt::format("1 {}{:.3g}", stated < exact ? "- " : "+ ",
+                                std::abs(stated * stated / (exact * exact) - 1)));
     effects.push_back(effect_of_factor(stated, exact, printed.name));
   }
   if (products.error > number_of(tolerance)) verdicts.push_back(std::nullopt);
   verdicts.push_back(verdict_of(gap <= number_of(tolerance) || products.error > number_of(tolerance)));
   return {worst(verdicts), enumerated(computed),
-          "sqrt(1/(4 pi)) = " + decimal(closed_forms[0], 10) +
-              " and sqrt(3/(4 pi)) = " + decimal(closed_forms[1], 10) +
-              " make the four functions orthonormal " + within(std::max(gap, products.error), tolerance) +
-              ", by two rules; the printed factors leave squared norms of " + enumerated(norms),
+          fmt::format(
+              "sqrt(1/(4 pi)) = {:.10g} and sqrt(3/(4 pi)) = {:.10g} make the four functions orthonormal {}, "
+              "by two rules. With the printed factors the squared norms are {}",
+              closed_forms[0], closed_forms[1], within(std::max(gap, products.error), tolerance),
+              enumerated(norms)),
           sentences(effects)};
 }
 
@@ -122,13 +124,14 @@ Finding evaluate_memory(const Claim& claim) {
   const Verdict verdict = units_off(printed, decimal_megabytes) == 0  ? Verdict::confirmed
                           : units_off(printed, binary_megabytes) == 0 ? Verdict::other_objective
                                                                       : Verdict::refuted;
-  const std::string sizes = decimal(decimal_megabytes, 6) + " MB of 10^6 bytes, " +
-                            decimal(binary_megabytes, 6) + " MiB of 2^20 bytes";
-  return {
-      verdict, sizes,
-      decimal(static_cast<double>(bits) / 8, 6) + " bytes a pixel, " +
-          decimal(static_cast<double>(bytes), 10) + " bytes, are " + sizes +
-          (verdict == Verdict::other_objective ? "; the printed digits are those of binary megabytes" : "")};
+  const std::string sizes =
+      fmt::format("{:.6g} MB of 10^6 bytes, {:.6g} MiB of 2^20 bytes", decimal_megabytes, binary_megabytes);
+  return {verdict, sizes,
+          fmt::format("{:.6g} bytes per pixel are {:.10g} bytes in all: {}{}", static_cast<double>(bits) / 8,
+                      static_cast<double>(bytes), sizes,
+                      verdict == Verdict::other_objective
+                          ? ". The printed digits are those of the other objective: binary megabytes"
+                          : "")};
 }
 
 /// What the first bands keep of the clamped cosine.
@@ -155,7 +158,7 @@ std::string effect_of_keeping(const Kept& kept, std::string_view coefficients) {
                 {{"theta = ", static_cast<double>(degrees), " degrees"}});
   }
   return sentence(effect, "the light on a white surface",
-                  "keeping " + std::string(coefficients) + " coefficients");
+                  fmt::format("keeping {} coefficients", coefficients));
 }
 
 /// Bands 0 .. bands - 1, from moments by two rules beside their closed form.
@@ -181,7 +184,7 @@ std::string as_fraction(double value) {
   for (int denominator = 1; denominator <= 4096; ++denominator) {
     const double numerator = std::round(value * denominator);
     if (std::abs(numerator / denominator - value) <= 1e-12)
-      return decimal(numerator, 6) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
+      return fmt::format("{:.6g}{}", numerator, denominator == 1 ? "" : fmt::format("/{}", denominator));
   }
   return decimal(value, 6);
 }
@@ -215,23 +218,25 @@ Finding evaluate_loss(const Claim& claim) {
   const std::optional<Verdict> parts[] = {agreement.verdict(number_of(tolerance)), verdict_of(is_little),
                                           verdict_of(is_closer)};
   const auto words = [](const Kept& kept, std::string_view coefficients) {
-    return std::string(coefficients) + " coefficients keep " + as_fraction(kept.energy) + " = " +
-           decimal(kept.energy, 6) + " of the energy of the clamped cosine and " + as_fraction(kept.peak) +
-           " of its value facing the light";
+    return fmt::format(
+        "{} coefficients keep {} = {:.6g} of the energy of the clamped cosine, and {} of its value facing "
+        "the light",
+        coefficients, as_fraction(kept.energy), kept.energy, as_fraction(kept.peak));
   };
   const int enough = bands_within_a_code(64);
-  return {worst(parts), "energy kept = " + as_fraction(few.energy) + " and " + as_fraction(more.energy),
-          words(few, claim.inputs.at("coefficients")) + ", " +
-              words(more, claim.inputs.at("more coefficients")) + ", by closed forms that two rules meet " +
-              within(agreement.gap, tolerance) + "; a little is read as at most " + decimal(little, 3) +
-              " of the energy; read as one 8-bit sRGB code facing the light it would take " +
-              decimal(enough * enough, 6) + " coefficients; facing the light white drops by " +
-              decimal(srgb_code(1.0) - srgb_code(few.peak), 3) + " such codes with " +
-              std::string(claim.inputs.at("coefficients")) + " and is too bright by " +
-              decimal(100 * (more.peak - 1), 3) + " % with " +
-              std::string(claim.inputs.at("more coefficients")),
-          sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
-                     effect_of_keeping(more, claim.inputs.at("more coefficients"))})};
+  return {
+      worst(parts), fmt::format("energy kept = {} and {}", as_fraction(few.energy), as_fraction(more.energy)),
+      fmt::format(
+          "{}. {}. The closed forms and two rules agree {}. A little is read as at most {:.3g} of the "
+          "energy. An error below one 8-bit sRGB code facing the light would take {:.6g} coefficients. "
+          "Facing the light white drops by {:.3g} codes with {} coefficients and is too bright by {:.3g} % "
+          "with {}",
+          words(few, claim.inputs.at("coefficients")), words(more, claim.inputs.at("more coefficients")),
+          within(agreement.gap, tolerance), little, static_cast<double>(enough * enough),
+          srgb_code(1.0) - srgb_code(few.peak), claim.inputs.at("coefficients"), 100 * (more.peak - 1),
+          claim.inputs.at("more coefficients")),
+      sentences({effect_of_keeping(few, claim.inputs.at("coefficients")),
+                 effect_of_keeping(more, claim.inputs.at("more coefficients"))})};
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -24,7 +25,7 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
 
 std::string from_to(const std::vector<double>& numbers) {
-  return "from " + decimal(numbers.front(), 6) + " to " + decimal(numbers.back(), 6);
+  return fmt::format("from {:.6g} to {:.6g}", numbers.front(), numbers.back());
 }
 
 /// The widest half-angle at which the plain form, in half precision, has lost the whole cap.
@@ -40,8 +41,9 @@ Eigen::half widest_lost_cap() {
 /// "in half precision the form gives 0 up to ..".
 std::string lost_caps() {
   const Eigen::half lost = widest_lost_cap();
-  return "in half precision the form gives 0 up to phi = " + decimal(widened(lost) / degree, 3) +
-         " degrees, where 4 pi sin^2(phi/2) gives " + decimal(widened(cap_solid_angle_near_axis(lost)), 3);
+  return fmt::format(
+      "In half precision the form gives 0 up to phi = {:.3g} degrees, where 4 pi sin^2(phi/2) gives {:.3g}",
+      widened(lost) / degree, widened(cap_solid_angle_near_axis(lost)));
 }
 
 /// What half precision makes of the form, at every half-angle that is a half from 2^-6, a degree, to pi.
@@ -99,7 +101,7 @@ double compare_texel(double x, double y, double size, Agreement& agreement) {
 std::string effect_of_texel(double mean, double ratio, const std::string& where) {
   const double wanted = power_of_solid_angle(mean);
   return effect_of_power(wanted, power_of_solid_angle(ratio * mean),
-                         where + " the power of the texel in the place of " + decimal(wanted, 4));
+                         fmt::format("{} the power of the texel instead of {:.4g}", where, wanted));
 }
 
 /// The level at which a mean texel covers what the lobe covers, by bisection: a texel doubles its edge with
@@ -124,12 +126,13 @@ Finding evaluate_cap(const Claim& claim) {
     agreement.compare(cap_solid_angle(phi * degree), gauss_kronrod(ring, 0, phi * degree, rule_tolerance),
                       tanh_sinh(ring, 0, phi * degree, rule_tolerance));
   }
-  return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
-          "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
-              counted(static_cast<long>(degrees.size()), "half-angle") + " " + from_to(degrees) +
-              " degrees; the last one covers " + decimal(cap_solid_angle(degrees.back() * degree), 10) +
-              " sr; " + lost_caps(),
-          effect_of_cap()};
+  return {
+      agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
+      fmt::format(
+          "two rules agree with the form {}, relative, at {} {} degrees. The last one covers {:.10g} sr. {}",
+          within(agreement.gap, tolerance), counted(static_cast<long>(degrees.size()), "half-angle"),
+          from_to(degrees), cap_solid_angle(degrees.back() * degree), lost_caps()),
+      effect_of_cap()};
 }
 
 Finding evaluate_lobe(const Claim& claim) {
@@ -138,10 +141,11 @@ Finding evaluate_lobe(const Claim& claim) {
   Agreement agreement;
   for (const double exponent : exponents) compare_lobe(exponent, agreement);
   return {agreement.verdict(number_of(tolerance)), identity_if(agreement.verdict(number_of(tolerance))),
-          "two rules agree with the form " + within(agreement.gap, tolerance) + " of it at " +
-              counted(static_cast<long>(exponents.size()), "power") + " " + from_to(exponents) +
-              ", where the lobe covers " + decimal(lobe_solid_angle(exponents.front()), 10) + " and " +
-              decimal(lobe_solid_angle(exponents.back()), 10) + " sr"};
+          fmt::format(
+              "two rules agree with the form {}, relative, at {} {}. At the ends the lobe covers {:.10g} and "
+              "{:.10g} sr",
+              within(agreement.gap, tolerance), counted(static_cast<long>(exponents.size()), "power"),
+              from_to(exponents), lobe_solid_angle(exponents.front()), lobe_solid_angle(exponents.back()))};
 }
 
 Finding evaluate_texel(const Claim& claim) {
@@ -165,20 +169,19 @@ Finding evaluate_texel(const Claim& claim) {
                                           agreement.verdict(number_of(tolerance)),
                                           is_ordered ? Verdict::confirmed : Verdict::conditional};
   const auto level_shift = [](double ratio) { return decimal(std::abs(std::log2(ratio)) / 2, 3); };
-  return {worst(parts), identity_if(worst(parts)),
-          "a face covers " + decimal(face.value, 10) + " sr, and " + decimal(edge, 6) + "^2 mean texels " +
-              within(of_face.gap, tolerance) + " as much; the corner texel covers " + decimal(corner, 6) +
-              " and one that touches the centre " + decimal(centre, 6) +
-              " of the mean, in the limit of small texels " + decimal(corner_limit, 6) + " and " +
-              decimal(centre_limit, 6) + " of it, the corner " + decimal(corner_limit / centre_limit, 6) +
-              " of the centre; with 2 texels a side, or 1, all are alike; a level chosen for the mean is too "
-              "coarse by " +
-              level_shift(centre) + " at the centre of a face and too fine by " + level_shift(corner) +
-              " in its corners: as if the power were " + decimal(1 / centre, 3) + " and " +
-              decimal(1 / corner, 3) + " times what it is",
-          is_ordered ? sentences({effect_of_texel(mean, centre, "at the centre of a face"),
-                                  effect_of_texel(mean, corner, "in its corner")})
-                     : "none"};
+  return {
+      worst(parts), identity_if(worst(parts)),
+      fmt::format(
+          "a face covers {:.10g} sr. {:.6g}^2 mean texels cover {} as much. The corner texel covers {:.6g} "
+          "of the mean and a texel at the centre {:.6g}; for small texels it is {:.6g} and {:.6g}, and the "
+          "corner is {:.6g} of the centre. With 1 or 2 texels per side all are equal. A level chosen for "
+          "the mean is too coarse by {} at the centre of a face and too fine by {} in its corners, as if "
+          "the power were {:.3g} and {:.3g} times as high",
+          face.value, edge, within(of_face.gap, tolerance), corner, centre, corner_limit, centre_limit,
+          corner_limit / centre_limit, level_shift(centre), level_shift(corner), 1 / centre, 1 / corner),
+      is_ordered ? sentences({effect_of_texel(mean, centre, "at the centre of a face"),
+                              effect_of_texel(mean, corner, "in its corner")})
+                 : "none"};
 }
 
 Finding evaluate_mip_level(const Claim& claim) {
@@ -210,21 +213,22 @@ Finding evaluate_mip_level(const Claim& claim) {
   const double width = widths[widths.size() / 2];
   return {
       verdict_of(holds),
-      "under the root = " + decimal(solved_root, 10) +
-          ", factor of the second logarithm = " + decimal(solved_factor, 10),
-      "the levels at which both cover the same, solved for " +
-          counted(static_cast<long>(exponents.size()), "power") + " " + from_to(exponents) + " at " +
-          counted(static_cast<long>(widths.size()), "width") + " " + from_to(widths) +
-          ", have these constants " + within(std::max(root_gap, factor_gap), tolerance) +
-          " and are the formula's " + within(formula_gap, tolerance) + "; at w = " + decimal(width, 6) +
-          " level 0 belongs to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), 10) +
-          ", the last level, " + decimal(std::log2(width), 3) +
-          ", to s = " + decimal(power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width))), 6),
+      fmt::format("under the root = {:.10g}, factor of the second logarithm = {:.10g}", solved_root,
+                  solved_factor),
+      fmt::format(
+          "the level at which texel and lobe cover the same was solved for {} {} at {} {}. It gives these "
+          "constants {} and the level of the formula {}. At w = {:.6g} level 0 belongs to s = {:.10g} and "
+          "the last level, {:.3g}, to s = {:.6g}",
+          counted(static_cast<long>(exponents.size()), "power"), from_to(exponents),
+          counted(static_cast<long>(widths.size()), "width"), from_to(widths),
+          within(std::max(root_gap, factor_gap), tolerance), within(formula_gap, tolerance), width,
+          power_of_solid_angle(mean_texel_solid_angle(width, 0.0)), std::log2(width),
+          power_of_solid_angle(mean_texel_solid_angle(width, std::log2(width)))),
       // a level doubles the texel's edge: four times the solid angle
-      holds ? "none"
-            : effect_of_power(
-                  shifted, shifted * std::exp2(-2 * shift),
-                  "a level off by " + decimal(std::abs(shift), 3) + " at power " + decimal(shifted, 6))};
+      holds
+          ? "none"
+          : effect_of_power(shifted, shifted * std::exp2(-2 * shift),
+                            fmt::format("a level off by {:.3g} at power {:.6g}", std::abs(shift), shifted))};
 }
 
 }  // namespace shadefit

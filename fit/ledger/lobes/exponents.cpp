@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 
@@ -62,9 +63,10 @@ std::string sentence(const std::vector<ExponentInterval>& intervals, const std::
   for (const auto& [from, to] : intervals) {
     const bool is_open_below = from <= exponents.front(), is_open_above = to >= exponents.back();
     words.push_back(is_open_below && is_open_above ? "for every k"
-                    : is_open_above                ? "from k = " + exponent_text(from) + " on"
-                    : is_open_below                ? "up to k = " + exponent_text(to)
-                                    : "for k from " + exponent_text(from) + " to " + exponent_text(to));
+                    : is_open_above                ? fmt::format("from k = {} on", exponent_text(from))
+                    : is_open_below
+                        ? fmt::format("up to k = {}", exponent_text(to))
+                        : fmt::format("for k from {} to {}", exponent_text(from), exponent_text(to)));
   }
   return enumerated(words);
 }

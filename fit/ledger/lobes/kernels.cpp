@@ -18,6 +18,7 @@
 #include "fit/ledger/where.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -128,7 +129,7 @@ constexpr std::string_view heat = "Gauss-Weierstrass on the sphere";
 double abscissa(std::string_view reading, const Place& place) {
   if (reading == "angle") return place.angle;
   if (reading == "chord") return std::sqrt(2 * place.one_minus_cos);
-  throw std::invalid_argument("x is read as angle or chord, not as " + std::string(reading));
+  throw std::invalid_argument(fmt::format("x is read as angle or chord, not as {}", reading));
 }
 
 /// The formula of a kernel of the record, but for the heat kernel, which is a series.
@@ -141,7 +142,7 @@ Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
     return [=](const Place& p, double s) { return poisson_of_circle_lobe(p.one_minus_cos, k * s); };
   if (name == "Abel-Poisson on the sphere")
     return [=](const Place& p, double s) { return poisson_of_sphere_lobe(p.one_minus_cos, k * s); };
-  throw std::invalid_argument("no kernel is called " + std::string(name));
+  throw std::invalid_argument(fmt::format("no kernel is called {}", name));
 }
 
 LobeCandidate candidate(const LobeRule& rule, std::string_view name, std::string_view reading) {
@@ -227,15 +228,15 @@ std::string costs() {
   const auto words = [](const Symbolic& e) { return to_text(count_operations(e)); };
   const auto series = [&](int terms) {
     std::vector<Symbolic> weights;
-    for (int l = 0; l < terms; ++l) weights.push_back(Symbolic::variable("w" + std::to_string(l)));
+    for (int l = 0; l < terms; ++l) weights.push_back(Symbolic::variable(fmt::format("w{}", l)));
     return count_operations(legendre_series(c, std::span<const Symbolic>(weights))).total();
   };
-  return "the spherical Gaussian " + words(gaussian_lobe(c, variable("k"), variable("x"))) +
-         ", the Gaussian of the angle " + words(line_gaussian(variable("theta"), s)) +
-         " after an arc cosine, Abel-Poisson " + words(poisson_of_circle_lobe(y, s)) + " as printed and " +
-         words(poisson_of_sphere_lobe(y, s)) +
-         " (a square root) on the sphere, Gauss-Weierstrass on the sphere " +
-         std::to_string(series(6) - series(5)) + " for each term of its series";
+  return fmt::format(
+      "the spherical Gaussian {}, the Gaussian of the angle {} after an arc cosine, Abel-Poisson {} as "
+      "printed and {} (a square root) on the sphere, Gauss-Weierstrass on the sphere {} for each term of "
+      "its series",
+      words(gaussian_lobe(c, variable("k"), variable("x"))), words(line_gaussian(variable("theta"), s)),
+      words(poisson_of_circle_lobe(y, s)), words(poisson_of_sphere_lobe(y, s)), series(6) - series(5));
 }
 
 /// Terms of the heat kernel's series that leave at most one part in 255 of its peak.
@@ -243,7 +244,7 @@ std::string terms_to_see(const Contest& contest) {
   const LobeCandidate* candidate = contest.find(heat);
   if (candidate == nullptr) return "none asked";
   const int last = last_term(time_of(candidate->parameter, contest.exponent), std::log(255.0));
-  return std::to_string(last + 1) + " at k = " + decimal(contest.exponent, 6);
+  return fmt::format("{} at k = {:.6g}", last + 1, contest.exponent);
 }
 
 /// The errors side by side at the exponents to be shown.
@@ -255,7 +256,7 @@ std::string errors_in_words(const std::vector<Contest>& contests, const std::vec
       if (std::find(shown.begin(), shown.end(), contest.exponent) != shown.end())
         numbers.push_back(decimal(contest.candidates[i].rms, 3));
     }
-    lines.push_back(std::string(contests.front().candidates[i].name) + " " + enumerated(numbers));
+    lines.push_back(fmt::format("{} {}", contests.front().candidates[i].name, enumerated(numbers)));
   }
   std::string text;
   for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
@@ -280,7 +281,7 @@ std::string winners_in_words(const std::vector<Contest>& contests) {
   std::vector<std::string> words;
   for (const LobeCandidate& candidate : contests.front().candidates) {
     const std::string at = exponents_won(contests, candidate.name);
-    if (!at.empty()) words.push_back("that of " + std::string(candidate.name) + " at " + at);
+    if (!at.empty()) words.push_back(fmt::format("that of {} at {}", candidate.name, at));
   }
   return enumerated(words);
 }
@@ -303,10 +304,10 @@ long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view r
 /// What its first rival has of the spherical Gaussian's error at the last exponent.
 std::string ratio_in_words(const Contest& last, std::string_view reading) {
   const LobeCandidate& rival = last.candidates.at(1);
-  std::string text = std::string(rival.name) + " has " + decimal(rival.rms / last.candidates[0].rms, 4) +
-                     " of the error of the spherical Gaussian at k = " + decimal(last.exponent, 6);
+  std::string text = fmt::format("{} has {:.4g} of the error of the spherical Gaussian at k = {:.6g}",
+                                 rival.name, rival.rms / last.candidates[0].rms, last.exponent);
   if (rival.name == printed_gauss && reading == "angle")
-    text += " and " + decimal(gaussian_error_ratio<double>(), 4) + " in the limit";
+    text += fmt::format(" and {:.4g} in the limit", gaussian_error_ratio<double>());
   return text;
 }
 
@@ -325,19 +326,18 @@ Finding other_kernels(const Claim& claim) {
   const Contest &first = contests.front(), &last = contests.back();
   return {
       is_known ? std::optional(verdict_of_part(won, of)) : std::nullopt,
-      "smallest at " + std::to_string(won) + " of " + counted(of, "exponent"),
-      "of " + counted(of, "exponent") + " from " + decimal(first.exponent, 6) + " to " +
-          decimal(last.exponent, 6) + " the smallest rms error (x read as the " + std::string(reading) +
-          ") is " + winners_in_words(contests) +
-          ", and of those that need neither the angle nor a series that of " +
-          std::string(spherical_gaussian) + " at " + std::to_string(wins_of_the_cosine(contests, reading)) +
-          " of them; at k = " + std::string(claim.inputs.at("shown")) +
-          " the errors are: " + errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))) + "; " +
-          ratio_in_words(last, reading) + "; what a shader executes: " + costs() +
-          " (to be within 1/255: " + terms_to_see(first) + ", " + terms_to_see(last) +
-          "); the squared errors by two rules agree to " + decimal(agreement_of_rules, 1) + " of themselves",
+      fmt::format("smallest at {} of {}", won, counted(of, "exponent")),
+      fmt::format(
+          "among {} from {:.6g} to {:.6g} the smallest rms error (x read as the {}) is {}. Without kernels "
+          "that need the angle or a series it is that of {} at {} of them. The errors at k = {} are: {}. "
+          "As a ratio, {}. A shader executes: {}. Terms of the series for an error within 1/255: {}, {}. "
+          "Two rules agree on the squared errors to {:.1g}, relative",
+          counted(of, "exponent"), first.exponent, last.exponent, reading, winners_in_words(contests),
+          spherical_gaussian, wins_of_the_cosine(contests, reading), claim.inputs.at("shown"),
+          errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))), ratio_in_words(last, reading),
+          costs(), terms_to_see(first), terms_to_see(last), agreement_of_rules),
       sentences({sentence(effect_of(first.candidates[0], first.exponent), "the lobe",
-                          "at k = " + decimal(first.exponent, 6) + " " + std::string(spherical_gaussian)),
+                          fmt::format("at k = {:.6g} {}", first.exponent, spherical_gaussian)),
                  first.winner().name == spherical_gaussian
                      ? "none"
                      : sentence(effect_of(first.winner(), first.exponent), "it", first.winner().name)})};

@@ -11,6 +11,7 @@
 #include "fit/ledger/lobes/offset_range.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -23,7 +24,7 @@ std::vector<double> exponents_from_to(const Claim& claim) {
 
 /// "over k = 0.1 to 100000"
 std::string looked_at(const std::vector<double>& exponents) {
-  return "over k = " + exponent_text(exponents.front()) + " to " + exponent_text(exponents.back());
+  return fmt::format("over k = {} to {}", exponent_text(exponents.front()), exponent_text(exponents.back()));
 }
 
 /// A part of a claim that speaks of a range: it holds there, or only elsewhere, or nowhere.
@@ -55,14 +56,14 @@ Finding offset_bounds(const Claim& claim) {
   if (*finding.verdict != Verdict::confirmed &&
       std::any_of(ranges.begin(), ranges.end(), [&](const OffsetRange& r) { return r.is_within(low, high); }))
     finding.verdict = Verdict::other_objective;
-  finding.computed = "0 .. " + decimal(first.highest, 4);
-  for (const std::string& part : words) finding.evidence += (finding.evidence.empty() ? "" : "; ") + part;
+  finding.computed = fmt::format("0 .. {:.4g}", first.highest);
+  finding.evidence = sentences(words);
   if (*finding.verdict != Verdict::confirmed)
-    finding.evidence += "; under the first it is in [" + decimal(low, 4) + ", " + decimal(high, 4) + "] " +
-                        sentence(within, exponents);
+    finding.evidence += fmt::format(". Under the first measure it is in [{:.4g}, {:.4g}] {}", low, high,
+                                    sentence(within, exponents));
   finding.effect =
       sentence(effect_of_offset(first.highest_at, first.highest, high), "the curve",
-               "x = " + decimal(high, 4) + " in place of the best x at k = " + decimal(first.highest_at, 3));
+               fmt::format("x = {:.4g} instead of the best x at k = {:.3g}", high, first.highest_at));
   return finding;
 }
 
@@ -87,13 +88,13 @@ BadPowers bad_powers(double bad, int last, const std::vector<double>& exponents)
     const bool is_meant_bad = whole <= last;
     // bad for every x: even for the one whose largest error is smallest
     result.holds = result.holds && (is_meant_bad ? smallest > bad : error <= bad);
-    const std::string at = " at " + std::string(whole == 1 ? "k = " : "") + std::to_string(whole);
-    fitted.push_back(decimal(error, 3) + at);
-    least.push_back(decimal(smallest, 3) + at);
+    const std::string at = fmt::format(" at {}{}", whole == 1 ? "k = " : "", whole);
+    fitted.push_back(fmt::format("{:.3g}{}", error, at));
+    least.push_back(fmt::format("{:.3g}{}", smallest, at));
   }
-  result.words = "with the least-squares x it is above " + decimal(bad, 3) + " " +
-                 sentence(result.where, exponents) + ": " + enumerated(fitted) +
-                 "; with the x that makes it smallest " + enumerated(least);
+  result.words = fmt::format(
+      "With the least-squares x the error is above {:.3g} {}: {}. With the x of the smallest error it is {}",
+      bad, sentence(result.where, exponents), enumerated(fitted), enumerated(least));
   return result;
 }
 
@@ -123,14 +124,15 @@ Finding plain_accurate(const Claim& claim) {
   };
   return {
       worst(parts),
-      "accurate above = " + start(is_accurate) + ", poor below = " + end(is_poor) +
-          ", bad up to = " + end(powers.where),
-      looked_at(exponents) + " the largest absolute error of x = " + decimal(offset, 4) + " is at most " +
-          decimal(accurate, 3) + " " + sentence(is_accurate, exponents) + ", above " + decimal(poor, 3) +
-          " " + sentence(is_poor, exponents) + ", within one 8-bit sRGB code " +
-          sentence(is_a_code, exponents) + " and goes as " + decimal(largest_error_law(offset), 4) +
-          "/k for k to infinity; " + powers.words,
-      sentence(effect_of_gaussian(above, offset), "the curve", "at k = " + decimal(above, 4) + " the form")};
+      fmt::format("accurate above = {}, poor below = {}, bad up to = {}", start(is_accurate), end(is_poor),
+                  end(powers.where)),
+      fmt::format(
+          "{} the largest absolute error of x = {:.4g} is at most {:.3g} {}. It is above {:.3g} {}. It is "
+          "within one 8-bit sRGB code {}. For large k it is {:.4g}/k. {}",
+          looked_at(exponents), offset, accurate, sentence(is_accurate, exponents), poor,
+          sentence(is_poor, exponents), sentence(is_a_code, exponents), largest_error_law(offset),
+          powers.words),
+      sentence(effect_of_gaussian(above, offset), "the curve", fmt::format("at k = {:.4g} the form", above))};
 }
 
 /// A crossing near the peak, and what is gained between it and the peak.
@@ -161,8 +163,8 @@ std::optional<PeakSide> peak_side(double exponent, double offset) {
 }
 
 std::string gain_in_codes(const PeakSide& side) {
-  return decimal(side.shifted.srgb_codes - side.plain.srgb_codes, 2) +
-         " at k = " + exponent_text(side.exponent);
+  return fmt::format("{:.2g} at k = {}", side.shifted.srgb_codes - side.plain.srgb_codes,
+                     exponent_text(side.exponent));
 }
 
 Finding plain_peak(const Claim& claim) {
@@ -173,10 +175,10 @@ Finding plain_peak(const Claim& claim) {
     const auto side = peak_side(exponent, offset);
     if (!side)
       return {Verdict::refuted, "",
-              "the plain form is nowhere closer than the one with x = " + decimal(offset, 4)};
+              fmt::format("the plain form is nowhere closer than the one with x = {:.4g}", offset)};
     sides.push_back(*side);
-    words.push_back(decimal(side->crossing.cos_theta, 6) + (sides.size() == 1 ? " at k = " : " at ") +
-                    exponent_text(exponent));
+    words.push_back(fmt::format("{:.6g}{}{}", side->crossing.cos_theta,
+                                sides.size() == 1 ? " at k = " : " at ", exponent_text(exponent)));
   }
   const bool holds = std::all_of(sides.begin(), sides.end(), [](const PeakSide& s) { return s.holds; });
   const auto law = peak_crossing_law(offset);
@@ -188,16 +190,22 @@ Finding plain_peak(const Claim& claim) {
     };
     return gain(a) < gain(b);
   });
-  return {verdict_of(holds), "c > 1 - " + decimal(law.limit, 4) + "/k as k grows",
-          "x = 0 is closer than x = " + decimal(offset, 4) + " from the peak to c = " + enumerated(words) +
-              ", and farther below; k(1-c) is " + decimal(t, 6) + " at the last and goes as " +
-              decimal(law.limit, 4) + " - " + decimal(-law.slope, 4) +
-              "/k; on the peak's side the largest error in 8-bit sRGB codes is less by " +
-              gain_in_codes(sides.front()) + ", by " + gain_in_codes(sides.back()),
-          sentences({sentence(most.plain, "the curve",
-                              "on the peak's side of the crossing at k = " + exponent_text(most.exponent) +
-                                  ", the power that gains most, the form with x = 0"),
-                     sentence(most.shifted, "the curve", "with x = " + decimal(offset, 4) + " it")})};
+  return {
+      verdict_of(holds), fmt::format("c > 1 - {:.4g}/k as k grows", law.limit),
+      fmt::format(
+          "x = 0 is closer than x = {:.4g} from the peak down to c = {}. Below it is farther. At the last "
+          "power k(1-c) is {:.6g}; for large k it is {:.4g} - {:.4g}/k. On the peak's side the largest "
+          "error is smaller by {} in 8-bit sRGB codes, and by {}",
+          offset, enumerated(words), t, law.limit, -law.slope, gain_in_codes(sides.front()),
+          gain_in_codes(sides.back())),
+      sentences(
+          {sentence(
+               most.plain, "the curve",
+               fmt::format(
+                   "on the peak's side of the crossing at k = {}, the power that gains most, the form with "
+                   "x = 0",
+                   exponent_text(most.exponent))),
+           sentence(most.shifted, "the curve", fmt::format("with x = {:.4g} it", offset))})};
 }
 
 /// How far two offsets are apart over the exponents.
@@ -216,7 +224,7 @@ struct OffsetGap {
       is_known = is_known && std::abs(largest_offset_difference(k, low, high).magnitude - at(k)) < 1e-10;
   }
   double at(double exponent) const { return low == high ? 0 : widest_gap(exponent + low, exponent + high); }
-  std::string pair() const { return "x = " + decimal(low, 4) + " and " + decimal(high, 4); }
+  std::string pair() const { return fmt::format("x = {:.4g} and {:.4g}", low, high); }
 };
 
 Finding offset_one_low(const Claim& claim) {
@@ -235,21 +243,23 @@ Finding offset_one_low(const Claim& claim) {
   if (!gap.is_known) return {std::nullopt, "", "the closed form of the difference and the search disagree"};
   const std::array parts{verdict_of_range(covers(fits, low_from, low_to), fits),
                          verdict_of_range(covers(gap.is_subtle, high_from, high_to), gap.is_subtle)};
-  const std::string x = "x = " + decimal(offset, 4);
-  return {worst(parts), "low powers " + sentence(fits, low) + ", dropped " + sentence(gap.is_subtle, high),
-          looked_at(low) + " the largest absolute error of " + x + " is " + decimal(error(low_from), 3) +
-              " at k = " + decimal(low_from, 4) + ", " + decimal(error(used_at), 3) + " at " +
-              decimal(used_at, 4) + " where the post uses it, " + decimal(error(low_to), 3) + " at " +
-              decimal(low_to, 4) + ": at most " + decimal(nicely, 3) + " " + sentence(fits, low) +
-              " and at most " + decimal(accurate, 3) + " " + sentence(is_accurate, low) + "; " +
-              looked_at(high) + " it is within one 8-bit sRGB code " + sentence(is_a_code, high) +
-              ", and without it the curve is less than " + decimal(subtle, 3) + " away " +
-              sentence(gap.is_subtle, high) + ", at most " + decimal(gap.at(high_from), 3) + " from k = " +
-              decimal(high_from, 4) + " on, and within one code " + sentence(gap.is_a_code, high),
-          sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
-                              "at k = " + decimal(used_at, 4) + " the form with " + x),
-                     sentence(effect_of_offset(high_from, offset, 0), "the curve",
-                              "at k = " + decimal(high_from, 4) + " dropping it")})};
+  const std::string x = fmt::format("x = {:.4g}", offset);
+  return {
+      worst(parts),
+      fmt::format("low powers {}, dropped {}", sentence(fits, low), sentence(gap.is_subtle, high)),
+      fmt::format(
+          "{} the largest absolute error of {} is {:.3g} at k = {:.4g}, {:.3g} at {:.4g}, where the post "
+          "uses it, and {:.3g} at {:.4g}. It is at most {:.3g} {}, and at most {:.3g} {}. For higher "
+          "powers, {}, the form is within one 8-bit sRGB code {}. Without the +1 the curve changes by less "
+          "than {:.3g} {}, by at most {:.3g} from k = {:.4g} on, and by at most one code {}",
+          looked_at(low), x, error(low_from), low_from, error(used_at), used_at, error(low_to), low_to,
+          nicely, sentence(fits, low), accurate, sentence(is_accurate, low), looked_at(high),
+          sentence(is_a_code, high), subtle, sentence(gap.is_subtle, high), gap.at(high_from), high_from,
+          sentence(gap.is_a_code, high)),
+      sentences({sentence(effect_of_gaussian(used_at, offset), "the curve",
+                          fmt::format("at k = {:.4g} the form with {}", used_at, x)),
+                 sentence(effect_of_offset(high_from, offset, 0), "the curve",
+                          fmt::format("at k = {:.4g} dropping it", high_from))})};
 }
 
 Finding offset_matters(const Claim& claim) {
@@ -266,24 +276,25 @@ Finding offset_matters(const Claim& claim) {
   double start = 0;
   for (const OffsetGap& gap : gaps) {
     if (!gap.is_known) return {std::nullopt, "", "the closed form of the difference and the search disagree"};
-    words.push_back(gap.pair() + " " + sentence(gap.is_subtle, exponents) + " (" + decimal(gap.at(from), 3) +
-                    " at k = " + decimal(from, 4) + ")");
+    words.push_back(fmt::format("{} {} ({:.3g} at k = {:.4g})", gap.pair(),
+                                sentence(gap.is_subtle, exponents), gap.at(from), from));
     codes.push_back(sentence(gap.is_a_code, exponents));
     start = std::max(start, gap.is_subtle.empty() ? exponents.back() : gap.is_subtle.back().from);
   }
   const auto widest =
       *std::max_element(gaps.begin(), gaps.end(),
                         [&](const OffsetGap& a, const OffsetGap& b) { return a.at(from) < b.at(from); });
-  return {held == std::ssize(gaps) ? Verdict::confirmed
-          : held > 0               ? Verdict::conditional
-                                   : Verdict::refuted,
-          "k = " + decimal(start, 4),
-          looked_at(exponents) + " the forms differ by less than " + decimal(subtle, 3) + ": " +
-              enumerated(words) + ", so all of them from k = " + decimal(start, 4) +
-              "; by at most one 8-bit sRGB code, in this order, " + enumerated(codes),
-          sentence(effect_of_offset(from, widest.low, widest.high), "the curve",
-                   "at k = " + decimal(from, 4) + " going from x = " + decimal(widest.low, 4) + " to " +
-                       decimal(widest.high, 4))};
+  return {
+      held == std::ssize(gaps) ? Verdict::confirmed
+      : held > 0               ? Verdict::conditional
+                               : Verdict::refuted,
+      fmt::format("k = {:.4g}", start),
+      fmt::format(
+          "{} the forms differ by less than {:.3g}: {}. All of them do from k = {:.4g} on. They differ by "
+          "at most one 8-bit sRGB code, in the same order, {}",
+          looked_at(exponents), subtle, enumerated(words), start, enumerated(codes)),
+      sentence(effect_of_offset(from, widest.low, widest.high), "the curve",
+               fmt::format("at k = {:.4g} going from x = {:.4g} to {:.4g}", from, widest.low, widest.high))};
 }
 
 }  // namespace

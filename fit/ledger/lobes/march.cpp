@@ -6,12 +6,13 @@
 #include <string>
 
 #include "fit/ledger/list.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 
 std::vector<double> dither_matrix(std::string_view text, double x) {
   const auto bad = [&] {
-    return std::invalid_argument("not a square matrix with one x: " + std::string(text));
+    return std::invalid_argument(fmt::format("not a square matrix with one x: {}", text));
   };
   std::vector<double> entries;
   int letters = 0;

@@ -9,7 +9,7 @@
 #include "approx/lobe_laws.hpp"
 #include "fit/ledger/lobes/exponents.hpp"
 #include "fit/ledger/lobes/lobe_errors.hpp"
-#include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -62,16 +62,15 @@ std::optional<OffsetRange> offset_range(Measure measure, const std::vector<doubl
 }
 
 std::string sentence(const OffsetRange& range) {
-  const std::string law = decimal(range.law.limit, 4) + (range.law.slope < 0 ? " - " : " + ") +
-                          decimal(std::abs(range.law.slope), 4) + "/k";
+  const std::string law = fmt::format("{:.4g}{}{:.4g}/k", range.law.limit,
+                                      range.law.slope < 0 ? " - " : " + ", std::abs(range.law.slope));
   const bool is_below_limit = range.highest < range.law.limit;
-  return "under the " + std::string(name(range.measure)) + " measure the best x goes as " +
-         decimal(range.blunt_slope, 4) + " k for k to 0 (" + decimal(range.lowest, 4) +
-         " at k = " + exponent_text(range.lowest_at) + ")" +
-         (is_below_limit ? " and rises as " + law
-                         : ", is largest, " + decimal(range.highest, 4) +
-                               ", at k = " + decimal(range.highest_at, 3) + " and goes as " + law) +
-         " for k to infinity";
+  return fmt::format(
+      "under the {} measure the best x is {:.4g} k for small k ({:.4g} at k = {}){} for large k",
+      name(range.measure), range.blunt_slope, range.lowest, exponent_text(range.lowest_at),
+      is_below_limit ? fmt::format(" and rises as {}", law)
+                     : fmt::format(", has its maximum {:.4g} at k = {:.3g} and is {}", range.highest,
+                                   range.highest_at, law));
 }
 
 }  // namespace shadefit

@@ -8,17 +8,13 @@
 
 #include "fit/errors/effect.hpp"
 #include "fit/errors/extremum.hpp"
-#include "fit/ledger/published.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
 namespace {
-
-Finding factor(const Claim& claim) {
-  return evaluate_published(claim, {"phong-blinn-fisher-woo", "phong-blinn-gotanda"});
-}
 
 double radians(double degrees) {
   return degrees * pi<double>() / 180;
@@ -160,17 +156,18 @@ bool follows_the_laws(const AtView& at) {
 
 /// The sentence on views out of the plane.
 std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& views) {
-  return "for views " + std::string(claim.inputs.at("views")) +
-         " degrees from the normal the factor at the peak, across the plane of n and v, is 2 n.v: " +
-         listed(
-             views, [](const AtView& at) { return at.across; }, 5) +
-         ", as Blinn's highlight is narrower there; over all lights twice the Blinn angle exceeds the Phong angle by at most 2 asin(1 - n.v): " +
-         listed(
-             views, [](const AtView& at) { return at.excess; }, 5) +
-         " degrees; cos^rho of the two, rho = " + std::string(claim.inputs.at("exponent")) +
-         ", differ by up to " +
-         listed(
-             views, [](const AtView& at) { return at.lobe; }, 3);
+  return fmt::format(
+      "For views {} degrees from the normal the factor at the peak, across the plane of n and v, is 2 n.v: "
+      "{}. Blinn's highlight is narrower there. Over all lights twice the Blinn angle exceeds the Phong "
+      "angle by at most 2 asin(1 - n.v): {} degrees. cos^rho of the two angles, rho = {}, differ by up to {}",
+      claim.inputs.at("views"),
+      listed(
+          views, [](const AtView& at) { return at.across; }, 5),
+      listed(
+          views, [](const AtView& at) { return at.excess; }, 5),
+      claim.inputs.at("exponent"),
+      listed(
+          views, [](const AtView& at) { return at.lobe; }, 3));
 }
 
 Finding angle(const Claim& claim) {
@@ -189,20 +186,19 @@ Finding angle(const Claim& claim) {
       views.begin(), views.end(), [](const AtView& a, const AtView& b) { return a.lobe < b.lobe; });
   const double middle = (in_plane.low + in_plane.high) / 2;
   return {
-      is_known ? std::optional(verdict) : std::nullopt, decimal(middle, 10) + " in a plane",
-      "with n, l and v in one plane, at every " + std::string(claim.inputs.at("step")) +
-          " degrees, the Phong angle is " + decimal(middle, 10) + " times the Blinn angle (to " +
-          decimal(angle_tolerance, 1) + "), and less than that for all others; " +
-          out_of_the_plane(claim, views),
+      is_known ? std::optional(verdict) : std::nullopt, fmt::format("{:.10g} in a plane", middle),
+      fmt::format(
+          "with n, l and v in one plane, every {} degrees, the Phong angle is {:.10g} times the Blinn "
+          "angle (to {:.1g}). In all other cases it is less. {}",
+          claim.inputs.at("step"), middle, angle_tolerance, out_of_the_plane(claim, views)),
       sentence(effect_seen_from(worst_view.angle, exponent), "Phong's lobe",
-               "seen from " + decimal(worst_view.angle, 4) + " degrees the lobe of twice the Blinn angle")};
+               fmt::format("seen from {:.4g} degrees the lobe of twice the Blinn angle", worst_view.angle))};
 }
 
 }  // namespace
 
 std::span<const Evaluator> phong_blinn_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"phong-blinn-factor", factor},
-                                         Evaluator{"phong-blinn-angle", angle}};
+  static constexpr std::array evaluators{Evaluator{"phong-blinn-angle", angle}};
   return evaluators;
 }
 

@@ -10,6 +10,7 @@
 #include "approx/fresnel.hpp"
 #include "approx/gloss.hpp"
 #include "approx/lobe.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -109,7 +110,7 @@ constexpr std::array counted_forms{
 };
 
 std::array<Symbolic, 3> vector(const std::string& name) {
-  return {v(name + "x"), v(name + "y"), v(name + "z")};
+  return {v(fmt::format("{}x", name)), v(fmt::format("{}y", name)), v(fmt::format("{}z", name))};
 }
 
 struct LightForm {
@@ -137,10 +138,10 @@ std::vector<Symbolic> shader_form(std::string_view name, int lights) {
   for (const LightForm& form : light_forms) {
     if (form.name != name) continue;
     std::vector<Symbolic> results;
-    for (int i = 0; i < lights; ++i) results.push_back(form.result(vector("l" + std::to_string(i))));
+    for (int i = 0; i < lights; ++i) results.push_back(form.result(vector(fmt::format("l{}", i))));
     return results;
   }
-  throw std::invalid_argument("no shader form '" + std::string(name) + "'");
+  throw std::invalid_argument(fmt::format("no shader form '{}'", name));
 }
 
 }  // namespace shadefit

@@ -1,6 +1,7 @@
 #include "approx/von_mises_fisher.hpp"
 
 #include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -61,18 +63,17 @@ Finding normalisation(const Claim& claim) {
   }
   const bool is_known = uncertainty <= integral_tolerance;
   const bool is_equal = apart <= 2 * integral_tolerance;
-  return {is_known ? std::optional(verdict_of(is_equal)) : std::nullopt, decimal(furthest, 10),
-          "the integral over the sphere by two rules is " + decimal(furthest, 10) + ", each known to " +
-              decimal(integral_tolerance, 1) + ", at " +
-              counted(static_cast<long>(concentrations.size()), "concentration") +
-              " from k = " + decimal(concentrations.front(), 6) + " to " + decimal(concentrations.back(), 6) +
-              (is_equal ? "" : ", which is not the printed number") +
-              "; as printed the formula overflows in half, float and double beyond k = " +
-              decimal(last_finite_concentration<Eigen::half>(), 4) + ", " +
-              decimal(last_finite_concentration<float>(), 4) + " and " +
-              decimal(last_finite_concentration<double>(), 4) +
-              ", and k/(2 pi (1 - e^(-2k))) e^(-k(1-c)), which is the same, does not",
-          effect_of_factor(printed, is_equal ? printed : furthest)};
+  return {
+      is_known ? std::optional(verdict_of(is_equal)) : std::nullopt, decimal(furthest, 10),
+      fmt::format(
+          "the integral over the sphere is {:.10g} by two rules, each to {:.1g}, at {} from k = {:.6g} to "
+          "{:.6g}{}. As printed the formula overflows in half, float and double beyond k = {:.4g}, {:.4g} "
+          "and {:.4g}. The equal form k/(2 pi (1 - e^(-2k))) e^(-k(1-c)) does not",
+          furthest, integral_tolerance, counted(static_cast<long>(concentrations.size()), "concentration"),
+          concentrations.front(), concentrations.back(), is_equal ? "" : ", which is not the printed number",
+          last_finite_concentration<Eigen::half>(), last_finite_concentration<float>(),
+          last_finite_concentration<double>()),
+      effect_of_factor(printed, is_equal ? printed : furthest)};
 }
 
 /// The k from which on the relative error of the sharp form is at most `share`: e^(-2k) = share.
@@ -106,16 +107,17 @@ Finding sharp_density(const Claim& claim) {
   const Verdict verdict = k >= from    ? Verdict::confirmed
                           : k >= least ? Verdict::conditional
                                        : Verdict::refuted;
-  return {apart <= rounding ? std::optional(verdict) : std::nullopt,
-          "relative error " + decimal(law, 4) + " at k = " + std::string(claim.printed[0].value),
-          "the relative error is -e^(-2k) at every angle (at 1 - c = " + std::string(claim.inputs.at("y")) +
-              " the quotient of both densities says so to " + decimal(rounding, 1) + "): " + decimal(law, 4) +
-              " at k = " + std::string(claim.printed[0].value) + "; it is within " +
-              std::string(claim.inputs.at("about")) + " from k = " + decimal(from, 4) + " on, within " +
-              std::string(claim.inputs.at("no longer about")) +
-              ", beyond which it is no longer about that, from k = " + decimal(least, 4) +
-              " on, and by the reading of one 8-bit sRGB code from k = " + decimal(from_code, 4) + " on",
-          effect_of_factor(1 + law, 1, "at k = " + decimal(k, 4) + " and any c it")};
+  return {
+      apart <= rounding ? std::optional(verdict) : std::nullopt,
+      fmt::format("relative error {:.4g} at k = {}", law, claim.printed[0].value),
+      fmt::format(
+          "the relative error is -e^(-2k) at every angle; at 1 - c = {} the quotient of both densities "
+          "confirms it to {:.1g}. It is {:.4g} at k = {}. It is within {} from k = {:.4g} on. It is within "
+          "{}, the most that still counts as about equal, from k = {:.4g} on. It is within one 8-bit sRGB "
+          "code from k = {:.4g} on",
+          claim.inputs.at("y"), rounding, law, claim.printed[0].value, claim.inputs.at("about"), from,
+          claim.inputs.at("no longer about"), least, from_code),
+      effect_of_factor(1 + law, 1, fmt::format("at k = {:.4g} and any c it", k))};
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "approx/material.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -72,21 +73,22 @@ DiffuseUnderFresnel both_ways(double albedo, double f0) {
 std::string where_it_holds(const DiffuseUnderFresnel& found) {
   if (found.from_cosine > 1) return "above 1 at every angle";
   if (found.from_cosine == 0) return "at most 1 at every angle";
-  if (found.from_cosine == 1) return "at most 1 at normal incidence alone";
-  return "at most 1 for cosines from " + decimal(found.from_cosine, 4) + " on";
+  if (found.from_cosine == 1) return "at most 1 only at normal incidence";
+  return fmt::format("at most 1 for cosines above {:.4g}", found.from_cosine);
 }
 
 std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& found) {
-  return "with " + std::string(factor) + " the sum of both is " + decimal(found.at_normal, 6) +
-         " at normal, " + decimal(found.at_grazing, 6) + " at grazing incidence, " + where_it_holds(found) +
-         ", and " + decimal(found.under_sky, 6) + " under a uniform sky";
+  return fmt::format(
+      "with {} the sum is {:.6g} at normal and {:.6g} at grazing incidence, {}, and {:.6g} under a uniform "
+      "sky",
+      factor, found.at_normal, found.at_grazing, where_it_holds(found), found.under_sky);
 }
 
 /// What the stand-in does to a picture, by what both send back under a uniform sky.
 std::string effect_under_sky(const Claim& claim, double factor, double stand_in) {
   return effect_of_factor(stand_in, factor,
-                          "under a uniform sky " + std::string(claim.inputs.at("stand-in")) +
-                              " in the place of " + std::string(claim.inputs.at("factor")));
+                          fmt::format("under a uniform sky {} instead of {}", claim.inputs.at("stand-in"),
+                                      claim.inputs.at("factor")));
 }
 
 Verdict verdict_on(const DiffuseUnderFresnel& found) {
@@ -103,7 +105,7 @@ DiffuseUnderFresnel diffuse_under_fresnel(std::string_view factor, double albedo
   if (is(TransmittedIn{})) return both_ways<TransmittedIn>(albedo, f0);
   if (is(TransmittedAtNormal{})) return both_ways<TransmittedAtNormal>(albedo, f0);
   if (is(Unattenuated{})) return both_ways<Unattenuated>(albedo, f0);
-  throw std::invalid_argument("not a factor of the diffuse term: '" + std::string(factor) + "'");
+  throw std::invalid_argument(fmt::format("not a factor of the diffuse term: '{}'", factor));
 }
 
 Finding diffuse_fresnel(const Claim& claim) {
@@ -117,15 +119,17 @@ Finding diffuse_fresnel(const Claim& claim) {
   const auto share = [](const DiffuseUnderFresnel& found) {
     return decimal(std::max(found.at_normal, found.at_grazing), 6);
   };
-  return {is_known ? std::optional(worst(verdicts)) : std::nullopt,
-          "at most " + share(factor) + " and " + share(stand_in),
-          "at f0 = " + decimal(f0, 4) + " and albedo " + decimal(albedo, 4) + ", " +
-              part_sentence(claim.inputs.at("factor"), factor) + "; " +
-              part_sentence(claim.inputs.at("stand-in"), stand_in) + "; beside them, " +
-              part_sentence(claim.inputs.at("beside"), beside) +
-              " (the larger of both, light and view exchanged; two quadrature rules agree to " +
-              decimal(mean_rounding, 1) + ")",
-          effect_under_sky(claim, factor.under_sky, stand_in.under_sky)};
+  return {
+      is_known ? std::optional(worst(verdicts)) : std::nullopt,
+      fmt::format("at most {} and {}", share(factor), share(stand_in)),
+      fmt::format(
+          "at f0 = {:.4g} and albedo {:.4g}, the sum of specular and diffuse is as follows. As stated, {}. "
+          "As the stand-in, {}. For comparison, {}. Each is the larger of two sums, with light and view "
+          "exchanged. Two quadrature rules agree to {:.1g}",
+          f0, albedo, part_sentence(claim.inputs.at("factor"), factor),
+          part_sentence(claim.inputs.at("stand-in"), stand_in),
+          part_sentence(claim.inputs.at("beside"), beside), mean_rounding),
+      effect_under_sky(claim, factor.under_sky, stand_in.under_sky)};
 }
 
 }  // namespace shadefit

@@ -9,12 +9,12 @@
 
 #include "fit/errors/effect.hpp"
 #include "fit/fit.hpp"
-#include "fit/ledger/published.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/ledger/where.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -75,33 +75,28 @@ Effect effect_on_reflectance(const Form& form, double f0) {
 std::string effect_at_normal(double weight, double f0) {
   Effect effect;
   effect.show(f0, schlick_reflectance(f0, weight), at_cosine({1, 0}));
-  return sentence(effect, "F of f0 = " + decimal(f0, 3), "at normal incidence it");
+  return sentence(effect, fmt::format("F of f0 = {:.3g}", f0), "at normal incidence it");
 }
 
-Finding fitted_sharpness(const Claim& claim) {
-  Finding finding = evaluate_published(claim, {"fresnel-one-term"});
+/// The closed form beside the fit.
+Finding sharpness_of_offset(const Claim& claim) {
   const double closed = one_term_sharpness(input(claim, "x"));
-  const Verdict of_closed_form = judge(claim.printed[0].value, {"", closed}, {}).verdict;
-  const std::array parts{finding.verdict, std::optional(of_closed_form)};
-  finding.verdict = worst(parts);
-  finding.evidence += "; (5 + x)/ln 2 of x = " + std::string(claim.inputs.at("x")) + " is " +
-                      decimal(closed, 10) + ": " + std::string(name(of_closed_form));
-  return finding;
+  const Verdict verdict = judge(claim.printed[0].value, {"", closed}, {}).verdict;
+  return {
+      verdict, decimal(closed, 10),
+      fmt::format("for x = {}, (5 + x)/ln 2 is {:.10g}: {}", claim.inputs.at("x"), closed, name(verdict))};
 }
 
 Finding one_term_at_one(const Claim& claim) {
   const double value = fresnel_one_term(1.0, input(claim, "A")), f0 = input(claim, "f0");
   const double best = optimum("fresnel-one-term")[0];
-  return {judge(claim.printed[0].value, {"", value}, {}).verdict, decimal(value, 10),
-          "exp2(-" + std::string(claim.inputs.at("A")) + ") is " + decimal(value, 10) +
-              "; of the unrounded optimum A = " + decimal(best, 10) + " it is " +
-              decimal(fresnel_one_term(1.0, best), 10) + "; (1-c)^5 is 0 there, and F of f0 = " +
-              decimal(f0, 3) + " is " + decimal(schlick_reflectance(f0, value), 6),
-          effect_at_normal(value, f0)};
-}
-
-Finding quadratic_coefficients(const Claim& claim) {
-  return evaluate_published(claim, {"fresnel-quadratic-a", "fresnel-quadratic-b"});
+  return {
+      judge(claim.printed[0].value, {"", value}, {}).verdict, decimal(value, 10),
+      fmt::format(
+          "exp2(-{}) is {:.10g}. For the unrounded optimum A = {:.10g} it is {:.10g}. (1-c)^5 is 0 there. "
+          "F of f0 = {:.3g} becomes {:.6g}",
+          claim.inputs.at("A"), value, best, fresnel_one_term(1.0, best), f0, schlick_reflectance(f0, value)),
+      effect_at_normal(value, f0)};
 }
 
 Finding quadratic_at_one(const Claim& claim) {
@@ -113,21 +108,16 @@ Finding quadratic_at_one(const Claim& claim) {
   const double of_printed = input(claim, "exp2(-A) as printed") / number_of(claim.printed[0].value);
   const std::array parts{judge(claim.printed[0].value, {"", value}, {}).verdict,
                          judge(claim.printed[1].value, {"", ratio}, {}).verdict};
-  return {worst(parts), "value = " + decimal(value, 10) + ", ratio = " + decimal(ratio, 10),
-          "exp2(a + b) of the printed pair is " + decimal(value, 10) + " (" + std::string(name(parts[0])) +
-              "), and exp2(-A) is " + decimal(ratio, 10) + " times that, which rounds to " +
-              decimal(std::round(ratio), 6) + " (" + std::string(name(parts[1])) +
-              "); the unrounded optima give " + decimal(best, 10) + " and " + decimal(best_ratio, 10) +
-              "; the values as printed, " + std::string(claim.inputs.at("exp2(-A) as printed")) + "/" +
-              std::string(claim.printed[0].value) + ", have the quotient " + decimal(of_printed, 6) +
-              ", which gives " + decimal(std::trunc(of_printed), 6) +
-              " where its fraction is cut off; F of f0 = " + decimal(f0, 3) + " is " +
-              decimal(schlick_reflectance(f0, value), 6) + " at c = 1",
-          effect_at_normal(value, f0)};
-}
-
-Finding sharpness_of_offset_one(const Claim& claim) {
-  return evaluate_published(claim, {"fresnel-offset-one"});
+  return {
+      worst(parts), fmt::format("value = {:.10g}, ratio = {:.10g}", value, ratio),
+      fmt::format(
+          "exp2(a + b) of the printed pair is {:.10g} ({}). exp2(-A) is {:.10g} times that, which rounds "
+          "to {:.6g} ({}). The unrounded optima give {:.10g} and {:.10g}. The quotient of the values as "
+          "printed, {}/{}, is {:.6g}; without its fraction it is {:.6g}. F of f0 = {:.3g} is {:.6g} at c = 1",
+          value, name(parts[0]), ratio, std::round(ratio), name(parts[1]), best, best_ratio,
+          claim.inputs.at("exp2(-A) as printed"), claim.printed[0].value, of_printed, std::trunc(of_printed),
+          f0, schlick_reflectance(f0, value)),
+      effect_at_normal(value, f0)};
 }
 
 /// Both rules have to give the integrals below within this of each other, by their estimates too; absolute.
@@ -177,11 +167,10 @@ Distance distance_from_schlick(const Form& form, double f0) {
 std::string sentence_of(const Distance& d) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < measures.size(); ++i)
-    parts.push_back("rms " + decimal(d.rms[i], 4) + " (" + std::string(name(measures[i])) + ")");
-  parts.push_back("at most " + decimal(d.absolute.magnitude, 4) +
-                  " (c = " + decimal(d.absolute.at.cos_theta, 4) + ")");
-  parts.push_back("at most " + decimal(d.relative.magnitude, 4) +
-                  " of F (c = " + decimal(d.relative.at.cos_theta, 4) + ")");
+    parts.push_back(fmt::format("rms {:.4g} ({})", d.rms[i], name(measures[i])));
+  parts.push_back(fmt::format("at most {:.4g} (c = {:.4g})", d.absolute.magnitude, d.absolute.at.cos_theta));
+  parts.push_back(
+      fmt::format("at most {:.4g} of F (c = {:.4g})", d.relative.magnitude, d.relative.at.cos_theta));
   return enumerated(parts);
 }
 
@@ -227,17 +216,17 @@ Finding power_four(const Claim& claim) {
     const double target = schlick_weight(c);
     return std::abs(power_form(c) - target) - std::abs(gaussian(c) - target);
   });
-  const std::string name_of_power = "(1-c)^" + std::to_string(n);
+  const std::string name_of_power = fmt::format("(1-c)^{}", n);
   return {verdict_of_comparison(comparison),
-          std::to_string(comparison.worse) + " of " + std::to_string(comparison.readings) + " readings",
-          name_of_power + " is further from (1-c)^5 in " + std::to_string(comparison.worse) + " of " +
-              std::to_string(comparison.readings) + " readings: its error is " + sentence_of(of_power) +
-              ", against " + sentence_of(of_gaussian) + " for exp2(-" + std::string(claim.inputs.at("A")) +
-              " c), each rms by two rules to " + decimal(rms_tolerance, 1) +
-              "; at single angles it is the closer one " + ranges_in_words(closer, 4),
-          sentences(
-              {sentence(effect_on_reflectance(power_form, f0), "F of f0 = " + decimal(f0, 3), name_of_power),
-               sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
+          fmt::format("{} of {} readings", comparison.worse, comparison.readings),
+          fmt::format(
+              "{0} is further from (1-c)^5 in {1} of {2} readings. Its errors are {3}. Those of exp2(-{5} c) "
+              "are {4}. Two rules agree on each rms to {6:.1g}. At single angles {0} is closer: {7}",
+              name_of_power, comparison.worse, comparison.readings, sentence_of(of_power),
+              sentence_of(of_gaussian), claim.inputs.at("A"), rms_tolerance, ranges_in_words(closer, 4)),
+          sentences({sentence(effect_on_reflectance(power_form, f0), fmt::format("F of f0 = {:.3g}", f0),
+                              name_of_power),
+                     sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
 }
 
 Finding relative_errors(const Claim& claim) {
@@ -251,19 +240,18 @@ Finding relative_errors(const Claim& claim) {
   const double small_codes = largest_code_shift(pair, f0), large_codes = largest_code_shift(single, f0);
   const auto closer = where_negative([&](double c) { return std::abs(of_single(c)) - std::abs(of_pair(c)); });
   return {verdict_of(ratio <= far_smaller), decimal(ratio, 4),
-          "the largest relative error of F is " + decimal(small.magnitude, 4) +
-              " (c = " + decimal(small.at.cos_theta, 4) + ") with the pair and " +
-              decimal(large.magnitude, 4) + " (c = " + decimal(large.at.cos_theta, 4) + ") with exp2(-" +
-              std::string(claim.inputs.at("A")) + " c), " + decimal(1 / ratio, 3) +
-              " times as much; far smaller is read as at most " +
-              std::string(claim.inputs.at("far smaller")) +
-              " of it; at single angles the one-term form is the closer one " + ranges_in_words(closer, 4) +
-              "; in 8-bit sRGB codes the pair is off by up to " + decimal(small_codes, 3) +
-              " and the one-term form by up to " + decimal(large_codes, 3) +
-              ": by the reading of one code the pair would " + (small_codes <= 1 ? "pass" : "fail") +
-              " and the one-term form would " + (large_codes <= 1 ? "pass" : "fail"),
-          sentences({sentence(effect_on_reflectance(single, f0), "F of f0 = " + decimal(f0, 3), "exp2(-A c)"),
-                     sentence(effect_on_reflectance(pair, f0), "it", "the pair")})};
+          fmt::format(
+              "the largest relative error of F is {:.4g} (c = {:.4g}) with the pair and {:.4g} (c = {:.4g}) "
+              "with exp2(-{} c): {:.3g} times as much. Far smaller is read as: at most {} times as large. At "
+              "single angles the one-term form is closer: {}. In 8-bit sRGB codes the pair is off by up to "
+              "{:.3g} and the one-term form by up to {:.3g}. With a limit of one code the pair would {} and "
+              "the one-term form would {}",
+              small.magnitude, small.at.cos_theta, large.magnitude, large.at.cos_theta, claim.inputs.at("A"),
+              1 / ratio, claim.inputs.at("far smaller"), ranges_in_words(closer, 4), small_codes, large_codes,
+              small_codes <= 1 ? "pass" : "fail", large_codes <= 1 ? "pass" : "fail"),
+          sentences(
+              {sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0), "exp2(-A c)"),
+               sentence(effect_on_reflectance(pair, f0), "it", "the pair")})};
 }
 
 Finding exponent_sum(const Claim& claim) {
@@ -274,8 +262,10 @@ Finding exponent_sum(const Claim& claim) {
   const Verdict verdict = judge(printed, {"", sum}, {}).verdict;
   const Verdict of_best = judge(printed, {"", best}, {}).verdict;
   return {verdict, decimal(sum, 10),
-          "a + b of the printed pair is " + decimal(sum, 10) + "; of the unrounded optimum it is " +
-              decimal(best, 10) + ", by which the printed number is " + std::string(name(of_best)),
+          fmt::format(
+              "a + b is {:.10g} for the printed pair. For the unrounded optimum it is {:.10g}: against that "
+              "the printed number is {}",
+              sum, best, name(of_best)),
           effect_of_factor(std::exp2(number_of(printed)), std::exp2(sum), "at c = 1 it")};
 }
 
@@ -324,28 +314,25 @@ Finding roughness_range(const Claim& claim) {
   const double rounding = 1.5 * std::numeric_limits<double>::epsilon();
   const bool stays = outside <= rounding;
   const HalfExcess half = excess_in_half(steps);
-  return {verdict_of(stays), stays ? "stays within" : "leaves it by " + decimal(outside, 4),
-          "over c = " + std::string(claim.inputs.at("from")) + " .. " + std::string(claim.inputs.at("to")) +
-              " the weight (1-c)^5 runs from " + decimal(highest, 6) + " to " + decimal(lowest, 6) +
-              ", and at " + std::to_string(pairs) + " pairs of f0 and g F " +
-              (stays ? "leaves [f0, max(g, f0)] by nothing beyond rounding, " + decimal(rounding, 2)
-                     : "leaves [f0, max(g, f0)] by up to " + decimal(outside, 4)) +
-              "; at the " + std::to_string(flat) +
-              " of them with g <= f0 the reflectance does not rise at all; in half arithmetic rounding lifts "
-              "F above max(g, f0) at " +
-              std::to_string(half.pairs) + " pairs, by at most " + decimal(half.ulps, 2) +
-              " in ulps of a half float",
-          stays ? "none" : sentence(effect, "F", "beyond its range it")};
+  return {
+      verdict_of(stays), stays ? "stays within" : fmt::format("leaves it by {:.4g}", outside),
+      fmt::format(
+          "over c = {} .. {} the weight (1-c)^5 runs from {:.6g} to {:.6g}. At {} pairs of f0 and g, F {}. "
+          "At the {} pairs with g <= f0 the reflectance does not rise at all. In half arithmetic rounding "
+          "lifts F above max(g, f0) at {} pairs, by at most {:.2g} ulps of a half float",
+          claim.inputs.at("from"), claim.inputs.at("to"), highest, lowest, pairs,
+          stays ? fmt::format("stays within [f0, max(g, f0)] up to rounding, {:.2g}", rounding)
+                : fmt::format("leaves [f0, max(g, f0)] by up to {:.4g}", outside),
+          flat, half.pairs, half.ulps),
+      stays ? "none" : sentence(effect, "F", "beyond its range it")};
 }
 
 }  // namespace
 
 std::span<const Evaluator> fresnel_evaluators() {
-  static constexpr std::array evaluators{Evaluator{"fresnel-one-term", fitted_sharpness},
+  static constexpr std::array evaluators{Evaluator{"fresnel-one-term", sharpness_of_offset},
                                          Evaluator{"fresnel-one-term-at-1", one_term_at_one},
-                                         Evaluator{"fresnel-quadratic", quadratic_coefficients},
                                          Evaluator{"fresnel-quadratic-at-1", quadratic_at_one},
-                                         Evaluator{"fresnel-offset-one", sharpness_of_offset_one},
                                          Evaluator{"fresnel-power-four", power_four},
                                          Evaluator{"fresnel-relative-error", relative_errors},
                                          Evaluator{"fresnel-exponent-sum", exponent_sum},

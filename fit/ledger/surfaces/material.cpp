@@ -10,7 +10,7 @@
 #include "fit/ledger/list.hpp"
 #include "fit/ledger/surfaces/diffuse_fresnel.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -49,10 +49,10 @@ std::string effect_of_clamp(double dielectric_f0, int codes) {
     const double colour = srgb_decode(i / (codes - 1.0));
     effect.show(colour, std::min(colour, brightest), {{"code ", static_cast<double>(i)}, {"m = ", 0}});
   }
-  return sentence(effect, "it",
-                  "a clamp of the base colour to the " + decimal(brightest, 4) +
-                      " that sends back no more light "
-                      "than arrives");
+  return sentence(
+      effect, "it",
+      fmt::format("a clamp of the base colour to {:.4g}, which reflects no more light than arrives,",
+                  brightest));
 }
 
 Finding metallic_workflow(const Claim& claim) {
@@ -65,15 +65,14 @@ Finding metallic_workflow(const Claim& claim) {
   const long pairs = static_cast<long>(codes) * codes;
   return {
       census.above_one == census.beyond_brightest ? std::optional(verdict) : std::nullopt,
-      "c <= 1 - " + text + " (1-m)",
-      "albedo + F0 = c + " + text + " (1-m) is at most 1 exactly where c <= 1 - " + text +
-          " (1-m): at every m up to c = " + decimal(brightest, 4) + ", code " +
-          decimal(srgb_code(brightest), 4) + ", above that only for m >= 1 - (1-c)/" + text +
-          "; its largest value is " + decimal(most, 4) +
-          " at c = 1, m = 0, a white dielectric at normal incidence; of the " + std::to_string(pairs) +
-          " pairs of codes " + std::to_string(census.above_one) + " are above 1" +
-          (census.above_one > 0 ? ", from colour code " + std::to_string(census.first_colour) + " on" : "") +
-          ", as many as the closed form says",
+      fmt::format("c <= 1 - {} (1-m)", text),
+      fmt::format(
+          "albedo + F0 = c + {} (1-m) is at most 1 exactly where c <= 1 - {} (1-m). Up to c = {:.4g}, code "
+          "{:.4g}, that holds at every m; above only for m >= 1 - (1-c)/{}. Its largest value is {:.4g} at "
+          "c = 1, m = 0: a white dielectric at normal incidence. Among the {} pairs of codes {} are above "
+          "1{}, as many as the closed form says",
+          text, text, brightest, srgb_code(brightest), text, most, pairs, census.above_one,
+          census.above_one > 0 ? fmt::format(", from colour code {} on", census.first_colour) : ""),
       effect_of_clamp(f0, codes)};
 }
 
@@ -99,13 +98,14 @@ Finding workflow_channels(const Claim& claim) {
     return verdict_of(number_of(printed.value) == channels.sum);
   };
   const std::array verdicts{judged(claim.printed[0], specular), judged(claim.printed[1], metallic)};
-  return {worst(verdicts),
-          "specular = " + std::to_string(specular.sum) + ", metallic = " + std::to_string(metallic.sum),
-          specular.sentence + " are " + std::to_string(specular.sum) + "; " + metallic.sentence + " are " +
-              std::to_string(metallic.sum) + ", " + std::to_string(specular.sum - metallic.sum) +
-              " fewer, and " + std::to_string(metallic.sum + more.sum) + " with one more map, " +
-              more.sentence,
-          "none"};
+  return {
+      worst(verdicts), fmt::format("specular = {}, metallic = {}", specular.sum, metallic.sum),
+      fmt::format(
+          "specular workflow: {}, in all {} channels. Metallic workflow: {}, in all {}, {} fewer; {} with "
+          "one more map, {}",
+          specular.sentence, specular.sum, metallic.sentence, metallic.sum, specular.sum - metallic.sum,
+          metallic.sum + more.sum, more.sentence),
+      "none"};
 }
 
 }  // namespace

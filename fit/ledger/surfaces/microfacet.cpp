@@ -15,6 +15,7 @@
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -40,10 +41,9 @@ struct Widths {
   }
 
   std::string words() const {
-    return std::to_string(roughness.size()) + (roughness.size() == 1 ? " roughness" : " roughnesses") +
-           " from " + decimal(roughness.front(), 6) + " to " + decimal(roughness.back(), 6) +
-           " (alpha from " + decimal(alpha(roughness.front()), 6) + " to " +
-           decimal(alpha(roughness.back()), 6) + ")";
+    return fmt::format("{}{} from {:.6g} to {:.6g} (alpha from {:.6g} to {:.6g})", roughness.size(),
+                       roughness.size() == 1 ? " roughness" : " roughnesses", roughness.front(),
+                       roughness.back(), alpha(roughness.front()), alpha(roughness.back()));
   }
 };
 
@@ -82,12 +82,14 @@ Furthest area_distance(Distribution distribution, const Widths& widths, double p
 }
 
 std::string area_evidence(const Furthest& worst, const Widths& widths, std::string_view printed) {
-  const std::string result = worst.relative <= promised
-                                 ? "is " + std::string(printed) + " to better than " + decimal(promised, 1)
-                                 : "is " + decimal(worst.integral, 10) + " at roughness " +
-                                       decimal(worst.roughness, 6) + ", not " + std::string(printed) + ",";
-  return "the integral of D(m) (n.m) over the sphere of normals, D = 0 for n.m <= 0, " + result + " at " +
-         widths.words() + ", by two rules that agree within " + decimal(std::max(promised, worst.error), 1);
+  const std::string result =
+      worst.relative <= promised
+          ? fmt::format("is {} to better than {:.1g}", printed, promised)
+          : fmt::format("is {:.10g} at roughness {:.6g}, not {},", worst.integral, worst.roughness, printed);
+  return fmt::format(
+      "the integral of D(m) (n.m) over the sphere of normals, with D = 0 for n.m <= 0, {} at {}. Two rules "
+      "agree within {:.1g}",
+      result, widths.words(), std::max(promised, worst.error));
 }
 
 template <Distribution distribution>
@@ -100,7 +102,7 @@ Finding normalised(const Claim& claim) {
           judged(worst) == Verdict::confirmed
               ? "none"
               : effect_of_factor(expected, worst.integral,
-                                 "at roughness " + decimal(worst.roughness, 6) + " it")};
+                                 fmt::format("at roughness {:.6g} it", worst.roughness))};
 }
 
 /// The largest relative distance of GTR1 at that alpha from `limit`, over normals from n to the horizon.
@@ -129,11 +131,11 @@ Finding gtr1_normalised(const Claim& claim) {
   const bool is_limit = at_one <= promised && beside <= allowed;
   finding.verdict = worst(std::array{finding.verdict, std::optional(verdict_of(is_limit))});
   const Decimal50 here = gtr1_distribution(MicrofacetNormal<Decimal50>{1, 0}, Decimal50(1));
-  finding.computed += ", " + decimal(here.convert_to<double>(), 10);
-  finding.evidence += "; at alpha = 1 D is " + decimal(here.convert_to<double>(), 10) +
-                      (is_limit ? " = " : ", not ") + std::string(printed) +
-                      ", for every m, and at alpha = 1 - h and 1 + h, h = " + std::string(step_text) +
-                      ", it is within " + decimal(beside, 2) + " of that value, relative, in 50 digits";
+  finding.computed += fmt::format(", {:.10g}", here.convert_to<double>());
+  finding.evidence += fmt::format(
+      ". At alpha = 1 D is {:.10g}{}{}, for every m. At alpha = 1 - h and 1 + h, h = {}, it is within "
+      "{:.2g} of that value, relative, in 50 digits",
+      here.convert_to<double>(), is_limit ? " = " : ", not ", printed, step_text, beside);
   return finding;
 }
 
@@ -178,16 +180,16 @@ MaskingTable masking_table(const Pair& pair, const Widths& widths, const std::ve
 }
 
 std::string views_in_words(const std::vector<double>& angles) {
-  return counted(static_cast<long>(angles.size()), "view angle") + " from " + decimal(angles.front(), 6) +
-         " to " + decimal(angles.back(), 6) + " degrees";
+  return fmt::format("{} from {:.6g} to {:.6g} degrees",
+                     counted(static_cast<long>(angles.size()), "view angle"), angles.front(), angles.back());
 }
 
 /// What a masking does to a surface with F = 1 that should reflect all of the light.
 std::string effect_of_masking(const Furthest& worst, std::string_view distribution) {
-  return effect_of_factor(worst.integral, 1,
-                          std::string(distribution) + " with F = 1 and masking alone, at roughness " +
-                              decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
-                              " degrees,");
+  return effect_of_factor(
+      worst.integral, 1,
+      fmt::format("{} with F = 1 and masking alone, at roughness {:.6g} and {:.6g} degrees,", distribution,
+                  worst.roughness, worst.view_angle));
 }
 
 Finding masked_by_its_own(const Claim& claim) {
@@ -196,14 +198,14 @@ Finding masked_by_its_own(const Claim& claim) {
   const Pair pair{distribution_of(claim.inputs.at("distribution")), masking_of(claim.inputs.at("masking"))};
   const Furthest worst = masking_table(pair, widths, angles).worst;
   const bool holds = worst.relative <= promised;
-  const std::string most = holds ? "less than " + decimal(promised, 1)
-                                 : "up to " + decimal(worst.relative, 4) + " (at roughness " +
-                                       decimal(worst.roughness, 6) + ", " + decimal(worst.view_angle, 6) +
-                                       " degrees)";
-  return {judged(worst), holds ? "identity" : decimal(worst.integral, 4) + " v.n",
-          "the integral of G1 D(m) max(v.m, 0) differs from v.n by " + most + ", relative, at " +
-              widths.words() + " and " + views_in_words(angles) + ", by two rules that agree within " +
-              decimal(std::max(promised, worst.error), 1),
+  const std::string most = holds ? fmt::format("less than {:.1g}", promised)
+                                 : fmt::format("up to {:.4g} (at roughness {:.6g}, {:.6g} degrees)",
+                                               worst.relative, worst.roughness, worst.view_angle);
+  return {judged(worst), holds ? "identity" : fmt::format("{:.4g} v.n", worst.integral),
+          fmt::format(
+              "the integral of G1 D(m) max(v.m, 0) differs from v.n by {}, relative, at {} and {}. Two rules "
+              "agree within {:.1g}",
+              most, widths.words(), views_in_words(angles), std::max(promised, worst.error)),
           holds ? "none" : effect_of_masking(worst, claim.inputs.at("distribution"))};
 }
 
@@ -257,12 +259,12 @@ LoanRange range_of(const Pair& pair, const Widths& widths, const std::vector<dou
 
 std::string words(const LoanRange& range, double allowed) {
   const std::string by_roughness =
-      range.roughness ? "at all of these views up to roughness " + decimal(*range.roughness, 4)
-                      : "not at all of these views even at the lowest roughness";
+      range.roughness ? fmt::format("at all of these views up to roughness {:.4g}", *range.roughness)
+                      : "at no roughness for all of these views";
   const std::string by_view =
-      range.view_angle ? "at all of these roughnesses up to " + decimal(*range.view_angle, 4) + " degrees"
-                       : "not at all of these roughnesses even along the normal";
-  return "within " + decimal(allowed, 4) + " of 1 " + by_roughness + ", and " + by_view;
+      range.view_angle ? fmt::format("at all of these roughnesses up to {:.4g} degrees", *range.view_angle)
+                       : "at no view for all of these roughnesses";
+  return fmt::format("within {:.4g} of 1 {}, and {}", allowed, by_roughness, by_view);
 }
 
 /// "1, 1.003 and 1.77": the ratios at the flattest view, by roughness.
@@ -289,13 +291,12 @@ Finding loan(std::string_view distribution, const Claim& claim) {
                                                             : Verdict::refuted;
   }
   const std::string ratio = decimal(worst.integral, 4);
-  finding.computed = ratio + " v.n (" + std::string(distribution) + ")";
-  finding.evidence = std::string(distribution) + " with the G1 of " + lender + " gives " +
-                     at_flattest_view(table) + " times v.n at these roughnesses seen from " +
-                     decimal(angles.back(), 6) + " degrees; its worst is " + ratio + ", at roughness " +
-                     decimal(worst.roughness, 6) + " and " + decimal(worst.view_angle, 6) +
-                     " degrees; it is " + words(range, accurate) + " (" +
-                     words(range_of(pair, widths, angles, table, code), code) + ", one 8-bit sRGB code)";
+  finding.computed = fmt::format("{} v.n ({})", ratio, distribution);
+  finding.evidence = fmt::format(
+      "{} with the G1 of {} gives {} times v.n at these roughnesses, seen from {:.6g} degrees. The worst "
+      "is {}, at roughness {:.6g} and {:.6g} degrees. It is {}. For one 8-bit sRGB code: it is {}",
+      distribution, lender, at_flattest_view(table), angles.back(), ratio, worst.roughness, worst.view_angle,
+      words(range, accurate), words(range_of(pair, widths, angles, table, code), code));
   finding.effect = effect_of_masking(worst, distribution);
   return finding;
 }
@@ -304,9 +305,9 @@ Finding masked_by_another(const Claim& claim) {
   const Finding blinn_phong = loan("blinn-phong", claim), gtr1 = loan("gtr1", claim);
   const Widths widths(claim);
   return {worst(std::array{blinn_phong.verdict, gtr1.verdict}),
-          "at worst " + blinn_phong.computed + ", " + gtr1.computed,
-          "at " + widths.words() + " and " + views_in_words(angles_of(claim)) + ", " + blinn_phong.evidence +
-              "; " + gtr1.evidence,
+          fmt::format("at worst {}, {}", blinn_phong.computed, gtr1.computed),
+          fmt::format("at {} and {}: {}. {}", widths.words(), views_in_words(angles_of(claim)),
+                      blinn_phong.evidence, gtr1.evidence),
           sentences({blinn_phong.effect, gtr1.effect})};
 }
 

@@ -21,6 +21,7 @@
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {
@@ -48,7 +49,7 @@ const Normalisation& record_of(const Claim& claim) {
   for (const Normalisation& record : normalisations) {
     if (record.id == claim.id) return record;
   }
-  throw std::logic_error("no normalisation " + std::string(claim.id));
+  throw std::logic_error(fmt::format("no normalisation {}", claim.id));
 }
 
 std::vector<double> exponents_of(const Claim& claim) {
@@ -58,13 +59,13 @@ std::vector<double> exponents_of(const Claim& claim) {
 /// "8 exponents from 0.1 to 1e+06".
 std::string range_in_words(const std::vector<double>& values, std::string_view noun) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return counted(static_cast<long>(values.size()), noun) + " from " + decimal(*low, 6) + " to " +
-         decimal(*high, 6);
+  return fmt::format("{} from {:.6g} to {:.6g}", counted(static_cast<long>(values.size()), noun), *low,
+                     *high);
 }
 
 /// "v at a = 8", or "v" for a constant without an exponent.
 std::string at_exponent(double value, std::optional<double> exponent) {
-  return decimal(value, 10) + (exponent ? " at a = " + decimal(*exponent, 6) : "");
+  return fmt::format("{:.10g}{}", value, exponent ? fmt::format(" at a = {:.6g}", *exponent) : "");
 }
 
 /// What a constant is measured in, as a number and as it is written.
@@ -83,7 +84,8 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, co
   for (const NormalisationCheck& check : checks) {
     const double difference =
         std::abs(printed.at(check.exponent.value_or(1)) / (unit.value * check.integral) - 1);
-    if (!std::isfinite(difference)) throw std::domain_error(printed.text() + " has no finite value");
+    if (!std::isfinite(difference))
+      throw std::domain_error(fmt::format("{} has no finite value", printed.text()));
     error = std::max(error, check.estimated_error);
     if (difference <= furthest) continue;
     furthest = difference;
@@ -93,22 +95,25 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, co
   finding.verdict = judge_normalisation(furthest, error);
   finding.computed = at_exponent(unit.value * checks.front().integral, checks.front().exponent);
   if (checks.size() > 1)
-    finding.computed += ", " + at_exponent(unit.value * checks.back().integral, checks.back().exponent);
+    finding.computed +=
+        fmt::format(", {}", at_exponent(unit.value * checks.back().integral, checks.back().exponent));
   const double exact = unit.value * worst_check->integral;
-  finding.evidence = (unit.text.empty() ? "" : unit.text + " times ") + "1 over the integral of '" +
-                     std::string(record_of(claim).lobe) + "'";
-  finding.evidence += furthest <= normalisation_tolerance
-                          ? " is " + printed.text() + " to better than " + decimal(normalisation_tolerance, 1)
-                          : " is " + at_exponent(exact, worst_check->exponent) + " and not the " +
-                                decimal(printed.at(worst_check->exponent.value_or(1)), 10) + " of " +
-                                printed.text();
-  if (checks.size() > 1) finding.evidence += ", looked for at " + range_in_words(exponents, "exponent");
+  finding.evidence =
+      fmt::format("{}1 over the integral of '{}'",
+                  unit.text.empty() ? "" : fmt::format("{} times ", unit.text), record_of(claim).lobe);
   finding.evidence +=
-      " (two rules that agree within " + decimal(std::max(error, normalisation_tolerance), 1) + ")";
+      furthest <= normalisation_tolerance
+          ? fmt::format(" is {} to better than {:.1g}", printed.text(), normalisation_tolerance)
+          : fmt::format(" is {} and not the {:.10g} of {}", at_exponent(exact, worst_check->exponent),
+                        printed.at(worst_check->exponent.value_or(1)), printed.text());
+  if (checks.size() > 1)
+    finding.evidence += fmt::format(", looked for at {}", range_in_words(exponents, "exponent"));
+  finding.evidence +=
+      fmt::format(" (two rules that agree within {:.1g})", std::max(error, normalisation_tolerance));
   if (finding.verdict != Verdict::confirmed)
-    finding.effect =
-        effect_of_factor(printed.at(worst_check->exponent.value_or(1)), exact,
-                         worst_check->exponent ? "at a = " + decimal(*worst_check->exponent, 6) + " it" : "");
+    finding.effect = effect_of_factor(
+        printed.at(worst_check->exponent.value_or(1)), exact,
+        worst_check->exponent ? fmt::format("at a = {:.6g} it", *worst_check->exponent) : "");
   return finding;
 }
 
@@ -156,8 +161,8 @@ Largest largest_of(const std::vector<ReflectanceCurve>& curves, ReflectancePeak 
     return (b.*part).value > (a.*part).value * (1 + equal_extrema);
   });
   const ReflectancePeak& top = (*peak).*part;
-  return {top.value, decimal(top.value, 6) + " (a = " + decimal(peak->exponent, 6) + ", seen from " +
-                         decimal(top.view_angle, 4) + " degrees)"};
+  return {top.value, fmt::format("{:.6g} (a = {:.6g}, seen from {:.4g} degrees)", top.value, peak->exponent,
+                                 top.view_angle)};
 }
 
 /// The lowest reflectance at the flattest view.
@@ -165,8 +170,8 @@ Largest lowest_of(const std::vector<ReflectanceCurve>& curves) {
   const auto at_end = [](const ReflectanceCurve& curve) { return curve.points.back().reflectance; };
   const auto curve = std::min_element(curves.begin(), curves.end(),
                                       [&](const auto& a, const auto& b) { return at_end(a) < at_end(b); });
-  return {at_end(*curve), decimal(at_end(*curve), 4) + " (a = " + decimal(curve->exponent, 6) + ", " +
-                              decimal(curve->points.back().view_angle, 6) + " degrees)"};
+  return {at_end(*curve), fmt::format("{:.4g} (a = {:.6g}, {:.6g} degrees)", at_end(*curve), curve->exponent,
+                                      curve->points.back().view_angle)};
 }
 
 /// A constant that is stated at v = n, and followed to every other view.
@@ -183,13 +188,15 @@ Finding constant_at_every_view(const Claim& claim) {
   std::vector<double> exponents;
   for (const ReflectanceCurve& curve : curves) exponents.push_back(curve.exponent);
   const auto angles = views_of(claim);
-  finding.evidence += "; over " + range_in_words(angles, "view angle") + " degrees, at " +
-                      range_in_words(exponents, "exponent") + ", its reflectance is at most " + plain.words;
-  if (plain.value != with_cosine.value) finding.evidence += ", with n.l at most " + with_cosine.words;
-  finding.evidence += std::string(", and falls to ") + lowest_of(curves).words +
-                      (creates_energy ? ": it creates energy" : ": it creates no energy") +
-                      " (two ways that agree within " + decimal(std::max(error, reflectance_tolerance), 1) +
-                      ")";
+  finding.evidence +=
+      fmt::format(". Over {} degrees, at {}, its reflectance is at most {}",
+                  range_in_words(angles, "view angle"), range_in_words(exponents, "exponent"), plain.words);
+  if (plain.value != with_cosine.value)
+    finding.evidence += fmt::format(", with n.l at most {}", with_cosine.words);
+  finding.evidence +=
+      fmt::format("{}{}{} (two ways that agree within {:.1g})", ", and falls to ", lowest_of(curves).words,
+                  creates_energy ? ": it creates energy" : ": it creates no energy",
+                  std::max(error, reflectance_tolerance));
   return finding;
 }
 
@@ -256,24 +263,24 @@ std::string within_one_code(const CheapRatio& ratio, double place) {
   const double code = change_of_one_code();
   const auto up_to = close_up_to(ratio, place, code), from = close_from(ratio, place, code);
   std::vector<std::string> ranges;
-  if (up_to) ranges.push_back("up to a = " + decimal(std::exp2(*up_to), 4));
-  if (from) ranges.push_back("from a = " + decimal(std::exp2(*from), 4) + " on");
-  return "within " + decimal(code, 4) + ", one 8-bit sRGB code, " +
-         (ranges.empty() ? std::string("nowhere") : enumerated(ranges));
+  if (up_to) ranges.push_back(fmt::format("up to a = {:.4g}", std::exp2(*up_to)));
+  if (from) ranges.push_back(fmt::format("from a = {:.4g} on", std::exp2(*from)));
+  return fmt::format("within {:.4g}, one 8-bit sRGB code, {}", code,
+                     ranges.empty() ? std::string("nowhere") : enumerated(ranges));
 }
 
 /// Where it creates energy: "7.5 % seen along the normal .."
 std::string energy_in_words(const std::vector<ReflectanceCurve>& curves) {
   std::vector<std::string> parts;
   for (const ReflectanceCurve& curve : curves) {
-    parts.push_back("a = " + decimal(curve.exponent, 6) +
-                    (curve.conserves_from
-                         ? " up to " + decimal((curve.largest.value - 1) * 100, 3) + " % at " +
-                               decimal(curve.largest.view_angle, 4) + " degrees, none from " +
-                               decimal(*curve.conserves_from, 4) + " degrees on"
-                         : std::string(" none")));
+    parts.push_back(fmt::format(
+        "a = {:.6g}{}", curve.exponent,
+        curve.conserves_from
+            ? fmt::format(" up to {:.3g} % at {:.4g} degrees, none from {:.4g} degrees on",
+                          (curve.largest.value - 1) * 100, curve.largest.view_angle, *curve.conserves_from)
+            : std::string(" none")));
   }
-  return enumerated(parts);
+  return fmt::format("{}", fmt::join(parts, "; at "));
 }
 
 /// Whether the lower the power the closer it is: everywhere, up to its furthest place, or not even there.
@@ -288,13 +295,13 @@ Verdict closest_at_low_powers(const CheapRatio& ratio, double furthest) {
 
 std::string closest_in_words(const CheapRatio& ratio, double furthest, double low) {
   const Verdict verdict = closest_at_low_powers(ratio, furthest);
-  if (verdict == Verdict::confirmed) return "the lower the power the closer it is";
-  if (verdict == Verdict::refuted) return "it is not the closer the lower the power";
+  if (verdict == Verdict::confirmed) return "The lower the power, the closer it is";
+  if (verdict == Verdict::refuted) return "It does not get closer with each lower power";
   const auto from = close_from(ratio, furthest, ratio.distance(std::log2(low)));
-  return "the lower the power the closer it is up to there and not beyond: " +
-         (from ? "from a = " + decimal(std::exp2(*from), 4) + " on it is closer than at a = "
-               : std::string("nowhere beyond it stays closer than at a = ")) +
-         decimal(low, 4);
+  return fmt::format("The lower the power, the closer it is, but only up to there: {}{:.4g}",
+                     from ? fmt::format("from a = {:.4g} on it is closer than at a = ", std::exp2(*from))
+                          : std::string("nowhere beyond it stays closer than at a = "),
+                     low);
 }
 
 Finding cheap_constant(const Claim& claim) {
@@ -311,16 +318,15 @@ Finding cheap_constant(const Claim& claim) {
   Finding finding;
   if (error <= reflectance_tolerance)
     finding.verdict = worst(std::array{verdict_of(furthest <= close), closest_at_low_powers(ratio, place)});
-  finding.computed = "up to " + decimal(1 + ratio(place), 10) + " times the exact constant";
-  finding.evidence = printed.text() + " over " + std::string(BlinnPhongBrdfLobe::record.printed) +
-                     " (1 over the integral of the lobe, at " + range_in_words(exponents, "exponent") +
-                     ") is furthest from 1 at a = " + decimal(std::exp2(place), 6) + ", by " +
-                     decimal(furthest, 6) + ", which is " + (furthest <= close ? "within " : "not within ") +
-                     decimal(close, 4) + " (" + within_one_code(ratio, place) + "); " +
-                     closest_in_words(ratio, place, low) + "; energy that it creates, over " +
-                     range_in_words(views_of(claim), "view angle") + " degrees: at " +
-                     energy_in_words(curves);
-  finding.effect = effect_of_factor(1 + ratio(place), 1, "at a = " + decimal(std::exp2(place), 3) + " it");
+  finding.computed = fmt::format("up to {:.10g} times the exact constant", 1 + ratio(place));
+  finding.evidence = fmt::format(
+      "the ratio of {} to {} (1 over the integral of the lobe, at {}) is furthest from 1 at a = {:.6g}, by "
+      "{:.6g}, which is {}{:.4g} ({}). {}. Energy that it creates, over {} degrees: at {}",
+      printed.text(), BlinnPhongBrdfLobe::record.printed, range_in_words(exponents, "exponent"),
+      std::exp2(place), furthest, furthest <= close ? "within " : "not within ", close,
+      within_one_code(ratio, place), closest_in_words(ratio, place, low),
+      range_in_words(views_of(claim), "view angle"), energy_in_words(curves));
+  finding.effect = effect_of_factor(1 + ratio(place), 1, fmt::format("at a = {:.3g} it", std::exp2(place)));
   return finding;
 }
 
@@ -332,8 +338,10 @@ Finding microfacet_constant(const Claim& claim) {
                   std::string(text)};
   const Finding plain = constant_alone(claim);
   const Finding in_unit = against_integrals(claim, PrintedConstant(claim.printed[1].value), unit);
-  return {worst(std::array{plain.verdict, in_unit.verdict}), plain.computed + "; " + in_unit.computed,
-          plain.evidence + "; " + in_unit.evidence, plain.effect == "none" ? in_unit.effect : plain.effect};
+  return {worst(std::array{plain.verdict, in_unit.verdict}),
+          fmt::format("{}; {}", plain.computed, in_unit.computed),
+          sentences({plain.evidence, in_unit.evidence}),
+          plain.effect == "none" ? in_unit.effect : plain.effect};
 }
 
 /// What a detour costs in half precision: "none", or what it moves.
@@ -348,7 +356,7 @@ std::string effect_in_half(const std::function<Eigen::half(Eigen::half)>& left,
     moved += a != b;
     effect.show(b, a, {{"grey ", static_cast<double>(i), "/255"}});
   }
-  return sentence(effect, std::to_string(moved) + " of 255 linear greys", "in half precision the detour");
+  return sentence(effect, fmt::format("{} of 255 linear greys", moved), "in half precision the detour");
 }
 
 /// An identity in c_diff, in 50 digits.
@@ -367,14 +375,14 @@ Finding light_unit(const Claim& claim) {
   constexpr double tolerance = 1e-45;  // of 50 digits, after three roundings
   const bool holds = furthest <= tolerance;
   const auto at_white = value(left, Decimal50(1)).convert_to<double>();
-  return {verdict_of(holds), holds ? "identity" : decimal(at_white, 10) + " at c_diff = 1",
-          std::string(left_text) + " and " + std::string(right_text) + " differ by " +
-              (holds ? "less than " + decimal(tolerance, 1)
-                     : "up to " + decimal(furthest.convert_to<double>(), 4)) +
-              ", relative, at 255 grey levels in 50 digits",
-          holds ? effect_in_half([&](Eigen::half c) { return value(left, c); },
-                                 [&](Eigen::half c) { return value(right, c); })
-                : effect_of_factor(at_white, value(right, Decimal50(1)).convert_to<double>())};
+  return {
+      verdict_of(holds), holds ? "identity" : fmt::format("{:.10g} at c_diff = 1", at_white),
+      fmt::format("{} and {} differ by {}, relative, at 255 grey levels in 50 digits", left_text, right_text,
+                  holds ? fmt::format("less than {:.1g}", tolerance)
+                        : fmt::format("up to {:.4g}", furthest.convert_to<double>())),
+      holds ? effect_in_half([&](Eigen::half c) { return value(left, c); },
+                             [&](Eigen::half c) { return value(right, c); })
+            : effect_of_factor(at_white, value(right, Decimal50(1)).convert_to<double>())};
 }
 
 }  // namespace

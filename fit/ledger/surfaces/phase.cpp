@@ -12,6 +12,7 @@
 #include "fit/ledger/topics.hpp"
 #include "fit/quadrature/integrate.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/format.hpp"
 
 namespace shadefit {
 namespace {
@@ -83,17 +84,16 @@ Finding phase_normalisation(const Claim& claim) {
   constexpr double roundings = 6e-7;  // ten of a float, as many as the form has operations
   return {
       apart <= phase_agreement ? worst(verdicts) : std::nullopt, decimal(closed, 10),
-      "the closed form gives " + decimal(closed, 10) + " at " +
-          counted(static_cast<long>(anisotropies.size()), "value") + " of g from " + decimal(*least, 6) +
-          " to " + decimal(*most, 6) +
-          "; two quadrature rules, one of them over the form as printed, agree with it " +
-          (apart <= phase_agreement ? "to " + decimal(phase_agreement, 1)
-                                    : "no better than to " + decimal(apart, 1)) +
-          "; the peak is " + decimal(henyey_greenstein_near_peak(0.0, sharpest), 4) +
-          " per steradian at |g| = " + decimal(sharpest, 6) +
-          ", where in single precision the printed form is off by " + decimal(off, 2) +
-          " of its value, with the base (1-g)^2 + 2 g (1-c) " +
-          (robust <= roundings ? "by roundings only" : "by " + decimal(robust, 2)),
+      fmt::format(
+          "the closed form gives {:.10g} at {} of g from {:.6g} to {:.6g}. Two quadrature rules, one of "
+          "them over the form as printed, agree with it {}. The peak is {:.4g} per steradian at |g| = "
+          "{:.6g}. There, in single precision, the printed form is off by {:.2g} of its value; with the "
+          "base (1-g)^2 + 2 g (1-c) {}",
+          closed, counted(static_cast<long>(anisotropies.size()), "value"), *least, *most,
+          apart <= phase_agreement ? fmt::format("to {:.1g}", phase_agreement)
+                                   : fmt::format("no better than to {:.1g}", apart),
+          henyey_greenstein_near_peak(0.0, sharpest), sharpest, off,
+          robust <= roundings ? "by roundings only" : fmt::format("by {:.2g}", robust)),
       sentence(effect_in_single(single), "a highlight of peak 1", "in single precision the printed form")};
 }
 

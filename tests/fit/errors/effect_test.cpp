@@ -106,16 +106,16 @@ TEST(Effect, IsOneSentence) {
   effect.show(1, 0, at(2));
   EXPECT_EQ(
       sentence(effect, "white", "black paint"),
-      "black paint moves white by at most 1 (at x = 2), 1 of its value (at x = 2), 1e+03 ulps of a half "
-      "float, 255 8-bit sRGB codes, each at its worst");
+      "black paint moves white by up to 255 codes of 8-bit sRGB (absolute: 1 at x = 2; relative: 1 at x = 2; "
+      "half float: 1e+03 ulps)");
   Effect dark;
   dark.show(0, 0x1p-24, at(3));
   EXPECT_EQ(
       sentence(dark),
-      "moves the curve by at most 6e-08 (at x = 3), no relative change as no value reaches 1/255, 1 ulp "
-      "of a half float, 0.0002 8-bit sRGB codes, each at its worst");
+      "moves the curve by up to 0.0002 codes of 8-bit sRGB (absolute: 6e-08 at x = 3; relative: none, as no "
+      "value reaches 1/255; half float: 1 ulp)");
   dark.show(0.5, 0.5, at(4));
-  EXPECT_NE(sentence(dark).find("0 of any value from 1/255 on"), std::string::npos) << sentence(dark);
+  EXPECT_NE(sentence(dark).find("relative: 0 for values from 1/255 on"), std::string::npos) << sentence(dark);
 }
 
 TEST(Effect, BeyondADouble) {
@@ -128,9 +128,14 @@ TEST(Effect, BeyondADouble) {
 }
 
 TEST(Effect, SentencesLeaveOutNone) {
-  EXPECT_EQ(sentences({"a", "none", "b"}), "a; b");
+  EXPECT_EQ(sentences({"a", "none", "b"}), "a. b");
   EXPECT_EQ(sentences({"none", "none"}), "none");
   EXPECT_EQ(sentences({}), "none");
+}
+
+TEST(Effect, SentencesStartWithACapitalWhereTheyStartWithAWord) {
+  EXPECT_EQ(sentences({"over k it is 1", "", "the rest is 2", "so, too", "exp(-1) is 3", "x = 4", "a2 is 5"}),
+            "over k it is 1. The rest is 2. So, too. exp(-1) is 3. x = 4. a2 is 5");
 }
 
 }  // namespace

@@ -28,7 +28,8 @@ TEST(Ledger, IdsStandOnceAndRecordsAreComplete) {
 }
 
 TEST(Ledger, EveryClaimIsJudgedWithWords) {
-  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; })) {
+  Fits fits;
+  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; }, fits)) {
     const auto& finding = judged.finding;
     EXPECT_TRUE(finding.verdict.has_value()) << judged.claim->id << ": " << finding.evidence;
     EXPECT_FALSE(finding.computed.empty() || finding.evidence.empty() || finding.effect.empty())
@@ -42,17 +43,16 @@ TEST(Ledger, EveryClaimIsJudgedWithWords) {
   }
 }
 
-/// "none", with a reason or without, or parts between semicolons that each give the largest absolute change
-/// and where it is, the largest relative one and where that is, ulps of a half and 8-bit sRGB codes.
+/// "none", with a reason or without, or sentences that each give 8-bit sRGB codes, the largest absolute
+/// change and where it is, the largest relative one and where that is, and ulps of a half.
 bool is_in_form(const std::string& effect) {
   static const std::regex part(
-      R"(.*moves .+ by at most [-+.e0-9]+ \(at [^()]*[0-9][^()]*\), )"
-      R"(([-+.e0-9]+ of its value \(at [^()]*[0-9][^()]*\)|no relative change as no value reaches 1/255|)"
-      R"(0 of any value from 1/255 on), [-+.e0-9]+ ulps? of a half float, [-+.e0-9]+ 8-bit sRGB codes?, )"
-      R"(each at its worst)");
+      R"(.*moves .+ by up to [-+.e0-9]+ codes? of 8-bit sRGB \(absolute: [-+.e0-9]+ at [^();]*[0-9][^();]*; )"
+      R"(relative: ([-+.e0-9]+ at [^();]*[0-9][^();]*|none, as no value reaches 1/255|0 for values from 1/255 on); )"
+      R"(half float: [-+.e0-9]+ ulps?\))");
   if (effect == "none" || effect.starts_with("none: ")) return true;
   for (std::size_t at = 0; at < effect.size();) {
-    const std::size_t end = std::min(effect.find("; ", at), effect.size());
+    const std::size_t end = std::min(effect.find(". ", at), effect.size());
     if (!std::regex_match(effect.substr(at, end - at), part)) return false;
     at = end + 2;
   }
@@ -61,7 +61,8 @@ bool is_in_form(const std::string& effect) {
 
 TEST(Ledger, EveryEffectHasItsFourQuantitiesAndPlaces) {
   std::size_t with_numbers = 0;
-  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; })) {
+  Fits fits;
+  for (const JudgedClaim& judged : judge_claims([](std::string_view) { return true; }, fits)) {
     const std::string& effect = judged.finding.effect;
     EXPECT_TRUE(is_in_form(effect)) << judged.claim->id << ": " << effect;
     with_numbers += effect.starts_with("none") ? 0 : 1;
@@ -71,15 +72,15 @@ TEST(Ledger, EveryEffectHasItsFourQuantitiesAndPlaces) {
 
 TEST(Ledger, TheFormOfAnEffectIsChecked) {
   const std::string whole =
-      "x: moves it by at most 1e-05 (at c = 0.5), 0.2 of its value (at k = 3), 1 ulp of a half float, 0.3 "
-      "8-bit sRGB codes, each at its worst";
+      "x: moves it by up to 0.3 codes of 8-bit sRGB (absolute: 1e-05 at c = 0.5; relative: 0.2 at k = 3; half "
+      "float: 1 ulp)";
   EXPECT_TRUE(is_in_form(whole));
-  EXPECT_TRUE(is_in_form(whole + "; " + whole));
+  EXPECT_TRUE(is_in_form(whole + ". " + whole));
   EXPECT_TRUE(is_in_form("none: no value changes; 1 instruction a pixel more"));
-  EXPECT_FALSE(is_in_form(whole + "; the reflection is wider"));
+  EXPECT_FALSE(is_in_form(whole + ". The reflection is wider"));
   EXPECT_FALSE(is_in_form("none for a power above 0; outside a pixel without a value"));
-  for (const std::string_view lost : {" (at c = 0.5)", " (at k = 3)", "0.2 of its value ",
-                                      " 1 ulp of a half float,", "0.3 8-bit sRGB codes"}) {
+  for (const std::string_view lost :
+       {" at c = 0.5", " at k = 3", "relative: 0.2 ", "; half float: 1 ulp", "0.3 codes of 8-bit sRGB "}) {
     std::string changed = whole;
     changed.erase(changed.find(lost), lost.size());
     EXPECT_FALSE(is_in_form(changed)) << changed;
@@ -87,7 +88,8 @@ TEST(Ledger, TheFormOfAnEffectIsChecked) {
 }
 
 TEST(Ledger, AClaimThatNothingComputesIsAnErrorOfOurs) {
-  EXPECT_THROW(evaluate(Claim{.id = "sg-ofset", .statement = "", .derivation = "", .source = {}}),
+  Fits fits;
+  EXPECT_THROW(evaluate(Claim{.id = "sg-ofset", .statement = "", .derivation = "", .source = {}}, fits),
                std::logic_error);
   EXPECT_EQ(find_claim("sg-ofset"), nullptr);
 }
@@ -115,9 +117,8 @@ TEST(Finding, EffectOfAFactor) {
   // In halves the grey 254/255, just below 1, is worth most: 0.01 * 254/255 / 2^-11 = 20.4.
   EXPECT_EQ(
       effect_of_factor(0.99, 1, "at k = 2 it"),
-      "at k = 2 it scales what it multiplies by 1 - 0.01, which moves a linear grey by at most 0.01 (at "
-      "grey 255/255), 0.01 of its value (at grey 255/255), 20 ulps of a half float, 1.1 8-bit sRGB "
-      "codes, each at its worst");
+      "at k = 2 it scales what it multiplies by 1 - 0.01, which moves a linear grey by up to 1.1 codes of 8-bit "
+      "sRGB (absolute: 0.01 at grey 255/255; relative: 0.01 at grey 255/255; half float: 20 ulps)");
   EXPECT_NE(effect_of_factor(2.02, 2).find("1 + 0.01 (itself off by 0.02), which"), std::string::npos);
 }
 

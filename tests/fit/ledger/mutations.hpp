@@ -13,6 +13,12 @@
 /// Nothing in a finding is typed in: what is printed and what is given decide it.
 namespace shadefit {
 
+/// One claim alone, with fits of its own.
+inline Finding evaluate(const Claim& claim) {
+  Fits fits;
+  return evaluate(claim, fits);
+}
+
 /// A copy of the claim with its i-th printed number changed.
 inline Claim with_printed(Claim claim, std::size_t i, std::string_view value) {
   claim.printed[i].value = value;

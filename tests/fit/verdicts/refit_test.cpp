@@ -148,7 +148,8 @@ TEST(Extrapolate, FindsLimitAndSlopeOfTheLaws) {
 }
 
 TEST(Refit, OrdersByMeasureThenExponent) {
-  const auto result = refit(*find_family("sg-offset"), {3, 5}, numbers_of(sg_offset), cosine_and_angle);
+  FitCache fits(*find_family("sg-offset"));
+  const auto result = refit(fits, {3, 5}, numbers_of(sg_offset), cosine_and_angle);
   ASSERT_EQ(result.fits.size(), 4U);
   EXPECT_EQ(result.fits[1].fit.exponent, 5);
   EXPECT_EQ(result.fits[1].fit.metric.measure, Measure::cosine);
@@ -160,7 +161,8 @@ TEST(Refit, OrdersByMeasureThenExponent) {
 }
 
 TEST(Refit, FitsWhatWasPublishedForOutsideTheSweep) {
-  const auto result = refit(*find_family("sg-offset"), {3}, numbers_of(sg_offset), std::array{Metric{}});
+  FitCache fits(*find_family("sg-offset"));
+  const auto result = refit(fits, {3}, numbers_of(sg_offset), std::array{Metric{}});
   ASSERT_EQ(result.fits.size(), 2U);
   EXPECT_EQ(result.fits[1].fit.exponent, 5) << "0.788 was published for k = 5";
   EXPECT_EQ(result.fits[1].assessments.size(), 1U);
@@ -184,7 +186,8 @@ Fit fails_in_the_angle(const Setting& setting, const Metric& metric) {
 TEST(Assess, AFailureUnderAnotherMeasureTakesNothingAway) {
   FittableFamily half = *find_family("sg-offset");
   half.fit = &fails_in_the_angle;
-  const auto result = refit(half, {5}, numbers_of(half.info), cosine_and_angle);
+  FitCache fits(half);
+  const auto result = refit(fits, {5}, numbers_of(half.info), cosine_and_angle);
   ASSERT_EQ(result.fits.size(), 2U);
   EXPECT_EQ(result.fits[0].assessments.at(0).judgement.verdict, Verdict::confirmed);
   EXPECT_TRUE(result.fits[1].assessments.empty());

@@ -1,4 +1,5 @@
 #include "approx/dither.hpp"
+#include "approx/ledger/dither.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "approx/arithmetic.hpp"
+#include "approx/ledger/arithmetic.hpp"
 
 #include <cmath>
 
@@ -129,7 +130,7 @@ TEST(HalfBanding, BeginsWhereNoLowerPowerBands) {
   int first = 1;
   while (jump_at_half_cosine(first) <= 1) ++first;
   const auto evidence = evaluate(*find_claim("half-banding")).evidence;
-  EXPECT_NE(evidence.find("that bands being " + std::to_string(first) + ","), std::string::npos) << evidence;
+  EXPECT_NE(evidence.find("that bands is " + std::to_string(first) + ","), std::string::npos) << evidence;
 }
 
 // Why no power bands with a float cosine: with u = 2^-11 a step is at most twice the slope 112 v^(1/2.4) of
@@ -152,7 +153,7 @@ TEST(HalfBanding, RoundingsBoundEveryStepOfAFloatCosine) {
   }
   const Claim& claim = *find_claim("half-banding");
   const std::string proof = "(none because its roundings leave at most 0.24 codes at any of them)";
-  EXPECT_NE(evaluate(claim).evidence.find("being none, 12 and none " + proof), std::string::npos)
+  EXPECT_NE(evaluate(claim).evidence.find("bands is none, 12 and none " + proof), std::string::npos)
       << evaluate(claim).evidence;
   // Where that is not enough every power is tried.
   const Claim fine =

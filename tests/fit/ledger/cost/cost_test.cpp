@@ -1,4 +1,5 @@
 #include "approx/cost.hpp"
+#include "approx/ledger/cost.hpp"
 
 #include "approx/arithmetic.hpp"
 #include "approx/environment_map.hpp"

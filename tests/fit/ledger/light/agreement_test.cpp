@@ -26,7 +26,9 @@ TEST(Agreement, BelowTheToleranceABoundIsSaid) {
 // max of c - c^2 is 1/4, at c = 1/2.
 TEST(Agreement, EffectOfAPower) {
   EXPECT_EQ(effect_of_power(8, 8), "none");
-  EXPECT_EQ(effect_of_power(1, 2).find("moves the curve by at most 0.25 (at c = 0.5)"), 0U)
+  EXPECT_EQ(effect_of_power(1, 2).find(
+                "moves the curve by up to 67 codes of 8-bit sRGB (absolute: 0.25 at c = 0.5;"),
+            0U)
       << effect_of_power(1, 2);
 }
 

@@ -1,4 +1,5 @@
 #include "approx/environment_map.hpp"
+#include "approx/ledger/environment_map.hpp"
 
 #include "approx/lobe.hpp"
 #include "fit/scalars/multiprecision.hpp"

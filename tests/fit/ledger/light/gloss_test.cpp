@@ -1,4 +1,5 @@
 #include "approx/gloss.hpp"
+#include "approx/ledger/gloss.hpp"
 
 #include <limits>
 

@@ -1,4 +1,5 @@
 #include "approx/harmonics.hpp"
+#include "approx/ledger/harmonics.hpp"
 
 #include <boost/math/special_functions/binomial.hpp>
 

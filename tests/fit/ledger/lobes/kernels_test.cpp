@@ -1,4 +1,5 @@
 #include "approx/kernels.hpp"
+#include "approx/ledger/kernels.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>

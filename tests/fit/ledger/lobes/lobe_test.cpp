@@ -1,4 +1,5 @@
 #include "approx/lobe.hpp"
+#include "approx/ledger/lobe.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,5 @@
 #include "approx/phong_blinn.hpp"
+#include "approx/ledger/phong_blinn.hpp"
 
 #include <array>
 #include <cmath>
@@ -118,7 +119,7 @@ TEST(PhongBlinnAngles, ReachTheirLaw) {
 // At 60 degrees 2 asin(1/2) is 60 degrees, and across the plane the two angles are equal.
 TEST(PhongBlinnClaims, SixtyDegreesByHand) {
   const Finding finding = evaluate(with_input(*find_claim("phong-blinn-angle"), "views", "60"));
-  EXPECT_NE(finding.evidence.find("2 n.v: 1, "), std::string::npos) << finding.evidence;
+  EXPECT_NE(finding.evidence.find("2 n.v: 1. "), std::string::npos) << finding.evidence;
   EXPECT_NE(finding.evidence.find("2 asin(1 - n.v): 60 degrees"), std::string::npos) << finding.evidence;
 }
 

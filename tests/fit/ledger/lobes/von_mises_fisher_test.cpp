@@ -1,4 +1,5 @@
 #include "approx/von_mises_fisher.hpp"
+#include "approx/ledger/von_mises_fisher.hpp"
 
 #include <boost/math/constants/constants.hpp>
 

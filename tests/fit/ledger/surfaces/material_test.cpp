@@ -1,4 +1,5 @@
 #include "approx/material.hpp"
+#include "approx/ledger/material.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include "approx/microfacet.hpp"
+#include "approx/ledger/microfacet.hpp"
 
 #include "tests/fit/ledger/mutations.hpp"
 

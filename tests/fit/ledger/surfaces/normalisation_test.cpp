@@ -1,4 +1,5 @@
 #include "approx/normalisation.hpp"
+#include "approx/ledger/normalisation.hpp"
 
 #include "tests/fit/ledger/mutations.hpp"
 

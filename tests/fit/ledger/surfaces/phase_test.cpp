@@ -1,4 +1,5 @@
 #include "approx/phase.hpp"
+#include "approx/ledger/phase.hpp"
 
 #include <cmath>
 #include <stdexcept>
