@@ -4,36 +4,39 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/outcome.hpp"
 #include "app/progress.hpp"
+#include "bench/exhaustive/sweep.hpp"
 #include "bench/forms/kernel.hpp"
+#include "reports/table/writers.hpp"
 
 namespace CLI {
 class App;
 }
 
-/// The subcommand `bench`.
+/// The command `bench`.
 namespace shadefit {
 
 struct BenchOptions {
   std::string out = "out";
-  std::vector<std::string> only;  ///< ids of targets
-  bool force = false;             ///< as of `RunOptions`
+  std::vector<std::string> only = {};  ///< ids of targets
+  bool force = false;                  ///< as in `RunOptions`
   bool quick = false;
   bool json = false;
   bool no_plots = false;
-  std::optional<std::string> width;       ///< "scalar", "sse2", "avx2" or "avx512"
-  std::optional<std::string> exhaustive;  ///< the id of a form: every float, instead of times
-  std::optional<std::string> constants;   ///< of that form; the rest is of it too
-  std::optional<int> exp2_degree;
-  std::optional<std::string> shard;
-  std::optional<std::string> state;
-  std::optional<std::string> range;
-  std::vector<std::string> merge;
+  std::optional<forms::Width> width = {};
+  std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
+  std::optional<std::string> constants = {};   ///< of that form; the rest is for it too
+  int exp2_degree = 0;                         ///< 0: the library's exp2
+  std::optional<bench::Shard> shard = {};
+  std::optional<std::string> state = {};
+  bench::Stretch range = bench::unit_floats;
+  std::vector<std::string> merge = {};
+  Terminal terminal = {};
 };
 
-/// Declares the subcommand and what it is told.
-CLI::App* add_bench_options(CLI::App& app, BenchOptions& options);
+/// Declares its options.
+void declare_bench(CLI::App& bench, BenchOptions& options);
 
 /// Times, or with --exhaustive every float. `version` is that of this program.
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
@@ -42,8 +45,5 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
 /// `bench --exhaustive`.
 Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
                            const Checkpoint& checkpoint, const Progress& progress);
-
-/// The width of that name. Throws UserError for an unknown one and for one that this machine does not have.
-forms::Width parse_width(const std::string& text);
 
 }  // namespace shadefit

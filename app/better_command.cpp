@@ -5,7 +5,6 @@
 
 #include "app/commands.hpp"
 #include "app/fit_arguments.hpp"
-#include "app/metric_options.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/better.hpp"
 #include "fit/proof/enclosure.hpp"
@@ -31,29 +30,27 @@ std::vector<Setting> usual_surfaces() {
 }
 
 /// What to compare at: what the options name, else the usual surfaces, or the ends of the exponents.
-std::vector<Setting> settings_to_compare(const NamedFit& named, const BetterOptions& options) {
+std::vector<Setting> settings_to_compare(const NamedFit& named, const FitOptions& options) {
   const FittableFamily& family = *named.family;
   if (options.target && !family.is_fresnel())
-    throw UserError(
-        fmt::format("--target '{}' does not apply: {} is no Fresnel form", *options.target, family.info.id));
-  FitOptions fit = options.fit;
-  if (options.target) fit.target = *options.target;
-  const std::vector<Setting> all = settings_for(family, named.published, fit);
-  if (family.is_fresnel() && !options.target && !fit.ior) return usual_surfaces();
-  if (!family.has_exponent() || fit.exponent) return all;
+    throw UserError(fmt::format("--target does not apply: {} is not a Fresnel form", family.info.id));
+  const std::vector<Setting> all = settings_for(family, named.published, options);
+  if (family.is_fresnel() && !options.target && !options.ior) return usual_surfaces();
+  if (!family.has_exponent() || options.exponents) return all;
   const auto [lowest, highest] = std::minmax_element(all.begin(), all.end());
   return lowest == highest ? std::vector{*lowest} : std::vector{*lowest, *highest};
 }
 
-std::string console_text(const Comparison& comparison, const Checkpoint& checkpoint) {
+std::string console_text(const Comparison& comparison, const Terminal& terminal,
+                         const Checkpoint& checkpoint) {
   const auto in_half = curves_in_half(comparison, checkpoint);
   std::string text =
       fmt::format("{}: max abs error proven to {:g}, its digits here to one unit of the last\n",
                   target_of(comparison), usual_width) +
-      write_console(comparison_table(comparison), Precision::report) + left_out_lines(comparison);
+      write_console(comparison_table(comparison), Precision::report, terminal) + left_out_lines(comparison);
   if (in_half.empty()) return text;
   return text + "In half, every operation rounded, the largest error over every input:\n" +
-         write_console(half_table(in_half), Precision::report);
+         write_console(half_table(in_half), Precision::report, terminal);
 }
 
 std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options,
@@ -70,25 +67,27 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
   std::vector<std::string> parts;
   for (const Comparison& comparison : comparisons) {
     parts.push_back(options.latex ? write_latex(comparison_table(comparison), Precision::report)
-                                  : console_text(comparison, checkpoint));
+                                  : console_text(comparison, options.terminal, checkpoint));
   }
   return fmt::format("{}", fmt::join(parts, "\n"));
 }
 
 }  // namespace
 
-Outcome better_command(const BetterOptions& options, const Checkpoint& checkpoint) {
-  const NamedFit named = find_fit(options.fit.id);
+Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const NamedFit named = find_fit(options.id);
   const std::vector<Setting> settings = settings_to_compare(named, options);
-  const Metric metric = parse_metric(options.fit, *named.family, settings);
+  const Metric metric = metric_for(options, *named.family, settings);
   std::vector<Comparison> comparisons;
   std::string err;
+  const Checkpoint next = stepping(checkpoint, progress, "better", settings.size());
   for (const Setting& setting : settings) {
+    next();
     comparisons.push_back(
         compare_forms(*named.family, setting, {.domain = metric.domain, .width = usual_width}, checkpoint));
     err += not_reached_lines(comparisons.back());
   }
-  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options.fit, checkpoint), err};
+  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options, checkpoint), err};
 }
 
 }  // namespace shadefit

@@ -14,20 +14,8 @@
 namespace shadefit {
 namespace {
 
-using Parameters = std::vector<std::pair<std::string, std::string>>;
-
-/// "a=-5.55473,b=-6.98316", in the order of the family where the names are its own.
-Parameters parse_parameters(const std::string& text, const FittableFamily& family) {
-  Parameters parameters;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(',', start), text.size());
-    const std::string part = text.substr(start, end - start);
-    const std::size_t equals = part.find('=');
-    if (equals == 0 || equals == std::string::npos)
-      throw UserError(fmt::format("--parameters '{}' is not a list NAME=VALUE, by commas", text));
-    parameters.emplace_back(part.substr(0, equals), part.substr(equals + 1));
-    start = end + 1;
-  }
+/// In the order of the family, where the names are its own.
+Parameters in_order(Parameters parameters, const FittableFamily& family) {
   const auto rank = [&](const auto& parameter) {
     return std::find(family.parameters.begin(), family.parameters.end(), parameter.first) -
            family.parameters.begin();
@@ -52,12 +40,12 @@ const Published* published_for(const FittableFamily& family, std::string_view pa
 
 }  // namespace
 
-ChosenSubject chosen_constants(const std::optional<std::string>& parameters, const NamedFit& named,
+ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
                                const Setting& setting, const Metric& metric) {
   const FittableFamily& family = *named.family;
   Subject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
   if (parameters) {
-    subject.parameters = parse_parameters(*parameters, family);
+    subject.parameters = in_order(*parameters, family);
     return {subject, "given"};
   }
   for (const std::string_view parameter : family.parameters) {

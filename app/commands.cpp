@@ -1,13 +1,16 @@
 #include "app/commands.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "app/draw_figures.hpp"
 #include "app/output_folder.hpp"
 #include "app/slow_tables.hpp"
+#include "approx/ledger/catalogue.hpp"
 #include "approx/ledger/ledger.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/support/user_error.hpp"
@@ -34,7 +37,7 @@ struct PreparedResults {
 /// that there is a picture of.
 PreparedResults prepare_results(const RunOptions& options, const Results& results, const OutputFolder& folder,
                                 const Checkpoint& checkpoint) {
-  auto figures = options.plots ? make_figures(results) : std::vector<Figure>{};
+  auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
   auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
   const auto report = report_files(results, figures);
   files.insert(files.end(), report.begin(), report.end());
@@ -79,50 +82,79 @@ std::string failed_lines(const Results& results) {
   return err;
 }
 
-Verdict parse_verdict(const std::string& text) {
-  std::vector<std::string> known;
-  for (const Verdict verdict : all_verdicts) {
-    if (text == name(verdict)) return verdict;
-    known.emplace_back(name(verdict));
-  }
-  throw UserError(
-      fmt::format("--verdict '{}' is unknown: it must be one of {}", text, fmt::join(known, ", ")));
+/// Whether a text holds another, large and small letters alike.
+bool holds(std::string_view text, std::string_view part) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-std::vector<JudgedClaim> claims_with(Verdict verdict, const Checkpoint& checkpoint) {
-  Fits fits;
-  auto claims = judge_claims([](std::string_view) { return true; }, fits, checkpoint);
-  std::erase_if(claims, [&](const JudgedClaim& judged) { return judged.finding.verdict != verdict; });
-  return claims;
+/// Whether a claim is on a family: on one of its published numbers, or by its name.
+bool is_on(std::string_view claim, std::string_view family) {
+  return claim == family || claim.starts_with(std::string(family) + "-") ||
+         std::any_of(published_constants.begin(), published_constants.end(),
+                     [&](const Published& p) { return p.id == claim && p.family == family; });
 }
 
-std::vector<JudgedClaim> unjudged_claims() {
+/// The claims that the filters leave; not judged, unless by verdict.
+std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpoint& checkpoint) {
   std::vector<JudgedClaim> claims;
   for (const Topic& topic : ledger) {
-    for (const Claim& claim : topic.claims) claims.push_back({&topic, &claim, {}});
+    for (const Claim& claim : topic.claims) {
+      if (options.topic && !holds(topic.title, *options.topic)) continue;
+      if (options.family && !is_on(claim.id, *options.family)) continue;
+      claims.push_back({&topic, &claim, {}});
+    }
   }
-  return claims;
+  if (!options.verdict) return claims;
+  const auto is_left = [&](std::string_view id) {
+    return std::any_of(claims.begin(), claims.end(),
+                       [&](const JudgedClaim& judged) { return judged.claim->id == id; });
+  };
+  Fits fits;
+  auto judged_claims = judge_claims(is_left, fits, checkpoint);
+  std::erase_if(judged_claims,
+                [&](const JudgedClaim& judged) { return judged.finding.verdict != *options.verdict; });
+  return judged_claims;
+}
+
+/// Refuses filters that leave nothing because they name nothing.
+void require_known_filters(const ListOptions& options) {
+  std::vector<std::string> titles, families;
+  for (const Topic& topic : ledger) titles.emplace_back(topic.title);
+  for (const FittableFamily& family : fittable_families()) families.emplace_back(family.info.id);
+  if (options.family) require_known(*options.family, families, "family");
+  const bool is_topic = !options.topic || std::any_of(titles.begin(), titles.end(), [&](const auto& title) {
+    return holds(title, *options.topic);
+  });
+  if (!is_topic)
+    throw UserError(fmt::format("--topic '{}' is in no title of a topic: they are {}", *options.topic,
+                                fmt::join(titles, "; ")));
 }
 
 }  // namespace
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
+  require_known_filters(options);
   const bool with_verdicts = options.verdict.has_value();
-  const auto claims =
-      with_verdicts ? claims_with(parse_verdict(*options.verdict), checkpoint) : unjudged_claims();
-  const bool is_narrow = !options.json && !options.latex;
+  const auto claims = wanted_claims(options, checkpoint);
+  const bool is_narrow = !options.json && !options.csv && !options.latex;
   Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
-  if (!with_verdicts) add_forms_of_comparison(list);
+  if (!with_verdicts && !options.topic && !options.family) add_forms_of_comparison(list);
   if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), ""};
-  const auto write = options.latex ? write_latex : write_console;
-  return {0, write(list, Precision::report), ""};
+  if (options.csv) return {0, write_csv(list, Precision::full), ""};
+  if (options.latex) return {0, write_latex(list, Precision::report), ""};
+  return {0, write_console(list, Precision::report, options.terminal), ""};
 }
 
 Outcome explain_command(const ExplainOptions& options) {
   require_known(options.id, claim_ids(), "claim");
   Fits fits;
-  const auto judged = judge_claims([&](std::string_view id) { return id == options.id; }, fits);
-  return {judged.front().finding.verdict ? 0 : 1, explanation(judged.front()), ""};
+  const JudgedClaim judged =
+      judge_claims([&](std::string_view id) { return id == options.id; }, fits).front();
+  return {judged.finding.verdict ? 0 : 1,
+          options.json ? json_text(explanation_json(judged)) : explanation(judged, options.terminal), ""};
 }
 
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
@@ -131,10 +163,11 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   const auto [news, put] = prepare_results(options, results, folder, checkpoint);
   std::vector<std::string> parts;
   const Table summary = summary_table(results);
-  if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report));
+  if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
   // Asked for by name, claims are shown; of all of them there are too many.
   if (!options.only.empty() && !results.claims.empty())
-    parts.push_back(write_console(claims_for_a_terminal(results.claims, true), Precision::report));
+    parts.push_back(
+        write_console(claims_for_a_terminal(results.claims, true), Precision::report, options.terminal));
   if (!results.claims.empty()) parts.push_back(fmt::format("Ledger: {}\n", verdict_counts(results.claims)));
   std::string out = fmt::format("{}", fmt::join(parts, "\n"));
   out += news.out;
@@ -168,7 +201,7 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
   }
   return {1,
-          write_console(table, Precision::report) +
+          write_console(table, Precision::report, options.terminal) +
               fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
                           drifts.size() == 1 ? "difference" : "differences", printable(options.baseline)),
           ""};

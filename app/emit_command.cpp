@@ -6,9 +6,7 @@
 #include "app/chosen_constants.hpp"
 #include "app/commands.hpp"
 #include "app/generated_file.hpp"
-#include "app/metric_options.hpp"
 #include "app/output_file.hpp"
-#include "app/parse_name.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/support/decimal.hpp"
@@ -27,7 +25,8 @@ std::string parse_function_name(const std::string& text, Language language) {
   const bool is_name = !text.empty() && std::all_of(text.begin(), text.end(), is_letter) &&
                        std::isdigit(static_cast<unsigned char>(text.front())) == 0;
   if (!is_name)
-    throw UserError(fmt::format("--name '{}' is no name of a function: letters, digits and '_'", text));
+    throw UserError(fmt::format(
+        "--name '{}' is not the name of a function: letters, digits and '_', no digit first", text));
   if (const std::string_view reason = reason_to_refuse_name(text, language); !reason.empty())
     throw UserError(
         fmt::format("--name '{}' cannot be a function's name in {}: {}", text, name(language), reason));
@@ -35,32 +34,16 @@ std::string parse_function_name(const std::string& text, Language language) {
 }
 
 std::string function_name(const FittableFamily& family, const EmitOptions& options) {
-  if (options.name)
-    return parse_function_name(*options.name, parse_name("--lang", options.language, languages));
+  if (options.name) return parse_function_name(*options.name, *options.language);
   std::string text(family.info.id);
   std::replace(text.begin(), text.end(), '-', '_');
   return text;
 }
 
-/// The command that makes the file: every option that is not as it is by default.
+/// The command that makes the file.
 std::string command_of(const EmitOptions& options) {
-  const FitOptions &fit = options.fit, usual;
-  std::vector<std::string> words{"emit", fit.id, "--lang", options.language};
-  const auto add = [&](const char* option, const std::string& value, const std::string& by_default = "") {
-    if (value != by_default) words.insert(words.end(), {option, value});
-  };
-  add("--exponent", fit.exponent.value_or(""));
-  add("--parameters", options.parameters.value_or(""));
-  add("--norm", fit.norm, usual.norm);
-  add("--measure", fit.measure, usual.measure);
-  add("--error", fit.error, usual.error);
-  add("--f0", fit.f0.value_or(""));
-  add("--domain", fit.domain.value_or(""));
-  add("--target", fit.target, usual.target);
-  add("--ior", fit.ior.value_or(""));
-  add("--extinction", fit.extinction.value_or(""));
-  add("--precision", options.precision, EmitOptions().precision);
-  add("--name", options.name.value_or(""));
+  std::vector<std::string> words = options.words;
+  words.insert(words.begin() + 2, {"--lang", std::string(name(*options.language))});
   return command_text(words);
 }
 
@@ -80,8 +63,8 @@ Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, co
     next();
     proven.chosen = chosen_constants(options.parameters, named, setting, metric);
     if (settings.size() > 1 && !options.parameters && proven.chosen.from == "fitted")
-      throw UserError(
-          fmt::format("emit '{}' wants one --exponent: fitted constants are of one", options.fit.id));
+      throw UserError(fmt::format(
+          "emit '{}' needs --exponent with one exponent: fitted constants are for one", options.fit.id));
     // the fourth digit of a bound is rounded up
     constexpr double width = 1e-6;
     const Certified certified = certify(proven.chosen.subject, width, checkpoint);
@@ -101,7 +84,7 @@ std::string as_decimal(const std::string& text) {
 /// The form with its constants; an exponent is one of them where it was asked for.
 ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options, const Subject& subject) {
   ShaderFunction function{function_name(family, options), {"c"}, family.form()};
-  const bool is_of_one_exponent = options.fit.exponent.has_value();
+  const bool is_of_one_exponent = options.fit.exponents.has_value();
   if (family.has_exponent() && !is_of_one_exponent) function.arguments.emplace_back("k");
   const auto value_of = [&](const std::string& variable) {
     for (const auto& [name, value] : subject.parameters) {
@@ -136,16 +119,14 @@ std::string exponents_text(const std::vector<Setting>& settings) {
 }
 
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const Language language = parse_name("--lang", options.language, languages);
-  const ShaderPrecision precision = parse_name("--precision", options.precision, shader_precisions);
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
   function_name(family, options);  // refused before anything is computed
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
-  if (options.fit.exponent && settings.size() > 1)
-    throw UserError(fmt::format("--exponent '{}': code is of one exponent, or without the option of any",
-                                *options.fit.exponent));
-  const Metric metric = parse_metric(options.fit, family, settings);
+  if (options.fit.exponents && settings.size() > 1)
+    throw UserError(fmt::format(
+        "--exponent names {} exponents: code is for one, or without the option for any", settings.size()));
+  const Metric metric = metric_for(options.fit, family, settings);
   const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
   const Subject& subject = proven.chosen.subject;
 
@@ -163,20 +144,20 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
                   family.has_exponent() ? exponents_text(settings) : ""),
   };
   const std::array functions{function_of(family, options, subject)};
-  return shader_code(functions, language, precision, comment);
+  return shader_code(functions, *options.language, options.precision, comment);
 }
 
 }  // namespace
 
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (options.check) {
-    if (!options.fit.id.empty() || !options.language.empty())
+    if (!options.fit.id.empty() || options.language)
       throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
                                   *options.check));
     return check_generated_file(*options.check, checkpoint);
   }
   if (options.fit.id.empty()) throw UserError("emit needs the id of a form, see 'shadefit list'");
-  if (options.language.empty()) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
+  if (!options.language) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const std::string code = code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <filesystem>
 #include <system_error>
 
@@ -26,17 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using bench::Sweep;
-
-void refuse_options_of_times(const BenchOptions& options) {
-  const auto refuse = [](const std::string& option) {
-    throw UserError(fmt::format("{} does not apply: --exhaustive times nothing", option));
-  };
-  if (options.quick) refuse("--quick");
-  if (options.no_plots) refuse("--no-plots");
-  if (!options.only.empty()) refuse(fmt::format("--only '{}'", options.only.front()));
-  if (!options.merge.empty() && options.shard)
-    throw UserError(fmt::format("--shard '{}' does not apply: --merge makes the whole", *options.shard));
-}
 
 /// What a sweep is of.
 struct Chosen {
@@ -68,14 +56,14 @@ const forms::Constants& find_constants(const forms::FormEntry& form, const std::
     if (constants.id == *id) return constants;
     known.push_back(constants.id);
   }
-  throw UserError(fmt::format("--constants '{}' is no set of {}: it must be one of {}", *id, form.id,
+  throw UserError(fmt::format("--constants '{}' is not a set of {}: it must be one of {}", *id, form.id,
                               fmt::join(known, ", ")));
 }
 
 Chosen chosen_by(const forms::Catalogue& catalogue, const BenchOptions& options) {
   const forms::FormEntry& form = find_form(catalogue, *options.exhaustive);
   return {&form, &forms::target_of(catalogue, form.target), &find_constants(form, options.constants),
-          options.exp2_degree.value_or(0), parse_width(options.width.value_or("sse2"))};
+          options.exp2_degree, options.width.value_or(forms::Width::sse2)};
 }
 
 /// The kernel of a form. Throws UserError for a degree that it has not.
@@ -123,26 +111,6 @@ bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const Chosen& 
           }};
 }
 
-bench::Stretch parse_range(const std::string& text) {
-  const auto colon = text.find(':');
-  const auto bits = [&](std::string_view part) -> std::optional<std::uint32_t> {
-    const bool is_hex = part.starts_with("0x");
-    if (is_hex) part.remove_prefix(2);
-    std::uint32_t value = 0;
-    const auto [end, error] =
-        std::from_chars(part.data(), part.data() + part.size(), value, is_hex ? 16 : 10);
-    if (error != std::errc{} || end != part.data() + part.size()) return std::nullopt;
-    return value;
-  };
-  if (colon != std::string::npos) {
-    const auto from = bits(std::string_view(text).substr(0, colon));
-    const auto to = bits(std::string_view(text).substr(colon + 1));
-    if (from && to && *from < *to && *to <= bench::unit_floats.to) return {*from, *to};
-  }
-  throw UserError(fmt::format(
-      "--range '{}' is no range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001", text));
-}
-
 bench::SweepIdentity identity_of(const Chosen& chosen, const BenchOptions& options,
                                  const std::string& version) {
   return {version,
@@ -150,7 +118,7 @@ bench::SweepIdentity identity_of(const Chosen& chosen, const BenchOptions& optio
           chosen.exp2_degree,
           in_float(forms::parameters_of(*chosen.target, *chosen.constants)),
           std::string(forms::name(chosen.width)),
-          options.range ? parse_range(*options.range) : bench::unit_floats};
+          options.range};
 }
 
 fs::path state_path(const BenchOptions& options, const Chosen& chosen, const bench::Shard& shard) {
@@ -181,7 +149,7 @@ std::string place_text(std::uint32_t at) {
   return fmt::format("at c = {} ({:.6g})", hex_text(c), c);
 }
 
-std::string result_text(const Sweep& sweep, const Chosen& chosen) {
+std::string result_text(const Sweep& sweep, const Chosen& chosen, const Terminal& terminal) {
   const bench::FloatErrors& found = sweep.found;
   std::string text =
       fmt::format("{}{}{} in {}: {} floats, against {} in double\n", chosen.form->id,
@@ -202,7 +170,7 @@ std::string result_text(const Sweep& sweep, const Chosen& chosen) {
                                      static_cast<double>(std::max<std::uint64_t>(found.count(), 1)),
                                  4}});
   }
-  return text + write_console(table, Precision::report);
+  return text + write_console(table, Precision::report, terminal);
 }
 
 /// The share of a sweep that is done.
@@ -235,8 +203,7 @@ void sweep_and_keep(Sweep& sweep, const bench::FloatSubject& subject, const fs::
 
 Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
                            const Checkpoint& checkpoint, const Progress& progress) {
-  refuse_options_of_times(options);
-  const bench::Shard shard = options.shard ? bench::parse_shard(*options.shard) : bench::Shard{};
+  const bench::Shard shard = options.shard.value_or(bench::Shard{});
   if (!options.state) require_directory(options.out);
   const forms::Catalogue catalogue = forms::catalogue();
   const Chosen chosen = chosen_by(catalogue, options);
@@ -264,8 +231,9 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
     }
   }
   if (!before || !before->is_done()) bench::keep_state(path, sweep);
-  const std::string text = options.json ? bench::state_text(sweep)
-                                        : result_text(sweep, chosen) + fmt::format("\nResult: {}\n", shown);
+  const std::string text =
+      options.json ? bench::state_text(sweep)
+                   : result_text(sweep, chosen, options.terminal) + fmt::format("\nResult: {}\n", shown);
   return {0, text, ""};
 }
 

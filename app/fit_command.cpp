@@ -1,10 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 
 #include "app/commands.hpp"
 #include "app/fit_arguments.hpp"
-#include "app/metric_options.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/rows/alternation.hpp"
@@ -20,9 +20,9 @@ namespace {
 
 /// A mean or a limit of fits, asked for by its own id.
 Outcome derived_command(const FittableFamily& family, const Published& published, const FitOptions& options) {
-  if (options.exponent) {
+  if (options.exponents) {
     throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
-                                *options.exponent, published.id));
+                                fmt::join(*options.exponents, ","), published.id));
   }
   if (options.certify) {
     throw UserError(
@@ -31,18 +31,18 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   }
   if (options.round) {
     throw UserError(fmt::format("--round '{}' does not apply: {} is a mean or a limit of fits",
-                                *options.round, published.id));
+                                to_text(*options.round), published.id));
   }
   if (options.sensitivity) {
     throw UserError(fmt::format(
         "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
         published.id));
   }
-  parse_surface(family, options);  // no such number is of a Fresnel form
+  surface_for(family, options);  // refuses: no such number is for a Fresnel form
   FitCache fits(family);
   const auto exponents = exponents_of(published);
   const std::vector<Setting> settings(exponents.begin(), exponents.end());
-  const auto assessment = assess(fits, published, parse_metric(options, family, settings));
+  const auto assessment = assess(fits, published, metric_for(options, family, settings));
   if (!assessment)
     return {1, "",
             fmt::format("shadefit: {} rests on fits that did not converge, or has no limit on this domain\n",
@@ -50,15 +50,18 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   const Refit refit{&family, {&published}, {}, {*assessment}};
   if (options.json) return {0, json_text(write_derived_json(*assessment)), ""};
   const Table table = fits_table({refit}).table;
-  const auto write = options.csv ? write_csv : options.latex ? write_latex : write_console;
-  return {0, write(table, Precision::full), ""};
+  return {0,
+          options.csv     ? write_csv(table, Precision::full)
+          : options.latex ? write_latex(table, Precision::full)
+                          : write_console(table, Precision::full, options.terminal),
+          ""};
 }
 
-std::string console_text(const Refit& refit, const Metric& metric) {
+std::string console_text(const Refit& refit, const Metric& metric, const Terminal& terminal) {
   const Family& info = refit.family->info;
   std::string text = fmt::format("{}: {} ~ {}, {}\n", info.id, target_of(refit.fits.front().fit),
                                  to_text(refit.family->form()), headline(metric)) +
-                     write_console(fits_overview(refit), Precision::report);
+                     write_console(fits_overview(refit), Precision::report, terminal);
   for (const FitReport& report : refit.fits) text += alternation_text(report.fit);
   return text;
 }
@@ -78,29 +81,17 @@ std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, c
 
 /// How sensitive each fit is, where it is asked for; empty for one that did not converge.
 std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, const FitOptions& options,
-                                                         const Checkpoint& checkpoint) {
+                                                         const Checkpoint& checkpoint,
+                                                         const Progress& progress) {
   std::vector<std::optional<Sensitivity>> sensitivities;
+  const Checkpoint next = stepping(checkpoint, progress, "sensitivity", refit.fits.size());
   for (const FitReport& report : refit.fits) {
     if (!options.sensitivity) break;
-    checkpoint();
+    next();
     const bool is_answer = report.fit.status == Status::converged;
     sensitivities.push_back(is_answer ? std::optional(sensitivity_of(report.fit, checkpoint)) : std::nullopt);
   }
   return sensitivities;
-}
-
-/// Constants that are rounded keep no constraint but given values.
-void require_free_rounding(const FitOptions& options) {
-  if (!options.sensitivity) return;
-  const auto refuse = [](const char* option, const std::string& value) {
-    throw UserError(
-        fmt::format("{} '{}' does not go with --sensitivity: constants that are rounded do not keep to it",
-                    option, value));
-  };
-  if (!options.exact_at.empty()) refuse("--exact-at", options.exact_at.front());
-  if (options.one_sided) refuse("--one-sided", *options.one_sided);
-  if (options.at_most) refuse("--at-most", *options.at_most);
-  if (options.at_least) refuse("--at-least", *options.at_least);
 }
 
 /// What is told of each fit where it is asked for; else empty.
@@ -115,13 +106,16 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
   if (options.latex) return write_latex(fits_overview(refit), Precision::report);
   if (!options.json) {
-    std::string text = console_text(refit, metric);
-    if (options.certify) text += "\n" + write_console(proofs_table(refit, extras.proofs), Precision::full);
+    std::string text = console_text(refit, metric, options.terminal);
+    if (options.certify)
+      text += "\n" + write_console(proofs_table(refit, extras.proofs), Precision::full, options.terminal);
     if (options.round)
-      text += "\n" + write_console(rounded_table(refit, extras.rounded), Precision::report) +
+      text += "\n" +
+              write_console(rounded_table(refit, extras.rounded), Precision::report, options.terminal) +
               rounded_text(extras.rounded);
     for (std::size_t i = 0; i < extras.sensitivities.size(); ++i) {
-      if (extras.sensitivities[i]) text += sensitivity_text(refit.fits[i].fit, *extras.sensitivities[i]);
+      if (extras.sensitivities[i])
+        text += sensitivity_text(refit.fits[i].fit, *extras.sensitivities[i], options.terminal);
     }
     return text;
   }
@@ -157,9 +151,7 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
     return derived_command(family, *published, options);
 
   const auto settings = settings_for(family, published, options);
-  const Metric metric = parse_metric(options, family, settings);
-  const auto format = options.round ? std::optional(parse_number_format(*options.round)) : std::nullopt;
-  require_free_rounding(options);
+  const Metric metric = metric_for(options, family, settings);
   FitCache fits(family);
   const Refit refit{&family,
                     {},
@@ -169,8 +161,10 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
   require_feasible(refit);
   const FitExtras extras{
       proofs_of(refit, options, checkpoint, progress),
-      format ? round_reports(refit, *format, !options.exponent, checkpoint) : std::vector<RoundedFit>{},
-      sensitivities_of(refit, options, checkpoint)};
+      options.round ? round_reports(refit, *options.round, !options.exponents,
+                                    stepping(checkpoint, progress, "round", refit.fits.size()), checkpoint)
+                    : std::vector<RoundedFit>{},
+      sensitivities_of(refit, options, checkpoint, progress)};
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
   return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras, checkpoint), err};
 }

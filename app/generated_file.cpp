@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/command_line.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/utf8.hpp"
@@ -76,13 +77,11 @@ int first_difference(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string command_text(const std::vector<std::string>& words) {
+std::string shell_text(const std::vector<std::string>& words) {
   std::string text = "shadefit";
   for (const std::string& word : words) {
-    if (printable(word) != word)
-      throw UserError(fmt::format("'{}' cannot stand in a comment of code: it has characters without a shape",
-                                  printable(word)));
-    // POSIX's portable characters of file names, and what no shell gives a meaning: all else is quoted.
+    // POSIX's portable characters of file names, and others without a meaning for a shell: all else is
+    // quoted.
     constexpr std::string_view plain =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+@%";
     if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
@@ -94,6 +93,15 @@ std::string command_text(const std::vector<std::string>& words) {
     text += "'";
   }
   return text;
+}
+
+std::string command_text(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (printable(word) != word)
+      throw UserError(
+          fmt::format("'{}' cannot stand in a comment of code: it has control characters", printable(word)));
+  }
+  return shell_text(words);
 }
 
 /// A text with the line ends that are ours: a checkout may have made others of them.

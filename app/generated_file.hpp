@@ -3,13 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/outcome.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// Generated files that name the command that made them.
 namespace shadefit {
 
-/// A line that names a command: "shadefit scene 'a b.mtl' --lang glsl", for a shell: pasted, it makes that
-/// call and nothing else. Throws UserError for a word that a comment cannot hold: line ends, control
+/// A call as a line for a shell: "shadefit scene 'a b.mtl' --lang glsl".
+std::string shell_text(const std::vector<std::string>& words);
+
+/// The same for a comment. Throws UserError for a word that a comment cannot hold: line ends, control
 /// characters.
 std::string command_text(const std::vector<std::string>& words);
 

@@ -1,10 +1,13 @@
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "app/command_line.hpp"
@@ -29,6 +32,17 @@ void fill_standard_streams() {
   }
 }
 
+/// The terminal behind a descriptor. Colours are for those who did not ask for none (https://no-color.org).
+shadefit::Terminal terminal_of(int descriptor) {
+  if (::isatty(descriptor) == 0) return {};
+  const char *type = std::getenv("TERM"), *no_colour = std::getenv("NO_COLOR");
+  const bool is_plain =
+      type == nullptr || std::string_view(type) == "dumb" || (no_colour != nullptr && *no_colour != '\0');
+  winsize size{};
+  ::ioctl(descriptor, TIOCGWINSZ, &size);
+  return {.width = size.ws_col, .has_colour = !is_plain};
+}
+
 /// As every filter ends whose reader has gone.
 void end_by(int signal) {
   std::signal(signal, SIG_DFL);
@@ -46,7 +60,8 @@ int main(int argc, char** argv) {
   const auto signals = shadefit::hold_interrupts();
   const auto progress = shadefit::terminal_progress(STDERR_FILENO);
   const auto checkpoint = shadefit::interruptible(signals);
-  auto outcome = shadefit::prepare_command_line({argv + 1, argv + argc}, checkpoint, progress);
+  auto outcome = shadefit::prepare_command_line({argv + 1, argv + argc}, checkpoint, progress,
+                                                terminal_of(STDOUT_FILENO));
   progress("");
   // Somebody who pressed Ctrl-C again while the first was being obeyed.
   const bool is_interrupted = outcome.exit_code > 128;

@@ -48,12 +48,18 @@ Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std:
           }};
 }
 
+std::function<void(double share)> bar(const Progress& progress, const std::string& what) {
+  return [&progress, what, start = Clock::now()](double share) {
+    progress(progress_line(what, share, seconds_since(start)));
+  };
+}
+
 Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,
                     std::size_t steps) {
   if (steps < 2) return checkpoint;
-  return [&checkpoint, &progress, what, steps, start = Clock::now(), done = 0.0]() mutable {
+  return [&checkpoint, show = bar(progress, what), steps, done = 0.0]() mutable {
     checkpoint();
-    progress(progress_line(what, done++ / static_cast<double>(steps), seconds_since(start)));
+    show(done++ / static_cast<double>(steps));
   };
 }
 

@@ -30,6 +30,9 @@ struct Watched {
 /// comes with it. So no command is silent for long that is looked at often. Both arguments have to stay.
 Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std::string& what);
 
+/// Shows the share of the work that is done, from 0 to 1, and the time that is left. `progress` has to stay.
+std::function<void(double share)> bar(const Progress& progress, const std::string& what);
+
 /// A checkpoint to be called before each of so many steps, which shows the share that is done; of one step
 /// there is none to show. Both have to stay.
 Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,

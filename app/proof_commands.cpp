@@ -1,19 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 #include "app/chosen_constants.hpp"
 #include "app/commands.hpp"
 #include "app/fit_arguments.hpp"
-#include "app/metric_options.hpp"
 #include "app/output_file.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "fit/proof/certificate.hpp"
-#include "fit/proof/enclosure.hpp"
 #include "fit/support/bounded_file.hpp"
-#include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
 #include "reports/io/files.hpp"
@@ -27,19 +23,6 @@
 /// The subcommands `certify` and `verify`.
 namespace shadefit {
 namespace {
-
-/// A relative width that bounds can have.
-double parse_relative_width(const std::string& text) {
-  const auto width = parse_number(text);
-  if (!width) throw UserError(fmt::format("--width '{}' is not a finite number", text));
-  if (!(*width > 0 && *width < 1))
-    throw UserError(
-        fmt::format("--width '{}' is no relative width: it must be greater than 0 and less than 1", text));
-  if (*width < least_width)
-    throw UserError(fmt::format("--width '{}' cannot be reached: the bounds are doubles, {} is the least",
-                                text, least_width));
-  return *width;
-}
 
 std::string not_reached(const Certificate& certificate, double width) {
   const Setting& setting = certificate.subject.setting;
@@ -55,9 +38,9 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
                         const Progress& progress) {
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
-  const double width = parse_relative_width(options.width);
+  const double width = options.width;
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
-  const Metric metric = parse_metric(options.fit, family, settings);
+  const Metric metric = metric_for(options.fit, family, settings);
   const Error error = metric.error;
   if (options.out && settings.size() != 1)
     throw UserError(fmt::format("--out '{}' takes one certificate, not {}: name one --exponent", *options.out,
@@ -85,7 +68,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
   } else {
     out = fmt::format("{}: {} ~ {}, {} error on {}, proven in {} bits\n", family.info.id, first.target,
                       first.form, name(error), to_text(first.subject.domain), first.precision) +
-          write_console(certificates_table(family, forms), Precision::full);
+          write_console(certificates_table(family, forms), Precision::full, options.fit.terminal);
     if (options.out) out += fmt::format("\nCertificate: {}\n", printable(*options.out));
   }
   return {err.empty() ? 0 : 1, out, err, put};
@@ -95,11 +78,9 @@ Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoin
   const ReadCertificate read =
       read_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
   const Certificate& certificate = read.certificate;
-  const auto start = std::chrono::steady_clock::now();
-  const auto done = [&](double share) {
+  const auto done = [&, show = bar(progress, "verify")](double share) {
     checkpoint();
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    progress(progress_line("verify", share, taken.count()));
+    show(share);
   };
   const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
   const std::string file = printable(options.file);

@@ -1,73 +1,77 @@
 #include "app/scene_options.hpp"
 
-#include <CLI/CLI.hpp>
+#include "app/option_values.hpp"
 
 namespace shadefit {
 namespace {
 
 /// How the files are read.
-void add_conventions(CLI::App& scene, SceneOptions& options) {
-  scene.add_option("--alpha", options.alpha, "what a roughness is: roughness-squared, or alpha = roughness")
-      ->capture_default_str()
-      ->type_name("NAME");
-  scene
-      .add_option("--min-roughness", options.min_roughness,
-                  "takes smaller ones for it, as engines do: 0.045 Filament, 0.0525 three.js; default: none")
-      ->type_name("R");
-  scene.add_option("--gloss", options.gloss, "1 - roughness, or exponential: a power of 2^(10 g + 1)")
-      ->capture_default_str()
-      ->type_name("NAME");
-  scene
-      .add_option("--maps", options.maps,
-                  "of a .mtl: named, as the format says, or pbr: map_Ka metallic, map_Ns roughness")
-      ->capture_default_str()
-      ->type_name("NAME");
+void add_conventions(CLI::App& scene, scene::Conventions& conventions) {
+  add_choice(scene, "--alpha", conventions.is_roughness_squared,
+             Choices<bool>{{"roughness", false}, {"roughness-squared", true}},
+             "how a roughness becomes the alpha of the distribution");
+  add_choice(scene, "--gloss", conventions.is_gloss_exponential,
+             Choices<bool>{{"roughness", false}, {"exponential", true}},
+             "what a gloss g is: 1 - roughness, or the power 2^(10 g + 1)");
+  add_choice(scene, "--maps", conventions.are_maps_pbr, Choices<bool>{{"named", false}, {"pbr", true}},
+             "maps of a .mtl: as the format names them, or map_Ka metallic and map_Ns roughness");
+  const auto parse = [](const std::string& option, const std::string& text) {
+    return parse_share(option, text, 1);
+  };
+  add_value(scene, "--min-roughness", conventions.min_roughness, parse, "R",
+            "the least roughness, as engines have it: 0.045 Filament, 0.0525 three.js (default: none)");
 }
 
-/// What is wanted of the shading.
+/// The tolerance, and what it is for.
 void add_wishes(CLI::App& scene, SceneOptions& options) {
-  auto* tolerance = scene.add_option("--tolerance", options.tolerance,
-                                     "of a pixel, all its lights together, in linear values; default: 1/255");
-  tolerance->type_name("T");
-  scene.add_option("--codes", options.codes, "the same in sRGB codes of 8 bits instead, 0.5 for example")
-      ->type_name("C")
+  const auto share_of = [](double most) {
+    return [most](const std::string& option, const std::string& text) {
+      return parse_share(option, text, most);
+    };
+  };
+  auto* tolerance = add_value(scene, "--tolerance", options.tolerance, share_of(1), "T",
+                              "the error that a pixel may have, all lights together, in linear values "
+                              "(default: 1/255)");
+  constexpr double most_codes = 255;
+  add_value(scene, "--codes", options.codes, share_of(most_codes), "C",
+            "the same in 8-bit sRGB codes, for example 0.5")
       ->excludes(tolerance);
-  scene
-      .add_option("--lights", options.lights,
-                  "that may shine on one point; default: those of the files, else 1")
-      ->type_name("N");
-  scene.add_option("--precision", options.precision, "of the pixel: float or half")
-      ->capture_default_str()
-      ->type_name("NAME");
+  const auto parse_lights = [](const std::string& option, const std::string& text) {
+    constexpr int most = 1'000'000;
+    return parse_whole(option, text, 1, most);
+  };
+  add_value(scene, "--lights", options.lights, parse_lights, "N",
+            "how many lights may shine on one point (default: those of the files, else 1)");
+  add_choice(scene, "--precision", options.precision,
+             Choices<scene::PixelPrecision>{{"float", scene::PixelPrecision::float32},
+                                            {"half", scene::PixelPrecision::float16}},
+             "the arithmetic of the pixel");
 }
 
 }  // namespace
 
-CLI::App* add_scene_options(CLI::App& app, SceneOptions& options) {
-  auto* scene = app.add_subcommand("scene", "what a scene's materials need, and what can be skipped");
-  scene->add_option("file", options.files, "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), one or more")
-      ->required();
-  add_wishes(*scene, options);
-  add_conventions(*scene, options);
-  auto* json = scene->add_flag("--json", options.json, "print JSON");
-  auto* language = scene->add_option("--lang", options.language,
-                                     "print the code in glsl, hlsl, c, cpp, wgsl or msl, and nothing else");
-  language->type_name("NAME")->excludes(json);
+/// The order of the options is that of the command in generated files.
+void declare_scene(CLI::App& scene, SceneOptions& options) {
+  scene.add_option("file", options.files, "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), one or more")
+      ->required()
+      ->type_name("FILE");
+  add_wishes(scene, options);
+  add_conventions(scene, options.conventions);
+  auto* json = scene.add_flag("--json", options.json, "print JSON");
+  auto* language = add_choice(scene, "--lang", options.language, by_name(languages),
+                              "print only the code, in this language")
+                       ->excludes(json);
   scene
-      ->add_flag(
+      .add_flag(
           "--shade", options.shade,
           "shade the materials by the reference, by published constants and as planned: times and errors")
       ->excludes(json)
       ->excludes(language);
-  scene
-      ->add_option(
-          "--out", options.out,
-          "directory to write the plan to, scene.md, .csv and .json, and its code, scene.glsl, .hlsl "
-          "and .hpp")
-      ->type_name("DIR")
+  add_value(
+      scene, "--out", options.out, parse_text, "DIR",
+      "the directory to write the plan to (scene.md, .csv, .json) and its code (scene.glsl, .hlsl, .hpp)")
       ->excludes(json)
       ->excludes(language);
-  return scene;
 }
 
 }  // namespace shadefit

@@ -4,36 +4,40 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/outcome.hpp"
 #include "app/progress.hpp"
+#include "reports/code/shader_code.hpp"
+#include "reports/table/writers.hpp"
+#include "scene/plan/plan.hpp"
 
 namespace CLI {
 class App;
 }
 
-/// What the subcommand `scene` is told.
+/// The command `scene`.
 namespace shadefit {
 
 struct SceneOptions {
-  std::vector<std::string> files;
-  std::optional<std::string> tolerance;      ///< in linear values; empty: 1/255
-  std::optional<std::string> codes;          ///< the tolerance in sRGB codes instead
-  std::optional<std::string> lights;         ///< empty: as many as the files name, else 1
-  std::optional<std::string> min_roughness;  ///< empty: 0, as files have it
-  std::string precision = "float";
-  std::string alpha = "roughness-squared", gloss = "roughness", maps = "named";
-  std::optional<std::string> language;  ///< prints the code in it alone
-  std::optional<std::string> out;       ///< a directory; empty: printed alone
+  std::vector<std::string> files = {};
+  std::optional<double> tolerance = {};  ///< in linear values; empty: 1/255
+  std::optional<double> codes = {};      ///< the tolerance in sRGB codes instead
+  std::optional<int> lights = {};        ///< empty: as many as the files name, else 1
+  scene::PixelPrecision precision = scene::PixelPrecision::float32;
+  scene::Conventions conventions = {};    ///< how the files are read
+  std::optional<Language> language = {};  ///< prints only the code in it
+  std::optional<std::string> out = {};    ///< a directory; empty: print only
   bool json = false;
-  bool force = false;  ///< as of `RunOptions`
-  bool shade = false;  ///< the plan against the reference and the published constants
+  bool force = false;                   ///< as in `RunOptions`
+  bool shade = false;                   ///< compare the plan with the reference and the published constants
+  std::vector<std::string> words = {};  ///< of the command that prints the code, without files and --lang
+  Terminal terminal = {};
 };
 
-/// Declares the subcommand.
-CLI::App* add_scene_options(CLI::App& app, SceneOptions& options);
+/// Declares its options.
+void declare_scene(CLI::App& scene, SceneOptions& options);
 
 /// Reads the scene and plans its shading; with --shade measures it. Exit 1 where the plan is not within the
-/// tolerance, or what is measured not within the plan.
+/// tolerance, or a measured error not within the plan.
 Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 }  // namespace shadefit

@@ -45,16 +45,13 @@ std::vector<File> files_of_shading() {
 }
 
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
-                        const std::optional<std::string>& out, const Checkpoint& checkpoint,
-                        const Progress& progress) {
+                        const std::optional<std::string>& out, const Terminal& terminal,
+                        const Checkpoint& checkpoint, const Progress& progress) {
   const shade::Kernels kernels = shade::kernels_here().back();
-  progress("plans of the sweep ..");
-  const double start = bench::now().real;
-  const shade::Measurement measured = shade::measure(
-      scene, plan, kernels, shade::full_plan, checkpoint,
-      [&](double share) { progress(progress_line("shade", share, bench::now().real - start)); });
+  const shade::Measurement measured =
+      shade::measure(scene, plan, kernels, shade::full_plan, checkpoint, bar(progress, "shade"));
   progress("");
-  ShadedScene shaded{.out = shade::shade_text(measured), .err = shade::broken_lines(measured)};
+  ShadedScene shaded{.out = shade::shade_text(measured, terminal), .err = shade::broken_lines(measured)};
   if (!out) return shaded;
   shaded.files.push_back({"shade.csv", write_csv(shade::shade_table(measured), Precision::report)});
   std::vector<Figure> figures{shade::shade_figure(measured)};

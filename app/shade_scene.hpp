@@ -7,6 +7,7 @@
 #include "app/progress.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "reports/io/files.hpp"
+#include "reports/table/writers.hpp"
 #include "scene/plan/plan.hpp"
 
 namespace shadefit {
@@ -24,7 +25,7 @@ std::vector<File> files_of_shading();
 /// Shades a scene by the reference, by the published constants and as planned, on the widest registers of
 /// this machine; with pictures where there is a directory `out` for them.
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
-                        const std::optional<std::string>& out, const Checkpoint& checkpoint,
-                        const Progress& progress);
+                        const std::optional<std::string>& out, const Terminal& terminal,
+                        const Checkpoint& checkpoint, const Progress& progress);
 
 }  // namespace shadefit

@@ -21,10 +21,8 @@ struct Stress {
 
 Stress under_stress(const Checkpoint& checkpoint, const Progress& progress) {
   Stress stress;
-  stress.forms = try_all_forms(stress_inputs, checkpoint,
-                               [&](std::string_view topic) { progress(fmt::format("stress: {}", topic)); });
-  progress("stress: fits");
-  stress.fits = try_starts(stress_starts, checkpoint);
+  stress.forms = try_all_forms(stress_inputs, checkpoint, bar(progress, "forms under stress"));
+  stress.fits = try_starts(stress_starts, checkpoint, bar(progress, "fits under stress"));
   progress("");
   return stress;
 }
@@ -42,8 +40,8 @@ Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoin
   const auto put = folder.prepare(stress_files(stress.forms, stress.fits), {}, options.force, checkpoint);
   const std::string err = broken_lines(stress.forms, stress.fits);
   return {err.empty() ? 0 : 1,
-          write_console(forms_stress_summary(stress.forms), Precision::report) + "\n" +
-              write_console(fits_stress_summary(stress.fits), Precision::report) +
+          write_console(forms_stress_summary(stress.forms), Precision::report, options.terminal) + "\n" +
+              write_console(fits_stress_summary(stress.fits), Precision::report, options.terminal) +
               fmt::format("\nTables: {}, {}\n",
                           printable((without_detours(options.out) / forms_stress_file).string()),
                           fits_stress_file),

@@ -274,7 +274,7 @@ class Accuracy {
 
 }  // namespace
 
-Table accuracy_table(const Checkpoint& checkpoint) {
+Table accuracy_table(const Checkpoint& checkpoint, const std::function<void(double share)>& progress) {
   const Catalogue all = catalogue();
   Accuracy accuracy;
   for (const Target& target : all.targets) {
@@ -282,6 +282,7 @@ Table accuracy_table(const Checkpoint& checkpoint) {
     for (const FormEntry& form : all.forms) {
       if (form.target == target.id) forms.push_back(&form);
     }
+    progress(static_cast<double>(&target - all.targets.data()) / static_cast<double>(all.targets.size()));
     accuracy.append(target, *forms.front(), forms, checkpoint);
   }
   return std::move(accuracy).table();

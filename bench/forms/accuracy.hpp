@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "fit/support/checkpoint.hpp"
 #include "reports/table/table.hpp"
 
@@ -24,7 +26,9 @@ namespace shadefit::forms {
 ///   proven; else `no`.
 ///
 /// Functions are those of `Library` and of xsimd, all the rest are basic operations: the same bytes
-/// everywhere. The checkpoint is called for each row.
-Table accuracy_table(const Checkpoint& checkpoint = keep_going);
+/// everywhere. The checkpoint is called for each row, `progress` with the share that is done.
+Table accuracy_table(
+    const Checkpoint& checkpoint = keep_going,
+    const std::function<void(double share)>& progress = [](double) {});
 
 }  // namespace shadefit::forms

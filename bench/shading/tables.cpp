@@ -94,13 +94,13 @@ Table shade_table(const Measurement& measurement) {
   return table;
 }
 
-std::string shade_text(const Measurement& measurement) {
+std::string shade_text(const Measurement& measurement, const Terminal& terminal) {
   Table table{.columns = {"way", "ns/sample", "times reference", "max error", "mean error", "max codes",
                           "mean codes"},
               .rows = {}};
   for (const MeasuredWay* way : compared(measurement))
     table.rows.push_back(console_row(*way, measurement.reference.ns));
-  return write_console(table, Precision::report) + "\n" + verdict_line(measurement) +
+  return write_console(table, Precision::report, terminal) + "\n" + verdict_line(measurement) +
          skipped_line(measurement) +
          fmt::format(
              "Timed: the specular term in float, its cosines given, of {} shaded samples on one core, {}. A shaded "

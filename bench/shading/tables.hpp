@@ -5,6 +5,7 @@
 #include "bench/shading/measure.hpp"
 #include "reports/figures/figure.hpp"
 #include "reports/table/table.hpp"
+#include "reports/table/writers.hpp"
 
 /// A measurement for people and for programs.
 namespace shadefit::shade {
@@ -14,7 +15,7 @@ namespace shadefit::shade {
 Table shade_table(const Measurement& measurement);
 
 /// The ways and what they say, on a terminal.
-std::string shade_text(const Measurement& measurement);
+std::string shade_text(const Measurement& measurement, const Terminal& terminal = {});
 
 /// A line for each plan that is not within what it promises.
 std::string broken_lines(const Measurement& measurement);

@@ -137,10 +137,12 @@ void try_family(std::vector<StartsTrial>& trials, std::size_t starts, const Chec
 
 }  // namespace
 
-std::vector<StartsTrial> try_starts(std::size_t starts, const Checkpoint& checkpoint) {
+std::vector<StartsTrial> try_starts(std::size_t starts, const Checkpoint& checkpoint,
+                                    const std::function<void(double share)>& progress) {
   std::vector<StartsTrial> trials;
+  double done = 0;
   [&]<class... F>(std::type_identity<std::tuple<F...>>) {
-    (try_family<F>(trials, starts, checkpoint), ...);
+    ((progress(done++ / sizeof...(F)), try_family<F>(trials, starts, checkpoint)), ...);
   }(std::type_identity<Families>{});
   return trials;
 }

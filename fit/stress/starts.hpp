@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -34,7 +35,10 @@ struct StartsTrial {
   bool is_right() const { return elsewhere == 0 && returned == 0 && digits >= claimed; }
 };
 
-/// Every family at every setting; about `starts` of them for each family.
-std::vector<StartsTrial> try_starts(std::size_t starts, const Checkpoint& checkpoint = keep_going);
+/// Every family at every setting; about `starts` of them for each family. `progress` is told the
+/// share that is done.
+std::vector<StartsTrial> try_starts(
+    std::size_t starts, const Checkpoint& checkpoint = keep_going,
+    const std::function<void(double share)>& progress = [](double) {});
 
 }  // namespace shadefit

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <string_view>
 #include <vector>
 
 #include "fit/stress/trial.hpp"
@@ -14,8 +13,8 @@ namespace shadefit {
 /// Random inputs per regime and format, and starts per family, of the command and its tables.
 inline constexpr std::size_t stress_inputs = 1500, stress_starts = 10000;
 
-/// Every form of every regime. `progress` is called before each regime with its topic.
+/// Every form of every regime. `progress` is told the share that is done.
 std::vector<FormTrial> try_all_forms(std::size_t random, const Checkpoint& checkpoint,
-                                     const std::function<void(std::string_view topic)>& progress);
+                                     const std::function<void(double share)>& progress);
 
 }  // namespace shadefit

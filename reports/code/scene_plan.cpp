@@ -116,9 +116,9 @@ Table materials_table(const Scene& scene, const Plan& plan) {
   return table;
 }
 
-std::string plan_text(const Scene& scene, const Plan& plan) {
+std::string plan_text(const Scene& scene, const Plan& plan, const Terminal& terminal) {
   std::string text = headline(scene, plan) + "\n\n" +
-                     write_console(decisions_table(plan), Precision::report) + "\n" + summary(plan);
+                     write_console(decisions_table(plan), Precision::report, terminal) + "\n" + summary(plan);
   for (const std::string& line : notes(scene, plan)) text += "Note: " + line + "\n";
   return text;
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "reports/table/table.hpp"
+#include "reports/table/writers.hpp"
 #include "scene/plan/plan.hpp"
 
 /// The plan of a scene, for people and for programs.
@@ -15,7 +16,7 @@ Table decisions_table(const scene::Plan& plan);
 Table materials_table(const scene::Scene& scene, const scene::Plan& plan);
 
 /// The plan on a terminal.
-std::string plan_text(const scene::Scene& scene, const scene::Plan& plan);
+std::string plan_text(const scene::Scene& scene, const scene::Plan& plan, const Terminal& terminal = {});
 
 /// The same as Markdown, with every material: `scene.md`.
 std::string plan_markdown(const scene::Scene& scene, const scene::Plan& plan);

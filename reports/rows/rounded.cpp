@@ -107,9 +107,10 @@ RoundedFit round_report(const FitReport& report, const NumberFormat& format, con
 }
 
 std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
-                                      const Checkpoint& checkpoint) {
+                                      const Checkpoint& next, const Checkpoint& checkpoint) {
   std::vector<RoundedFit> fits;
   for (const FitReport& report : refit.fits) {
+    next();
     try {
       fits.push_back(round_report(report, format, checkpoint));
     } catch (const UserError& error) {

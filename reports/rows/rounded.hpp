@@ -22,10 +22,10 @@ struct RoundedFit {
 /// format cannot hold them.
 RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint);
 
-/// Rounds every fit. `is_record`: the exponents are the record's own, nobody asked for each; one that the
-/// format cannot hold is then left out.
+/// Rounds every fit; `next` is called before each. `is_record`: the exponents are the record's own, nobody
+/// asked for each; one that the format cannot hold is then left out.
 std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
-                                      const Checkpoint& checkpoint);
+                                      const Checkpoint& next, const Checkpoint& checkpoint);
 
 /// Rows of one table for the fits of a family: the best constants, the fit's own rounded, the published
 /// rounded.

@@ -101,15 +101,15 @@ Json contract_json(const OtherContract& contract) {
 
 }  // namespace
 
-std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity) {
+std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity, const Terminal& terminal) {
   const std::string exponent = fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "";
   return fmt::format("\nHow far the constants may move until the {}, {:.4g}, is worse by {} or {}{}:\n",
                      objective_name(fit.metric), sensitivity.objective, in_percent(noticeable),
                      in_percent(slight), exponent) +
-         write_console(digits_table(sensitivity), Precision::report) +
+         write_console(digits_table(sensitivity), Precision::report, terminal) +
          common_text(fit, sensitivity.noticeable_digits, noticeable, sensitivity.objective) +
          common_text(fit, sensitivity.slight_digits, slight, sensitivity.objective) + "\n" +
-         write_console(contracts_table(sensitivity), Precision::report);
+         write_console(contracts_table(sensitivity), Precision::report, terminal);
 }
 
 Json sensitivity_json(const Fit& fit, const Sensitivity& sensitivity) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "reports/rows/tables.hpp"
 #include "reports/table/writers.hpp"
@@ -21,42 +20,16 @@ std::string quantities_text(const Quantities& quantities) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// The words of `text` in lines of at most `width` letters, the second and later ones behind `indent`.
-std::string wrapped(std::string_view text, std::size_t width, const std::string& indent) {
-  std::istringstream words{std::string(text)};
-  std::string out, word;
-  std::size_t column = 0;
-  while (words >> word) {
-    if (column > 0 && column + 1 + word.size() > width) {
-      out += "\n" + indent;
-      column = 0;
-    }
-    if (column > 0) {
-      out += ' ';
-      ++column;
-    }
-    out += word;
-    column += word.size();
-  }
-  return out;
-}
-
-/// The same for `sentences` of fit/errors/effect.hpp: each sentence starts a line.
-std::string wrapped_sentences(std::string_view text, std::size_t width, const std::string& indent) {
-  std::string out;
+/// The sentences of a text that `sentences` of fit/errors/effect.hpp made. The two points of ".. " do not end one.
+std::vector<std::string> sentences_of(std::string_view text) {
+  std::vector<std::string> found;
   while (true) {
     auto end = text.find(". ");
     while (end != std::string_view::npos && end > 0 && text[end - 1] == '.') end = text.find(". ", end + 1);
-    if (end == std::string_view::npos) return out + wrapped(text, width, indent);
-    out += wrapped(text.substr(0, end + 1), width, indent) + "\n" + indent;
+    found.emplace_back(text.substr(0, end == std::string_view::npos ? end : end + 1));
+    if (end == std::string_view::npos) return found;
     text.remove_prefix(end + 2);
   }
-}
-
-/// What of a text a column of a terminal has room for.
-std::string shortened(const std::string& text) {
-  constexpr std::size_t room = 40;
-  return text.size() <= room ? text : text.substr(0, room - 3) + " ..";
 }
 
 std::vector<JudgedClaim> of_topic(const std::vector<JudgedClaim>& claims, const Topic& topic) {
@@ -126,9 +99,9 @@ Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_ve
   Table table{{"id", "printed", "source"}, {}};
   if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
   for (const auto& [_, claim, finding] : claims) {
-    std::vector<Cell> row{word(claim->id), shortened(printed_text(*claim)),
+    std::vector<Cell> row{word(claim->id), printed_text(*claim),
                           fmt::format("{} {}", claim->source.author, claim->source.year)};
-    if (with_verdicts) row.insert(row.begin() + 2, {shortened(finding.computed), verdict_text(finding)});
+    if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
     table.rows.push_back(row);
   }
   return table;
@@ -175,13 +148,18 @@ std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::ve
   return out;
 }
 
-std::string explanation(const JudgedClaim& judged) {
-  constexpr std::size_t width = 96;
-  const std::string indent(10, ' ');
+std::string explanation(const JudgedClaim& judged, const Terminal& terminal) {
+  constexpr std::size_t label_width = 10, most = 106;
+  const std::size_t room = (terminal.width == 0 ? most : std::min(terminal.width, most)) - label_width;
   const auto& [topic, claim, finding] = judged;
   std::string out = fmt::format("{}\n", claim->id);
   const auto line = [&](std::string_view label, const std::string& text) {
-    if (!text.empty()) out += fmt::format("{:<10}{}\n", label, wrapped(text, width, indent));
+    if (text.empty()) return;
+    out += fmt::format("{:<{}}{}\n", label, label_width,
+                       fmt::join(folded(text, room), "\n" + std::string(label_width, ' ')));
+  };
+  const auto each_on_a_line = [&](std::string_view label, const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) line(std::exchange(label, ""), sentence);
   };
   line("topic", std::string(topic->title));
   line("says", std::string(claim->statement));
@@ -190,11 +168,40 @@ std::string explanation(const JudgedClaim& judged) {
   line("given", quantities_text(claim->inputs));
   line("why", std::string(claim->derivation));
   line("computed", finding.computed);
-  line("verdict", verdict_text(finding));
-  out += fmt::format("evidence  {}\n", wrapped_sentences(finding.evidence, width, indent));
-  out += fmt::format("effect    {}\n", wrapped_sentences(finding.effect, width, indent));
+  line("verdict", with_coloured_verdicts(verdict_text(finding), terminal));
+  each_on_a_line("evidence", sentences_of(finding.evidence));
+  each_on_a_line("effect", sentences_of(finding.effect));
   line("plot", claim->figure.empty() ? "" : fmt::format("plots/{}.svg", claim->figure));
   return out;
+}
+
+nlohmann::ordered_json explanation_json(const JudgedClaim& judged) {
+  const auto& [topic, claim, finding] = judged;
+  const auto pairs = [](const Quantities& quantities) {
+    auto object = nlohmann::ordered_json::array();
+    for (const Quantity& quantity : quantities)
+      object.push_back({{"name", quantity.name}, {"value", quantity.value}});
+    return object;
+  };
+  return {
+      {"schema", 1},
+      {"claim", claim->id},
+      {"topic", topic->title},
+      {"statement", claim->statement},
+      {"printed", pairs(claim->printed)},
+      {"source",
+       {{"author", claim->source.author},
+        {"year", claim->source.year},
+        {"title", claim->source.title},
+        {"place", claim->source.place}}},
+      {"inputs", pairs(claim->inputs)},
+      {"derivation", claim->derivation},
+      {"computed", finding.computed},
+      {"verdict", verdict_text(finding)},
+      {"evidence", finding.evidence},
+      {"effect", finding.effect},
+      {"figure", claim->figure.empty() ? nlohmann::ordered_json()
+                                       : nlohmann::ordered_json(fmt::format("plots/{}.svg", claim->figure))}};
 }
 
 }  // namespace shadefit

@@ -6,6 +6,7 @@
 #include "fit/ledger/ledger.hpp"
 #include "reports/figures/figure.hpp"
 #include "reports/table/table.hpp"
+#include "reports/table/writers.hpp"
 
 /// The ledger: every claim of the source documents with its verdict, as rows, as sections and one by one.
 namespace shadefit {
@@ -25,7 +26,7 @@ Table claims_overview(const std::vector<JudgedClaim>& claims);
 /// Every record, with its verdict where claims are judged: `shadefit list`.
 Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts);
 
-/// The same, as narrow as a terminal: no statements, long cells cut, a source as "author year".
+/// The same without statements, each source as "author year".
 Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts);
 
 /// Adds a row for each form of comparison, which no source names, to one of these two tables without
@@ -39,7 +40,11 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims);
 /// figure where that is among the `figures`.
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures);
 
-/// One claim in full, for a terminal: record, derivation, evidence, effect, plot.
-std::string explanation(const JudgedClaim& judged);
+/// One claim in full: record, derivation, evidence, effect, plot. Lines have at most 106 letters, and fit the
+/// terminal.
+std::string explanation(const JudgedClaim& judged, const Terminal& terminal = {});
+
+/// The same as JSON.
+nlohmann::ordered_json explanation_json(const JudgedClaim& judged);
 
 }  // namespace shadefit

@@ -1,13 +1,17 @@
 #include "reports/table/writers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "fit/least_squares/status.hpp"
 #include "fit/support/sweep.hpp"
+#include "fit/verdicts/verdict.hpp"
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {
@@ -114,6 +118,74 @@ std::string latex_line(const std::vector<std::string>& cells) {
   return line + " \\\\\n";
 }
 
+/// A column as a terminal shows it.
+struct ConsoleColumn {
+  std::size_t index;  ///< in the table
+  std::string title;
+  bool is_numeric;
+  std::size_t width;
+  std::size_t least;  ///< to which its cells can be folded
+};
+
+std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows) {
+  // A narrower column of text is hard to read.
+  constexpr std::size_t narrowest = 16;
+  const auto width_of = widths(table, rows, 0);
+  const std::vector<bool> are_numeric = numeric_columns(table);
+  std::vector<ConsoleColumn> columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    std::size_t least = std::max(width(table.columns[i]), narrowest);
+    for (const auto& row : rows) {
+      for (const std::string& word : folded(row[i], 1)) least = std::max(least, width(word));
+    }
+    columns.push_back({i, table.columns[i], are_numeric[i], width_of[i],
+                       are_numeric[i] ? width_of[i] : std::min(least, width_of[i])});
+  }
+  return columns;
+}
+
+/// The column that goes next; `columns.end()` where all have to stay.
+std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& columns) {
+  constexpr std::array<std::string_view, 6> details{"digits", "status",    "at c",
+                                                    "under",  "published", "rms error"};
+  for (const std::string_view title : details) {
+    const auto found = std::find_if(columns.begin(), columns.end(),
+                                    [&](const ConsoleColumn& column) { return column.title == title; });
+    if (found != columns.end() && found != columns.begin()) return found;
+  }
+  for (auto last = columns.end(); last != columns.begin() && --last != columns.begin();) {
+    if (last->title != "verdict") return last;
+  }
+  return columns.end();
+}
+
+/// Drops columns and narrows others until all fit, as far as they can. The titles of those that were dropped.
+std::vector<std::string> fit_columns(std::vector<ConsoleColumn>& columns, std::size_t room) {
+  const auto total = [&](std::size_t ConsoleColumn::*of) {
+    std::size_t sum = 2 * (columns.size() - 1);
+    for (const ConsoleColumn& column : columns) sum += column.*of;
+    return sum;
+  };
+  std::vector<std::string> dropped;
+  while (total(&ConsoleColumn::least) > room) {
+    const auto next = next_to_go(columns);
+    if (next == columns.end()) break;
+    dropped.push_back(next->title);
+    columns.erase(next);
+  }
+  while (total(&ConsoleColumn::width) > room) {
+    const auto slack = [](const ConsoleColumn& column) {
+      return column.width > column.least ? column.width : 0;
+    };
+    const auto widest =
+        std::max_element(columns.begin(), columns.end(),
+                         [&](const ConsoleColumn& a, const ConsoleColumn& b) { return slack(a) < slack(b); });
+    if (slack(*widest) == 0) break;
+    --widest->width;
+  }
+  return dropped;
+}
+
 }  // namespace
 
 std::string write_csv(const Table& table, Precision precision) {
@@ -156,21 +228,85 @@ std::string markdown_block(const Table& table) {
   return write_markdown(table, Precision::report) + "\n";
 }
 
-std::string write_console(const Table& table, Precision precision) {
+std::vector<std::string> folded(std::string_view text, std::size_t most) {
+  std::vector<std::string> words, lines;
+  std::istringstream stream{std::string(text)};
+  for (std::string word; stream >> word;) {
+    const bool is_glued = !words.empty() && (word == "=" || words.back().ends_with(" ="));
+    if (is_glued) {
+      words.back() += " " + word;
+    } else {
+      words.push_back(word);
+    }
+  }
+  for (const std::string& word : words) {
+    if (!lines.empty() && width(lines.back()) + 1 + width(word) <= most) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
+}
+
+std::string with_coloured_verdicts(std::string text, const Terminal& terminal) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> colours{
+      {{name(Verdict::confirmed), "\x1b[32m"},
+       {name(Verdict::rounding), "\x1b[32m"},
+       {name(Verdict::other_objective), "\x1b[35m"},
+       {name(Verdict::conditional), "\x1b[35m"},
+       {name(Verdict::refuted), "\x1b[31m"},
+       {name(Status::not_converged), "\x1b[31m"}}};
+  if (!terminal.has_colour) return text;
+  constexpr std::string_view plain = "\x1b[0m";
+  for (const auto& [word, colour] : colours) {
+    for (std::size_t i = 0; (i = text.find(word, i)) != std::string::npos; i += word.size() + plain.size()) {
+      text.insert(i + word.size(), plain).insert(i, colour);
+      i += colour.size();
+    }
+  }
+  return text;
+}
+
+std::string write_console(const Table& table, Precision precision, const Terminal& terminal) {
   auto rows = texts(table, precision);
   for (auto& row : rows) std::transform(row.begin(), row.end(), row.begin(), printable);
-  const auto width_of = widths(table, rows, 0);
-  const std::vector<bool> are_numeric = numeric_columns(table);
-  const auto line = [&](const std::vector<std::string>& cells) {
-    std::string out;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      out += (i == 0 ? "" : "  ") + padded(cells[i], width_of[i], are_numeric[i]);
+  auto columns = console_columns(table, rows);
+  const auto dropped =
+      terminal.width == 0 ? std::vector<std::string>{} : fit_columns(columns, terminal.width);
+  std::string out;
+  const auto add_line = [&](const std::vector<std::string>& cells) {
+    std::string line;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::string cell = padded(cells[i], columns[i].width, columns[i].is_numeric);
+      const bool is_verdict = columns[i].title == "verdict";
+      line += (i == 0 ? "" : "  ") + (is_verdict ? with_coloured_verdicts(cell, terminal) : cell);
     }
-    out.erase(out.find_last_not_of(' ') + 1);
-    return out + "\n";
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + "\n";
   };
-  std::string out = line(table.columns);
-  for (const auto& row : rows) out += line(row);
+  std::vector<std::string> titles;
+  for (const ConsoleColumn& column : columns) titles.push_back(column.title);
+  add_line(titles);
+  for (const auto& row : rows) {
+    std::vector<std::vector<std::string>> cells;
+    std::size_t height = 1;
+    for (const ConsoleColumn& column : columns) {
+      const std::string& cell = row[column.index];
+      cells.push_back(width(cell) <= column.width ? std::vector{cell} : folded(cell, column.width));
+      height = std::max(height, cells.back().size());
+    }
+    for (std::size_t i = 0; i < height; ++i) {
+      std::vector<std::string> line;
+      for (const auto& lines : cells) line.push_back(i < lines.size() ? lines[i] : "");
+      add_line(line);
+    }
+  }
+  if (!dropped.empty())
+    out += fmt::format("{}\n", fmt::join(folded(fmt::format("(left out for the width of the terminal: {})",
+                                                            fmt::join(dropped, ", ")),
+                                                terminal.width),
+                                         "\n"));
   return out;
 }
 

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "reports/table/table.hpp"
 
@@ -22,8 +24,24 @@ std::string write_latex(const Table& table, Precision precision);
 /// The same as a report shows it: the digits that each number declares, and an empty line behind.
 std::string markdown_block(const Table& table);
 
-/// Aligned columns for a terminal, two spaces apart; what could forge a line there is escaped.
-std::string write_console(const Table& table, Precision precision);
+/// What a text is printed on.
+struct Terminal {
+  std::size_t width = 0;  ///< in letters; 0: a pipe or a file, without a limit
+  bool has_colour = false;
+};
+
+/// Aligned columns, two spaces apart; a control character is escaped. A table that is wider than the terminal
+/// first drops columns, which a last line names: details such as the digits first, then from the right; the
+/// first column and the verdict stay. Then cells of text are folded onto several lines. No value is cut.
+std::string write_console(const Table& table, Precision precision, const Terminal& terminal = {});
+
+/// The text with the verdicts in it coloured, where the terminal has colours: green what agrees, magenta what
+/// agrees in part, red what does not. These three can be read on a light and on a dark background.
+std::string with_coloured_verdicts(std::string text, const Terminal& terminal);
+
+/// The words of a text in lines of at most `width` letters; "a = 1" is one word. A longer word has a line of
+/// its own.
+std::vector<std::string> folded(std::string_view text, std::size_t width);
 
 /// An array of objects, column to value; an empty cell is null. Numbers are numbers, to their shortest round
 /// trip.

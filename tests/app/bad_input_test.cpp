@@ -34,7 +34,7 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
                  "'norm-phong' is integrated, not fitted: see 'shadefit run --only norm-phong'");
   expect_refusal({"plot"},
                  "unknown command 'plot': it must be one of list, run, fit, better, certify, verify, "
-                 "emit, scene, explain, bench, stress, check");
+                 "emit, scene, explain, bench, stress, check, help");
   expect_refusal({"fit", "sg\n-offset"},
                  "unknown constant to fit 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");
@@ -104,13 +104,13 @@ TEST(BadInput, Targets) {
   expect_refusal({"fit", "fresnel-quadratic", "--target", "snell"},
                  "--target 'snell' is unknown: it must be one of schlick, exact");
   expect_refusal({"fit", "sg-offset", "--ior", "1.5"},
-                 "--ior '1.5' does not apply: sg-offset is no Fresnel form");
+                 "--ior '1.5' does not apply: sg-offset is not a Fresnel form");
   expect_refusal({"fit", "sg-offset-limit", "--target", "bogus"},
                  "--target 'bogus' is unknown: it must be one of schlick, exact");
   expect_refusal({"fit", "phong-blinn-gotanda", "--ior", "-3"},
-                 "--ior '-3' does not apply: phong-blinn is no Fresnel form");
+                 "--ior '-3' does not apply: phong-blinn is not a Fresnel form");
   expect_refusal({"fit", "sg-offset", "--extinction", "2"},
-                 "--extinction '2' does not apply: sg-offset is no Fresnel form");
+                 "--extinction '2' does not apply: sg-offset is not a Fresnel form");
   expect_refusal({"fit", "fresnel-quadratic", "--extinction", "2"},
                  "--extinction '2' does not apply: it belongs to --ior");
   expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--extinction", "-1"},
@@ -118,17 +118,17 @@ TEST(BadInput, Targets) {
   expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--extinction", "inf"},
                  "--extinction 'inf' is not a finite number");
   expect_refusal({"fit", "sg-offset", "--target", "exact"},
-                 "--target 'exact' does not apply: sg-offset is no Fresnel form");
+                 "--target 'exact' does not apply: sg-offset is not a Fresnel form");
   for (const char* target : {"schlick", "exact"}) {
     for (const char* ior : {"0", "-1.5", "1"}) {
       expect_refusal(
           {"fit", "fresnel-quadratic", "--target", target, "--ior", ior},
           "--ior '" + std::string(ior) +
-              "' is no index of an interface: it must be greater than 0, and without extinction not 1");
+              "' is not the index of an interface: it must be greater than 0, and without extinction not 1");
     }
   }
   for (const char* verb : {"fit", "better"}) {
-    for (const char* ior : {"1e300", "1e17", "1e-300", "1e-320"}) {
+    for (const char* ior : {"1e+300", "1e+17", "1e-300", "1e-320"}) {
       expect_refusal({verb, "fresnel-quadratic", "--target", "exact", "--ior", ior},
                      "--ior '" + std::string(ior) +
                          "' reflects all light at normal incidence, as doubles have it: no reflectance lies "
@@ -146,7 +146,7 @@ TEST(BadInput, Objectives) {
   };
   refuse({"--norm", "max"}, "--norm 'max' is unknown: it must be one of least-squares, minimax");
   refuse({"--error", "percent"}, "--error 'percent' is unknown: it must be one of absolute, relative");
-  refuse({"--f0", "1"}, "--f0 '1' is no reflectance at normal incidence: it must be in [0, 1)");
+  refuse({"--f0", "1"}, "--f0 '1' is not a reflectance at normal incidence: it must be in [0, 1)");
   refuse({"--f0", "nan"}, "--f0 'nan' is not a finite number");
   refuse({"--f0", "0.04", "--ior", "1.5"}, "--f0 '0.04' does not apply: a surface of --ior has its own");
   refuse(
@@ -154,7 +154,7 @@ TEST(BadInput, Objectives) {
       "--error 'relative' divides by zero: with --f0 '0' the reflectance F is 0 at c = 1; end the domain below 1 "
       "or raise f0");
   expect_refusal({"fit", "sg-offset", "--f0", "0.04"},
-                 "--f0 '0.04' does not apply: sg-offset is no Fresnel form");
+                 "--f0 '0.04' does not apply: sg-offset is not a Fresnel form");
   expect_refusal(
       {"fit", "sg-offset", "--exponent", "100", "--error", "relative", "--domain", "0:0.5"},
       "--error 'relative' has no meaning for sg-offset at exponent 100 on 0:0.5: its target is below "
@@ -181,7 +181,7 @@ TEST(BadInput, Constraints) {
   refuse({"--fix", "b=1", "--fix", "b=2"}, "--fix 'b=2' gives b a second time");
   refuse({"--fix", "b=1", "--fix", "a=2"},
          "--fix 'a=2' leaves nothing to fit: fresnel-quadratic has no other parameter");
-  refuse({"--exact-at", "0.5"}, "--exact-at '0.5' is no end of the domain 0:1 that counts");
+  refuse({"--exact-at", "0.5"}, "--exact-at '0.5' is not an end of the domain 0:1 that counts");
   refuse({"--one-sided", "left"}, "--one-sided 'left' is unknown: it must be one of above, below");
   refuse({"--at-most", "one"}, "--at-most 'one' is not a finite number");
   refuse({"--at-most", "0.5", "--at-least", "0.75"},
@@ -376,18 +376,39 @@ TEST(BadInput, AVeryLongValueIsShortened) {
 }
 
 TEST(BadInput, Usage) {
-  const std::string help = " (see 'shadefit --help')";
-  expect_refusal({}, "A subcommand is required" + help);
+  const auto see = [](const std::string& help) { return " (see 'shadefit help" + help + "')"; };
+  expect_refusal(
+      {},
+      "name a command: list, run, fit, better, certify, verify, emit, scene, explain, bench, stress, "
+      "check, help" +
+          see(""));
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
-  expect_refusal({"fit"}, "id is required" + help);
-  expect_refusal({"explain"}, "id is required" + help);
-  expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + help);
-  expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + help);
-  expect_refusal({"run", "--out"}, "--out: 1 required DIR missing" + help);
-  expect_refusal({"fit", "sg-offset", "--json", "--csv"}, "--json excludes --csv" + help);
-  expect_refusal({"fit", "sg-offset", "--json", "--latex"}, "--json excludes --latex" + help);
-  expect_refusal({"fit", "sg-offset", "--csv", "--latex"}, "--csv excludes --latex" + help);
-  expect_refusal({"list", "--latex", "--json"}, "--json excludes --latex" + help);
+  expect_refusal({"help", "chekc"}, "unknown command 'chekc': did you mean 'check'?");
+  expect_refusal({"help", "fit", "more"}, "unexpected argument 'more'" + see(" help"));
+  expect_refusal({"--completion", "tcsh"},
+                 "--completion 'tcsh' is unknown: it must be one of bash, zsh, fish, man");
+  expect_refusal({"fit"}, "id is required" + see(" fit"));
+  expect_refusal({"explain"}, "id is required" + see(" explain"));
+  expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + see(" run"));
+  expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + see(" list"));
+  expect_refusal({"run", "--out"}, "--out needs a value: DIR" + see(" run"));
+  expect_refusal({"fit", "sg-offset", "--exponent"}, "--exponent needs a value: K or A:B:STEP" + see(" fit"));
+  expect_refusal({"fit", "sg-offset", "--exponent", "5", "--exponent", "6"},
+                 "--exponent is given 2 times: it takes one value" + see(" fit"));
+  expect_refusal({"fit", "sg-offset", "--exponent", "--json"},
+                 "--exponent '--json' looks like an option: name a value (a path may begin with './')");
+  expect_refusal({"fit", "sg-offset", "--json", "--csv"}, "--json excludes --csv" + see(" fit"));
+  expect_refusal({"fit", "sg-offset", "--json", "--latex"}, "--json excludes --latex" + see(" fit"));
+  expect_refusal({"fit", "sg-offset", "--csv", "--latex"}, "--csv excludes --latex" + see(" fit"));
+  expect_refusal({"list", "--latex", "--json"}, "--json excludes --latex" + see(" list"));
+  expect_refusal(
+      {"list", "--topic", "cooking", "--csv"},
+      "--topic 'cooking' is in no title of a topic: they are Lobes: Blinn-Phong and Phong by a "
+      "spherical Gaussian; Gloss and logarithms; What half, float and double make of a lobe; "
+      "Instruction counts; Other kernels; von Mises-Fisher; Fresnel; Phong and Blinn; Normalisation; "
+      "Environment maps; Spherical harmonics; Materials; Volumes: phase functions; Volumes: dithering "
+      "and marching; Microfacet distributions");
+  expect_refusal({"list", "--family", "sg-ofset"}, "unknown family 'sg-ofset': did you mean 'sg-offset'?");
 }
 
 }  // namespace

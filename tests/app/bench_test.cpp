@@ -71,7 +71,8 @@ TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refusal({"--only", "schlik"}), "shadefit: unknown target 'schlik': did you mean 'schlick'?\n");
   EXPECT_EQ(refusal({"--width", "neon"}),
             "shadefit: --width 'neon' is unknown: it must be one of scalar, sse2, avx2, avx512\n");
-  EXPECT_EQ(refusal({"--shard", "1/2"}), "shadefit: --shard does not apply: it belongs to --exhaustive\n");
+  EXPECT_EQ(refusal({"--shard", "1/2"}),
+            "shadefit: --shard requires --exhaustive (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--out", "--json"}),
             "shadefit: --out '--json' looks like an option: name a value (a path may begin with './')\n");
   const auto here = forms::widths_here();
@@ -97,11 +98,11 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
       refused({"--exhaustive", "gloss-sg"}),
       "shadefit: --exhaustive 'gloss-sg' is no form of one cosine: it reads a gloss too of each element\n");
   EXPECT_EQ(refused({"--exhaustive", "fresnel-fourth", "--constants", "mine"}).substr(0, 63),
-            "shadefit: --constants 'mine' is no set of fresnel-fourth: it mu");
+            "shadefit: --constants 'mine' is not a set of fresnel-fourth: it");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--exp2-degree", "3"}),
             "shadefit: --exp2-degree 3 is none of schlick: it must be one of 0\n");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--quick"}),
-            "shadefit: --quick does not apply: --exhaustive times nothing\n");
+            "shadefit: --exhaustive excludes --quick (see 'shadefit help bench')\n");
   for (const char* shard : {"3/2", "0/4", "a/b"}) {
     EXPECT_EQ(refused({"--exhaustive", "schlick", "--shard", shard}),
               "shadefit: --shard '" + std::string(shard) +
@@ -110,7 +111,7 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
   for (const char* range : {"1:1", "0:0x3f800002", "a:b", "5", "2:1"}) {
     EXPECT_EQ(refused({"--exhaustive", "schlick", "--range", range}),
               "shadefit: --range '" + std::string(range) +
-                  "' is no range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001\n");
+                  "' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001\n");
   }
   EXPECT_TRUE(snapshot(directory.path()).empty()) << "nothing was written";
 }

@@ -108,9 +108,9 @@ TEST(BetterCommand, BadInput) {
   expect_refusal({"better", "half-banding"},
                  "'half-banding' is a claim, not fitted: see 'shadefit explain half-banding'");
   expect_refusal({"better", "sg-offset", "--target", "schlick"},
-                 "--target 'schlick' does not apply: sg-offset is no Fresnel form");
+                 "--target does not apply: sg-offset is not a Fresnel form");
   expect_refusal({"better", "sg-offset", "--ior", "1.5"},
-                 "--ior '1.5' does not apply: sg-offset is no Fresnel form");
+                 "--ior '1.5' does not apply: sg-offset is not a Fresnel form");
   expect_refusal({"better", "fresnel-quadratic", "--target", "truth"},
                  "--target 'truth' is unknown: it must be one of schlick, exact");
   expect_refusal({"better", "fresnel-quadratic", "--extinction", "2"},

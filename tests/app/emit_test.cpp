@@ -112,11 +112,11 @@ TEST(Emit, BadInput) {
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "c", "--precision", "half"},
                  "--precision 'half' does not apply to --lang 'c': it has no half");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--name", "2fast"},
-                 "--name '2fast' is no name of a function: letters, digits and '_'");
+                 "--name '2fast' is not the name of a function: letters, digits and '_', no digit first");
   expect_refusal({"emit", "sg-offset", "--lang", "glsl"},
-                 "emit 'sg-offset' wants one --exponent: fitted constants are of one");
+                 "emit 'sg-offset' needs --exponent with one exponent: fitted constants are for one");
   expect_refusal({"emit", "sg-offset", "--lang", "glsl", "--exponent", "3:15:1"},
-                 "--exponent '3:15:1': code is of one exponent, or without the option of any");
+                 "--exponent names 13 exponents: code is for one, or without the option for any");
   const std::string no_command = directory.file("a.glsl", "float f(float c) { return c; }\n");
   expect_refusal(
       {"emit", "--check", no_command},

@@ -168,7 +168,7 @@ TEST(BadInput, Certificates) {
   expect_refusal(width("x"), "--width 'x' is not a finite number");
   for (const char* text : {"0", "1", "2"})
     expect_refusal(width(text), "--width '" + std::string(text) +
-                                    "' is no relative width: it must be greater than 0 and less than 1");
+                                    "' is not a relative width: it must be greater than 0 and less than 1");
   expect_refusal(width("1e-20"),
                  "--width '1e-20' cannot be reached: the bounds are doubles, 1e-15 is the least");
   expect_refusal({"certify", "fresnel-quadratic", "--error", "squared"},

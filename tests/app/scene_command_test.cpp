@@ -185,13 +185,13 @@ TEST(SceneCommand, BadInput) {
                  "--lights '1.5' must be a whole number from 1 to 1000000");
   expect_refusal({"scene", file, "--codes", "256"}, "--codes '256' must be greater than 0 and at most 255");
   expect_refusal({"scene", file, "--precision", "double"},
-                 "--precision 'double' is unknown: it must be float or half");
+                 "--precision 'double' is unknown: it must be one of float, half");
   expect_refusal({"scene", file, "--lang", "cg"},
                  "--lang 'cg' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl");
   expect_refusal({"scene", file, "--precision", "half", "--lang", "c"},
                  "--precision 'half' does not apply to --lang 'c': it has no half");
   expect_refusal({"scene", file, "--alpha", "cubed"},
-                 "--alpha 'cubed' is unknown: it must be roughness or roughness-squared");
+                 "--alpha 'cubed' is unknown: it must be one of roughness, roughness-squared");
   const std::string empty = directory.file("empty.mtl", "");
   expect_refusal({"scene", empty}, "'" + empty + "' holds no material");
 }

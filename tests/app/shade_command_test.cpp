@@ -104,7 +104,8 @@ TEST(ShadeCommand, OfNothingToSee) {
 }
 
 TEST(ShadeCommand, RefusesJson) {
-  expect_refusal({"scene", "a.mtl", "--shade", "--json"}, "--json excludes --shade (see 'shadefit --help')");
+  expect_refusal({"scene", "a.mtl", "--shade", "--json"},
+                 "--json excludes --shade (see 'shadefit help scene')");
 }
 
 }  // namespace

@@ -45,9 +45,10 @@ TEST(Unforeseen, SaysWhoseErrorItIs) {
   EXPECT_EQ(of_threads.err, "shadefit: cannot start a thread: Resource temporarily unavailable\n");
   const Outcome of_ours = ended_by(std::logic_error("a == b"));
   EXPECT_EQ(of_ours.exit_code, 1);
-  EXPECT_EQ(of_ours.err,
-            "shadefit: internal error: a == b; please report it with the call: shadefit 'fit' 'sg-offset' "
-            "'--exponent' '5'\n");
+  EXPECT_EQ(
+      of_ours.err,
+      "shadefit: internal error: a == b; please report it with the call: shadefit fit sg-offset --exponent "
+      "5\n");
 }
 
 // What it lacks or cannot read is known before anything is computed.
