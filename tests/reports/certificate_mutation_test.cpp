@@ -198,7 +198,7 @@ void for_each_mutant(const Json& original, const Visit& visit) {
       changed(at, [](Json& v) { v["x"] = 1; });
       for (const auto& [key, member] : value.items()) {
         if (key == digest_field) continue;
-        changed(at, [&](Json& v) { v.erase(key); });
+        changed(at, [&name = key](Json& v) { v.erase(name); });
         self(self, at / key);
       }
     }

@@ -300,6 +300,7 @@ Problem::Problem(const Drawn& drawn) : drawn_(drawn) {
     while (half_ < 1 && target_(half_, 1 - half_) > 0.5) half_ *= 1.2;
   }
   const auto ends = panels_of(drawn_);
+  if (ends.empty()) return;  // the target is nowhere at least 1/255: a relative error has no meaning
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     nodes_.push_back(node_at(ends[i], 0));
     const double centre = (ends[i] + ends[i + 1]) / 2, radius = (ends[i + 1] - ends[i]) / 2;
