@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
-#include "app/command_line.hpp"
-#include "app/interrupt.hpp"
-#include "app/print.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/terminal/interrupt.hpp"
+#include "app/terminal/print.hpp"
 
 namespace {
 

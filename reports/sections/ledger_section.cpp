@@ -20,7 +20,8 @@ std::string quantities_text(const Quantities& quantities) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// The sentences of a text that `sentences` of fit/errors/effect.hpp made. The two points of ".. " do not end one.
+/// The sentences of a text that `sentences` of fit/errors/effect.hpp made. The two points of ".. " do not end
+/// one.
 std::vector<std::string> sentences_of(std::string_view text) {
   std::vector<std::string> found;
   while (true) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"

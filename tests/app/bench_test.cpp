@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "app/bench_options.hpp"
-#include "app/command_line.hpp"
-#include "app/interrupt.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/options/bench_options.hpp"
+#include "app/terminal/interrupt.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/process.hpp"

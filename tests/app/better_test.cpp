@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"

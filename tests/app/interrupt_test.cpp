@@ -1,4 +1,4 @@
-#include "app/interrupt.hpp"
+#include "app/terminal/interrupt.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "app/command_line.hpp"
-#include "app/print.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/terminal/print.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/output.hpp"
 #include "tests/temporary_directory.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <thread>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/fake_gnuplot.hpp"

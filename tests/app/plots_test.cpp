@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/gnuplot.hpp"
 #include "reports/io/own_file.hpp"

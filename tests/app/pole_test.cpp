@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "fit/proof/certificate.hpp"
 #include "reports/io/files.hpp"
 #include "reports/rows/certificate_json.hpp"

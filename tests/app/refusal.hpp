@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 
 namespace shadefit::testing {
 

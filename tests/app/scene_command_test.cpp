@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/command_line.hpp"
+#include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "app/command_line.hpp"
-#include "app/interrupt.hpp"
-#include "app/progress.hpp"
-#include "app/slow_tables.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/output/slow_tables.hpp"
+#include "app/terminal/interrupt.hpp"
+#include "app/terminal/progress.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/rows/stress_tables.hpp"

@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/command_line.hpp"
-#include "app/interrupt.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/terminal/interrupt.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/process.hpp"

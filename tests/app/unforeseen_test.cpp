@@ -13,8 +13,8 @@
 #include <system_error>
 #include <vector>
 
-#include "app/command_line.hpp"
-#include "app/progress.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/terminal/progress.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/io/files.hpp"
 #include "tests/temporary_directory.hpp"

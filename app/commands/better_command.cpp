@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "app/commands/commands.hpp"
+#include "app/options/fit_arguments.hpp"
+#include "approx/records/optical_constants.hpp"
+#include "fit/better/better.hpp"
+#include "fit/proof/enclosure.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/rows/comparisons.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/rows/tables.hpp"
+#include "reports/table/writers.hpp"
+
+/// The subcommand `better`.
+namespace shadefit {
+namespace {
+
+Surface surface_of(const OpticalConstants& constants) {
+  return exact_surface(constant<double>(constants.ior), constant<double>(constants.extinction));
+}
+
+/// Schlick's weight, the truth on glass and on a metal.
+std::vector<Setting> usual_surfaces() {
+  constexpr const OpticalConstants &glass = dielectrics[1], &gold = metals[1];
+  static_assert(glass.ior == "1.5" && gold.material == "gold" && gold.wavelength == "548.6");
+  return {Setting{}, Setting{0, surface_of(glass)}, Setting{0, surface_of(gold)}};
+}
+
+/// What to compare at: what the options name, else the usual surfaces, or the ends of the exponents.
+std::vector<Setting> settings_to_compare(const NamedFit& named, const FitOptions& options) {
+  const FittableFamily& family = *named.family;
+  if (options.target && !family.is_fresnel())
+    throw UserError(fmt::format("--target does not apply: {} is not a Fresnel form", family.info.id));
+  const std::vector<Setting> all = settings_for(family, named.published, options);
+  if (family.is_fresnel() && !options.target && !options.ior) return usual_surfaces();
+  if (!family.has_exponent() || options.exponents) return all;
+  const auto [lowest, highest] = std::minmax_element(all.begin(), all.end());
+  return lowest == highest ? std::vector{*lowest} : std::vector{*lowest, *highest};
+}
+
+std::string console_text(const Comparison& comparison, const Terminal& terminal,
+                         const Checkpoint& checkpoint) {
+  const auto in_half = curves_in_half(comparison, checkpoint);
+  std::string text =
+      fmt::format("{}: max abs error proven to {:g}, its digits here to one unit of the last\n",
+                  target_of(comparison), usual_width) +
+      write_console(comparison_table(comparison), Precision::report, terminal) + left_out_lines(comparison);
+  if (in_half.empty()) return text;
+  return text + "In half, every operation rounded, the largest error over every input:\n" +
+         write_console(half_table(in_half), Precision::report, terminal);
+}
+
+std::string comparisons_text(const std::vector<Comparison>& comparisons, const FitOptions& options,
+                             const Checkpoint& checkpoint) {
+  if (options.csv) return write_csv(comparisons_table(comparisons, Precision::full), Precision::full);
+  if (options.json) {
+    auto array = nlohmann::ordered_json::array();
+    for (const Comparison& comparison : comparisons) {
+      array.push_back(write_comparison_json(comparison));
+      array.back()["in_half"] = write_half_json(curves_in_half(comparison, checkpoint));
+    }
+    return json_text_of_each(array);
+  }
+  std::vector<std::string> parts;
+  for (const Comparison& comparison : comparisons) {
+    parts.push_back(options.latex ? write_latex(comparison_table(comparison), Precision::report)
+                                  : console_text(comparison, options.terminal, checkpoint));
+  }
+  return fmt::format("{}", fmt::join(parts, "\n"));
+}
+
+}  // namespace
+
+Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const NamedFit named = find_fit(options.id);
+  const std::vector<Setting> settings = settings_to_compare(named, options);
+  const Metric metric = metric_for(options, *named.family, settings);
+  std::vector<Comparison> comparisons;
+  std::string err;
+  const Checkpoint next = stepping(checkpoint, progress, "better", settings.size());
+  for (const Setting& setting : settings) {
+    next();
+    comparisons.push_back(
+        compare_forms(*named.family, setting, {.domain = metric.domain, .width = usual_width}, checkpoint));
+    err += not_reached_lines(comparisons.back());
+  }
+  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options, checkpoint), err};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,191 @@
+#include "app/commands/command_line.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <iterator>
+#include <new>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "app/commands/completion.hpp"
+#include "app/commands/declare_commands.hpp"
+#include "app/commands/generated_file.hpp"
+#include "app/options/option_values.hpp"
+#include "app/terminal/interrupt.hpp"
+#include "fit/support/known.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/utf8.hpp"
+
+namespace shadefit {
+namespace {
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+/// The help of `of`, a command or `app` itself; lines fit 80 columns.
+std::string help_text(CLI::App& app, CLI::App& of) {
+  constexpr std::size_t column = 30, room = 50, all = column + room;
+  const auto fold = [](const std::string& text, std::size_t width) {
+    return fmt::format("{}", fmt::join(folded(text, width), "\n"));
+  };
+  of.description(fold(of.get_description(), all));
+  of.get_formatter()->column_width(column);
+  for (CLI::Option* option : of.get_options()) {
+    const std::string &type = option->get_type_name(), by_default = option->get_default_str();
+    const bool is_default_shown = !by_default.empty() && !type.empty();
+    option->option_text(option->get_positional() || option->get_items_expected_min() == 0 ? " " : type);
+    option->description(
+        fold(option->get_description() + (is_default_shown ? " (default: " + by_default + ")" : ""), room));
+  }
+  for (CLI::App* command : of.get_subcommands({}))
+    command->description(fold(command->get_description(), room));
+  return &of == &app ? app.help() : of.help(app.get_name());
+}
+
+/// A usage error points to the help of the command.
+Outcome usage_error(const std::string& message, const std::vector<std::string>& arguments) {
+  const std::string of =
+      arguments.empty() || arguments.front().starts_with('-') ? "" : " " + arguments.front();
+  return {2, "", fmt::format("shadefit: {} (see 'shadefit help{}')\n", one_line(message), of)};
+}
+
+/// CLI11 takes whatever follows an option for its value, also the next option.
+void require_values(const CLI::App& command, const std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    const std::string name = arguments[i].substr(0, arguments[i].find('='));
+    const bool is_open = name == arguments[i] || name.size() + 1 == arguments[i].size();
+    const CLI::Option* option = name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
+    const bool takes_value = option != nullptr && option->get_items_expected_min() > 0;
+    if (takes_value && is_open && looks_like_an_option(arguments[i + 1]))
+      throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
+                                  name, arguments[i + 1]));
+  }
+}
+
+/// CLI11 lists unexpected arguments from the last to the first; this names the first.
+std::string first_unexpected(const std::string& message, const std::vector<std::string>& arguments) {
+  std::istringstream words(message.substr(message.rfind(": ") + 1));
+  const std::vector<std::string> unexpected{std::istream_iterator<std::string>(words), {}};
+  const auto first =
+      std::find_first_of(arguments.begin(), arguments.end(), unexpected.begin(), unexpected.end());
+  return first == arguments.end() ? message : fmt::format("unexpected argument '{}'", *first);
+}
+
+/// Its message begins with the name of the option.
+std::string wrong_number(const std::string& message, const CLI::App& command) {
+  const std::string name = message.substr(0, message.find(':'));
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (option == nullptr) return message;
+  if (option->count() > 1)
+    return fmt::format("{} is given {} times: it takes one value", name, option->count());
+  std::string type = option->get_type_name();
+  for (std::size_t i = 0; (i = type.find('|', i)) != std::string::npos; i += 4) type.replace(i, 1, " or ");
+  return fmt::format("{} needs a value: {}", name, type);
+}
+
+/// The command that the arguments name. CLI11 would call a mistyped one an unexpected argument.
+CLI::App& named_command(CLI::App& app, const std::string& name) {
+  if (name.starts_with('-')) throw UserError(fmt::format("unexpected argument '{}' before a command", name));
+  require_known(name, command_names(app), "command");
+  return *app.get_subcommand(name);
+}
+
+bool asks_for_help(const std::string& argument) {
+  return argument == "--help" || argument == "-h";
+}
+
+Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                      const Progress& progress, const Terminal& terminal) {
+  CLI::App app{"shadefit refits, checks and reports the approximation constants of real-time shading.",
+               "shadefit"};
+  app.footer("See 'shadefit help COMMAND' for the options and examples of a command.\n");
+  Call call{checkpoint, progress, terminal};
+  declare_commands(app, call);
+  if (arguments.empty())
+    return usage_error(fmt::format("name a command: {}", fmt::join(command_names(app), ", ")), arguments);
+  const std::string& first = arguments.front();
+  if (first == "--version") return {0, app.version() + "\n", ""};
+  if (first == "--completion" && arguments.size() == 2) return {0, completion(app, arguments[1]), ""};
+  const bool is_help = first == "help" || asks_for_help(first);
+  if (is_help && arguments.size() == 1) return {0, help_text(app, app), ""};
+  if (is_help && arguments.size() == 2 && !asks_for_help(arguments[1]))
+    return {0, help_text(app, named_command(app, arguments[1])), ""};
+  CLI::App& command = named_command(app, first);
+  if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) return {0, help_text(app, command), ""};
+  require_values(command, arguments);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes the last first
+  } catch (const CLI::ExtrasError& error) {
+    return usage_error(first_unexpected(error.what(), arguments), arguments);
+  } catch (const CLI::ArgumentMismatch& error) {
+    return usage_error(wrong_number(error.what(), command), arguments);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(error.what(), arguments);
+  }
+  return call.outcome;
+}
+
+/// What no rule foresaw. The user can mend an error of the file system: a name that is too long, links that
+/// lead in a circle, a folder that may not be entered. Missing memory or threads are the machine's fault.
+Outcome unforeseen(const std::exception& error, const std::vector<std::string>& arguments) {
+  const auto failed = [](int exit_code, const std::string& line) {
+    return Outcome{exit_code, "", fmt::format("shadefit: {}\n", one_line(line))};
+  };
+  if (const auto* of_files = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+    return failed(2,
+                  fmt::format("cannot use '{}': {}", of_files->path1().string(), of_files->code().message()));
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return failed(1, "out of memory");
+  if (const auto* of_threads = dynamic_cast<const std::system_error*>(&error))
+    return failed(1, fmt::format("cannot start a thread: {}", of_threads->code().message()));
+  return {1, "",
+          fmt::format("shadefit: internal error: {}; please report it with the call: {}\n",
+                      one_line(error.what()), one_line(shell_text(arguments)))};
+}
+
+}  // namespace
+
+Outcome prepare_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                             const Progress& progress, const Terminal& terminal) {
+  try {
+    const Watched work = watch(checkpoint, progress, arguments.empty() ? "" : arguments.front());
+    return parse_and_run(arguments, work.checkpoint, work.progress, terminal);
+  } catch (const UserError& error) {
+    return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
+  } catch (const CheckFailed& error) {
+    return {1, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
+  } catch (const Interrupted& interrupted) {
+    return {128 + interrupted.signal, "", "shadefit: interrupted, nothing was written\n"};
+  } catch (const std::exception& error) {
+    return unforeseen(error, arguments);
+  }
+}
+
+Outcome put_files(Outcome outcome) {
+  const auto put = std::exchange(outcome.put, {});
+  try {
+    if (put) put();
+  } catch (const UserError& error) {
+    outcome.exit_code = 2;
+    outcome.err += fmt::format("shadefit: {}\n", one_line(error.what()));
+  } catch (const Interrupted& interrupted) {
+    outcome.exit_code = 128 + interrupted.signal;
+    outcome.err += "shadefit: interrupted before all was written\n";
+  }
+  return outcome;
+}
+
+Outcome run_command_line(const std::vector<std::string>& arguments, const Checkpoint& checkpoint,
+                         const Progress& progress) {
+  return put_files(prepare_command_line(arguments, checkpoint, progress, {}));
+}
+
+}  // namespace shadefit

@@ -1,0 +1,210 @@
+#include "app/commands/commands.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "app/output/draw_figures.hpp"
+#include "app/output/output_folder.hpp"
+#include "app/output/slow_tables.hpp"
+#include "approx/ledger/catalogue.hpp"
+#include "approx/ledger/ledger.hpp"
+#include "fit/ledger/ledger.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/figures/plots.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/rows/comparisons.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/rows/tables.hpp"
+#include "reports/sections/ledger_section.hpp"
+#include "reports/sections/report.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+/// What a run is to say of its plots, and the call that puts everything in its place.
+struct PreparedResults {
+  PlotsNews news;
+  std::function<void()> put;
+};
+
+/// Draws the pictures that can be drawn, then makes everything ready at once: the report shows the figures
+/// that there is a picture of.
+PreparedResults prepare_results(const RunOptions& options, const Results& results, const OutputFolder& folder,
+                                const Checkpoint& checkpoint) {
+  auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
+  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
+  const auto report = report_files(results, figures);
+  files.insert(files.end(), report.begin(), report.end());
+  return {news, folder.prepare(files, missing, options.force, checkpoint)};
+}
+
+/// One line for each check that failed.
+std::string failed_lines(const Results& results) {
+  if (all_checks_passed(results)) return "";
+  std::string err;
+  for (const Refit& refit : results.refits) err += not_converged_lines(refit);
+  for (const FresnelLink& link : results.fresnel_chain) {
+    if (link.status == Status::converged) continue;
+    err +=
+        fmt::format("shadefit: {} on {} (n = {}, k = {}) did not converge: {}\n", link.family->info.id,
+                    link.surface->material, link.surface->ior, link.surface->extinction, name(link.status));
+  }
+  for (const auto& check : results.normalisations) {
+    if (check.verdict == Verdict::confirmed) continue;
+    err +=
+        fmt::format("shadefit: {} at exponent {} failed: closed form {}, integral {}, estimated error {}\n",
+                    check.record->id, check.exponent.value_or(0), check.closed_form, check.integral,
+                    check.estimated_error);
+  }
+  for (const JudgedClaim& judged : results.claims) {
+    if (judged.finding.verdict) continue;
+    err += fmt::format("shadefit: {} could not be judged: {}\n", judged.claim->id, judged.finding.evidence);
+  }
+  for (const Comparison& comparison : results.comparisons) {
+    err += not_reached_lines(comparison);
+    for (const std::string& fit : comparison.left_out)
+      err += fmt::format("shadefit: {}: {}\n", target_of(comparison), fit);
+  }
+  for (const auto& curve : results.reflectances) {
+    for (const auto& point : curve.points) {
+      if (point.estimated_error <= reflectance_tolerance) continue;
+      err += fmt::format(
+          "shadefit: the reflectance of {} at exponent {}, view angle {} failed: estimated error {}\n",
+          curve.record->id, curve.exponent, point.view_angle, point.estimated_error);
+    }
+  }
+  return err;
+}
+
+/// Whether a text holds another, large and small letters alike.
+bool holds(std::string_view text, std::string_view part) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+}
+
+/// Whether a claim is on a family: on one of its published numbers, or by its name.
+bool is_on(std::string_view claim, std::string_view family) {
+  return claim == family || claim.starts_with(std::string(family) + "-") ||
+         std::any_of(published_constants.begin(), published_constants.end(),
+                     [&](const Published& p) { return p.id == claim && p.family == family; });
+}
+
+/// The claims that the filters leave; not judged, unless by verdict.
+std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpoint& checkpoint) {
+  std::vector<JudgedClaim> claims;
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) {
+      if (options.topic && !holds(topic.title, *options.topic)) continue;
+      if (options.family && !is_on(claim.id, *options.family)) continue;
+      claims.push_back({&topic, &claim, {}});
+    }
+  }
+  if (!options.verdict) return claims;
+  const auto is_left = [&](std::string_view id) {
+    return std::any_of(claims.begin(), claims.end(),
+                       [&](const JudgedClaim& judged) { return judged.claim->id == id; });
+  };
+  Fits fits;
+  auto judged_claims = judge_claims(is_left, fits, checkpoint);
+  std::erase_if(judged_claims,
+                [&](const JudgedClaim& judged) { return judged.finding.verdict != *options.verdict; });
+  return judged_claims;
+}
+
+/// Refuses filters that leave nothing because they name nothing.
+void require_known_filters(const ListOptions& options) {
+  std::vector<std::string> titles, families;
+  for (const Topic& topic : ledger) titles.emplace_back(topic.title);
+  for (const FittableFamily& family : fittable_families()) families.emplace_back(family.info.id);
+  if (options.family) require_known(*options.family, families, "family");
+  const bool is_topic = !options.topic || std::any_of(titles.begin(), titles.end(), [&](const auto& title) {
+    return holds(title, *options.topic);
+  });
+  if (!is_topic)
+    throw UserError(fmt::format("--topic '{}' is in no title of a topic: they are {}", *options.topic,
+                                fmt::join(titles, "; ")));
+}
+
+}  // namespace
+
+Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
+  require_known_filters(options);
+  const bool with_verdicts = options.verdict.has_value();
+  const auto claims = wanted_claims(options, checkpoint);
+  const bool is_narrow = !options.json && !options.csv && !options.latex;
+  Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
+  if (!with_verdicts && !options.topic && !options.family) add_forms_of_comparison(list);
+  if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), ""};
+  if (options.csv) return {0, write_csv(list, Precision::full), ""};
+  if (options.latex) return {0, write_latex(list, Precision::report), ""};
+  return {0, write_console(list, Precision::report, options.terminal), ""};
+}
+
+Outcome explain_command(const ExplainOptions& options) {
+  require_known(options.id, claim_ids(), "claim");
+  Fits fits;
+  const JudgedClaim judged =
+      judge_claims([&](std::string_view id) { return id == options.id; }, fits).front();
+  return {judged.finding.verdict ? 0 : 1,
+          options.json ? json_text(explanation_json(judged)) : explanation(judged, options.terminal), ""};
+}
+
+Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
+  const OutputFolder folder(options.out);
+  const Results results = compute_results(options.only, checkpoint);
+  const auto [news, put] = prepare_results(options, results, folder, checkpoint);
+  std::vector<std::string> parts;
+  const Table summary = summary_table(results);
+  if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
+  // Asked for by name, claims are shown; of all of them there are too many.
+  if (!options.only.empty() && !results.claims.empty())
+    parts.push_back(
+        write_console(claims_for_a_terminal(results.claims, true), Precision::report, options.terminal));
+  if (!results.claims.empty()) parts.push_back(fmt::format("Ledger: {}\n", verdict_counts(results.claims)));
+  std::string out = fmt::format("{}", fmt::join(parts, "\n"));
+  out += news.out;
+  out += fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
+  const std::string err = news.err + failed_lines(results);
+  return {err.empty() ? 0 : 1, out, err, put};
+}
+
+Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const Baseline baseline = read_baseline(options.baseline);
+  // Of the slow tables too, before anything is computed.
+  std::vector<Baseline> slow_baselines;
+  for (const SlowTables& slow : options.all ? slow_tables : std::vector<SlowTables>{}) {
+    slow_baselines.push_back(
+        read_tables(std::filesystem::path(options.baseline) / slow_tables_folder, slow.names));
+  }
+  const Results results = compute_results({}, checkpoint);
+  auto drifts = compare(baseline, results);
+  std::size_t cells = count_cells(results);
+  for (std::size_t i = 0; i < slow_baselines.size(); ++i) {
+    const auto files = slow_tables[i].make(checkpoint, progress);
+    const auto more = compare_files(slow_baselines[i], files);
+    drifts.insert(drifts.end(), more.begin(), more.end());
+    cells += count_cells(files);
+  }
+  if (drifts.empty())
+    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, printable(options.baseline)), ""};
+  Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
+  // Words of the baseline's files: whatever they hold, a short line each.
+  for (const Drift& d : drifts) {
+    table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
+  }
+  return {1,
+          write_console(table, Precision::report, options.terminal) +
+              fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
+                          drifts.size() == 1 ? "difference" : "differences", printable(options.baseline)),
+          ""};
+}
+
+}  // namespace shadefit

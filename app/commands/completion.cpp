@@ -1,0 +1,206 @@
+#include "app/commands/completion.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "app/options/fit_arguments.hpp"
+#include "bench/forms/catalogue.hpp"
+#include "fit/run/results.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// The words that a value can be, by the name of its type; empty for a number, a file or a text of the user.
+Words words_for(const CLI::App& app, const std::string& type) {
+  Words words;
+  if (type == "FORM") return ids_with_a_fit();
+  if (type == "CLAIM") return claim_ids();
+  if (type == "ID") return known_ids();
+  if (type == "FAMILY") {
+    for (const FittableFamily& family : fittable_families()) words.emplace_back(family.info.id);
+  } else if (type == "TARGET") {
+    for (const forms::Target& target : forms::catalogue().targets) words.emplace_back(target.id);
+  } else if (type == "CURVE") {
+    for (const forms::FormEntry& form : forms::catalogue().forms) words.emplace_back(form.id);
+  } else if (type == "COMMAND") {
+    for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());
+  } else if (type.find('|') != std::string::npos) {
+    std::istringstream choices(type);
+    for (std::string choice; std::getline(choices, choice, '|');) {
+      const bool is_word =
+          choice.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
+      if (is_word) words.push_back(choice);
+    }
+  }
+  return words;
+}
+
+bool is_path(const std::string& type) {
+  return type == "FILE" || type == "DIR";
+}
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_items_expected_min() > 0;
+}
+
+/// A case statement of bash and zsh: what may follow `word` of a command.
+std::string shell_case(const std::string& command, const std::string& word, const std::string& action) {
+  return fmt::format("    {}:{}) {} ;;\n", command, word, action);
+}
+
+/// How a shell adds words, paths, and nothing.
+struct Actions {
+  std::string begin, words, paths, nothing, is_option, end;
+};
+
+/// Bash and zsh have the same shape: after a first word, cases of command and word before the cursor.
+std::string by_cases(const CLI::App& app, const Actions& actions) {
+  const auto offer = [&](const std::string& type) {
+    const Words words = words_for(app, type);
+    if (!words.empty()) return fmt::format(fmt::runtime(actions.words), fmt::join(words, " "));
+    return is_path(type) ? actions.paths : actions.nothing;
+  };
+  std::string out = fmt::format(fmt::runtime(actions.begin), fmt::join(words_for(app, "COMMAND"), " "));
+  for (const CLI::App* command : app.get_subcommands({})) {
+    const std::string& of = command->get_name();
+    Words options;
+    std::string positional = actions.nothing;
+    for (const CLI::Option* option : command->get_options()) {
+      if (option->get_positional()) {
+        positional = offer(option->get_type_name());
+        continue;
+      }
+      options.push_back("--" + option->get_lnames().front());
+      if (takes_value(*option)) out += shell_case(of, options.back(), offer(option->get_type_name()));
+    }
+    out += shell_case(
+        of, "*",
+        fmt::format("if {}; then {}; else {}; fi", actions.is_option,
+                    fmt::format(fmt::runtime(actions.words), fmt::join(options, " ")), positional));
+  }
+  return out + actions.end;
+}
+
+std::string bash_completion(const CLI::App& app) {
+  return by_cases(
+      app,
+      {.begin = "# Completes shadefit in bash: made by 'shadefit --completion bash'.\n"
+                "_shadefit() {{\n"
+                "  local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} words=\n"
+                "  COMPREPLY=()\n"
+                "  if [ \"$COMP_CWORD\" -eq 1 ]; then words='{}'\n"
+                "  else case ${{COMP_WORDS[1]}}:$previous in\n",
+       .words = "words='{}'",
+       .paths = "return",  // then -o default completes a path
+       .nothing = "compopt +o default 2>/dev/null; return",
+       .is_option = "[[ $current == -* ]]",
+       .end = "  esac; fi\n"
+              "  COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n"
+              "}\n"
+              "complete -o default -F _shadefit shadefit\n"});
+}
+
+std::string zsh_completion(const CLI::App& app) {
+  return by_cases(app, {.begin = "#compdef shadefit\n"
+                                 "# Made by 'shadefit --completion zsh'.\n"
+                                 "if (( CURRENT == 2 )); then compadd -- {}\n"
+                                 "else case ${{words[2]}}:${{words[CURRENT-1]}} in\n",
+                        .words = "compadd -- {}",
+                        .paths = "_files",
+                        .nothing = "return 1",
+                        .is_option = "[[ $PREFIX == -* ]]",
+                        .end = "  esac\nfi\n"});
+}
+
+/// A text in single quotes, where \ and ' are escaped.
+std::string fish_quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' || c == '\\' ? std::string{'\\', c} : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string fish_completion(const CLI::App& app) {
+  std::string out =
+      "# Completes shadefit in fish: made by 'shadefit --completion fish'.\ncomplete -c shadefit -f\n";
+  for (const CLI::App* command : app.get_subcommands({})) {
+    out += fmt::format("complete -c shadefit -n __fish_use_subcommand -a {} -d {}\n", command->get_name(),
+                       fish_quoted(command->get_description()));
+    for (const CLI::Option* option : command->get_options()) {
+      out += fmt::format("complete -c shadefit -n '__fish_seen_subcommand_from {}'", command->get_name());
+      const Words words = words_for(app, option->get_type_name());
+      if (!option->get_positional())
+        out +=
+            fmt::format(" -l {} -d {}", option->get_lnames().front(), fish_quoted(option->get_description()));
+      if (is_path(option->get_type_name())) {
+        out += " -F";
+      } else if (takes_value(*option) && !option->get_positional()) {
+        out += " -x";
+      }
+      out += words.empty() ? "\n" : fmt::format(" -a '{}'\n", fmt::join(words, " "));
+    }
+  }
+  return out;
+}
+
+/// A text for groff: '-' and '\' are escaped, and no line begins with a command of it.
+std::string roff(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (out.empty() || out.back() == '\n') out += "\\&";
+    out += c == '-' ? "\\-" : c == '\\' ? "\\e" : std::string(1, c);
+  }
+  return out;
+}
+
+std::string manual_page(const CLI::App& app) {
+  std::string out = fmt::format(
+      ".TH SHADEFIT 1 \"\" \"{}\" \"User Commands\"\n.SH NAME\nshadefit \\- refit, check and report the "
+      "approximation constants of real-time shading\n.SH SYNOPSIS\n.B shadefit\n.I COMMAND\n[options]\n"
+      ".SH DESCRIPTION\n{}\nEach command is described below; 'shadefit help COMMAND' prints the same.\n.SH "
+      "COMMANDS\n",
+      roff(app.version()), roff(app.get_description()));
+  for (const CLI::App* command : app.get_subcommands({})) {
+    std::string usage = command->get_name(), options;
+    for (const CLI::Option* option : command->get_options()) {
+      const std::string& type = option->get_type_name();
+      if (option->get_positional()) usage += option->get_required() ? " " + type : " [" + type + "]";
+      std::string title = option->get_positional() ? "\\fI" + roff(type) + "\\fR"
+                                                   : "\\fB" + roff(option->get_name()) + "\\fR";
+      if (takes_value(*option) && !option->get_positional()) title += " \\fI" + roff(type) + "\\fR";
+      const std::string& by_default = option->get_default_str();
+      options += fmt::format(".TP\n{}\n{}{}\n", title, roff(option->get_description()),
+                             by_default.empty() ? "" : roff(" (default: " + by_default + ")"));
+    }
+    out += fmt::format(".SS {} [options]\n{}\n{}.PP\n.nf\n{}.fi\n", roff(usage),
+                       roff(command->get_description()), options, roff(command->get_footer()));
+  }
+  return out +
+         ".SH EXIT STATUS\n.TP\n0\nsuccess\n.TP\n1\na check failed or a fit did not converge\n.TP\n2\nbad usage "
+         "or bad input\n.TP\n128 + n\nsignal n interrupted the command\n"
+         ".SH ENVIRONMENT\n.TP\nNO_COLOR\nwhere it is set, nothing is coloured; also with TERM=dumb\n";
+}
+
+}  // namespace
+
+std::string completion(const CLI::App& app, const std::string& shell) {
+  constexpr std::array<std::pair<std::string_view, std::string (*)(const CLI::App&)>, 4> all{
+      {{"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}, {"man", manual_page}}};
+  for (const auto& [name, make] : all) {
+    if (name == shell) return make(app);
+  }
+  throw UserError(fmt::format("--completion '{}' is unknown: it must be one of bash, zsh, fish, man", shell));
+}
+
+}  // namespace shadefit

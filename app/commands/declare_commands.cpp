@@ -1,0 +1,311 @@
+#include "app/commands/declare_commands.hpp"
+
+#include <array>
+#include <memory>
+
+#include "app/commands/commands.hpp"
+#include "app/options/bench_options.hpp"
+#include "app/options/option_values.hpp"
+#include "app/options/scene_options.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr const char* form_help = "a family or a published constant (see 'shadefit list')";
+
+/// Declares a command. Its options live as long as the command; `declare` adds them, `run` runs it.
+template <class Options, class Declare, class Run>
+void add_command(CLI::App& app, Call& call, const std::string& name, const std::string& help,
+                 const std::string& examples, Declare declare, Run run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(name, help)->group("Commands");
+  command->footer("Examples:\n" + examples);
+  declare(*command, *options);
+  command->callback([&call, command, options, run] {
+    if constexpr (requires { options->terminal; }) options->terminal = call.terminal;
+    if constexpr (requires { options->fit.terminal; }) options->fit.terminal = call.terminal;
+    if constexpr (requires { options->words; })
+      options->words =
+          words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--shade", "--json"});
+    call.outcome = run(*options);
+  });
+}
+
+void add_json(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "print JSON, every number to its last bit");
+}
+
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "replace files that shadefit did not write, or that were changed since");
+}
+
+void add_out(CLI::App& command, std::string& out) {
+  add_value(command, "--out", out, parse_text, "DIR", "the directory to write")->default_str(out);
+}
+
+/// The formats of a table; each excludes the others and the `--json` before them.
+void add_formats(CLI::App& command, bool& csv, bool& latex, const std::string& columns) {
+  CLI::Option* json = command.get_option("--json");
+  auto* csv_option = command.add_flag("--csv", csv, "print CSV" + columns)->excludes(json);
+  command.add_flag("--latex", latex, "print a LaTeX tabular")->excludes(json)->excludes(csv_option);
+}
+
+void declare_list(CLI::App& list, ListOptions& options) {
+  add_choice(list, "--verdict", options.verdict, by_name(all_verdicts),
+             "only the claims with this verdict (computes them all)");
+  add_value(list, "--topic", options.topic, parse_text, "TEXT",
+            "only the topics with this text in their title, for example fresnel");
+  add_value(list, "--family", options.family, parse_text, "FAMILY", "only the claims on this family");
+  add_json(list, options.json);
+  add_formats(list, options.csv, options.latex, "");
+}
+
+void declare_run(CLI::App& run, RunOptions& options) {
+  add_out(run, options.out);
+  run.add_option("--only", options.only, "only these families, normalisations and claims")->type_name("ID");
+  add_force(run, options.force);
+  run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
+}
+
+void add_id(CLI::App& command, FitOptions& fit) {
+  command.add_option("id", fit.id, form_help)->required()->type_name("FORM");
+}
+
+void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_default) {
+  add_value(command, "--exponent", fit.exponents, parse_exponents, "K|A:B:STEP",
+            "the exponents of a lobe, by commas (default: " + by_default + ")");
+}
+
+void add_domain(CLI::App& command, FitOptions& fit) {
+  add_value(command, "--domain", fit.metric.domain, parse_domain, "A:B",
+            "the range of cosines that counts (default: 0:1)");
+}
+
+/// What a Fresnel form is fitted to.
+void add_target(CLI::App& command, FitOptions& fit, const std::string& by_default) {
+  add_choice(
+      command, "--target", fit.target,
+      Choices<Surface::Formula>{{"schlick", Surface::Formula::schlick}, {"exact", Surface::Formula::exact}},
+      "what a Fresnel form approximates: Schlick's (1-c)^5, or the exact reflectance of a surface "
+      "(default: " +
+          by_default + ")");
+  add_value(command, "--ior", fit.ior, parse_finite, "N",
+            "index of refraction n of the surface (default with --target exact: 1.5)");
+  add_value(command, "--extinction", fit.extinction, parse_finite, "K",
+            "extinction k of a conductor with index n + i k (default: 0)");
+}
+
+/// Which error is measured where, for `fit`, `certify` and `emit`.
+void add_metric(CLI::App& command, FitOptions& fit) {
+  add_choice(command, "--measure", fit.metric.measure, by_name(measures),
+             "how the domain is weighted: evenly in the cosine, in the angle, or by the cosine");
+  add_choice(command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
+             "relative: to the target of a lobe, to F = f0 + (1-f0) f of a Fresnel form");
+  add_value(command, "--f0", fit.f0, parse_f0, "F0",
+            "reflectance at normal incidence, for the relative error of a Fresnel form (default: 0.04)");
+  add_domain(command, fit);
+  add_target(command, fit, "schlick");
+}
+
+void add_norm(CLI::App& command, FitOptions& fit) {
+  add_choice(command, "--norm", fit.metric.norm, by_name(std::array{Norm::least_squares, Norm::minimax}),
+             "what the fit makes smallest: the mean square of the error, or its maximum");
+}
+
+/// What the answer of a fit has to obey.
+void add_constraints(CLI::App& command, Metric& metric) {
+  const auto parse_weight = [](const std::string& option, const std::string& text) {
+    if (text.empty())
+      throw UserError(fmt::format("{} '' is empty: give a formula in c, such as '1 + 4 c'", option));
+    return text;
+  };
+  add_value(command, "--weight", metric.weight, parse_weight, "FORMULA",
+            "multiplies the error: a formula in c that is not negative, for example '1 + 4 c'");
+  Constraints& constraints = metric.constraints;
+  add_values(command, "--fix", constraints.held, parse_held, "NAME=VALUE",
+             "a parameter that is given, not fitted; may be repeated");
+  add_values(command, "--exact-at", constraints.exact_at, parse_finite, "C",
+             "an end of the domain where the form equals its target; minimax only, may be repeated");
+  add_choice(command, "--one-sided", constraints.one_sided, by_name(std::array{Side::above, Side::below}),
+             "the side of its target on which the form stays; minimax only");
+  add_value(command, "--at-most", constraints.at_most, parse_finite, "V",
+            "the form stays at or below this value; minimax only");
+  add_value(command, "--at-least", constraints.at_least, parse_finite, "V",
+            "the form stays at or above this value; minimax only");
+}
+
+void declare_fit(CLI::App& fit, FitOptions& options) {
+  add_id(fit, options);
+  add_exponent(fit, options, "those of the record");
+  add_metric(fit, options);
+  add_norm(fit, options);
+  add_constraints(fit, options.metric);
+  add_json(fit, options.json);
+  add_formats(fit, options.csv, options.latex, ": the columns of fits.csv");
+  const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
+  const std::array extras{
+      fit.add_flag("--certify", options.certify,
+                   "prove bounds of the largest error, the stationary point and the curve"),
+      add_value(fit, "--round", options.round, round, "float|half|bfloat16|decimal:N",
+                "also the best constants in this number format, for a form that is evaluated in it"),
+      fit.add_flag(
+          "--sensitivity", options.sensitivity,
+          "also how many digits of each constant matter, and the fit under other measures and domains")};
+  for (CLI::Option* extra : extras)
+    extra->excludes(fit.get_option("--csv"))->excludes(fit.get_option("--latex"));
+}
+
+void declare_better(CLI::App& better, FitOptions& options) {
+  add_id(better, options);
+  add_exponent(
+      better, options,
+      "the lowest and the highest for which the number was published, or of the family's usual range");
+  add_target(better, options, "schlick, then exact glass (1.5) and exact gold (0.43, 2.455)");
+  add_domain(better, options);
+  add_json(better, options.json);
+  add_formats(better, options.csv, options.latex, ": the columns of better.csv");
+}
+
+void declare_certify(CLI::App& certify, CertifyOptions& options) {
+  add_id(certify, options.fit);
+  add_exponent(certify, options.fit, "those of the record");
+  add_metric(certify, options.fit);
+  add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
+            "the constants (default: the published ones, else fitted ones)");
+  add_value(certify, "--width", options.width, parse_relative_width, "W",
+            "how far apart the bounds may be, relative to the error")
+      ->default_str("1e-9");
+  add_value(certify, "--out", options.out, parse_text, "FILE",
+            "write the certificate, for 'shadefit verify'");
+  add_force(certify, options.force);
+  add_json(certify, options.fit.json);
+}
+
+void declare_verify(CLI::App& verify, VerifyOptions& options) {
+  verify.add_option("file", options.file, "a file of 'shadefit certify --out'")
+      ->required()
+      ->type_name("FILE");
+}
+
+/// The order of the options is that of the command in generated files.
+void declare_emit(CLI::App& emit, EmitOptions& options) {
+  // With --check the file names its command.
+  emit.add_option("id", options.fit.id, form_help)->type_name("FORM");
+  add_choice(emit, "--lang", options.language, by_name(languages), "the language of the code");
+  add_exponent(emit, options.fit, "those of the record");
+  add_value(emit, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
+            "the constants (default: the published ones, else fitted ones)");
+  add_norm(emit, options.fit);
+  add_metric(emit, options.fit);
+  add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
+  add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
+  add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
+  add_force(emit, options.force);
+  add_value(emit, "--check", options.check, parse_text, "FILE",
+            "exit 1 unless shadefit would generate this file again as it is");
+}
+
+void declare_explain(CLI::App& explain, ExplainOptions& options) {
+  explain.add_option("id", options.id, "a claim (see 'shadefit list')")->required()->type_name("CLAIM");
+  add_json(explain, options.json);
+}
+
+void declare_stress(CLI::App& stress, StressOptions& options) {
+  add_out(stress, options.out);
+  add_force(stress, options.force);
+}
+
+void declare_check(CLI::App& check, CheckOptions& options) {
+  add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of the committed tables")
+      ->default_str(options.baseline);
+  check.add_flag("--all", options.all, "also the tables that take longer, of stress and bench");
+}
+
+}  // namespace
+
+void declare_commands(CLI::App& app, Call& call) {
+  app.get_formatter()->label("OPTIONS", "options");
+  app.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  app.get_formatter()->label("Positionals", "Arguments");
+  app.require_subcommand(1);
+  app.get_help_ptr()->description("print this help");
+  app.set_version_flag("--version", "shadefit " SHADEFIT_VERSION, "print the version");
+  app.add_option("--completion", "completions of bash, zsh or fish, or the manual page")->group("");
+  add_command<ListOptions>(
+      app, call, "list", "every constant and claim: id, printed value, source",
+      "  shadefit list --topic fresnel\n  shadefit list --verdict refuted\n  shadefit list --csv\n",
+      declare_list, [&](const ListOptions& options) { return list_command(options, call.checkpoint); });
+  add_command<RunOptions>(
+      app, call, "run", "fit and check everything; write report.md, the tables and the plots",
+      "  shadefit run --no-plots\n  shadefit run --only norm-phong --out phong\n", declare_run,
+      [&](const RunOptions& options) { return run_command(options, call.checkpoint); });
+  add_command<FitOptions>(
+      app, call, "fit", "fit a form, at one exponent or a sweep of them, and print its constants and errors",
+      "  shadefit fit fresnel-quadratic\n"
+      "  shadefit fit sg-offset --exponent 5,10:50:10 --csv\n"
+      "  shadefit fit fresnel-quadratic --target exact --ior 1.5 --norm minimax\n"
+      "  shadefit fit fresnel-one-term --round half\n",
+      declare_fit,
+      [&](const FitOptions& options) { return fit_command(options, call.checkpoint, call.progress); });
+  add_command<FitOptions>(
+      app, call, "better", "what is published for a target and what else there is: proven errors, costs",
+      "  shadefit better fresnel-one-term --target exact --ior 1.5\n  shadefit better sg-offset --exponent 5\n",
+      declare_better,
+      [&](const FitOptions& options) { return better_command(options, call.checkpoint, call.progress); });
+  add_command<CertifyOptions>(
+      app, call, "certify", "bounds of a form's largest error, proven by interval arithmetic",
+      "  shadefit certify fresnel-quadratic\n"
+      "  shadefit certify fresnel-quadratic --parameters a=-5.5,b=-7 --out pair.json\n",
+      declare_certify, [&](const CertifyOptions& options) {
+        return certify_command(options, call.checkpoint, call.progress);
+      });
+  add_command<VerifyOptions>(
+      app, call, "verify", "check a certificate again, on its own boxes", "  shadefit verify pair.json\n",
+      declare_verify,
+      [&](const VerifyOptions& options) { return verify_command(options, call.checkpoint, call.progress); });
+  add_command<EmitOptions>(app, call, "emit", "a form as shader code, generated from its formula",
+                           "  shadefit emit fresnel-quadratic --lang glsl\n"
+                           "  shadefit emit sg-offset-mean --lang hlsl --name lobe --out lobe.hlsl\n"
+                           "  shadefit emit --check lobe.hlsl\n",
+                           declare_emit, [&](const EmitOptions& options) {
+                             return emit_command(options, call.checkpoint, call.progress);
+                           });
+  add_command<SceneOptions>(
+      app, call, "scene", "what the materials of a scene need, and what can be skipped",
+      "  shadefit scene scene.mtl\n  shadefit scene scene.mtl --codes 0.5 --lang glsl\n",
+      [](CLI::App& scene, SceneOptions& options) {
+        declare_scene(scene, options);
+        add_force(scene, options.force);
+      },
+      [&](const SceneOptions& options) { return scene_command(options, call.checkpoint, call.progress); });
+  add_command<ExplainOptions>(app, call, "explain",
+                              "one claim: what it says, who says it, what is computed, and why",
+                              "  shadefit explain sg-offset-mean\n  shadefit explain half-banding --json\n",
+                              declare_explain, explain_command);
+  add_command<BenchOptions>(
+      app, call, "bench", "run time against error of every form, on this machine",
+      "  shadefit bench --quick --only schlick --no-plots\n"
+      "  shadefit bench --exhaustive schlick --range 0x3f000000:0x3f001000\n",
+      [](CLI::App& bench, BenchOptions& options) {
+        add_out(bench, options.out);
+        declare_bench(bench, options);
+        add_force(bench, options.force);
+      },
+      [&](const BenchOptions& options) {
+        return bench_command(options, SHADEFIT_VERSION, call.checkpoint, call.progress);
+      });
+  add_command<StressOptions>(
+      app, call, "stress",
+      "forms and fits where they are hardest: naive against robust in half, float and double",
+      "  shadefit stress --out stress\n", declare_stress,
+      [&](const StressOptions& options) { return stress_command(options, call.checkpoint, call.progress); });
+  add_command<CheckOptions>(
+      app, call, "check", "recompute everything and compare it with the committed tables; writes nothing",
+      "  shadefit check\n", declare_check,
+      [&](const CheckOptions& options) { return check_command(options, call.checkpoint, call.progress); });
+  auto* help = app.add_subcommand("help", "the help of a command")->group("Commands");
+  help->add_option("command", "one of the commands")->type_name("COMMAND");
+  help->footer("Examples:\n  shadefit help fit\n");
+}
+
+}  // namespace shadefit

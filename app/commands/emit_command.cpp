@@ -1,0 +1,169 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "app/commands/commands.hpp"
+#include "app/commands/generated_file.hpp"
+#include "app/options/chosen_constants.hpp"
+#include "app/output/output_file.hpp"
+#include "approx/ledger/catalogue.hpp"
+#include "fit/proof/certificate.hpp"
+#include "fit/support/decimal.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/code/reserved_names.hpp"
+#include "reports/code/shader_code.hpp"
+#include "reports/io/utf8.hpp"
+
+/// The subcommand `emit`.
+namespace shadefit {
+namespace {
+
+std::string parse_function_name(const std::string& text, Language language) {
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  const bool is_name = !text.empty() && std::all_of(text.begin(), text.end(), is_letter) &&
+                       std::isdigit(static_cast<unsigned char>(text.front())) == 0;
+  if (!is_name)
+    throw UserError(fmt::format(
+        "--name '{}' is not the name of a function: letters, digits and '_', no digit first", text));
+  if (const std::string_view reason = reason_to_refuse_name(text, language); !reason.empty())
+    throw UserError(
+        fmt::format("--name '{}' cannot be a function's name in {}: {}", text, name(language), reason));
+  return text;
+}
+
+std::string function_name(const FittableFamily& family, const EmitOptions& options) {
+  if (options.name) return parse_function_name(*options.name, *options.language);
+  std::string text(family.info.id);
+  std::replace(text.begin(), text.end(), '-', '_');
+  return text;
+}
+
+/// The command that makes the file.
+std::string command_of(const EmitOptions& options) {
+  std::vector<std::string> words = options.words;
+  words.insert(words.begin() + 2, {"--lang", std::string(name(*options.language))});
+  return command_text(words);
+}
+
+/// What is known of the constants at each setting that the code serves.
+struct Proven {
+  ChosenSubject chosen;  ///< at the last of them
+  double upper = 0;      ///< no error is larger at any
+  std::string target, form;
+};
+
+/// Constants that serve all the settings, and their proof.
+Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, const EmitOptions& options,
+                 const Metric& metric, const Checkpoint& checkpoint, const Progress& progress) {
+  Proven proven;
+  const Checkpoint next = stepping(checkpoint, progress, "emit", settings.size());
+  for (const Setting& setting : settings) {
+    next();
+    proven.chosen = chosen_constants(options.parameters, named, setting, metric);
+    if (settings.size() > 1 && !options.parameters && proven.chosen.from == "fitted")
+      throw UserError(fmt::format(
+          "emit '{}' needs --exponent with one exponent: fitted constants are for one", options.fit.id));
+    // the fourth digit of a bound is rounded up
+    constexpr double width = 1e-6;
+    const Certified certified = certify(proven.chosen.subject, width, checkpoint);
+    proven.upper = std::max(proven.upper, certified.certificate.upper);
+    proven.target = certified.certificate.target;
+    proven.form = certified.certificate.form;
+  }
+  return proven;
+}
+
+/// A decimal text, or of a fit a hexadecimal double, as a decimal.
+std::string as_decimal(const std::string& text) {
+  const auto hex = parse_hex(text);
+  return hex ? fmt::format("{}", *hex) : text;
+}
+
+/// The form with its constants; an exponent is one of them where it was asked for.
+ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options, const Subject& subject) {
+  ShaderFunction function{function_name(family, options), {"c"}, family.form()};
+  const bool is_of_one_exponent = options.fit.exponents.has_value();
+  if (family.has_exponent() && !is_of_one_exponent) function.arguments.emplace_back("k");
+  const auto value_of = [&](const std::string& variable) {
+    for (const auto& [name, value] : subject.parameters) {
+      if (name == variable) return Symbolic::number(as_decimal(value));
+    }
+    if (variable == "k" && is_of_one_exponent)
+      return Symbolic::number(fmt::format("{}", subject.setting.exponent));
+    return Symbolic::variable(variable);
+  };
+  function.result = evaluate<Symbolic>(family.form(), value_of);
+  return function;
+}
+
+/// Whose constants they are: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
+/// fitted.
+std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric) {
+  if (chosen.from == "fitted") return "fitted: " + headline(metric);
+  if (chosen.from == "given") return "given";
+  for (const Published& p : published_constants) {
+    const bool is_it = named.published != nullptr ? &p == named.published
+                                                  : p.family == named.family->info.id &&
+                                                        p.printed == chosen.subject.parameters.front().second;
+    if (is_it) return fmt::format("published: {} {}, \"{}\"", p.source.author, p.source.year, p.source.title);
+  }
+  return "published";
+}
+
+std::string exponents_text(const std::vector<Setting>& settings) {
+  if (settings.size() == 1) return fmt::format(", k = {}", settings.front().exponent);
+  return fmt::format(", k = {} to {} ({} exponents)", settings.front().exponent, settings.back().exponent,
+                     settings.size());
+}
+
+std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const NamedFit named = find_fit(options.fit.id);
+  const FittableFamily& family = *named.family;
+  function_name(family, options);  // refused before anything is computed
+  const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
+  if (options.fit.exponents && settings.size() > 1)
+    throw UserError(fmt::format(
+        "--exponent names {} exponents: code is for one, or without the option for any", settings.size()));
+  const Metric metric = metric_for(options.fit, family, settings);
+  const Proven proven = proven_at(settings, named, options, metric, checkpoint, progress);
+  const Subject& subject = proven.chosen.subject;
+
+  std::string constants;
+  for (const auto& [name, value] : subject.parameters)
+    constants += fmt::format("{}{} = {}", constants.empty() ? "" : ", ", name, as_decimal(value));
+  const std::vector<std::string> comment{
+      std::string(generated_line),
+      command_of(options),
+      "",
+      fmt::format("{} for {}; {}", to_text(family.form()), proven.target, family.info.variables),
+      fmt::format("{} ({})", constants, origin_of(named, proven.chosen, metric)),
+      fmt::format("Proven: {} error at most {} for c in [{}, {}]{}, in exact arithmetic.", name(metric.error),
+                  decimal_above(proven.upper, 4), subject.domain.lower, subject.domain.upper,
+                  family.has_exponent() ? exponents_text(settings) : ""),
+  };
+  const std::array functions{function_of(family, options, subject)};
+  return shader_code(functions, *options.language, options.precision, comment);
+}
+
+}  // namespace
+
+Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (options.check) {
+    if (!options.fit.id.empty() || options.language)
+      throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
+                                  *options.check));
+    return check_generated_file(*options.check, checkpoint);
+  }
+  if (options.fit.id.empty()) throw UserError("emit needs the id of a form, see 'shadefit list'");
+  if (!options.language) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
+  const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
+  const std::string code = code_of(options, checkpoint, progress);
+  if (!file) return {0, code, ""};
+  // A stream holds the code alone: it may be standard output.
+  const std::string said = file->is_stream() ? "" : fmt::format("Code: {}\n", printable(*options.out));
+  return {0, said, "", file->prepare(code, options.force, checkpoint)};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,240 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <system_error>
+
+#include "app/options/bench_options.hpp"
+#include "app/terminal/interrupt.hpp"
+#include "bench/exhaustive/state_file.hpp"
+#include "bench/forms/catalogue.hpp"
+#include "bench/timing/machine.hpp"
+#include "bench/timing/timing.hpp"
+#include "bench/tradeoff/measure.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/known.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/table/writers.hpp"
+
+/// `bench --exhaustive`: every float through one form.
+namespace shadefit {
+namespace {
+
+namespace fs = std::filesystem;
+using bench::Sweep;
+
+/// What a sweep is of.
+struct Chosen {
+  const forms::FormEntry* form;
+  const forms::Target* target;
+  const forms::Constants* constants;
+  int exp2_degree;
+  forms::Width width;
+};
+
+const forms::FormEntry& find_form(const forms::Catalogue& catalogue, const std::string& id) {
+  std::vector<std::string> known;
+  for (const forms::FormEntry& form : catalogue.forms) {
+    if (form.arguments == forms::Arguments::cosine) known.emplace_back(form.id);
+    if (form.id != id) continue;
+    if (form.arguments == forms::Arguments::cosine) return form;
+    throw UserError(
+        fmt::format("--exhaustive '{}' is no form of one cosine: it reads {} of each element", id,
+                    form.arguments == forms::Arguments::cosine_and_code ? "a gloss too" : "a normal"));
+  }
+  require_known(id, known, "form of one cosine");
+  throw std::logic_error("a form that is known and was not found");
+}
+
+const forms::Constants& find_constants(const forms::FormEntry& form, const std::optional<std::string>& id) {
+  if (!id) return form.constants.front();
+  std::vector<std::string> known;
+  for (const forms::Constants& constants : form.constants) {
+    if (constants.id == *id) return constants;
+    known.push_back(constants.id);
+  }
+  throw UserError(fmt::format("--constants '{}' is not a set of {}: it must be one of {}", *id, form.id,
+                              fmt::join(known, ", ")));
+}
+
+Chosen chosen_by(const forms::Catalogue& catalogue, const BenchOptions& options) {
+  const forms::FormEntry& form = find_form(catalogue, *options.exhaustive);
+  return {&form, &forms::target_of(catalogue, form.target), &find_constants(form, options.constants),
+          options.exp2_degree, options.width.value_or(forms::Width::sse2)};
+}
+
+/// The kernel of a form. Throws UserError for a degree that it has not.
+const forms::CompiledForm find_kernel(const std::vector<forms::CompiledForm>& all, std::string_view form,
+                                      int exp2_degree) {
+  std::vector<int> known;
+  for (const forms::CompiledForm& compiled : all) {
+    if (compiled.form != form || compiled.in_float == nullptr) continue;
+    if (compiled.exp2_degree == exp2_degree) return compiled;
+    known.push_back(compiled.exp2_degree);
+  }
+  throw UserError(fmt::format("--exp2-degree {} is none of {}: it must be one of {}", exp2_degree, form,
+                              fmt::join(known, ", ")));
+}
+
+std::vector<float> in_float(const std::vector<double>& numbers) {
+  std::vector<float> floats;
+  for (const double number : numbers) floats.push_back(static_cast<float>(number));
+  return floats;
+}
+
+/// The form in float, and for truth the target's own formula by the library in double. That is off by a few
+/// last bits of a double: pow of the C library by less than one (as it states), 1 - c of a float by half of
+/// one, which a power of some tens multiplies. A unit of a float is 2^29 of a double's, so truth rounds to
+/// the right float but where it lies within a millionth of the middle between two.
+bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const Chosen& chosen) {
+  const auto form = find_kernel(bench::compiled_for(chosen.width), chosen.form->id, chosen.exp2_degree);
+  const auto exact = std::find_if(catalogue.forms.begin(), catalogue.forms.end(), [&](const auto& other) {
+    return other.target == chosen.target->id;  // the first form of a target is the target itself
+  });
+  const auto truth = find_kernel(forms::scalar_forms(), exact->id, 0);
+  const auto parameters = in_float(forms::parameters_of(*chosen.target, *chosen.constants));
+  const auto given = forms::parameters_of(*chosen.target, exact->constants.front());
+  return {[=](const float* in, float* out, std::size_t count) {
+            form.in_float({.in = {in}, .out = out, .size = count}, parameters);
+          },
+          [=](const float* in, double* out, std::size_t count) {
+            // By pieces that fit on the stack: several threads are here at once.
+            std::array<double, 256> cosines;
+            for (std::size_t first = 0; first < count; first += cosines.size()) {
+              const std::size_t piece = std::min(cosines.size(), count - first);
+              std::copy_n(in + first, piece, cosines.begin());
+              truth.in_double({.in = {cosines.data()}, .out = out + first, .size = piece}, given);
+            }
+          }};
+}
+
+bench::SweepIdentity identity_of(const Chosen& chosen, const BenchOptions& options,
+                                 const std::string& version) {
+  return {version,
+          std::string(chosen.form->id),
+          chosen.exp2_degree,
+          in_float(forms::parameters_of(*chosen.target, *chosen.constants)),
+          std::string(forms::name(chosen.width)),
+          options.range};
+}
+
+fs::path state_path(const BenchOptions& options, const Chosen& chosen, const bench::Shard& shard) {
+  if (options.state) return *options.state;
+  std::string name = fmt::format("exhaustive-{}", chosen.form->id);
+  if (options.constants) name += "-" + chosen.constants->id;
+  if (chosen.exp2_degree > 0) name += fmt::format("-exp2-{}", chosen.exp2_degree);
+  if (!shard.is_whole()) name += fmt::format(".{}-of-{}", shard.index, shard.of);
+  return without_detours(options.out) / (name + ".json");
+}
+
+/// The state that is there, which has to be of this sweep; nothing where none is.
+std::optional<Sweep> state_at(const fs::path& path, const bench::SweepIdentity& identity,
+                              const bench::Shard& shard) {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(path, error))) return std::nullopt;
+  const bench::NamedSweep found = bench::read_state(path);
+  bench::require_identity(found, identity);
+  if (found.sweep.shard == shard) return found.sweep;
+  throw UserError(fmt::format("state file '{}' is of shard {}/{}, not {}/{}; name another by --state",
+                              found.name, found.sweep.shard.index, found.sweep.shard.of, shard.index,
+                              shard.of));
+}
+
+std::string place_text(std::uint32_t at) {
+  if (at == UINT32_MAX) return "";
+  const auto c = static_cast<double>(std::bit_cast<float>(at));
+  return fmt::format("at c = {} ({:.6g})", hex_text(c), c);
+}
+
+std::string result_text(const Sweep& sweep, const Chosen& chosen, const Terminal& terminal) {
+  const bench::FloatErrors& found = sweep.found;
+  std::string text =
+      fmt::format("{}{}{} in {}: {} floats, against {} in double\n", chosen.form->id,
+                  chosen.constants->numbers.empty() ? "" : ", " + chosen.constants->id,
+                  chosen.exp2_degree > 0 ? fmt::format(", exp2 of degree {}", chosen.exp2_degree) : "",
+                  forms::name(chosen.width), found.count(), chosen.target->text);
+  text += fmt::format("max abs error  {:.6g} {}\nmax ulps       {} {}\nNaN {}, above 1 {}, below 0 {}\n\n",
+                      found.max_abs_error, place_text(found.max_abs_error_at), found.max_ulps,
+                      place_text(found.max_ulps_at), found.nans, found.above_one, found.below_zero);
+  Table table{{"ulps", "floats", "share"}, {}};
+  std::size_t last = found.ulps.size();
+  while (last > 1 && found.ulps[last - 1] == 0) --last;
+  for (std::size_t i = 0; i < last; ++i) {
+    const std::uint64_t low = i == 0 ? 0 : std::uint64_t{1} << (i - 1), high = (std::uint64_t{1} << i) - 1;
+    table.rows.push_back({low >= high ? fmt::to_string(low) : fmt::format("{} .. {}", low, high),
+                          static_cast<long>(found.ulps[i]),
+                          Number{static_cast<double>(found.ulps[i]) /
+                                     static_cast<double>(std::max<std::uint64_t>(found.count(), 1)),
+                                 4}});
+  }
+  return text + write_console(table, Precision::report, terminal);
+}
+
+/// The share of a sweep that is done.
+double share_of(const Sweep& sweep) {
+  const bench::Stretch all = sweep.stretch();
+  return all.size() == 0 ? 1 : static_cast<double>(sweep.next - all.from) / static_cast<double>(all.size());
+}
+
+/// Looks at the floats that are left, keeping the state now and then, and where a signal ends it.
+void sweep_and_keep(Sweep& sweep, const bench::FloatSubject& subject, const fs::path& path,
+                    const Checkpoint& checkpoint, const Progress& progress) {
+  // Seconds that a process that is killed may lose.
+  constexpr double longest_unkept = 10;
+  const double start = bench::now().real, share_before = share_of(sweep);
+  double kept = start;
+  const auto between = [&] {
+    const double now = bench::now().real, share = share_of(sweep);
+    if (now - kept > longest_unkept) {
+      bench::keep_state(path, sweep);
+      kept = now;
+    }
+    progress(progress_line("exhaustive", share, (now - start) * share / (share - share_before)));
+    if (!sweep.is_done()) checkpoint();
+  };
+  checkpoint();
+  bench::go_on(sweep, subject, bench::this_machine().threads, between);
+}
+
+}  // namespace
+
+Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
+                           const Checkpoint& checkpoint, const Progress& progress) {
+  const bench::Shard shard = options.shard.value_or(bench::Shard{});
+  if (!options.state) require_directory(options.out);
+  const forms::Catalogue catalogue = forms::catalogue();
+  const Chosen chosen = chosen_by(catalogue, options);
+  const bench::FloatSubject subject = subject_of(catalogue, chosen);
+  const bench::SweepIdentity identity = identity_of(chosen, options, version);
+  const fs::path path = state_path(options, chosen, shard);
+  const std::string shown = printable(path.string());
+
+  const std::optional<Sweep> before = state_at(path, identity, shard);
+  Sweep sweep = before.value_or(bench::begin_sweep(identity, shard));
+  if (!options.merge.empty()) {
+    std::vector<bench::NamedSweep> shards;
+    for (const std::string& file : options.merge) shards.push_back(bench::read_state(file));
+    sweep = bench::merge(identity, shards);
+  } else if (!sweep.is_done()) {
+    // A disk that is full is found out now, not after a minute.
+    if (!before) bench::keep_state(path, sweep);
+    try {
+      sweep_and_keep(sweep, subject, path, checkpoint, progress);
+    } catch (const Interrupted& interrupted) {
+      bench::keep_state(path, sweep);
+      return {128 + interrupted.signal, "",
+              fmt::format("shadefit: interrupted at {:.1f} %: the same command goes on from '{}'\n",
+                          100 * share_of(sweep), shown)};
+    }
+  }
+  if (!before || !before->is_done()) bench::keep_state(path, sweep);
+  const std::string text =
+      options.json ? bench::state_text(sweep)
+                   : result_text(sweep, chosen, options.terminal) + fmt::format("\nResult: {}\n", shown);
+  return {0, text, ""};
+}
+
+}  // namespace shadefit

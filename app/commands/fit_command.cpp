@@ -1,0 +1,172 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+
+#include "app/commands/commands.hpp"
+#include "app/options/fit_arguments.hpp"
+#include "fit/run/results.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/rows/alternation.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/rows/proofs.hpp"
+#include "reports/rows/rounded.hpp"
+#include "reports/rows/sensitivities.hpp"
+#include "reports/rows/tables.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A mean or a limit of fits, asked for by its own id.
+Outcome derived_command(const FittableFamily& family, const Published& published, const FitOptions& options) {
+  if (options.exponents) {
+    throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
+                                fmt::join(*options.exponents, ","), published.id));
+  }
+  if (options.certify) {
+    throw UserError(
+        fmt::format("--certify does not apply: {0} is a mean or a limit of fits; see 'shadefit certify {0}'",
+                    published.id));
+  }
+  if (options.round) {
+    throw UserError(fmt::format("--round '{}' does not apply: {} is a mean or a limit of fits",
+                                to_text(*options.round), published.id));
+  }
+  if (options.sensitivity) {
+    throw UserError(fmt::format(
+        "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
+        published.id));
+  }
+  surface_for(family, options);  // refuses: no such number is for a Fresnel form
+  FitCache fits(family);
+  const auto exponents = exponents_of(published);
+  const std::vector<Setting> settings(exponents.begin(), exponents.end());
+  const auto assessment = assess(fits, published, metric_for(options, family, settings));
+  if (!assessment)
+    return {1, "",
+            fmt::format("shadefit: {} rests on fits that did not converge, or has no limit on this domain\n",
+                        published.id)};
+  const Refit refit{&family, {&published}, {}, {*assessment}};
+  if (options.json) return {0, json_text(write_derived_json(*assessment)), ""};
+  const Table table = fits_table({refit}).table;
+  return {0,
+          options.csv     ? write_csv(table, Precision::full)
+          : options.latex ? write_latex(table, Precision::full)
+                          : write_console(table, Precision::full, options.terminal),
+          ""};
+}
+
+std::string console_text(const Refit& refit, const Metric& metric, const Terminal& terminal) {
+  const Family& info = refit.family->info;
+  std::string text = fmt::format("{}: {} ~ {}, {}\n", info.id, target_of(refit.fits.front().fit),
+                                 to_text(refit.family->form()), headline(metric)) +
+                     write_console(fits_overview(refit), Precision::report, terminal);
+  for (const FitReport& report : refit.fits) text += alternation_text(report.fit);
+  return text;
+}
+
+/// The proofs of each fit, where they are asked for.
+std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint,
+                                const Progress& progress) {
+  std::vector<FitProof> proofs;
+  const Checkpoint next = stepping(checkpoint, progress, "certify", refit.fits.size());
+  for (const FitReport& report : refit.fits) {
+    if (!options.certify) break;
+    next();
+    proofs.push_back(prove_fit(report.fit, checkpoint));
+  }
+  return proofs;
+}
+
+/// How sensitive each fit is, where it is asked for; empty for one that did not converge.
+std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, const FitOptions& options,
+                                                         const Checkpoint& checkpoint,
+                                                         const Progress& progress) {
+  std::vector<std::optional<Sensitivity>> sensitivities;
+  const Checkpoint next = stepping(checkpoint, progress, "sensitivity", refit.fits.size());
+  for (const FitReport& report : refit.fits) {
+    if (!options.sensitivity) break;
+    next();
+    const bool is_answer = report.fit.status == Status::converged;
+    sensitivities.push_back(is_answer ? std::optional(sensitivity_of(report.fit, checkpoint)) : std::nullopt);
+  }
+  return sensitivities;
+}
+
+/// What is told of each fit where it is asked for; else empty.
+struct FitExtras {
+  std::vector<FitProof> proofs;
+  std::vector<RoundedFit> rounded;
+  std::vector<std::optional<Sensitivity>> sensitivities;
+};
+
+std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
+                      const FitExtras& extras, const Checkpoint& checkpoint) {
+  if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
+  if (options.latex) return write_latex(fits_overview(refit), Precision::report);
+  if (!options.json) {
+    std::string text = console_text(refit, metric, options.terminal);
+    if (options.certify)
+      text += "\n" + write_console(proofs_table(refit, extras.proofs), Precision::full, options.terminal);
+    if (options.round)
+      text += "\n" +
+              write_console(rounded_table(refit, extras.rounded), Precision::report, options.terminal) +
+              rounded_text(extras.rounded);
+    for (std::size_t i = 0; i < extras.sensitivities.size(); ++i) {
+      if (extras.sensitivities[i])
+        text += sensitivity_text(refit.fits[i].fit, *extras.sensitivities[i], options.terminal);
+    }
+    return text;
+  }
+  auto array = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < refit.fits.size(); ++i) {
+    checkpoint();
+    array.push_back(write_fit_json(*refit.family, refit.fits[i]));
+    if (options.certify) add_proof_json(array.back(), *refit.family, extras.proofs[i]);
+    if (options.round) add_rounded_json(array.back(), *refit.family, extras.rounded[i]);
+    if (options.sensitivity)
+      array.back()["sensitivity"] = extras.sensitivities[i]
+                                        ? sensitivity_json(refit.fits[i].fit, *extras.sensitivities[i])
+                                        : nlohmann::ordered_json();
+  }
+  return json_text_of_each(array);
+}
+
+/// Constraints that a form cannot satisfy are the user's to mend.
+void require_feasible(const Refit& refit) {
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::infeasible)
+      throw UserError(fmt::format("{} cannot satisfy the constraints{}: {}", which_fit(report.fit),
+                                  describe(report.fit.metric.constraints), report.fit.why));
+  }
+}
+
+}  // namespace
+
+Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const auto [family_found, published] = find_fit(options.id);
+  const FittableFamily& family = *family_found;
+  if (published != nullptr && published->statement != Statement::best_fit)
+    return derived_command(family, *published, options);
+
+  const auto settings = settings_for(family, published, options);
+  const Metric metric = metric_for(options, family, settings);
+  FitCache fits(family);
+  const Refit refit{&family,
+                    {},
+                    fit_and_assess(fits, settings, std::array{metric},
+                                   stepping(checkpoint, progress, "fit", settings.size())),
+                    {}};
+  require_feasible(refit);
+  const FitExtras extras{
+      proofs_of(refit, options, checkpoint, progress),
+      options.round ? round_reports(refit, *options.round, !options.exponents,
+                                    stepping(checkpoint, progress, "round", refit.fits.size()), checkpoint)
+                    : std::vector<RoundedFit>{},
+      sensitivities_of(refit, options, checkpoint, progress)};
+  const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras, checkpoint), err};
+}
+
+}  // namespace shadefit

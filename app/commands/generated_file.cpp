@@ -1,0 +1,145 @@
+#include "app/commands/generated_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "app/commands/command_line.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/utf8.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr std::string_view line_prefix = "// shadefit ";
+
+/// The commands that print code.
+constexpr std::array<std::string_view, 2> generators{"emit", "scene"};
+
+/// The words of a line as a shell has them: what is in quotes is one, and \\ before a quote outside of them
+/// is a quote.
+std::vector<std::string> words_of(std::string_view line) {
+  std::vector<std::string> words;
+  bool is_quoted = false, is_open = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == ' ' && !is_quoted) {
+      is_open = false;
+      continue;
+    }
+    if (!is_open) words.emplace_back();
+    is_open = true;
+    const bool is_escape = !is_quoted && line.substr(i).starts_with("\\'");
+    if (is_escape) ++i;
+    if (line[i] == '\'' && !is_escape) {
+      is_quoted = !is_quoted;
+    } else {
+      words.back() += line[i];
+    }
+  }
+  return words;
+}
+
+/// The command of a line, if it is one that prints code and neither writes nor checks a file.
+std::optional<std::vector<std::string>> command_of_line(const std::string& line) {
+  if (!line.starts_with(line_prefix)) return {};
+  std::vector<std::string> words = words_of(std::string_view(line).substr(line_prefix.size()));
+  const bool is_generator =
+      !words.empty() && std::find(generators.begin(), generators.end(), words.front()) != generators.end();
+  const auto is_forbidden = [](const std::string& word) {
+    return word.starts_with("--check") || word.starts_with("--out");
+  };
+  if (!is_generator || std::any_of(words.begin(), words.end(), is_forbidden)) return {};
+  return words;
+}
+
+std::vector<std::string> command_in(const std::string& code, const std::string& file) {
+  std::istringstream lines(code);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (auto command = command_of_line(line)) return *command;
+  }
+  throw UserError(fmt::format("--check '{}' names no command '{}emit ..' or '{}scene ..'", file, line_prefix,
+                              line_prefix));
+}
+
+/// The first line in which two texts differ, from 1.
+int first_difference(const std::string& a, const std::string& b) {
+  const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
+  return 1 + static_cast<int>(std::count(a.begin(), end, '\n'));
+}
+
+}  // namespace
+
+std::string shell_text(const std::vector<std::string>& words) {
+  std::string text = "shadefit";
+  for (const std::string& word : words) {
+    // POSIX's portable characters of file names, and others without a meaning for a shell: all else is
+    // quoted.
+    constexpr std::string_view plain =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+@%";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
+      text += " " + word;
+      continue;
+    }
+    text += " '";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += "'";
+  }
+  return text;
+}
+
+std::string command_text(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (printable(word) != word)
+      throw UserError(
+          fmt::format("'{}' cannot stand in a comment of code: it has control characters", printable(word)));
+  }
+  return shell_text(words);
+}
+
+/// A text with the line ends that are ours: a checkout may have made others of them.
+std::string with_plain_ends(std::string text) {
+  for (std::size_t i = 0; (i = text.find("\r\n", i)) != std::string::npos;) text.erase(i, 1);
+  return text;
+}
+
+/// Code with another line where it names its command.
+std::string with_command_of(std::string code, const std::string& other) {
+  const auto place = [](const std::string& text) {
+    const std::size_t begin = text.find("\n" + std::string(line_prefix)) + 1;
+    return std::pair(begin, text.find('\n', begin) - begin);
+  };
+  const auto [begin, length] = place(code);
+  const auto [other_begin, other_length] = place(other);
+  return code.replace(begin, length, other, other_begin, other_length);
+}
+
+/// The command of a file in `folder` as it is run from here. The files of a scene, its words up to the first
+/// option, are named relative to that folder; what is printed then names them from the root.
+std::vector<std::string> from_here(std::vector<std::string> words, const std::filesystem::path& folder) {
+  if (words.front() != "scene") return words;
+  for (std::size_t i = 1; i < words.size() && !words[i].starts_with("--"); ++i)
+    words[i] = (folder / words[i]).string();  // a path from the root replaces it all
+  return words;
+}
+
+Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoint) {
+  const std::string code = with_plain_ends(read_file(file));
+  const std::vector<std::string> command = command_in(code, file);
+  Outcome now = run_command_line(from_here(command, std::filesystem::path(file).parent_path()), checkpoint);
+  if (!now.err.empty()) return now;
+  if (command.front() == "scene") now.out = with_command_of(now.out, code);
+  if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
+  return {1, "",
+          fmt::format("shadefit: {} is out of date: line {} would be another now\n", printable(file),
+                      first_difference(code, now.out))};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/commands/commands.hpp"
+#include "app/options/chosen_constants.hpp"
+#include "app/options/fit_arguments.hpp"
+#include "app/output/output_file.hpp"
+#include "approx/ledger/catalogue.hpp"
+#include "fit/proof/certificate.hpp"
+#include "fit/support/bounded_file.hpp"
+#include "fit/support/user_error.hpp"
+#include "fit/verdicts/refit.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/rows/certificate_json.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/rows/proofs.hpp"
+#include "reports/rows/statement.hpp"
+#include "reports/table/writers.hpp"
+
+/// The subcommands `certify` and `verify`.
+namespace shadefit {
+namespace {
+
+std::string not_reached(const Certificate& certificate, double width) {
+  const Setting& setting = certificate.subject.setting;
+  return fmt::format("shadefit: {}{}: the width {} was not reached: the largest error is in [{}, {}]\n",
+                     certificate.subject.family,
+                     setting.exponent > 0 ? fmt::format(" at exponent {}", setting.exponent) : "", width,
+                     certificate.lower, certificate.upper);
+}
+
+}  // namespace
+
+Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
+                        const Progress& progress) {
+  const NamedFit named = find_fit(options.fit.id);
+  const FittableFamily& family = *named.family;
+  const double width = options.width;
+  const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
+  const Metric metric = metric_for(options.fit, family, settings);
+  const Error error = metric.error;
+  if (options.out && settings.size() != 1)
+    throw UserError(fmt::format("--out '{}' takes one certificate, not {}: name one --exponent", *options.out,
+                                settings.size()));
+  const auto file = options.out ? std::optional(OutputFile(*options.out, "the certificate")) : std::nullopt;
+
+  std::vector<CertifiedForm> forms;
+  const Checkpoint next = stepping(checkpoint, progress, "certify", settings.size());
+  std::string err;
+  for (const Setting& setting : settings) {
+    next();
+    const ChosenSubject chosen = chosen_constants(options.parameters, named, setting, metric);
+    forms.push_back({certify(chosen.subject, width, checkpoint), chosen.from});
+    if (!forms.back().certified.is_reached) err += not_reached(forms.back().certified.certificate, width);
+  }
+  const Certificate& first = forms.front().certified.certificate;
+  std::function<void()> put;
+  if (file) put = file->prepare(certificate_text(first), options.force, checkpoint);
+
+  std::string out;
+  if (options.fit.json) {
+    auto array = nlohmann::ordered_json::array();
+    for (const CertifiedForm& form : forms) array.push_back(write_certified_json(form));
+    out = json_text_of_each(array);
+  } else {
+    out = fmt::format("{}: {} ~ {}, {} error on {}, proven in {} bits\n", family.info.id, first.target,
+                      first.form, name(error), to_text(first.subject.domain), first.precision) +
+          write_console(certificates_table(family, forms), Precision::full, options.fit.terminal);
+    if (options.out) out += fmt::format("\nCertificate: {}\n", printable(*options.out));
+  }
+  return {err.empty() ? 0 : 1, out, err, put};
+}
+
+Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const ReadCertificate read =
+      read_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
+  const Certificate& certificate = read.certificate;
+  const auto done = [&, show = bar(progress, "verify")](double share) {
+    checkpoint();
+    show(share);
+  };
+  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
+  const std::string file = printable(options.file);
+  if (!reason.empty())
+    return {1, "", fmt::format("shadefit: certificate '{}' is refused: {}\n", file, one_line(reason))};
+  const std::size_t ends = certificate.horizon.size() + certificate.peak.size();
+  const std::size_t sides = (certificate.horizon.empty() ? 0 : 1) + (certificate.peak.empty() ? 0 : 1);
+  return {
+      0,
+      fmt::format("certificate '{}' holds: the largest {} error of {} is in [{}, {}], checked on {} boxes\n",
+                  file, name(certificate.subject.error), certificate.form, certificate.lower,
+                  certificate.upper, ends - sides) +
+          statement_of(certificate),
+      ""};
+}
+
+}  // namespace shadefit

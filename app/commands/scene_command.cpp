@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "app/commands/generated_file.hpp"
+#include "app/commands/shade_scene.hpp"
+#include "app/options/scene_options.hpp"
+#include "app/output/output_folder.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/code/scene_code.hpp"
+#include "reports/code/scene_plan.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/table/writers.hpp"
+#include "scene/plan/plan.hpp"
+#include "scene/read_scene.hpp"
+
+/// The subcommand `scene`.
+namespace shadefit {
+namespace {
+
+scene::Wanted wanted_by(const SceneOptions& options) {
+  scene::Wanted wanted{.precision = options.precision};
+  if (options.tolerance) wanted.tolerance = *options.tolerance;
+  if (options.codes) wanted.tolerance = *options.codes;
+  if (options.codes) wanted.scale = scene::ShownScale::codes;
+  if (options.lights) wanted.lights = *options.lights;
+  return wanted;
+}
+
+/// A path from the folder of the code that names it, so that both can be moved together; from the root where
+/// the code is printed and may be kept anywhere.
+std::string recorded_path(const std::string& file, const std::optional<std::string>& folder) {
+  const auto real = [](const std::filesystem::path& path) { return std::filesystem::weakly_canonical(path); };
+  return (folder ? real(file).lexically_relative(real(without_detours(*folder))) : real(file)).string();
+}
+
+/// The command that prints the code.
+std::string code_command(const SceneOptions& options, Language language) {
+  std::vector<std::string> words = options.words;
+  std::vector<std::string> files;
+  for (const std::string& file : options.files) files.push_back(recorded_path(file, options.out));
+  words.insert(words.begin() + 1, files.begin(), files.end());
+  words.insert(words.end(), {"--lang", std::string(name(language))});
+  return command_text(words);
+}
+
+/// What --out writes.
+std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scene, const scene::Plan& plan) {
+  std::vector<File> files{{"scene.md", plan_markdown(scene, plan)},
+                          {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
+                          {"scene.json", plan_json(scene, plan)}};
+  const auto add = [&](const char* file, Language language) {
+    files.push_back({file, scene_code(scene, plan, language, code_command(options, language))});
+  };
+  add("scene.glsl", Language::glsl);
+  add("scene.hlsl", Language::hlsl);
+  // C++ has no half.
+  if (plan.wanted.precision == scene::PixelPrecision::float32) add("scene.hpp", Language::cpp);
+  return files;
+}
+
+/// Of another plan, if they are there, and what they begin with.
+std::vector<File> not_written(const SceneOptions& options, const scene::Plan& plan) {
+  std::vector<File> files;
+  if (plan.wanted.precision == scene::PixelPrecision::float16)
+    files.push_back({"scene.hpp", fmt::format("// {}\n", generated_line)});
+  if (!options.shade) {
+    const std::vector<File> shaded = files_of_shading();
+    files.insert(files.end(), shaded.begin(), shaded.end());
+  }
+  return files;
+}
+
+std::string written(const std::string& directory, const std::vector<File>& files) {
+  std::vector<std::string> names;
+  for (const File& file : files) names.push_back(file.name);
+  return fmt::format("\nPlan: {}: {}\n", printable(without_detours(directory).string()),
+                     fmt::join(names, ", "));
+}
+
+}  // namespace
+
+Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  scene::Wanted wanted = wanted_by(options);
+  std::optional<OutputFolder> folder;
+  if (options.out) folder.emplace(*options.out);
+  const std::vector<std::filesystem::path> paths(options.files.begin(), options.files.end());
+  const scene::Scene scene = scene::read_scene(paths, options.conventions);
+  if (scene.materials.empty()) throw UserError(fmt::format("'{}' holds no material", options.files.front()));
+  if (!options.lights && scene.lights > 0) wanted.lights = scene.lights;
+  const scene::Plan plan = scene::make_plan(scene, wanted, checkpoint);
+  int exit_code = plan.is_within() ? 0 : 1;
+  if (options.language)
+    return {exit_code, scene_code(scene, plan, *options.language, code_command(options, *options.language)),
+            ""};
+  if (options.json) return {exit_code, plan_json(scene, plan), ""};
+  std::string out = plan_text(scene, plan, options.terminal);
+  ShadedScene shaded;
+  if (options.shade) {
+    shaded = shade_scene(scene, plan, options.out, options.terminal, checkpoint, progress);
+    out += "\n" + shaded.out;
+    exit_code = std::max(exit_code, shaded.err.empty() ? 0 : 1);
+  }
+  std::function<void()> put;
+  if (options.out) {
+    std::vector<File> files = files_of(options, scene, plan);
+    out += written(*options.out, files);
+    files.insert(files.end(), shaded.files.begin(), shaded.files.end());
+    std::vector<File> obsolete = not_written(options, plan);
+    obsolete.insert(obsolete.end(), shaded.missing.begin(), shaded.missing.end());
+    put = folder->prepare(files, obsolete, options.force, checkpoint);
+  }
+  return {exit_code, out, shaded.err, put};
+}
+
+}  // namespace shadefit

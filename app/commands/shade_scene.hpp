@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/terminal/progress.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "reports/io/files.hpp"
+#include "reports/table/writers.hpp"
+#include "scene/plan/plan.hpp"
+
+namespace shadefit {
+
+/// What `scene --shade` says and writes.
+struct ShadedScene {
+  std::string out = {}, err = {};  ///< something on `err`: a plan or a drawing failed
+  std::vector<File> files = {};    ///< none without a directory
+  std::vector<File> missing = {};  ///< pictures that were not drawn
+};
+
+/// The files that `shade_scene` may make, each with what it begins with.
+std::vector<File> files_of_shading();
+
+/// Shades a scene by the reference, by the published constants and as planned, on the widest registers of
+/// this machine; with pictures where there is a directory `out` for them.
+ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
+                        const std::optional<std::string>& out, const Terminal& terminal,
+                        const Checkpoint& checkpoint, const Progress& progress);
+
+}  // namespace shadefit

@@ -1,0 +1,92 @@
+#include "app/options/bench_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+
+#include "app/options/option_values.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A width that this machine has.
+forms::Width parse_width(const std::string& option, const std::string& text) {
+  using forms::Width;
+  constexpr std::array<std::pair<std::string_view, Width>, 4> known{
+      {{"scalar", Width::scalar}, {"sse2", Width::sse2}, {"avx2", Width::avx2}, {"avx512", Width::avx512}}};
+  const auto here = forms::widths_here();
+  for (const auto& [word, width] : known) {
+    if (word != text) continue;
+    if (std::find(here.begin(), here.end(), width) != here.end()) return width;
+    throw UserError(fmt::format("{} '{}' is not of this machine: its widest registers are {}", option, text,
+                                forms::name(here.back())));
+  }
+  throw UserError(
+      fmt::format("{} '{}' is unknown: it must be one of scalar, sse2, avx2, avx512", option, text));
+}
+
+/// "A:B" with bit patterns of floats in [0, 1], decimal or 0x..
+bench::Stretch parse_range(const std::string& option, const std::string& text) {
+  const auto bits = [](std::string_view part) -> std::optional<std::uint32_t> {
+    const bool is_hex = part.starts_with("0x");
+    if (is_hex) part.remove_prefix(2);
+    std::uint32_t value = 0;
+    const auto [end, error] =
+        std::from_chars(part.data(), part.data() + part.size(), value, is_hex ? 16 : 10);
+    if (error != std::errc{} || end != part.data() + part.size()) return std::nullopt;
+    return value;
+  };
+  const auto colon = text.find(':');
+  if (colon != std::string::npos) {
+    const auto from = bits(std::string_view(text).substr(0, colon));
+    const auto to = bits(std::string_view(text).substr(colon + 1));
+    if (from && to && *from < *to && *to <= bench::unit_floats.to) return {*from, *to};
+  }
+  throw UserError(fmt::format(
+      "{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001", option, text));
+}
+
+}  // namespace
+
+void declare_bench(CLI::App& bench, BenchOptions& options) {
+  auto* exhaustive =
+      add_value(bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
+                "look at every float in [0, 1] through this form, against its target in double");
+  bench.add_option("--only", options.only, "only these targets")->type_name("TARGET")->excludes(exhaustive);
+  bench.add_flag("--quick", options.quick, "fewer and shorter rounds: seconds")->excludes(exhaustive);
+  bench.add_flag("--json", options.json,
+                 "print the times as Google Benchmark does; with --exhaustive the result");
+  bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
+      ->excludes(exhaustive);
+  add_value(bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
+            "time only these registers, beside scalar (default: all); with --exhaustive use them (default: "
+            "sse2)");
+  add_value(bench, "--constants", options.constants, parse_text, "ID", "of that form (default: its first)")
+      ->needs(exhaustive);
+  const auto parse_degree = [](const std::string& option, const std::string& text) {
+    constexpr int most = 99;
+    return parse_whole(option, text, 0, most);
+  };
+  add_value(bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
+            "the degree of the polynomial for its exp2 (default: the exp2 of the library)")
+      ->needs(exhaustive);
+  const auto parse_shard = [](const std::string&, const std::string& text) {
+    return bench::parse_shard(text);
+  };
+  auto* shard = add_value(bench, "--shard", options.shard, parse_shard, "i/n",
+                          "only the i-th of n parts of the floats: one for each process");
+  shard->needs(exhaustive);
+  add_value(bench, "--state", options.state, parse_text, "FILE",
+            "the file of the result; a sweep that was stopped goes on from it (default: in --out)")
+      ->needs(exhaustive);
+  bench.add_option("--merge", options.merge, "put these files of all shards together, instead of a sweep")
+      ->type_name("FILE")
+      ->needs(exhaustive)
+      ->excludes(shard);
+  add_value(bench, "--range", options.range, parse_range, "A:B",
+            "bit patterns of floats, without B (default: 0:0x3f800001)")
+      ->needs(exhaustive);
+}
+
+}  // namespace shadefit

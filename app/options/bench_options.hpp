@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/outcome.hpp"
+#include "app/terminal/progress.hpp"
+#include "bench/exhaustive/sweep.hpp"
+#include "bench/forms/kernel.hpp"
+#include "reports/table/writers.hpp"
+
+namespace CLI {
+class App;
+}
+
+/// The command `bench`.
+namespace shadefit {
+
+struct BenchOptions {
+  std::string out = "out";
+  std::vector<std::string> only = {};  ///< ids of targets
+  bool force = false;                  ///< as in `RunOptions`
+  bool quick = false;
+  bool json = false;
+  bool no_plots = false;
+  std::optional<forms::Width> width = {};
+  std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
+  std::optional<std::string> constants = {};   ///< of that form; the rest is for it too
+  int exp2_degree = 0;                         ///< 0: the library's exp2
+  std::optional<bench::Shard> shard = {};
+  std::optional<std::string> state = {};
+  bench::Stretch range = bench::unit_floats;
+  std::vector<std::string> merge = {};
+  Terminal terminal = {};
+};
+
+/// Declares its options.
+void declare_bench(CLI::App& bench, BenchOptions& options);
+
+/// Times, or with --exhaustive every float. `version` is that of this program.
+Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
+                      const Progress& progress);
+
+/// `bench --exhaustive`.
+Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
+                           const Checkpoint& checkpoint, const Progress& progress);
+
+}  // namespace shadefit

@@ -1,0 +1,201 @@
+#include "app/options/fit_arguments.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "approx/ledger/catalogue.hpp"
+#include "approx/ledger/ledger.hpp"
+#include "approx/records/optical_constants.hpp"
+#include "fit/ledger/ledger.hpp"
+#include "fit/run/results.hpp"
+#include "fit/scalars/parse_formula.hpp"
+#include "fit/solve/weight.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+const Published* find_published(const std::string& id) {
+  const auto found = std::find_if(published_constants.begin(), published_constants.end(),
+                                  [&](const Published& p) { return p.id == id; });
+  return found == published_constants.end() ? nullptr : &*found;
+}
+
+std::vector<double> exponents_for(const FittableFamily& family, const Published* published,
+                                  const std::optional<std::vector<double>>& exponents) {
+  if (!family.has_exponent()) {
+    if (!exponents) return {};
+    throw UserError(fmt::format("--exponent '{}' does not apply: {} has no exponent",
+                                fmt::join(*exponents, ","), family.info.id));
+  }
+  if (exponents) return *exponents;
+  return published != nullptr ? exponents_needed_by(*published, family.info) : parse_sweep(family.info.sweep);
+}
+
+/// Refuses a weight that is not finite, negative, or zero on more than single places of the domain.
+void check_weight(const std::string& text, const Domain& domain) {
+  if (text.size() > longest_formula)
+    throw UserError(fmt::format("--weight is {} characters long: at most {}", text.size(), longest_formula));
+  try {
+    if (const auto fault = find_fault(Weight(text, domain)))
+      throw UserError(fmt::format("--weight '{}' {}", text, *fault));
+  } catch (const std::invalid_argument& error) {
+    throw UserError(fmt::format("--weight: {}", error.what()));
+  }
+}
+
+/// Refuses unless each is a parameter of the family, given once, and one is left to fit.
+void check_held(const std::vector<Held>& held, const FittableFamily& family) {
+  const auto text = [](const Held& h) { return h.parameter + "=" + to_text(h.value); };
+  const auto& known = family.parameters;
+  for (auto h = held.begin(); h != held.end(); ++h) {
+    if (std::find(known.begin(), known.end(), h->parameter) == known.end())
+      throw UserError(fmt::format("--fix '{}': {} has no parameter '{}', it must be one of {}", text(*h),
+                                  family.info.id, h->parameter, fmt::join(known, ", ")));
+    if (std::any_of(held.begin(), h, [&](const Held& other) { return other.parameter == h->parameter; }))
+      throw UserError(fmt::format("--fix '{}' gives {} a second time", text(*h), h->parameter));
+  }
+  if (held.size() == known.size())
+    throw UserError(fmt::format("--fix '{}' leaves nothing to fit: {} has no other parameter",
+                                text(held.back()), family.info.id));
+}
+
+/// The first of the constraints that a fit by least squares cannot keep, as option and value.
+std::optional<std::pair<const char*, std::string>> constraint_for_minimax(const Constraints& constraints) {
+  if (!constraints.exact_at.empty()) return {{"--exact-at", to_text(constraints.exact_at.front())}};
+  if (constraints.one_sided) return {{"--one-sided", std::string(name(*constraints.one_sided))}};
+  if (constraints.at_most) return {{"--at-most", to_text(*constraints.at_most)}};
+  if (constraints.at_least) return {{"--at-least", to_text(*constraints.at_least)}};
+  return std::nullopt;
+}
+
+/// The places that count at a setting; a relative error has to have some.
+Domain domain_that_counts(const FittableFamily& family, const Setting& setting, const Metric& metric) {
+  if (metric.error == Error::absolute) return metric.domain;
+  if (family.is_fresnel() && setting.surface.f0 == 0.0 && metric.domain.upper == 1)
+    throw UserError(
+        "--error 'relative' divides by zero: with --f0 '0' the reflectance F is 0 at c = 1; end the domain "
+        "below 1 or raise f0");
+  const auto domain = family.relative_domain(setting, metric.domain);
+  if (!domain)
+    throw UserError(fmt::format(
+        "--error 'relative' has no meaning for {} at exponent {} on {}: its target is below 1/255, or that "
+        "is below any double",
+        family.info.id, setting.exponent, to_text(metric.domain)));
+  return *domain;
+}
+
+}  // namespace
+
+Surface surface_for(const FittableFamily& family, const FitOptions& options) {
+  const bool is_exact = options.target == Surface::Formula::exact;
+  const auto refuse = [](const char* option, const std::string& value, const std::string& reason) {
+    throw UserError(fmt::format("{} '{}' does not apply: {}", option, value, reason));
+  };
+  if (!family.is_fresnel()) {
+    const std::string reason = fmt::format("{} is not a Fresnel form", family.info.id);
+    if (is_exact) refuse("--target", "exact", reason);
+    if (options.ior) refuse("--ior", to_text(*options.ior), reason);
+    if (options.extinction) refuse("--extinction", to_text(*options.extinction), reason);
+    if (options.f0) refuse("--f0", to_text(*options.f0), reason);
+    return {};
+  }
+  if (!options.ior && !is_exact) {
+    if (options.extinction) refuse("--extinction", to_text(*options.extinction), "it belongs to --ior");
+    return {.f0 = options.f0};
+  }
+  if (options.f0) refuse("--f0", to_text(*options.f0), "a surface of --ior has its own");
+  const double ior = options.ior.value_or(constant<double>(glass.ior)),
+               extinction = options.extinction.value_or(0);
+  if (!(extinction >= 0))
+    throw UserError(fmt::format("--extinction '{}' is negative: it must be 0 or more", extinction));
+  if (!(ior > 0) || (ior == 1 && extinction == 0))
+    throw UserError(fmt::format(
+        "--ior '{}' is not the index of an interface: it must be greater than 0, and without extinction not 1",
+        ior));
+  const Surface surface{.formula = is_exact ? Surface::Formula::exact : Surface::Formula::schlick,
+                        .ior = ior,
+                        .extinction = extinction};
+  if (!(normal_reflectance<double>(surface) < 1))
+    throw UserError(fmt::format(
+        "--ior '{}' reflects all light at normal incidence, as doubles have it: no reflectance lies above f0",
+        ior));
+  return surface;
+}
+
+std::vector<Setting> settings_for(const FittableFamily& family, const Published* published,
+                                  const FitOptions& options) {
+  const Surface surface = surface_for(family, options);
+  const auto exponents = exponents_for(family, published, options.exponents);
+  if (!family.has_exponent()) return {Setting{0, surface}};
+  return {exponents.begin(), exponents.end()};
+}
+
+Metric metric_for(const FitOptions& options, const FittableFamily& family,
+                  std::span<const Setting> settings) {
+  Metric metric = options.metric;
+  auto& places = metric.constraints.exact_at;
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  const Constraints& constraints = metric.constraints;
+  if (!metric.weight.empty()) check_weight(metric.weight, metric.domain);
+  if (!constraints.held.empty()) check_held(constraints.held, family);
+  if (constraints.at_most && constraints.at_least && *constraints.at_most < *constraints.at_least)
+    throw UserError(fmt::format("--at-least '{}' exceeds --at-most '{}': no value lies between",
+                                *constraints.at_least, *constraints.at_most));
+  const auto for_minimax = constraint_for_minimax(constraints);
+  if (metric.norm == Norm::least_squares && for_minimax)
+    throw UserError(fmt::format("{} '{}' does not apply to least squares: it belongs to --norm minimax",
+                                for_minimax->first, for_minimax->second));
+  if (options.sensitivity && for_minimax)
+    throw UserError(
+        fmt::format("{} '{}' does not go with --sensitivity: constants that are rounded do not keep to it",
+                    for_minimax->first, for_minimax->second));
+  for (const Setting& setting : settings) {
+    const Domain domain = domain_that_counts(family, setting, metric);
+    for (const double c : constraints.exact_at) {
+      if (c != domain.lower && c != domain.upper)
+        throw UserError(fmt::format("--exact-at '{}' is not an end of the domain {} that counts", to_text(c),
+                                    to_text(domain)));
+    }
+  }
+  return metric;
+}
+
+std::vector<std::string> ids_with_a_fit() {
+  std::vector<std::string> ids = known_ids();
+  std::erase_if(
+      ids, [](const std::string& id) { return find_family(id) == nullptr && find_published(id) == nullptr; });
+  return ids;
+}
+
+NamedFit find_fit(const std::string& id) {
+  const bool is_normalisation = std::any_of(normalisations.begin(), normalisations.end(),
+                                            [&](const Normalisation& n) { return n.id == id; });
+  if (is_normalisation) {
+    throw UserError(fmt::format("'{0}' is integrated, not fitted: see 'shadefit run --only {0}'", id));
+  }
+  if (find_claim(id) != nullptr && find_family(id) == nullptr && find_published(id) == nullptr) {
+    throw UserError(fmt::format("'{0}' is a claim, not fitted: see 'shadefit explain {0}'", id));
+  }
+  require_known(id, ids_with_a_fit(), "constant to fit");
+  const Published* published = find_family(id) == nullptr ? find_published(id) : nullptr;
+  return {find_family(published != nullptr ? published->family : std::string_view(id)), published};
+}
+
+std::string headline(const Metric& metric) {
+  if (metric.norm == Norm::minimax)
+    return describe(metric) +
+           fmt::format("; the {} measure counts for the rms error alone", name(metric.measure));
+  const bool is_plain =
+      metric.error == Error::absolute && metric.weight.empty() && metric.constraints == Constraints{};
+  return is_plain ? describe(metric) + " measure, least squares"
+                  : "least squares, measure: " + describe(metric);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,135 @@
+#include "app/options/option_values.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "fit/proof/certificate.hpp"
+#include "fit/proof/enclosure.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The narrowest domain. Places in it are printed to six digits of their distance between its ends, and a
+/// cosine is rounded to 1.1e-16: so a million roundings.
+constexpr double narrowest_domain = 1e-10;
+
+/// The number behind the sign of a text "NAME=VALUE"; empty where the text is not one.
+std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == 0 || equals == std::string::npos) return std::nullopt;
+  return std::pair(text.substr(0, equals), text.substr(equals + 1));
+}
+
+}  // namespace
+
+std::string parse_text(const std::string&, const std::string& text) {
+  return text;
+}
+
+double parse_finite(const std::string& option, const std::string& text) {
+  const auto value = parse_number(text);
+  if (!value) throw UserError(fmt::format("{} '{}' is not a finite number", option, text));
+  return *value;
+}
+
+double parse_share(const std::string& option, const std::string& text, double most) {
+  const std::size_t slash = text.find('/');
+  double value = parse_finite(option, text.substr(0, slash));
+  if (slash != std::string::npos) value /= parse_finite(option, text.substr(slash + 1));
+  if (!(value > 0 && value <= most))
+    throw UserError(fmt::format("{} '{}' must be greater than 0 and at most {}", option, text, most));
+  return value;
+}
+
+int parse_whole(const std::string& option, const std::string& text, int least, int most) {
+  const double value = parse_finite(option, text);
+  if (!(value >= least && value <= most && value == static_cast<int>(value)))
+    throw UserError(fmt::format("{} '{}' must be a whole number from {} to {}", option, text, least, most));
+  return static_cast<int>(value);
+}
+
+std::vector<double> parse_exponents(const std::string& option, const std::string& text) {
+  try {
+    return parse_sweep(text);
+  } catch (const UserError& error) {
+    throw UserError(fmt::format("{} {}: give K or A:B:STEP, by commas", option, error.what()));
+  }
+}
+
+Domain parse_domain(const std::string& option, const std::string& text) {
+  const auto refuse = [&](const std::string& rule) {
+    throw UserError(fmt::format("{} '{}' {}", option, text, rule));
+  };
+  const auto colon = text.find(':');
+  const auto lower = parse_number(std::string_view(text).substr(0, colon));
+  const auto upper =
+      colon == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(colon + 1));
+  if (!lower || !upper) refuse("is not a pair A:B of finite numbers");
+  if (!(*lower < *upper)) refuse("is empty or reversed: A must be less than B");
+  if (*lower < 0 || *upper > 1) refuse("leaves [0, 1]: A and B are cosines");
+  if (*upper - *lower < narrowest_domain)
+    refuse(fmt::format("is {:.3g} wide: at least {:g}, a million roundings of a cosine", *upper - *lower,
+                       narrowest_domain));
+  return {*lower, *upper};
+}
+
+double parse_f0(const std::string& option, const std::string& text) {
+  const double f0 = parse_finite(option, text);
+  if (!(0 <= f0 && f0 < 1))
+    throw UserError(
+        fmt::format("{} '{}' is not a reflectance at normal incidence: it must be in [0, 1)", option, text));
+  return f0;
+}
+
+Held parse_held(const std::string& option, const std::string& text) {
+  const auto parts = split(text);
+  const auto value = parts ? parse_number(parts->second) : std::nullopt;
+  if (!value) throw UserError(fmt::format("{} '{}' is not NAME=VALUE with a finite number", option, text));
+  return {parts->first, *value};
+}
+
+Parameters parse_parameters(const std::string& option, const std::string& text) {
+  Parameters parameters;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    const auto part = split(text.substr(start, end - start));
+    if (!part) throw UserError(fmt::format("{} '{}' is not a list NAME=VALUE, by commas", option, text));
+    parameters.push_back(*part);
+    start = end + 1;
+  }
+  return parameters;
+}
+
+double parse_relative_width(const std::string& option, const std::string& text) {
+  const double width = parse_finite(option, text);
+  if (!(width > 0 && width < 1))
+    throw UserError(fmt::format("{} '{}' is not a relative width: it must be greater than 0 and less than 1",
+                                option, text));
+  if (width < least_width)
+    throw UserError(fmt::format("{} '{}' cannot be reached: the bounds are doubles, {} is the least", option,
+                                text, least_width));
+  return width;
+}
+
+bool looks_like_an_option(const std::string& text) {
+  double number = 0;
+  return text.starts_with('-') &&
+         std::from_chars(text.data(), text.data() + text.size(), number).ec == std::errc::invalid_argument;
+}
+
+std::vector<std::string> words_of(const CLI::App& command, const std::vector<std::string>& without) {
+  std::vector<std::string> words{command.get_name()};
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string option_name = option->get_name();
+    if (std::find(without.begin(), without.end(), option_name) != without.end()) continue;
+    for (const std::string& value : option->results()) {
+      if (value == option->get_default_str()) continue;
+      if (!option->get_positional()) words.push_back(option_name);
+      words.push_back(value);
+    }
+  }
+  return words;
+}
+
+}  // namespace shadefit

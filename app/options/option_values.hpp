@@ -1,0 +1,108 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/options/options.hpp"
+#include "fit/support/user_error.hpp"
+
+/// Options with values: CLI11 hands each text to a function that makes the value of it. These functions take
+/// the option's name and the text, and throw UserError with one line that holds both and the rule.
+namespace shadefit {
+
+/// An option with one value. `type` names the value in the help; words with '|' between them are the choices.
+template <class V, class Parse>
+CLI::Option* add_value(CLI::App& command, const std::string& option, V& value, Parse parse,
+                       const std::string& type, const std::string& help) {
+  const auto set = [&value, option, parse](const std::string& text) { value = parse(option, text); };
+  return command.add_option_function<std::string>(option, set, help)->type_name(type);
+}
+
+/// An option that may be repeated, each time with one value.
+template <class V, class Parse>
+CLI::Option* add_values(CLI::App& command, const std::string& option, std::vector<V>& values, Parse parse,
+                        const std::string& type, const std::string& help) {
+  const auto set = [&values, option, parse](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) values.push_back(parse(option, text));
+  };
+  return command.add_option_function<std::vector<std::string>>(option, set, help)
+      ->type_name(type)
+      ->allow_extra_args(false);
+}
+
+/// Words and their values.
+template <class T>
+using Choices = std::vector<std::pair<std::string, T>>;
+
+/// The values with their own names.
+template <class T, std::size_t N>
+Choices<T> by_name(const std::array<T, N>& values) {
+  Choices<T> choices;
+  for (const T& value : values) choices.emplace_back(name(value), value);
+  return choices;
+}
+
+/// An option whose value is one of a few words.
+template <class V, class T>
+CLI::Option* add_choice(CLI::App& command, const std::string& option, V& value, const Choices<T>& choices,
+                        const std::string& help) {
+  std::vector<std::string> words;
+  for (const auto& choice : choices) words.push_back(choice.first);
+  const auto parse = [choices, words](const std::string& of, const std::string& text) {
+    for (const auto& [word, chosen] : choices) {
+      if (word == text) return chosen;
+    }
+    throw UserError(
+        fmt::format("{} '{}' is unknown: it must be one of {}", of, text, fmt::join(words, ", ")));
+  };
+  CLI::Option* added =
+      add_value(command, option, value, parse, fmt::format("{}", fmt::join(words, "|")), help);
+  for (const auto& [word, chosen] : choices) {
+    if (value == chosen) added->default_str(word);
+  }
+  return added;
+}
+
+/// The text itself.
+std::string parse_text(const std::string& option, const std::string& text);
+
+/// A finite number.
+double parse_finite(const std::string& option, const std::string& text);
+
+/// A finite number, or a quotient of two ("1/255"), above 0 and at most `most`.
+double parse_share(const std::string& option, const std::string& text, double most);
+
+/// A whole number from `least` to `most`.
+int parse_whole(const std::string& option, const std::string& text, int least, int most);
+
+/// "5", or a sweep "3:15:1,25".
+std::vector<double> parse_exponents(const std::string& option, const std::string& text);
+
+/// "A:B" with 0 <= A < B <= 1, at least 1e-10 wide.
+Domain parse_domain(const std::string& option, const std::string& text);
+
+/// The least index of a reflectance at normal incidence is 0; below 1 it leaves something to be fitted.
+double parse_f0(const std::string& option, const std::string& text);
+
+/// "NAME=VALUE" with a finite number.
+Held parse_held(const std::string& option, const std::string& text);
+
+/// "a=-5.55473,b=-6.98316"; the values stay texts, as a proof needs every digit.
+Parameters parse_parameters(const std::string& option, const std::string& text);
+
+/// A relative width that bounds in double precision can have.
+double parse_relative_width(const std::string& option, const std::string& text);
+
+/// Whether a text would be taken for an option: it begins with '-', and no number does so.
+bool looks_like_an_option(const std::string& text);
+
+/// The words of a parsed command: its options with their values as given. Leaves out `without`, and what is
+/// as by default.
+std::vector<std::string> words_of(const CLI::App& command, const std::vector<std::string>& without);
+
+}  // namespace shadefit

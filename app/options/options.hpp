@@ -1,0 +1,99 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/families/surface.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/rounding/lattice.hpp"
+#include "fit/verdicts/verdict.hpp"
+#include "reports/code/shader_code.hpp"
+#include "reports/table/writers.hpp"
+
+/// The options of the commands, parsed (app/commands/declare_commands.cpp).
+namespace shadefit {
+
+struct ListOptions {
+  std::optional<Verdict> verdict;     ///< only the claims with this one; computes them
+  std::optional<std::string> topic;   ///< only topics whose title holds this text
+  std::optional<std::string> family;  ///< only the claims on this family
+  bool json = false;
+  bool csv = false;
+  bool latex = false;
+  Terminal terminal = {};
+};
+
+struct RunOptions {
+  std::string out = "out";
+  std::vector<std::string> only = {};
+  bool no_plots = false;
+  bool force = false;  ///< replaces files that shadefit did not write
+  Terminal terminal = {};
+};
+
+/// Which form, fitted to what; `fit`, `better`, `certify` and `emit` share them.
+struct FitOptions {
+  std::string id = {};
+  std::optional<std::vector<double>> exponents = {};  ///< empty: the record's own sweep
+  Metric metric = {};                                 ///< not yet checked against the family
+  std::optional<Surface::Formula> target = {};        ///< empty: schlick; for `better` the usual three
+  std::optional<double> f0 = {};                      ///< for relative errors of a Fresnel form
+  std::optional<double> ior = {};  ///< of the surface; empty: no surface, 1.5 with an exact target
+  std::optional<double> extinction = {};
+  bool json = false;
+  bool csv = false;
+  bool latex = false;
+  bool certify = false;
+  std::optional<NumberFormat> round = {};
+  bool sensitivity = false;
+  Terminal terminal = {};
+};
+
+/// Names and values, as written.
+using Parameters = std::vector<std::pair<std::string, std::string>>;
+
+struct CertifyOptions {
+  FitOptions fit = {};
+  std::optional<Parameters> parameters = {};  ///< empty: the published ones, else fitted
+  double width = 1e-9;                        ///< of the bounds, relative
+  std::optional<std::string> out = {};        ///< a file for the certificate
+  bool force = false;                         ///< as in `RunOptions`
+};
+
+struct EmitOptions {
+  FitOptions fit = {};
+  std::optional<Parameters> parameters = {};  ///< as in `CertifyOptions`
+  std::optional<Language> language = {};      ///< empty with `check`
+  ShaderPrecision precision = ShaderPrecision::float32;
+  std::optional<std::string> name = {};   ///< of the function; empty: the family's
+  std::optional<std::string> out = {};    ///< a file; empty: printed
+  bool force = false;                     ///< as in `RunOptions`
+  std::optional<std::string> check = {};  ///< a generated file
+  std::vector<std::string> words = {};    ///< of the command that prints this code, for its comment
+};
+
+struct VerifyOptions {
+  std::string file;
+};
+
+struct StressOptions {
+  std::string out = "out";
+  bool force = false;  ///< as in `RunOptions`
+  Terminal terminal = {};
+};
+
+struct ExplainOptions {
+  std::string id;
+  bool json = false;
+  Terminal terminal = {};
+};
+
+struct CheckOptions {
+  std::string baseline = "reports/baseline";
+  bool all = false;  ///< also the slow tables
+  Terminal terminal = {};
+};
+
+}  // namespace shadefit

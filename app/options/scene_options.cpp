@@ -1,0 +1,77 @@
+#include "app/options/scene_options.hpp"
+
+#include "app/options/option_values.hpp"
+
+namespace shadefit {
+namespace {
+
+/// How the files are read.
+void add_conventions(CLI::App& scene, scene::Conventions& conventions) {
+  add_choice(scene, "--alpha", conventions.is_roughness_squared,
+             Choices<bool>{{"roughness", false}, {"roughness-squared", true}},
+             "how a roughness becomes the alpha of the distribution");
+  add_choice(scene, "--gloss", conventions.is_gloss_exponential,
+             Choices<bool>{{"roughness", false}, {"exponential", true}},
+             "what a gloss g is: 1 - roughness, or the power 2^(10 g + 1)");
+  add_choice(scene, "--maps", conventions.are_maps_pbr, Choices<bool>{{"named", false}, {"pbr", true}},
+             "maps of a .mtl: as the format names them, or map_Ka metallic and map_Ns roughness");
+  const auto parse = [](const std::string& option, const std::string& text) {
+    return parse_share(option, text, 1);
+  };
+  add_value(scene, "--min-roughness", conventions.min_roughness, parse, "R",
+            "the least roughness, as engines have it: 0.045 Filament, 0.0525 three.js (default: none)");
+}
+
+/// The tolerance, and what it is for.
+void add_wishes(CLI::App& scene, SceneOptions& options) {
+  const auto share_of = [](double most) {
+    return [most](const std::string& option, const std::string& text) {
+      return parse_share(option, text, most);
+    };
+  };
+  auto* tolerance = add_value(scene, "--tolerance", options.tolerance, share_of(1), "T",
+                              "the error that a pixel may have, all lights together, in linear values "
+                              "(default: 1/255)");
+  constexpr double most_codes = 255;
+  add_value(scene, "--codes", options.codes, share_of(most_codes), "C",
+            "the same in 8-bit sRGB codes, for example 0.5")
+      ->excludes(tolerance);
+  const auto parse_lights = [](const std::string& option, const std::string& text) {
+    constexpr int most = 1'000'000;
+    return parse_whole(option, text, 1, most);
+  };
+  add_value(scene, "--lights", options.lights, parse_lights, "N",
+            "how many lights may shine on one point (default: those of the files, else 1)");
+  add_choice(scene, "--precision", options.precision,
+             Choices<scene::PixelPrecision>{{"float", scene::PixelPrecision::float32},
+                                            {"half", scene::PixelPrecision::float16}},
+             "the arithmetic of the pixel");
+}
+
+}  // namespace
+
+/// The order of the options is that of the command in generated files.
+void declare_scene(CLI::App& scene, SceneOptions& options) {
+  scene.add_option("file", options.files, "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), one or more")
+      ->required()
+      ->type_name("FILE");
+  add_wishes(scene, options);
+  add_conventions(scene, options.conventions);
+  auto* json = scene.add_flag("--json", options.json, "print JSON");
+  auto* language = add_choice(scene, "--lang", options.language, by_name(languages),
+                              "print only the code, in this language")
+                       ->excludes(json);
+  scene
+      .add_flag(
+          "--shade", options.shade,
+          "shade the materials by the reference, by published constants and as planned: times and errors")
+      ->excludes(json)
+      ->excludes(language);
+  add_value(
+      scene, "--out", options.out, parse_text, "DIR",
+      "the directory to write the plan to (scene.md, .csv, .json) and its code (scene.glsl, .hlsl, .hpp)")
+      ->excludes(json)
+      ->excludes(language);
+}
+
+}  // namespace shadefit

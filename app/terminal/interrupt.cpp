@@ -1,0 +1,45 @@
+#include "app/terminal/interrupt.hpp"
+
+#include <ctime>
+
+namespace shadefit {
+
+namespace {
+
+/// A waiting one of the signals, taken; not positive where none waits.
+int take_one(const sigset_t& held) {
+  constexpr std::timespec no_time{};
+  return sigtimedwait(&held, nullptr, &no_time);
+}
+
+}  // namespace
+
+HeldSignals hold_interrupts() {
+  HeldSignals signals{};
+  sigemptyset(&signals.held);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler != SIG_IGN) sigaddset(&signals.held, signal);
+  }
+  pthread_sigmask(SIG_BLOCK, &signals.held, &signals.mask_before);
+  return signals;
+}
+
+void take_waiting(const HeldSignals& signals) {
+  while (take_one(signals.held) > 0) {
+  }
+}
+
+void release(const HeldSignals& signals) {
+  pthread_sigmask(SIG_SETMASK, &signals.mask_before, nullptr);
+}
+
+Checkpoint interruptible(const HeldSignals& signals) {
+  return [held = signals.held] {
+    const int signal = take_one(held);
+    if (signal > 0) throw Interrupted{signal};
+  };
+}
+
+}  // namespace shadefit
