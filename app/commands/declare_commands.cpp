@@ -21,7 +21,7 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
   CLI::App* command = app.add_subcommand(name, help)->group("Commands");
   command->footer("Examples:\n" + examples);
   declare(*command, *options);
-  command->callback([&call, command, options, run] {
+  command->callback([=, &call] {
     if constexpr (requires { options->terminal; }) options->terminal = call.terminal;
     if constexpr (requires { options->fit.terminal; }) options->fit.terminal = call.terminal;
     if constexpr (requires { options->words; })
