@@ -29,7 +29,9 @@ endif()
 # The command comes alone: a part installs its own files and no other's.
 if(PARTS STREQUAL "command")
   file(GLOB_RECURSE files RELATIVE ${prefix} ${prefix}/*)
-  if(NOT files STREQUAL "bin/shadefit")
+  set(expected bin/shadefit share/bash-completion/completions/shadefit share/fish/vendor_completions.d/shadefit.fish share/man/man1/shadefit.1
+    share/zsh/site-functions/_shadefit)
+  if(NOT files STREQUAL expected)
     message(FATAL_ERROR "the component command installed ${files}")
   endif()
   run(${prefix}/bin/shadefit --version)
