@@ -145,8 +145,7 @@ Solution solve(const F& family, const Metric& metric) {
   return solve_under(family, metric, ends->first, ends->second);
 }
 
-/// Why a solution is none after all: its parameters, or its errors, contradict what it says. Empty where it
-/// holds.
+/// Why a solution is rejected: its parameters or its errors contradict what it says. Empty where it holds.
 template <class F>
 std::string contradiction_in(const F& family, const Fit& fit) {
   if (pole_of(family, fit.metric.domain, fit.parameters)) return "the form has a pole in the domain";

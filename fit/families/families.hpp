@@ -9,8 +9,7 @@
 /// - `info`: its texts; `target_of` and `form_of`: its two formulas of the cosine, in any scalar;
 /// `parameters`: the names of its parameters; `starts`: three points spread over the box in
 ///   which the optimum is looked for;
-/// - `Sample`: what of a place does not depend on the parameters, computed once; `sample`: the function that
-/// does;
+/// - `Sample`: the values at a cosine that do not depend on the parameters; `sample` computes them once;
 /// - `form`, `error` (form - target) and `relative_error` at a sample;
 /// - `log_form` and `log_ratio` (log(form/target)) of a positive form; `is_linear`: whether these, or else
 /// the form itself, are linear in the parameters;

@@ -14,13 +14,13 @@
 /// The families of Fresnel's weight; what a family brings says fit/families/families.hpp.
 namespace shadefit {
 
-/// The weight of a surface's reflectance, (1-c)^5 where it is none in particular, by a form: what the Fresnel
-/// families share.
+/// What the Fresnel families share: they fit a form to (F - f0)/(1 - f0). Without a surface the target is
+/// Schlick's (1-c)^5.
 template <class Form, int N>
 struct FresnelFamily {
   static constexpr bool is_linear = Form::is_linear;
-  /// Errors are those of the reflectance F = f0 + (1 - f0) f; where the surface is none in particular,
-  /// Schlick's formula stands for every f0 and has the errors of f.
+  /// Errors are those of the reflectance F = f0 + (1 - f0) f. Without a surface, Schlick's formula stands for
+  /// every f0 and the errors are those of f.
   Surface surface = {};
 
   template <class T>
@@ -102,7 +102,7 @@ struct QuadraticForm {
   }
 };
 
-/// (1-c)^5, or what an exact surface has in its place, by exp2(-A c).
+/// (1-c)^5, or the weight of a surface, by exp2(-A c).
 struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
   static constexpr const Family& info = fresnel_one_term_family;
   static constexpr std::array<std::string_view, 1> parameters{"A"};

@@ -34,7 +34,7 @@ inline std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
 template <class T>
 using CommonFactor = std::conditional_t<std::same_as<T, long double>, double, T>;
 
-/// Of a place under a lobe, what does not depend on the parameter: form = base exp(change), change = q
+/// The values at a cosine that do not depend on the lobe's parameter: form = base exp(change), change = q
 /// variable with q the parameter counted from its `origin`, and target = base exp(log_ratio).
 template <class T>
 struct LobeSample {

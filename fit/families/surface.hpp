@@ -11,8 +11,7 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
 
-/// What a Fresnel form is fitted to: Schlick's formula or the exact one, of a surface or of none in
-/// particular.
+/// What a Fresnel form is fitted to: Schlick's formula or the exact one, with or without a named surface.
 namespace shadefit {
 
 /// A smooth surface, and by which formula it reflects.
@@ -20,10 +19,10 @@ struct Surface {
   enum class Formula { schlick, exact };
 
   Formula formula = Formula::schlick;
-  double ior = 0;         ///< index of refraction, behind over in front; 0: no surface in particular
+  double ior = 0;         ///< index of refraction, behind over in front; 0: no surface is named
   double extinction = 0;  ///< 0: a dielectric; above: a conductor
-  /// Of no surface in particular, the reflectance at normal incidence that relative errors are stated for;
-  /// empty: the `reference_f0`.
+  /// Where no surface is named: the reflectance at normal incidence that relative errors are stated for.
+  /// Empty: the `reference_f0`.
   std::optional<double> f0 = std::nullopt;
 
   auto operator<=>(const Surface&) const = default;
@@ -55,7 +54,7 @@ T reference_reflectance() {
   }
 }
 
-/// The reflectance at normal incidence, where the surface has none its f0.
+/// The reflectance at normal incidence; where no surface is named, its f0.
 template <class T>
 T normal_reflectance(const Surface& surface) {
   if (!surface.is_named()) return surface.f0 ? lift<T>(*surface.f0) : reference_reflectance<T>();

@@ -168,8 +168,8 @@ class RemezExchange {
     return fail(Status::at_border, "");
   }
 
-  /// No part of a step lowers the level any more, and yet it is no last step. Where it is short, the level is
-  /// down to its rounding, and Newton may have it; else the level does not tell where the parameters are.
+  /// Line search failed. A short step means that the level has reached its rounding: let Newton finish.
+  /// Otherwise the level does not determine the parameters.
   bool stall(double best, double size) {
     if (best - expected_ >= 1e-9 * best)
       return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
