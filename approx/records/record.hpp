@@ -55,8 +55,8 @@ enum class Trend {
   rises,  ///< nowhere falls
 };
 
-/// What a form has to be at its published and fitted parameters: an interval proof shows it
-/// (fit/certify.hpp).
+/// What a form must be at its published and fitted parameters. An interval proof shows it
+/// (fit/proof/curve_proof.hpp).
 struct CurveShape {
   Trend trend = Trend::none;
   bool is_non_negative = false;

@@ -15,8 +15,7 @@
 /// The forms that are timed: each joins a formula of approx/ with what of it is done once for a whole array.
 ///
 /// A form brings
-/// - `id`; `arguments`: what it reads of each element; `exp2`: whether an exp2 is all that is transcendental
-/// in it;
+/// - `id`; `arguments`: what it reads of each element; `function`: its transcendental function;
 /// - `parameters`: how many numbers it is given, those of its target before its own;
 /// - `prepared`: those from which an element is computed, of the parameters, once;
 /// - a call operator, the formula, over any scalar.

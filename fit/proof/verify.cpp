@@ -6,8 +6,8 @@
 #include "fit/proof/interval_ends.hpp"
 #include "fit/support/hex_float.hpp"
 
-/// The check of a certificate. It shares the formula with the search and nothing else: it neither chooses nor
-/// cuts a box.
+/// The check of a certificate. It shares the formula and the interval arithmetic with the search. It neither
+/// chooses nor cuts a box.
 namespace shadefit {
 namespace {
 
