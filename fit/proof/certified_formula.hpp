@@ -11,7 +11,7 @@
 #include "fit/support/hex_float.hpp"
 #include "fit/support/sweep.hpp"
 
-/// The formula that a certificate is about, in interval arithmetic: all that search and check have in common.
+/// The formula that a certificate is about, in interval arithmetic. The search and the check share it.
 namespace shadefit {
 
 /// The value of a constant's text: a hexadecimal double exactly, a decimal enclosed. Empty for what is
