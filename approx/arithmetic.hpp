@@ -3,8 +3,8 @@
 #include "approx/gloss.hpp"
 #include "approx/scalar.hpp"
 
-/// What half, float and double make of a lobe: claims about zero, NaN and banding. A = k/ln 2 is the power
-/// for exp2 of `base_two_power`.
+/// A lobe computed in half, float and double: claims about zero, NaN and banding. A = k/ln 2 is the power for
+/// exp2 of `base_two_power`.
 namespace shadefit {
 
 /// The exponent of `power_by_exp2`, k log2(c).
@@ -21,8 +21,7 @@ T power_by_exp2(const T& cos_theta, const T& exponent) {
 }
 
 /// The spherical Gaussian of `gaussian_lobe_base_two` with the subtraction first, exp2(A (c - 1)): c - 1 is
-/// exact for c in [0.5, 1], whatever format c is in, so that what rounding is left is relative to the
-/// exponent and not to A.
+/// exact for c in [0.5, 1] in every format. The remaining rounding is relative to the exponent, not to A.
 template <class T>
 T gaussian_lobe_base_two_of_difference(const T& cos_theta, const T& base_two) {
   return exp2(base_two * (cos_theta - integer<T>(1)));

@@ -8,15 +8,15 @@
 /// Instruction counts: what a form costs, counted from the formula itself by the symbolic scalar.
 namespace shadefit {
 
-/// `mip_level_of_power` where s + 1 is what is stored: log2(w sqrt(3)) - 1/2 log2(s + 1).
+/// `mip_level_of_power` from a stored s + 1: log2(w sqrt(3)) - 1/2 log2(s + 1).
 template <class T>
 T mip_level_of_successor(const T& width, const T& exponent_plus_one) {
   const T half = integer<T>(1) / integer<T>(2);
   return log2(width * sqrt(integer<T>(3))) - half * log2(exponent_plus_one);
 }
 
-/// What a Phong highlight by the spherical Gaussian needs of the view: (A r, -A), r the reflected view
-/// vector. Source: Lagarde 2012.
+/// The part of a Phong highlight by the spherical Gaussian that depends on the view: (A r, -A), r the
+/// reflected view vector. Source: Lagarde 2012.
 template <class T>
 std::array<T, 4> scaled_reflection(const std::array<T, 3>& reflected, const T& base_two) {
   return {base_two * reflected[0], base_two * reflected[1], base_two * reflected[2], -base_two};
@@ -34,7 +34,7 @@ T phong_cosine(const std::array<T, 3>& reflected, const std::array<T, 3>& light)
   return reflected[0] * light[0] + reflected[1] * light[1] + reflected[2] * light[2];
 }
 
-/// What a compiler makes of a form: static counts of its machine code.
+/// Static instruction counts of a form's compiled machine code.
 struct CompiledCost {
   std::string_view form;  ///< as the inputs of the claims name it
   int nvidia_alu;         ///< vector arithmetic, by `nvidia_compiler`
@@ -46,9 +46,10 @@ struct CompiledCost {
 inline constexpr std::string_view nvidia_compiler = "nvcc 13.0.88 -arch=sm_75 --use_fast_math";
 inline constexpr std::string_view amd_compiler = "clang 19.1.7 -mcpu=gfx1030 -cl-denorms-are-zero";
 
-/// Own measurement, 2026: kernels of one form each, uniform exponents, the cosine loaded; the instructions of
-/// the cubin and of the AMD assembly, without loads, stores, addresses, constants and control flow. NVIDIA's
-/// are FMUL, FADD, FFMA, FMNMX, FSETP and FSEL, and MUFU; AMD's the like, and v_exp, v_log.
+/// Own measurement, 2026. Each kernel computes one form: the exponents are uniform, the cosine is loaded.
+/// Counted are the instructions of the cubin and of the AMD assembly, without loads, stores, addresses,
+/// constants and control flow. NVIDIA: FMUL, FADD, FFMA, FMNMX, FSETP, FSEL and MUFU. AMD: the corresponding
+/// instructions, v_exp and v_log.
 inline constexpr std::array compiled_costs{
     CompiledCost{"pow", 1, 2, 1, 2},
     CompiledCost{"gaussian", 1, 1, 1, 1},

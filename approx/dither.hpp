@@ -17,36 +17,37 @@ constexpr int bayer_rank(int row, int column, int size) {
   return 4 * bayer_rank(row % half, column % half, half) + (r == c ? r : 2 + r);
 }
 
-/// The root mean square error of a march of n steps that asks at the start of each step whether it is lit,
-/// for one shadow edge, uniform along the ray, and light of strength 1: the error is uniform in [0, 1/n), so
-/// 1/(n sqrt 3).
+/// The root mean square error of a march of n steps that samples the shadow at the start of each step. There
+/// is one shadow edge, uniformly distributed along the ray, and the light has strength 1. The error is
+/// uniform in [0, 1/n), so its root mean square is 1/(n sqrt 3).
 template <class T>
 T march_rms(const T& steps) {
   return integer<T>(1) / (steps * sqrt(integer<T>(3)));
 }
 
-/// The same where every step is asked at the fraction d in [0, 1) of its length: the error is uniform in
-/// [-d/n, (1-d)/n), so sqrt((d^3 + (1-d)^3)/3)/n.
+/// The same for a march that samples each step at the fraction d in [0, 1) of its length: the error is
+/// uniform in [-d/n, (1-d)/n), so sqrt((d^3 + (1-d)^3)/3)/n.
 template <class T>
 T march_rms_at_offset(const T& steps, const T& offset) {
   const T rest = integer<T>(1) - offset;
   return sqrt((power(offset, 3) + power(rest, 3)) / integer<T>(3)) / steps;
 }
 
-/// The weight of a tap of the bilateral upsampling whose depth is `gap` >= 0 from that of the pixel:
+/// The weight of a tap of a bilateral upsampling, for a depth difference `gap` >= 0 between tap and pixel:
 /// max(0, 1 - falloff gap). Source: Pestana 2014, "Volumetric lights".
 template <class T>
 T depth_weight(const T& gap, const T& falloff) {
   return positive_part(integer<T>(1) - falloff * gap);
 }
 
-/// sum/(weight + epsilon): a weighted mean that no weight at all makes 0 instead of 0/0. Source: as above.
+/// sum/(weight + epsilon): a weighted mean. Without any weight it is 0 instead of 0/0. Source: as above.
 template <class T>
 T guarded_mean(const T& sum, const T& weight, const T& epsilon) {
   return sum / (weight + epsilon);
 }
 
-/// The 4 x 4 matrix of offsets as printed, rows by `/`, with `x` for the entry that its record prints.
+/// The 4 x 4 matrix of offsets as printed, rows separated by `/`. `x` stands for the entry that its record
+/// prints.
 inline constexpr std::string_view printed_dither_pattern =
     "0.0 0.5 0.125 0.625 / 0.75 x 0.875 0.375 / 0.1875 0.6875 0.0625 0.5625 / 0.9375 0.4375 0.8125 0.3125";
 inline constexpr std::string_view printed_dither_entry = "0.22";

@@ -24,7 +24,8 @@ T srgb_decode(const T& encoded) {
   return select(less(constant<T>("0.04045"), encoded), curved, straight);
 }
 
-/// The encoding x^(1/gamma) of a linear value in [0, 1]; gamma > 0, 2.2 where a shader stands in for sRGB.
+/// The encoding x^(1/gamma) of a linear value in [0, 1]; gamma > 0. Shaders use gamma = 2.2 to approximate
+/// sRGB.
 template <class T>
 T gamma_encode(const T& linear, const T& gamma) {
   return power(linear, integer<T>(1) / gamma);
@@ -36,8 +37,8 @@ T gamma_decode(const T& encoded, const T& gamma) {
   return power(encoded, gamma);
 }
 
-/// The 8-bit code, as a real number in [0, 255], that a display is sent for a linear value, which is clamped
-/// to [0, 1].
+/// The sRGB code of a linear value on the 8-bit scale, as a real number in [0, 255]. The value is clamped to
+/// [0, 1] first.
 template <class T>
 T srgb_code(const T& linear) {
   return integer<T>(255) * srgb_encode(min(positive_part(linear), integer<T>(1)));

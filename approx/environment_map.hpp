@@ -3,9 +3,9 @@
 #include "approx/gloss.hpp"
 #include "approx/scalar.hpp"
 
-/// Environment maps: solid angles of caps, lobes and texels, and which mip level serves which specular power.
-/// Solid angles are in steradians; s > 0 is a specular power, w the texels along an edge of a cube face at
-/// level 0, m a mip level (0 the finest; it need not be whole), g a gloss in [0, 1].
+/// Environment maps: solid angles of caps, lobes and texels, and the mip level for a specular power. Solid
+/// angles are in steradians; s > 0 is a specular power, w the texels along an edge of a cube face at level 0,
+/// m a mip level (0 the finest; it need not be whole), g a gloss in [0, 1].
 namespace shadefit {
 
 /// The cap of directions within the angle phi of an axis, phi in [0, pi] radians: 2 pi (1 - cos(phi)).
@@ -21,7 +21,7 @@ T cap_solid_angle_near_axis(const T& half_angle) {
   return integer<T>(4) * pi<T>() * (half_sine * half_sine);
 }
 
-/// What the lobe cos^s(theta) over the hemisphere covers, each direction counted by the lobe: 2 pi/(s + 1).
+/// The solid angle of the lobe cos^s(theta): its integral over the hemisphere, 2 pi/(s + 1).
 template <class T>
 T lobe_solid_angle(const T& exponent) {
   return integer<T>(2) * pi<T>() / (exponent + integer<T>(1));
@@ -33,8 +33,8 @@ T power_of_solid_angle(const T& solid_angle) {
   return integer<T>(2) * pi<T>() / solid_angle - integer<T>(1);
 }
 
-/// The power whose lobe has fallen to e^-n of its peak where the angle to its axis has that tangent:
-/// cos(theta) = 1/sqrt(1 + tan^2(theta)), so s = 2 n / log(1 + tan^2(theta)).
+/// The power whose lobe falls to e^-n of its peak at the angle theta, given tan(theta): cos(theta) = 1/sqrt(1
+/// + tan^2(theta)), so s = 2 n / log(1 + tan^2(theta)).
 template <class T>
 T power_that_falls(const T& folds, const T& tangent) {
   return integer<T>(2) * folds / log1p(tangent * tangent);
@@ -53,8 +53,8 @@ T mean_texel_solid_angle(const T& width, const T& level) {
   return integer<T>(4) * pi<T>() / (integer<T>(6) * (edge * edge));
 }
 
-/// Solid angle per area of a cube face, the square [-1, 1]^2 at distance 1: 1/r^2 times the cosine 1/r at
-/// which it is seen, (1 + x^2 + y^2)^(-3/2).
+/// Solid angle per area of a cube face, the square [-1, 1]^2 at distance 1: 1/r^2 times the cosine 1/r of the
+/// viewing angle, (1 + x^2 + y^2)^(-3/2).
 template <class T>
 T cube_face_density(const T& x, const T& y) {
   const T r2 = integer<T>(1) + x * x + y * y;
@@ -68,8 +68,8 @@ T cube_face_solid_angle(const T& x, const T& y) {
   return atan(x * y / sqrt(integer<T>(1) + x * x + y * y));
 }
 
-/// The solid angle of the square [x, x + size] x [y, y + size] on a face. Four values of size 1 leave what
-/// one texel covers, so the result has lost log10(1/size^2) digits.
+/// The solid angle of the square [x, x + size] x [y, y + size] on a face. It is a difference of four values
+/// of size 1, so the result loses log10(1/size^2) digits.
 template <class T>
 T texel_solid_angle(const T& x, const T& y, const T& size) {
   const T right = x + size, top = y + size;
@@ -77,7 +77,7 @@ T texel_solid_angle(const T& x, const T& y, const T& size) {
          cube_face_solid_angle(x, y);
 }
 
-/// The level whose mean texel covers what the lobe of power s covers: log2(w sqrt(3)) - 1/2 log2(s + 1).
+/// The level whose mean texel has the solid angle of the lobe of power s: log2(w sqrt(3)) - 1/2 log2(s + 1).
 /// Source: McGuire et al. 2013, "Plausible Environment Lighting in Two Lines of Code".
 template <class T>
 T mip_level_of_power(const T& width, const T& exponent) {
@@ -85,15 +85,14 @@ T mip_level_of_power(const T& width, const T& exponent) {
   return log2(width * sqrt(integer<T>(3))) - half * log2(exponent + integer<T>(1));
 }
 
-/// The relative step of a power between two neighbouring codes of a gloss with that many steps, decoded over
-/// so many octaves (doublings, `decode_gloss`): 2^(octaves/steps) - 1.
+/// The relative step of the power between two neighbouring gloss codes: 2^(octaves/steps) - 1. `octaves` are
+/// the doublings of `decode_gloss`.
 template <class T>
 T relative_gloss_step(const T& octaves, const T& steps) {
   return expm1(ln2<T>() * (octaves / steps));
 }
 
-/// The gloss that a generator of a prefiltered chain of so many levels assigns to a level:
-/// 1 - m/(levels - 1).
+/// The gloss that a generator of a prefiltered mip chain assigns to level m: 1 - m/(levels - 1).
 template <class T>
 T gloss_of_level(const T& level, const T& levels) {
   return integer<T>(1) - level / (levels - integer<T>(1));
@@ -105,7 +104,7 @@ T level_of_gloss(const T& gloss, const T& count, const T& last_level) {
   return min((integer<T>(1) - gloss) * count, last_level);
 }
 
-/// The power after some levels, each of which scales it by `drop`: s drop^m.
+/// The power at level m, if each level scales it by `drop`: s drop^m.
 template <class T>
 T power_after_drops(const T& power_of_first, const T& drop, int level) {
   return power_of_first * power(drop, level);

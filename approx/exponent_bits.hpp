@@ -8,15 +8,15 @@
 
 #include "approx/scalar.hpp"
 
-/// The powers of two that a number is made of: what exp2 by a polynomial needs of its scalar beside the
-/// vocabulary.
+/// Splitting off and multiplying by powers of two: what exp2 by a polynomial needs of its scalar in addition
+/// to the vocabulary.
 namespace shadefit {
 
-/// The customisation point: what a scalar must offer beside `Scalar`.
-/// - `split(x)`: x within the exponents of the format, as a whole number and the rest beside it, |rest| <=
-/// 1/2;
-/// - `times_exp2(p, whole)`: p 2^whole, where `whole` is that of `split`, in the form in which it is at hand;
-/// - `joined(x, f)`, of a scalar with more than one whole number: all that f makes of the parts, in one.
+/// The customisation point: what a scalar must offer in addition to `Scalar`.
+/// - `split(x)`: x, clamped to the exponents of the format, as a whole number and a rest, |rest| <= 1/2;
+/// - `times_exp2(p, whole)`: p 2^whole, with `whole` in the representation that `split` returns;
+/// - `joined(x, f)`, for a scalar whose values need more than one whole number: f of each part, joined to one
+/// value.
 template <class T>
 struct ExponentBits;
 
@@ -62,7 +62,7 @@ struct BinaryLayout<double> {
   using Bits = std::uint64_t;
 };
 
-/// What is made of the layout: for scalars and for batches of them alike.
+/// Constants that follow from the layout, for scalars and for batches.
 template <std::floating_point T>
 struct ExponentLimits {
   /// The bits below the exponent.
@@ -71,17 +71,17 @@ struct ExponentLimits {
   static constexpr T least = std::numeric_limits<T>::min_exponent - 2;
   /// 2^largest is infinity: its exponent bits are all ones.
   static constexpr T largest = std::numeric_limits<T>::max_exponent;
-  /// 3/2 2^mantissa_bits: the numbers around it are whole, so that adding it rounds to a whole number, which
-  /// then stands in the lowest bits; below 3/2 as above it, for either sign.
+  /// 3/2 2^mantissa_bits. The numbers around it are whole, so adding it rounds x to a whole number and leaves
+  /// that number in the lowest bits. The factor 3/2 makes this work for both signs.
   static constexpr T rounder = T(3) * static_cast<T>(std::uint64_t{1} << (mantissa_bits - 1));
 };
 
 /// float and double: rounding by an addition, the power of two by adding to the bits of the exponent.
 ///
-/// Below the least normal number 2^m the bits run on: from 2^m at x = m the result falls in straight lines to
-/// 0 at x = m - 1 and stays 0; it is never off by more than 2^(m-1), and no subnormal is multiplied on the
-/// way. From `largest` on it is infinity. What is not a number stays so (one whose lowest bits carry a
-/// message may not: the machine makes none of these).
+/// Below the least normal number 2^m the result falls linearly from 2^m at x = m to 0 at x = m - 1 and stays
+/// 0. Its error never exceeds 2^(m-1), and no subnormal is multiplied. From `largest` on the result is
+/// infinity. NaN stays NaN (except perhaps one with a payload in its lowest bits, which the hardware does not
+/// produce).
 template <std::floating_point T>
 requires requires {
   typename BinaryLayout<T>::Bits;
@@ -101,12 +101,12 @@ struct ExponentBits<T> {
   }
 };
 
-/// long double has its exponent elsewhere; here the library knows it.
+/// long double has another layout, so the standard library splits it.
 template <>
 struct ExponentBits<long double> {
   static SplitExponent<long double, int> split(long double x) {
     using Range = ExponentLimits<double>;
-    // beyond every exponent of the format, and a whole number that an int holds
+    // beyond every exponent of the format, but small enough for an int
     constexpr auto beyond = static_cast<long double>(32 * Range::largest);
     const long double within = Scalar<long double>::min(Scalar<long double>::max(x, -beyond), beyond);
     const long double whole = std::nearbyint(within);

@@ -10,14 +10,13 @@
 /// and half vector, in [0, 1]; reflectances are linear, in [0, 1].
 namespace shadefit {
 
-/// (1 - c)^n, n a whole number: Schlick's weight for n = 5, and for n = 4 what some shaders have in its
-/// place.
+/// (1 - c)^n, n a whole number: Schlick's weight for n = 5. Some shaders use n = 4 instead.
 template <class T>
 T grazing_power(const T& cos_theta, int n) {
   return power(integer<T>(1) - cos_theta, n);
 }
 
-/// (1 - c)^5: how far the reflectance has gone from f0 (c = 1) to 1 (c = 0).
+/// (1 - c)^5: the weight that blends the reflectance from f0 (c = 1) to 1 (c = 0).
 /// Source: Schlick 1994, "An Inexpensive BRDF Model for Physically-based Rendering".
 template <class T>
 T schlick_weight(const T& cos_theta) {
@@ -31,9 +30,9 @@ T schlick_reflectance(const T& f0, const T& weight) {
   return f0 + (integer<T>(1) - f0) * weight;
 }
 
-/// F = f0 + (max(g, f0) - f0) weight: for prefiltered light, whose reflectance rises with the gloss g in
-/// [0, 1] no further than to g. f0 a channel of the specular colour, weight by `schlick_weight` of n.v.
-/// With weight in [0, 1] it is f0 (1 - weight) + max(g, f0) weight, a mean of both.
+/// F = f0 + (max(g, f0) - f0) weight: for prefiltered light. At grazing angles the reflectance rises only to
+/// the gloss g in [0, 1]. f0 is a channel of the specular colour, weight is `schlick_weight` of n.v. With
+/// weight in [0, 1] it is the weighted mean f0 (1 - weight) + max(g, f0) weight.
 /// Source: Lagarde 2011, "Adopting a physically based shading model".
 template <class T>
 T schlick_reflectance_of_gloss(const T& f0, const T& gloss, const T& weight) {
@@ -51,9 +50,9 @@ T reflectance_at_normal(const T& ior) {
 /// equations:
 ///   rs = (c - n t)/(c + n t), rp = (n c - t)/(n c + t), t = sqrt(1 - (1 - c^2)/n^2) the cosine of the
 ///   refracted ray.
-/// n > 0 is the index behind the surface over the one in front: above 1 from outside, below 1 from inside,
-/// where beyond the critical angle everything is reflected. Source: Born, Wolf 1999, "Principles of Optics",
-/// 7th edition, section 1.5.2.
+/// n > 0 is the index behind the surface over the index in front of it: above 1 from outside, below 1 from
+/// inside. From inside, everything is reflected beyond the critical angle. Source: Born, Wolf 1999,
+/// "Principles of Optics", 7th edition, section 1.5.2.
 template <class T>
 T dielectric_reflectance(const T& cos_theta, const T& ior) {
   const T one = integer<T>(1), none = integer<T>(0);
@@ -67,7 +66,7 @@ T dielectric_reflectance(const T& cos_theta, const T& ior) {
   return choose(less(none, squared), partial, [&] { return one; });
 }
 
-/// How far a reflectance F has gone from f0 to 1, as `schlick_weight` says it: (F - f0)/(1 - f0).
+/// The weight of a reflectance F between f0 and 1, comparable to `schlick_weight`: (F - f0)/(1 - f0).
 template <class T>
 T weight_of_reflectance(const T& reflectance, const T& f0) {
   return (reflectance - f0) / (integer<T>(1) - f0);
@@ -84,12 +83,12 @@ T conductor_reflectance_at_normal(const T& ior, const T& extinction) {
 /// The exact reflectance of a smooth conductor in unpolarised light, (|rs|^2 + |rp|^2)/2, by Fresnel's
 /// equations.
 ///
-/// With s^2 = 1 - c^2, the refracted ray has the complex sqrt((n + i k)^2 - s^2) = u + i v for its cosine
-/// times the index, u^2 + v^2 = m = |(n + i k)^2 - s^2| and u^2 - v^2 = n^2 - k^2 - s^2, so u = sqrt((m + n^2
+/// Let s^2 = 1 - c^2. For the refracted ray, index times cosine is the complex number sqrt((n + i k)^2 - s^2)
+/// = u + i v. Then u^2 + v^2 = m = |(n + i k)^2 - s^2| and u^2 - v^2 = n^2 - k^2 - s^2, so u = sqrt((m + n^2
 /// - k^2 - s^2)/2):
 ///   |rs|^2 = (m - 2 c u + c^2)/(m + 2 c u + c^2)
 ///   |rp|^2 = |rs|^2 (c^2 m - 2 c u s^2 + s^4)/(c^2 m + 2 c u s^2 + s^4).
-/// n > 0, k >= 0. k = 0 is a dielectric, from either side; at its critical angle `dielectric_reflectance`
+/// n > 0, k >= 0. k = 0 is a dielectric, from either side; near the critical angle `dielectric_reflectance`
 /// keeps more digits. Source: Born, Wolf 1999, "Principles of Optics", 7th edition, section 14.2.
 template <class T>
 T conductor_reflectance(const T& cos_theta, const T& ior, const T& extinction) {
@@ -99,7 +98,7 @@ T conductor_reflectance(const T& cos_theta, const T& ior, const T& extinction) {
   const T real = (ior - extinction) * (ior + extinction) - s2;
   const T imaginary = two * ior * extinction;
   const T m = sqrt(real * real + imaginary * imaginary);
-  // the larger of u and v without cancellation, the other by u v = n k
+  // computes the larger of u and v without cancellation, then the other from u v = n k
   const T u = choose(
       less(real, integer<T>(0)), [&] { return ior * extinction / sqrt((m - real) / two); },
       [&] { return sqrt((m + real) / two); });
@@ -139,14 +138,14 @@ T fresnel_quartic(const T& cos_theta, const T& a, const T& b, const T& d, const 
   return exp2((((a * cos_theta + b) * cos_theta + d) * cos_theta + g) * cos_theta);
 }
 
-/// s (1 - c)^4: two squarings, scaled; s = 1 is what some shaders have in place of Schlick's weight.
+/// s (1 - c)^4: two squarings, scaled. Some shaders use s = 1 instead of Schlick's weight.
 template <class T>
 T fresnel_fourth(const T& cos_theta, const T& scale) {
   return scale * grazing_power(cos_theta, 4);
 }
 
-/// (1 - c)^2 (1 + (a c + b) c): multiplications and additions alone; 1 at c = 0 and 0 at c = 1, as the
-/// target.
+/// (1 - c)^2 (1 + (a c + b) c): only multiplications and additions. Like the target, it is 1 at c = 0 and 0
+/// at c = 1.
 template <class T>
 T fresnel_square(const T& cos_theta, const T& a, const T& b) {
   return grazing_power(cos_theta, 2) * (integer<T>(1) + (a * cos_theta + b) * cos_theta);
@@ -158,16 +157,16 @@ T fresnel_rational_denominator(const T& cos_theta, const T& a) {
   return integer<T>(1) + a * cos_theta;
 }
 
-/// (1 - c)^4/(1 + a c): 1 at c = 0 and 0 at c = 1, as the target; a division in place of the exp2. On c in
-/// [0, 1] it has no pole for a > -1, on [A, B] for a > -1/B.
+/// (1 - c)^4/(1 + a c): a division instead of the exp2. Like the target, it is 1 at c = 0 and 0 at c = 1. It
+/// has no pole on [0, 1] for a > -1, and none on [A, B] for a > -1/B.
 template <class T>
 T fresnel_rational(const T& cos_theta, const T& a) {
   return grazing_power(cos_theta, 4) / fresnel_rational_denominator(cos_theta, a);
 }
 
 /// The A of `fresnel_one_term` for a spherical Gaussian of (1 - c)^5 with offset x: (5 + x) / ln 2.
-/// (1-c)^5 ~ exp((5+x)((1-c) - 1)) = exp2(-(5+x)/ln2 c). Under the cosine measure the best A is this of the
-/// best x, because c -> 1 - c maps one problem onto the other.
+/// (1-c)^5 ~ exp((5+x)((1-c) - 1)) = exp2(-(5+x)/ln2 c). Under the cosine measure this formula maps the best
+/// x to the best A, because c -> 1 - c maps one problem onto the other.
 template <class T>
 T one_term_sharpness(const T& offset) {
   return (integer<T>(5) + offset) / ln2<T>();
@@ -179,8 +178,8 @@ T one_term_sharpness_at_offset_one() {
   return one_term_sharpness(integer<T>(1));
 }
 
-/// The reflectance at normal incidence for which relative errors of a Fresnel form are stated: 4 %, that of
-/// glass and most plastics (index of refraction 1.5).
+/// Relative errors of Fresnel forms are stated for this reflectance at normal incidence: 4 %, as for glass
+/// and most plastics (index of refraction 1.5).
 inline constexpr std::string_view reference_f0 = "0.04";
 
 inline constexpr Family fresnel_one_term_family{

@@ -9,25 +9,25 @@
 #include "approx/scalar.hpp"
 #include "approx/von_mises_fisher.hpp"
 
-/// Forms that hold for every argument in every format, half too, where the formulas as printed are NaN,
-/// infinite, negative or above 1, or lose their digits. Each is the printed formula, rearranged; `shadefit
-/// stress` states how far it may be off and tries to break it.
+/// Forms that are safe for every argument in every format, including half. The printed formulas can give NaN,
+/// infinity, negative values or values above 1 there, or lose their digits. Each form is the printed formula,
+/// rearranged; `shadefit stress` states its error bound and tries to break it.
 namespace shadefit {
 
-/// The cosine that a dot product stands for: the nearest of [0, 1]. Of vectors that are not quite of length 1
-/// it may exceed 1, and on the far side it is negative.
+/// A dot product clamped to a cosine in [0, 1]. The dot product exceeds 1 if the vectors are slightly longer
+/// than 1; it is negative on the far side.
 template <class T>
 T unit_cosine(const T& dot) {
   return min(positive_part(dot), integer<T>(1));
 }
 
-/// c^k of a dot product; k >= 0. In [0, 1] whatever the dot product is.
+/// c^k of a dot product; k >= 0. In [0, 1] for every dot product.
 template <class T>
 T power_lobe_of_dot(const T& dot, const T& exponent) {
   return power_lobe(unit_cosine(dot), exponent);
 }
 
-/// The same as a GPU computes it, exp2(k log2(c)). 0^0 is 1, where `power_by_exp2` makes NaN of it and of
+/// The same as a GPU computes it, exp2(k log2(c)). 0^0 is 1 here. `power_by_exp2` gives NaN for 0^0 and for
 /// every negative number.
 template <class T>
 T power_by_exp2_of_dot(const T& dot, const T& exponent) {
@@ -42,24 +42,24 @@ T gaussian_lobe_base_two_of_dot(const T& dot, const T& base_two) {
   return gaussian_lobe_base_two_of_difference(unit_cosine(dot), base_two);
 }
 
-/// `schlick_weight` of a dot product: in [0, 1], where the plain formula is negative beyond c = 1.
+/// `schlick_weight` of a dot product: in [0, 1]. The plain formula is negative beyond c = 1.
 template <class T>
 T schlick_weight_of_dot(const T& dot) {
   return schlick_weight(unit_cosine(dot));
 }
 
-/// `decode_gloss` of the nearest gloss in [0, 1], with 2^first apart: 2^(doublings g) 2^first. The sum
-/// doublings g + first is rounded once more than the product, near its end by 2^-8 in half; and a texture
-/// filter may return a gloss just beyond 1.
+/// `decode_gloss` with 2^first as a separate factor: 2^(doublings g) 2^first. The sum doublings g + first
+/// would add a rounding, 2^-8 in half near the upper end. The gloss is clamped to [0, 1], because a texture
+/// filter may return a value just above 1.
 template <class T>
 T decode_clamped_gloss(const T& gloss, const T& doublings, const T& first) {
   return exp2(doublings * unit_cosine(gloss)) * exp2(first);
 }
 
-/// `von_mises_fisher_near_peak` for every k >= 0, also the uniform density 1/(4 pi) at k = 0: k/(1 - e^(-2k))
-/// is taken first, which is 1/2 there and loses nothing where k is subnormal. The exponential comes in two
-/// equal factors: e^(-k y) alone becomes subnormal, with few digits left, where the factor k still makes a
-/// normal number of it (in half from k y = 10 on).
+/// `von_mises_fisher_near_peak` for every k >= 0, including the uniform density 1/(4 pi) at k = 0. k/(1 -
+/// e^(-2k)) is computed first: it is 1/2 at k = 0 and loses no digits for a subnormal k. The exponential is
+/// split into two equal factors. e^(-k y) alone can be subnormal, with few digits left, although its product
+/// with k is normal (in half from k y = 10 on).
 template <class T>
 T von_mises_fisher_of_any_concentration(const T& one_minus_cos, const T& concentration) {
   const T zero = integer<T>(0), one = integer<T>(1), two = integer<T>(2);
@@ -69,9 +69,9 @@ T von_mises_fisher_of_any_concentration(const T& one_minus_cos, const T& concent
   return peak / (two * pi<T>()) * half * half;
 }
 
-/// `henyey_greenstein_near_peak` for every g in (-1, 1): for g < 0 the function of -g and 1 + c = 2 - y, so
-/// that nothing cancels on either side. In half the powers of 1 - |g| would be subnormal from |g| = 0.99 on;
-/// everything is therefore scaled by 64, a power of two, which changes no digit:
+/// `henyey_greenstein_near_peak` for every g in (-1, 1). For g < 0 it uses -g and 1 + c = 2 - y, so nothing
+/// cancels on either side. In half the powers of 1 - |g| would be subnormal from |g| = 0.99 on. Therefore
+/// everything is scaled by 64; a power of two changes no digit:
 ///   (1 - g^2)/(4 pi b^1.5) = (1 + |g|)/(4 pi) * 4096 (1 - |g|)/b' * 64/sqrt(b'),  b' = 4096 b.
 template <class T>
 T henyey_greenstein_from_both_sides(const T& one_minus_cos, const T& g) {

@@ -19,7 +19,7 @@ T base_two_power(const T& exponent) {
   return exponent / ln2<T>();
 }
 
-/// What `first` becomes where M is decoded instead of s: s/ln 2 = 2^(doublings g + first + log2(1/ln 2)).
+/// The value of `first` that decodes M instead of s: s/ln 2 = 2^(doublings g + first + log2(1/ln 2)).
 template <class T>
 T base_two_first(const T& first) {
   return first + log2(integer<T>(1) / ln2<T>());
@@ -55,20 +55,20 @@ T base_two_normalisation(const T& base_two, const T& factor, const T& constant_t
   return base_two * factor + constant_term;
 }
 
-/// exp(a) by the exponential that a GPU has: exp2(a/ln 2).
+/// exp(a) by exp2, which a GPU has: exp2(a/ln 2).
 template <class T>
 T exp_by_exp2(const T& a) {
   return exp2(a / ln2<T>());
 }
 
-/// log(a) by the logarithm that a GPU has: ln 2 log2(a), a > 0.
+/// log(a) by log2, which a GPU has: ln 2 log2(a), a > 0.
 template <class T>
 T log_by_log2(const T& a) {
   return ln2<T>() * log2(a);
 }
 
-/// A misprint of it: log2(a ln 2). It exceeds log(a) by (1 - ln 2) log2(a) + log2(ln 2), which is 0 at one
-/// place alone, `misprinted_log_is_right_at`.
+/// A misprint of log(a): log2(a ln 2). It exceeds log(a) by (1 - ln 2) log2(a) + log2(ln 2). The difference
+/// is 0 only at `misprinted_log_is_right_at`.
 template <class T>
 T misprinted_log_by_log2(const T& a) {
   return log2(a * ln2<T>());

@@ -2,8 +2,8 @@
 
 #include "approx/scalar.hpp"
 
-/// Spherical harmonics of low order, and what storing them costs. Real harmonics, orthonormal over the sphere
-/// of 4 pi steradians; (x, y, z) is a unit direction, band l has 2 l + 1 of them.
+/// Spherical harmonics of low order. They are real and orthonormal over the sphere of 4 pi steradians. (x, y,
+/// z) is a unit direction; band l has 2 l + 1 harmonics.
 namespace shadefit {
 
 /// The harmonic of band 0, a constant: sqrt(1/(4 pi)).
@@ -32,10 +32,10 @@ T legendre_polynomial(int band, const T& x) {
 }
 
 /// The moment of the clamped cosine, the integral of x P_l(x) over [0, 1]: 1/3 for l = 1, 0 for other odd l,
-/// and for even l (-1)^(l/2 - 1) l! / ((l + 2)(l - 1) 2^l ((l/2)!)^2), here as a product of the ratios of
-/// neighbours: the quotient of l! and 2^l ((l/2)!)^2 gains (n - 1)/n from l = n - 2 to n.
+/// and for even l (-1)^(l/2 - 1) l! / ((l + 2)(l - 1) 2^l ((l/2)!)^2), here as a product of ratios: from l =
+/// n - 2 to l = n, the quotient of l! and 2^l ((l/2)!)^2 is multiplied by (n - 1)/n.
 /// Source: Ramamoorthi, Hanrahan 2001, "An Efficient Representation for Irradiance Environment Maps", which
-/// has it times 2 pi.
+/// states it times 2 pi.
 template <class T>
 T clamped_cosine_moment(int band) {
   if (band == 1) return integer<T>(1) / integer<T>(3);
@@ -45,16 +45,15 @@ T clamped_cosine_moment(int band) {
   return product / (integer<T>(band + 2) * integer<T>(band - 1));
 }
 
-/// The value that band l contributes to max(cos(theta), 0) at theta = 0, from the moment above:
-/// (2 l + 1)/2 times it.
+/// The contribution of band l to max(cos(theta), 0) at theta = 0: (2 l + 1)/2 times the moment above.
 template <class T>
 T peak_of_band(int band, const T& moment) {
   return integer<T>(2 * band + 1) / integer<T>(2) * moment;
 }
 
-/// The share of the energy of max(cos(theta), 0), its squared norm over the sphere, that band l holds:
-/// 3/2 (2 l + 1) times the square of its moment. The norm is 2 pi/3; the band's coefficient is
-/// 2 pi sqrt((2 l + 1)/(4 pi)) times the moment.
+/// The share of band l in the energy of max(cos(theta), 0), its squared norm over the sphere: 3/2 (2 l + 1)
+/// times the square of the moment. The norm is 2 pi/3; the band's coefficient is 2 pi sqrt((2 l + 1)/(4 pi))
+/// times the moment.
 template <class T>
 T energy_of_band(int band, const T& moment) {
   return integer<T>(3 * (2 * band + 1)) / integer<T>(2) * (moment * moment);

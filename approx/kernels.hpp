@@ -4,7 +4,7 @@
 
 #include "approx/scalar.hpp"
 
-/// Other kernels for a lobe: Gauss-Weierstrass and Abel-Poisson, as printed and on the sphere. All have their
+/// Other kernels for a lobe: Gauss-Weierstrass and Abel-Poisson, as printed and on the sphere, with their
 /// peak scaled to 1. theta is the angle to the lobe's axis in radians, c its cosine, y = 1 - c.
 namespace shadefit {
 
@@ -23,7 +23,7 @@ T poisson_of_circle(const T& cos_theta, const T& t) {
   return (one - t * t) / (one - integer<T>(2) * t * cos_theta + t * t);
 }
 
-/// That of the sphere, (1 - t^2)/(1 - 2 t c + t^2)^(3/2); its peak is (1 + t)/(1 - t)^2.
+/// The Abel-Poisson kernel of the sphere, (1 - t^2)/(1 - 2 t c + t^2)^(3/2); its peak is (1 + t)/(1 - t)^2.
 /// Source: Freeden, Gervens, Schreiner 1998, "Constructive Approximation on the Sphere".
 template <class T>
 T poisson_of_sphere(const T& cos_theta, const T& t) {
@@ -32,7 +32,7 @@ T poisson_of_sphere(const T& cos_theta, const T& t) {
   return (one - t * t) / (square * sqrt(square));
 }
 
-/// The m of the two below: 2 t/(1 - t)^2.
+/// The m of the next two functions: 2 t/(1 - t)^2.
 template <class T>
 T poisson_sharpness(const T& t) {
   const T rest = integer<T>(1) - t;
@@ -65,15 +65,15 @@ T heat_weight(int l, const T& t) {
   return integer<T>(2 * l + 1) * exp(-(integer<T>(l) * integer<T>(l + 1) * t));
 }
 
-/// What the terms after l = last can add, at any angle and at most: e^(-last (last + 1) t)/t. |P_l| <= 1, and
-/// the weights are the slopes of -e^(-l (l + 1) t)/t, which fall from (2 l + 1)^2 t > 2 on: their sum is less
-/// than the integral from `last`.
+/// A bound on the terms after l = last at any angle: e^(-last (last + 1) t)/t. |P_l| <= 1, and the weights
+/// are the slopes of -e^(-l (l + 1) t)/t. These slopes fall once (2 l + 1)^2 t > 2, so their sum is less than
+/// the integral from `last`.
 template <class T>
 T heat_tail_bound(int last, const T& t) {
   return exp(-(integer<T>(last) * integer<T>(last + 1) * t)) / t;
 }
 
-/// The sum of weights[l] P_l(c), at least two terms. The heat kernel is this for `heat_weight`, and its peak
+/// The sum of weights[l] P_l(c), at least two terms. With `heat_weight` it is the heat kernel, whose peak is
 /// the sum of the weights.
 template <class T>
 T legendre_series(const T& cos_theta, std::span<const T> weights) {
@@ -88,13 +88,14 @@ T legendre_series(const T& cos_theta, std::span<const T> weights) {
   return sum;
 }
 
-/// How much smaller the error of the Gaussian of the angle is than that of the spherical Gaussian, for sharp
-/// lobes, each at its best: 2/3.
+/// For sharp lobes, the error of the best Gaussian of the angle is 2/3 of the error of the best spherical
+/// Gaussian.
 ///
 /// With u = theta sqrt(k), c^k = e^(-u^2/2) (1 - u^4/(12 k) + ..). The spherical Gaussian is e^(-u^2/2) (1 +
-/// u^4/(24 k) - x u^2/(2 k) + ..), the Gaussian of the angle has no term in u^4: the one misses u^4/8 - x
-/// u^2/2, the other u^4/12 - x' u^2/2, which is 2/3 of it for x' = 2 x/3. The heat kernel differs from the
-/// Gaussian of the angle by sqrt(theta/sin theta) = 1 + u^2/(12 k) + .., which only moves x'.
+/// u^4/(24 k) - x u^2/(2 k) + ..), the Gaussian of the angle has no term in u^4. The error of the first is
+/// u^4/8 - x u^2/2; that of the second is u^4/12 - x' u^2/2, which is 2/3 of the first for x' = 2 x/3. The
+/// heat kernel differs from the Gaussian of the angle by sqrt(theta/sin theta) = 1 + u^2/(12 k) + .., which
+/// only moves x'.
 template <class T>
 T gaussian_error_ratio() {
   const T of_angle = integer<T>(1) / integer<T>(12), spherical = integer<T>(1) / integer<T>(8);

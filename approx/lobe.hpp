@@ -44,8 +44,9 @@ T gaussian_lobe_near_peak(const T& one_minus_cos, const T& exponent, const T& of
   return exp(-((exponent + offset) * one_minus_cos));
 }
 
-/// log of c^k over the plain Gaussian exp(k(c - 1)): k (log(c) + y) <= 0. Free of the offset. Near the peak
-/// log(c) is taken from y, where the sum would cancel; near c = 0 from c, which y = 1 - c has lost there.
+/// log of c^k over the plain Gaussian exp(k(c - 1)): k (log(c) + y) <= 0. It does not depend on the offset.
+/// Near the peak, where the sum would cancel, log(c) is computed from y. Near c = 0 it is computed from c,
+/// because y = 1 - c has lost the digits of c.
 template <class T>
 T lobe_log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) {
   const auto near_horizon = [&] { return log(cos_theta) + one_minus_cos; };
@@ -54,16 +55,16 @@ T lobe_log_ratio(const T& cos_theta, const T& one_minus_cos, const T& exponent) 
 }
 
 /// form - target without cancellation, for a form base * exp(change) and a target base * exp(L): base
-/// (expm1(change) - expm1(L)). Near the peak of a lobe both exponents are small against that of the base, and
-/// the plain difference would lose log10(k) digits. `change` is what of the form depends on its parameter,
-/// `ratio_minus_one` = expm1(L); L = -infinity (a target of 0) gives the form itself. The spherical Gaussian:
-/// base exp(-k y), change -x y, L `lobe_log_ratio`.
+/// (expm1(change) - expm1(L)). Near the peak of a lobe, change and L are small compared with the exponent of
+/// the base, and the plain difference would lose log10(k) digits. `change` is the part of the form's exponent
+/// that depends on its parameter, `ratio_minus_one` = expm1(L); L = -infinity (a target of 0) gives the form
+/// itself. The spherical Gaussian: base exp(-k y), change -x y, L `lobe_log_ratio`.
 template <class T>
 T lobe_error(const T& base, const T& change, const T& ratio_minus_one) {
   return base * (expm1(change) - ratio_minus_one);
 }
 
-/// form / target - 1 for the same: expm1(change - L).
+/// form / target - 1 for the form and target of `lobe_error`: expm1(change - L).
 template <class T>
 T lobe_relative_error(const T& change, const T& log_ratio) {
   return expm1(change - log_ratio);
@@ -82,21 +83,21 @@ T scaled_lobe_error(const T& base, const T& scale, const T& change, const T& rat
   return base * ((scale - integer<T>(1)) + scale * expm1(change) - ratio_minus_one);
 }
 
-/// form / target - 1 for the same: (scale - 1) + scale expm1(change - L).
+/// form / target - 1 for that form: (scale - 1) + scale expm1(change - L).
 template <class T>
 T scaled_lobe_relative_error(const T& scale, const T& change, const T& log_ratio) {
   return (scale - integer<T>(1)) + scale * lobe_relative_error(change, log_ratio);
 }
 
-/// How a quantity approaches its limit as k grows: x(k) = limit + slope / k + O(1/k^2).
+/// The behaviour of a quantity for large k: x(k) = limit + slope / k + O(1/k^2).
 template <class T>
 struct ApproachLaw {
   T limit;
   T slope;
 };
 
-/// The law of the least-squares offset under a measure that is y^(p-1) (1 + w y + ..) dy near the peak:
-/// p = 1, w = 0 for the cosine measure dc; p = 1/2, w = 1/4 for the angle, d theta = dy / sqrt(2y - y^2).
+/// The least-squares offset for large k under a measure y^(p-1) (1 + w y + ..) dy near the peak: p = 1, w = 0
+/// for the cosine measure dc; p = 1/2, w = 1/4 for the angle, d theta = dy / sqrt(2y - y^2).
 ///
 /// With t = k y the condition  integral of measure * (M - T) M y = 0  for M = exp(-t - x t/k) and
 /// T = exp(-t - t^2/(2k) - t^3/(3k^2) - ..) reads, g(n) = Gamma(n) / 2^n being the integral of t^(n-1)

@@ -3,19 +3,20 @@
 #include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
 
-/// How far spherical Gaussians are from c^k and from each other, in closed forms and in laws for sharp and
-/// for blunt lobes. c, y = 1 - c, k and x as in approx/lobe.hpp.
+/// Differences between spherical Gaussians and c^k, and between two spherical Gaussians: closed forms, and
+/// limits for sharp and for blunt lobes. c, y = 1 - c, k and x as in approx/lobe.hpp.
 namespace shadefit {
 
-/// Where exp(-a y) and exp(-b y), 0 < a < b, are furthest apart over y in [0, 1]: a exp(-a y) = b exp(-b y)
-/// at y = log(b/a)/(b - a), or at the horizon y = 1 for lobes so blunt that this lies beyond it.
+/// The y in [0, 1] of the largest difference between exp(-a y) and exp(-b y), 0 < a < b. There a exp(-a y) =
+/// b exp(-b y), so y = log(b/a)/(b - a). For very blunt lobes this exceeds 1, and the horizon y = 1 is
+/// returned.
 template <class T>
 T widest_gap_at(const T& a, const T& b) {
   return min(integer<T>(1), log1p((b - a) / a) / (b - a));
 }
 
-/// The largest difference of two spherical Gaussians of sharpness 0 < a < b over c in [0, 1]. Where it lies
-/// inside it is (a/b)^(a/(b-a)) (b-a)/b, which tends to (b-a)/(e a) as both grow.
+/// The largest difference of two spherical Gaussians of sharpness 0 < a < b over c in [0, 1]. In the interior
+/// it is (a/b)^(a/(b-a)) (b-a)/b, which tends to (b-a)/(e a) as both grow.
 template <class T>
 T widest_gap(const T& a, const T& b) {
   const T y = widest_gap_at(a, b);
@@ -34,8 +35,8 @@ T largest_error_law(const T& offset) {
   return max(difference(far), -difference(near));
 }
 
-/// log((1 + exp(-x y))/2) - log(c^k / exp(-k y)): 0 where the plain Gaussian is as far above c^k as the one
-/// with the offset x is below it, negative nearer to the peak, where the plain one is the closer.
+/// log((1 + exp(-x y))/2) - log(c^k / exp(-k y)). It is 0 where the plain Gaussian is as far above c^k as the
+/// Gaussian with offset x is below. It is negative nearer to the peak, where the plain Gaussian is closer.
 ///
 /// It is convex in y, 0 at the peak and falls there with slope -x/2: its slope is
 /// -x/(1 + exp(x y)) + k y/(1 - y), and both terms grow. So for every k and every x > 0 there is one
@@ -54,8 +55,8 @@ ApproachLaw<T> peak_crossing_law(const T& offset) {
   return {offset, -(slope * offset * offset)};
 }
 
-/// How the least-squares offset goes to 0 with k: x = slope k. A blunt lobe is 1 + k log(c) and its Gaussian
-/// 1 - (k+x) y, so the condition is linear: x/k + 1 = integral of -log(c) y / integral of y^2.
+/// The least-squares offset for small k: x = slope k. A blunt lobe is 1 + k log(c) and its Gaussian 1 - (k+x)
+/// y, so the condition is linear: x/k + 1 = integral of -log(c) y / integral of y^2.
 template <class T>
 T blunt_offset_slope(const T& integral_of_log, const T& integral_of_square) {
   return integral_of_log / integral_of_square - integer<T>(1);

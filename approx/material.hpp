@@ -15,8 +15,8 @@ T metallic_albedo(const T& base_colour, const T& metallic) {
   return base_colour - base_colour * metallic;
 }
 
-/// The reflectance at normal incidence of the metallic workflow: from that of every dielectric (m = 0) to the
-/// base colour c (m = 1), in a line. Source: as above.
+/// The reflectance at normal incidence of the metallic workflow: linear from the common value of all
+/// dielectrics (m = 0) to the base colour c (m = 1). Source: as above.
 template <class T>
 T metallic_f0(const T& dielectric_f0, const T& base_colour, const T& metallic) {
   return dielectric_f0 + metallic * (base_colour - dielectric_f0);
@@ -37,11 +37,11 @@ T mean_schlick_reflectance(const T& f0) {
   return f0 + (integer<T>(1) - f0) / integer<T>(21);
 }
 
-// What a Lambertian term under a mirror-like surface may be multiplied by, so that both together reflect no
-// more than comes in. F_i and F_o are the surface's reflectances towards the light and the view, f0 that at
-// normal incidence. All named as the records write them.
+// Factors for a Lambertian term under a mirror-like surface, so that the sum reflects no more than comes in.
+// F_i and F_o are the surface's reflectances towards the light and the view, f0 its reflectance at normal
+// incidence. The names are those of the records.
 
-/// (1-F_i)(1-F_o): what gets in times what of it gets out again. Reciprocal.
+/// (1-F_i)(1-F_o): the transmittance in times the transmittance out. Reciprocal.
 /// Source: Shirley, Smits, Hu, Lafortune 1997, "A Practitioners' Assessment of Light Reflection Models".
 struct TransmittedBothWays {
   static constexpr std::string_view name = "(1-F_i)(1-F_o)";
@@ -51,7 +51,7 @@ struct TransmittedBothWays {
   }
 };
 
-/// 1-F_i: what gets in. Not reciprocal.
+/// 1-F_i: the transmittance in. Not reciprocal.
 struct TransmittedIn {
   static constexpr std::string_view name = "1-F_i";
   template <class T>
@@ -60,7 +60,7 @@ struct TransmittedIn {
   }
 };
 
-/// 1-F0: what gets in at normal incidence. Reciprocal, and free.
+/// 1-F0: the transmittance at normal incidence. Reciprocal, and costs nothing.
 struct TransmittedAtNormal {
   static constexpr std::string_view name = "1-F0";
   template <class T>
@@ -69,7 +69,7 @@ struct TransmittedAtNormal {
   }
 };
 
-/// 1: the surface is left out of the account.
+/// 1: ignores the surface.
 struct Unattenuated {
   static constexpr std::string_view name = "1";
   template <class T>
@@ -78,8 +78,8 @@ struct Unattenuated {
   }
 };
 
-/// How the codes of a chart may have been read. The chart says sRGB; the first of the others is its usual
-/// stand-in, the second that with the slip of dividing an 8-bit code by 256.
+/// Possible decodings of a chart's codes. The chart says sRGB. The first alternative is the usual
+/// approximation of sRGB; the second is the same, but wrongly divides the 8-bit code by 256.
 inline constexpr std::string_view chart_convention = "sRGB";
 inline constexpr std::string_view other_chart_conventions = "gamma 2.2, gamma 2.2 of code/256";
 

@@ -7,21 +7,21 @@
 ///
 /// m is a microfacet's normal, n that of the surface, v the view; alpha > 0 is the width of a distribution,
 /// the square of what artists call roughness (Burley 2012). D(m) is the microfacets' area per unit of surface
-/// and solid angle of m, 0 for n.m <= 0. Two identities make it one:
+/// and solid angle of m, 0 for n.m <= 0. A distribution satisfies two identities:
 ///   integral of D(m) (n.m) = 1           over the sphere of normals: they cover the surface,
-///   integral of G1(v) D(m) max(v.m,0) = v.n     what of them is seen covers what is seen of it.
+///   integral of G1(v) D(m) max(v.m,0) = v.n the visible microfacets cover the visible surface.
 /// Source: Walter, Marschner, Li, Torrance 2007; Heitz 2014, which calls the second the constraint on G1.
 namespace shadefit {
 
-/// The angle between m and n, by the squares of its cosine and of its sine: near the normal and near the
-/// horizon one of them has lost what the other keeps.
+/// The angle between m and n, as the squares of its cosine and sine. Near the normal the sine keeps the
+/// digits, near the horizon the cosine.
 template <class T>
 struct MicrofacetNormal {
   T cos2;
   T sin2;
 };
 
-/// log((n.m)^2), from the smaller of both squares.
+/// log((n.m)^2), from the smaller of the two squares.
 template <class T>
 T log_cos2(const MicrofacetNormal<T>& m) {
   return choose(
@@ -42,8 +42,8 @@ T blinn_phong_exponent(const T& alpha) {
   return two / (alpha * alpha) - two;
 }
 
-/// Blinn-Phong: 1/(pi alpha^2) (n.m)^s with s = 2/alpha^2 - 2, that is (s + 2)/(2 pi) (n.m)^s. 0 < alpha < 1;
-/// at alpha = 1 it is 1/pi, but at the horizon, where 0^0 is not a number.
+/// Blinn-Phong: 1/(pi alpha^2) (n.m)^s with s = 2/alpha^2 - 2, that is (s + 2)/(2 pi) (n.m)^s. 0 < alpha < 1.
+/// At alpha = 1 it is 1/pi except at the horizon, where 0^0 gives NaN.
 template <class T>
 T blinn_phong_distribution(const MicrofacetNormal<T>& m, const T& alpha) {
   const T half_exponent = blinn_phong_exponent(alpha) / integer<T>(2);
@@ -66,8 +66,8 @@ T ggx_distribution(const MicrofacetNormal<T>& m, const T& alpha) {
   return alpha * alpha / (pi<T>() * e * e);
 }
 
-/// (alpha^2 - 1)/log(alpha^2), whose limit at alpha = 1 is 1: there, where it is 0/0, by the first terms of
-/// its series 1 + x/2, x = alpha^2 - 1. Beside it nothing is lost: x = (alpha - 1)(alpha + 1) and
+/// (alpha^2 - 1)/log(alpha^2). At alpha = 1, where it is 0/0 with the limit 1, the first terms of its series
+/// are used: 1 + x/2, x = alpha^2 - 1. Next to it no digits are lost: x = (alpha - 1)(alpha + 1) and
 /// log(alpha^2) = 2 log(alpha) are as exact as alpha itself.
 template <class T>
 T gtr1_factor(const T& alpha) {
@@ -96,7 +96,7 @@ T beckmann_lambda(const T& slope) {
   return slope * exp(-(a * a)) / (two * sqrt(pi<T>())) - erfc(a) / two;
 }
 
-/// Smith's Lambda for GGX: (sqrt(1 + slope^2) - 1)/2, written without its cancellation at a flat slope.
+/// Smith's Lambda for GGX: (sqrt(1 + slope^2) - 1)/2, rearranged to avoid cancellation at small slopes.
 /// Source: Heitz 2014; Walter, Marschner, Li, Torrance 2007.
 template <class T>
 T ggx_lambda(const T& slope) {
@@ -104,14 +104,14 @@ T ggx_lambda(const T& slope) {
   return slope2 / (integer<T>(2) * (sqrt(one + slope2) + one));
 }
 
-/// Smith's masking: the part G1 = 1/(1 + Lambda) of the microfacets facing v that is seen from there.
+/// Smith's masking G1 = 1/(1 + Lambda): the visible fraction of the microfacets that face v.
 template <class T>
 T smith_masking(const T& lambda) {
   return integer<T>(1) / (integer<T>(1) + lambda);
 }
 
-/// The circle of normals at one angle to n, seen from v: the integral over its azimuth of max(v.m, 0), where
-/// `arc` is the part of the circle that faces v: v.m = cos(theta_v) cos + sin(theta_v) sin cos(phi).
+/// The circle of normals at one angle to n: the integral of max(v.m, 0) over its azimuth. `arc` is the part
+/// of the circle that faces v: v.m = cos(theta_v) cos + sin(theta_v) sin cos(phi).
 template <class T>
 T facing_circle(const Direction<T>& view, const Direction<T>& normal, const Arc<T>& arc) {
   return arc_of_line(T(view.cosine * normal.cosine), T(view.sine * normal.sine), arc);

@@ -11,13 +11,13 @@
 
 /// Normalisation constants of BRDFs and of the microfacet distribution, with view and normal aligned (v = n).
 /// theta is the angle to the normal, y = 1 - cos(theta) in [0, 1], alpha > 0 the specular exponent. Each lobe
-/// is written over y, where it keeps its digits at alpha = 1e6; over the hemisphere d omega = 2 pi dy.
+/// is a function of y, so it keeps its digits at alpha = 1e6. Over the hemisphere d omega = 2 pi dy.
 ///
-/// With v = n the reflected view vector is n itself, so r.v = cos(theta), and the half vector bisects, so
-/// n.h = cos(theta/2). A published constant is 1 over the lobe's integral.
+/// With v = n the reflected view vector is n, so r.v = cos(theta). The half vector bisects the angle, so n.h
+/// = cos(theta/2). A published constant is 1 over the lobe's integral.
 namespace shadefit {
 
-/// Lambert: n.l. alpha plays no part.
+/// Lambert: n.l. It does not use alpha.
 struct LambertLobe {
   static constexpr Normalisation record{"norm-lambert", "n.l", "1/pi", false, sources::lagarde_2011_adopting};
   static constexpr double sharpness = 0;  ///< the lobe falls at least as fast as exp(-sharpness alpha y)
@@ -95,10 +95,9 @@ struct BlinnPhongBrdfLobe {
   }
 };
 
-/// The cheap stand-in for the constant of the Blinn-Phong BRDF: right in the limits a = 0 and infinity, and
-/// too large by up to 7.5 % between them. Its source names it as given elsewhere, and quotes Naty Hoffman: "a
-/// cheap approximation which is close to 1", that is with a reflectance close to 1, the more so for low
-/// powers.
+/// A cheap approximation of the constant of the Blinn-Phong BRDF: exact in the limits a = 0 and infinity, and
+/// up to 7.5 % too large between them. Its source cites it from elsewhere and quotes Naty Hoffman: "a cheap
+/// approximation which is close to 1". This means a reflectance close to 1, especially for low powers.
 struct BlinnPhongCheapLobe {
   static constexpr Normalisation record{
       .id = "norm-blinn-phong-cheap",
@@ -135,8 +134,9 @@ struct DistributionLobe {
   }
 };
 
-/// The microfacet BRDF D(h) / 4: a quarter of the distribution's constant, without an integral of its own, so
-/// its lobe is 4 D(m) (n.m). In a game's light unit, which has absorbed pi, it is (a+2)/8.
+/// The microfacet BRDF D(h) / 4. It has no integral of its own; its constant is a quarter of the
+/// distribution's, so its lobe is 4 D(m) (n.m). In a game's light unit, which absorbs pi, the constant is
+/// (a+2)/8.
 struct MicrofacetLobe {
   static constexpr Normalisation record{"norm-microfacet", "4 D(m) (n.m), D = (n.m)^a", "(a+2)/(8 pi)", true,
                                         sources::lagarde_2011_adopting};
@@ -155,7 +155,6 @@ struct MicrofacetLobe {
 using NormalisedLobes = std::tuple<LambertLobe, PhongLobe, PhongBrdfLobe, BlinnPhongLobe, BlinnPhongBrdfLobe,
                                    BlinnPhongCheapLobe, DistributionLobe, MicrofacetLobe>;
 
-/// The records of all of them.
 inline constexpr auto normalisations = []<class... Lobe>(std::type_identity<std::tuple<Lobe...>>) {
   return std::array{Lobe::record...};
 }(std::type_identity<NormalisedLobes>{});

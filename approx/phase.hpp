@@ -15,8 +15,8 @@ T henyey_greenstein(const T& cos_theta, const T& g) {
   return (one - g * g) / (integer<T>(4) * pi<T>() * power(base, integer<T>(3) / two));
 }
 
-/// The same from y = 1 - c: 1 + g^2 - 2 g c = (1 - g)^2 + 2 g y, which for g > 0 has nothing to cancel,
-/// however close g is to 1. For g < 0 ask with -g and 1 + c: the function only knows the product g c.
+/// The same from y = 1 - c: 1 + g^2 - 2 g c = (1 - g)^2 + 2 g y. For g > 0 nothing cancels, even for g close
+/// to 1. For g < 0 pass -g and 1 + c: the function depends on c only through the product g c.
 template <class T>
 T henyey_greenstein_near_peak(const T& one_minus_cos, const T& g) {
   const T one = integer<T>(1), two = integer<T>(2);
@@ -33,7 +33,7 @@ T henyey_greenstein_by_sqrt(const T& cos_theta, const T& g) {
   return (one - g * g) / (integer<T>(4) * pi<T>() * (base * sqrt(base)));
 }
 
-/// The k with which `schlick_phase` stands for Henyey-Greenstein's g: a g - b g^3, printed 1.55 and 0.55.
+/// The k with which `schlick_phase` approximates Henyey-Greenstein of g: a g - b g^3, printed 1.55 and 0.55.
 /// Source: Pharr, Humphreys 2010, "Physically Based Rendering", 2nd edition, section 11.2.
 template <class T>
 T schlick_phase_parameter(const T& g, const T& a, const T& b) {
@@ -50,11 +50,11 @@ T schlick_phase(const T& cos_theta, const T& k) {
   return (one - k * k) / (integer<T>(4) * pi<T>() * (base * base));
 }
 
-/// The share of the light that is scattered into the cone from c = 1 to c = 1 - y, y in [0, 2]:
+/// The fraction of the light that is scattered into the cone from c = 1 to c = 1 - y, y in [0, 2]:
 ///   2 pi times the integral of the function = (1 - g^2)/(2g) (1/(1-g) - 1/d), d^2 = (1-g)^2 + 2 g y,
 ///   = (1 + g) y/(d (d + 1 - g)), since d^2 - (1-g)^2 = 2 g y.
-/// The second line is free of 0/0 at g = 0, and at y = 2, where d = 1 + g, it is 1. For g near -1, where d
-/// cancels, it is 1 minus the share of -g from the other side.
+/// The second line has no 0/0 at g = 0. At y = 2, where d = 1 + g, it is 1. For g near -1 d cancels; use 1
+/// minus the fraction for -g from the other side.
 template <class T>
 T henyey_greenstein_within(const T& one_minus_cos, const T& g) {
   const T one = integer<T>(1);

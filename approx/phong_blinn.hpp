@@ -33,16 +33,17 @@ T log_half_cosine(const T& one_minus_cos, const T& half_remainder) {
   return (half_remainder - one_minus_cos / two) / two;
 }
 
-/// log of cos^rho(theta) over cos^(4 rho)(theta/2), and free of the factor: rho (log(1-y) - 2 log(1-y/2)).
-/// Both terms begin with -y, which the remainders leave out: the first is `lobe_log_ratio`, the second from
-/// R = log1p_remainder(-y/2). With h = log(cos(theta/2)) this is the L of `lobe_error` for the base exp(4 rho
-/// h) and the change (x - 4) rho h.
+/// log of cos^rho(theta) over cos^(4 rho)(theta/2). It does not depend on the factor x: rho (log(1-y) - 2
+/// log(1-y/2)). Both terms begin with -y, which cancels: the first term is `lobe_log_ratio`, the second comes
+/// from R = log1p_remainder(-y/2). With h = log(cos(theta/2)) this is the L of `lobe_error` for the base
+/// exp(4 rho h) and the change (x - 4) rho h.
 template <class T>
 T phong_blinn_log_ratio(const T& lobe_log_ratio, const T& half_remainder, const T& exponent) {
   return lobe_log_ratio - integer<T>(2) * exponent * half_remainder;
 }
 
-/// The law of the least-squares factor under a measure y^(p-1) dy (1 + ..) near the peak: 4 + (p+2)/(2 rho).
+/// The least-squares factor for large rho under a measure y^(p-1) dy (1 + ..) near the peak: 4 + (p+2)/(2
+/// rho).
 ///
 /// With t = rho y and x = 4 + d, cos^rho = exp(-t - t^2/(2 rho) - ..) and the Blinn lobe is
 /// exp(-t - d t/4 - t^2/(4 rho) - ..); their difference, exp(-t) (t^2/(4 rho) - d t/4), has to be orthogonal
@@ -97,36 +98,36 @@ T twice_blinn_cosine(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
   return power(n_dot_l + n_dot_v, 2) / (integer<T>(1) + l_dot_v) - integer<T>(1);
 }
 
-/// The square of the volume that n, l and v span, their Gram determinant: not negative, and 0 only where they
-/// lie in one plane.
+/// The Gram determinant of n, l and v, the square of the volume that they span: never negative, and 0 only if
+/// they lie in one plane.
 template <class T>
 T squared_volume(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
   return integer<T>(1) - n_dot_l * n_dot_l - n_dot_v * n_dot_v - l_dot_v * l_dot_v +
          integer<T>(2) * n_dot_l * n_dot_v * l_dot_v;
 }
 
-/// phong_cosine - twice_blinn_cosine = squared_volume/(1 + l.v): put both over 1 + l.v, and what is left is
-/// the determinant. So twice the Blinn angle is never less than the Phong angle, and equal to it in a plane
-/// alone.
+/// phong_cosine - twice_blinn_cosine = squared_volume/(1 + l.v): over the common denominator 1 + l.v, the
+/// numerator is the determinant. So twice the Blinn angle is never less than the Phong angle, and equal only
+/// if the vectors lie in one plane.
 template <class T>
 T blinn_cosine_excess(const T& n_dot_l, const T& n_dot_v, const T& l_dot_v) {
   return squared_volume(n_dot_l, n_dot_v, l_dot_v) / (integer<T>(1) + l_dot_v);
 }
 
-/// sin of half the most by which twice the Blinn angle exceeds the Phong angle for that view, over all lights
-/// above the surface: 1 - n.v. It is reached by a light on the horizon with l.v = n.v - 1.
+/// sin(e/2) for the largest excess e of twice the Blinn angle over the Phong angle, over all lights above the
+/// surface: 1 - n.v. It is reached by a light on the horizon with l.v = n.v - 1.
 ///
 /// With n.l = 0 and u = 1 + l.v, sin(phong/2) = sqrt(u/2) and cos(blinn) = n.v/sqrt(2u): the sum of the two
-/// arc sines, pi/2 less half the excess, is smallest for equal sines, since their product n.v/2 is given.
-/// That no light above the horizon does worse is not derived here but searched.
+/// arc sines, pi/2 less half the excess, is smallest for equal sines, since their product n.v/2 is fixed.
+/// That lights above the horizon give no larger excess is checked by search, not derived here.
 template <class T>
 T sine_of_half_excess(const T& n_dot_v) {
   return integer<T>(1) - n_dot_v;
 }
 
-/// The Phong angle over the Blinn angle as both go to 0 across the plane of n and v: 2 n.v. A light e off the
-/// mirror direction moves r by e, and h, which is (l + v)/(2 n.v) there, by e/(2 n.v). Along the plane it
-/// is 2.
+/// The limit of Phong angle over Blinn angle as both go to 0 perpendicular to the plane of n and v: 2 n.v. A
+/// light at the angle e from the mirror direction moves r by e. It moves h, which is (l + v)/(2 n.v) there,
+/// by e/(2 n.v). Within the plane the limit is 2.
 template <class T>
 T angle_ratio_across(const T& n_dot_v) {
   return integer<T>(2) * n_dot_v;

@@ -3,18 +3,18 @@
 #include "approx/lobe.hpp"
 #include "approx/scalar.hpp"
 
-/// What a Phong or Blinn-Phong lobe sends up when it is seen from an angle: the directional reflectance
+/// The directional reflectance of a Phong or Blinn-Phong lobe, seen from the angle theta_v:
 ///   R(theta_v) = constant * integral over the hemisphere n.l >= 0 of the lobe [times n.l].
 /// n is the normal, v the view, theta_v the angle between them, r the view mirrored at n, l the light, h the
 /// half vector of l and v.
 ///
-/// In polar coordinates around the lobe's axis one azimuth integral is left in closed form; in the angles
-/// from a pole that is square to both n and v nothing is bent at the horizon. These are two independent ways
-/// to the same number.
+/// The number is computed in two independent ways. In polar coordinates around the lobe's axis, the azimuth
+/// integral has a closed form. In longitude and latitude around a pole perpendicular to n and v, the
+/// integrand has no kink at the horizon.
 namespace shadefit {
 
-/// The part |phi| < angle of a circle, 0 <= angle <= pi, with its sine and cosine: where on a circle around
-/// the axis the light is above the horizon.
+/// The part |phi| < angle of a circle, 0 <= angle <= pi, with its sine and cosine: the part of a circle
+/// around the axis where the light is above the horizon.
 template <class T>
 struct Arc {
   T angle;
@@ -22,7 +22,7 @@ struct Arc {
   T cosine;
 };
 
-/// An integral of a lobe as it stands, or of the lobe times n.l.
+/// The integrals of a lobe and of the lobe times n.l.
 template <class T>
 struct LobeIntegrand {
   T plain;
@@ -92,8 +92,8 @@ T cosine_power(const T& angle, const T& exponent) {
 
 /// The Phong lobe by its longitude. Let z be the component of l along the pole n x r and g the longitude of l
 /// around it, counted from r; d omega = dz dg. Then r.l = sqrt(1-z^2) cos(g) and, n being at g = theta_v,
-/// n.l = sqrt(1-z^2) sin(g + e) with the elevation e = pi/2 - theta_v of the view. What is above the horizon
-/// and in front of r is the lune -e < g < pi/2, and the integral is a product: this factor over g, times
+/// n.l = sqrt(1-z^2) sin(g + e) with the elevation e = pi/2 - theta_v of the view. The directions above the
+/// horizon and in front of r form the lune -e < g < pi/2. The integral is a product: this factor over g times
 /// `phong_latitude` over -1 < z < 1.
 template <class T>
 LobeIntegrand<T> phong_longitude(const T& g, const T& alpha, const T& elevation) {
@@ -109,9 +109,9 @@ LobeIntegrand<T> phong_latitude(const T& z, const T& alpha) {
           power_lobe_near_peak(T(z * z), T((alpha + integer<T>(1)) / two))};
 }
 
-/// The Blinn-Phong lobe by the longitude of h around the pole, and z its component along the pole. With the
-/// longitude g counted from where the horizon begins, n at e/2 and v at pi/2 - e/2 (e the elevation of the
-/// view), n.h = sqrt(1-z^2) cos(g - e/2) and v.h = sqrt(1-z^2) sin(g + e/2), so that
+/// The Blinn-Phong lobe by the longitude of h around the pole; z is the component of h along the pole. The
+/// longitude g is counted from the start of the horizon, with n at e/2 and v at pi/2 - e/2 (e the elevation
+/// of the view). Then n.h = sqrt(1-z^2) cos(g - e/2) and v.h = sqrt(1-z^2) sin(g + e/2), so that
 ///   n.l = 2 (v.h)(n.h) - n.v = (1-z^2)(sin 2g + sin e) - sin e,
 /// which is positive for 0 < g < pi/2 and z^2 < sin 2g / (sin 2g + sin e), see `horizon_latitude`. The
 /// integrand 4 (v.h)(n.h)^a, per dz dg, is this factor over g times (1-z^2)^((a+1)/2).
@@ -121,21 +121,21 @@ T blinn_phong_longitude(const T& g, const T& alpha, const T& elevation) {
   return integer<T>(4) * cosine_power(T(g - half), alpha) * sin(g + half);
 }
 
-/// Integrals over the latitude z, of the lobe and of z^2 times the lobe.
+/// Integrals over the latitude z of the lobe and of z^2 times the lobe.
 template <class T>
 struct LatitudeMoments {
   T one;
   T z_squared;
 };
 
-/// The z at which the light of `blinn_phong_longitude` stands at the horizon.
+/// The z at which the light of `blinn_phong_longitude` is on the horizon.
 template <class T>
 T horizon_latitude(const T& g, const T& elevation) {
   const T s = sin(integer<T>(2) * g);
   return sqrt(s / (s + sin(elevation)));
 }
 
-/// The other factor of `blinn_phong_longitude`: (1-z^2)^((a+1)/2), as it stands and times z^2.
+/// The other factor of `blinn_phong_longitude`: (1-z^2)^((a+1)/2), alone and times z^2.
 template <class T>
 LatitudeMoments<T> blinn_phong_latitude(const T& z, const T& alpha) {
   const T z2 = z * z;
@@ -143,8 +143,8 @@ LatitudeMoments<T> blinn_phong_latitude(const T& z, const T& alpha) {
   return {lobe, lobe * z2};
 }
 
-/// What the two factors make at one longitude, from the integrals of `blinn_phong_latitude` over z:
-/// n.l = sin 2g - z^2 (sin 2g + sin e), multiplied out from `blinn_phong_longitude`.
+/// The integrand at one longitude, from the integrals of `blinn_phong_latitude` over z: n.l = sin 2g - z^2
+/// (sin 2g + sin e), multiplied out from `blinn_phong_longitude`.
 template <class T>
 LobeIntegrand<T> blinn_phong_meridian(const T& g, const T& alpha, const T& elevation,
                                       const LatitudeMoments<T>& latitude) {

@@ -19,9 +19,8 @@
 /// standard types have theirs here; the others live in fit/ (jet, two lanes, multiprecision, interval, half).
 /// A symbolic scalar is one more such specialisation.
 ///
-/// The names are function objects, not functions: an object found by name lookup switches argument-dependent
-/// lookup off, so `exp(x)` in a formula can never reach an `exp` of another library that would leave the
-/// scalar.
+/// The names are function objects, not functions. Finding an object turns argument-dependent lookup off, so
+/// `exp(x)` in a formula never calls the `exp` of another library.
 ///
 /// Rules for a formula: no `if`, no comparison (use `select(less(a, b), x, y)`), no floating literal (use
 /// `integer<T>(5)`, `constant<T>("0.775")`, `pi<T>()`, `ln2<T>()`), every argument of the same type T, result
@@ -133,7 +132,7 @@ struct Select {
 };
 
 struct Choose {
-  /// A scalar whose conditions may be plainly true or false brings its own `choose`.
+  /// A scalar whose conditions can be decided brings its own `choose`.
   template <class Condition, class A, class B>
   auto operator()(const Condition& condition, const A& a, const B& b) const {
     using T = decltype(a());
@@ -211,8 +210,8 @@ inline constexpr vocabulary::Atan atan{};
 inline constexpr vocabulary::Less less{};
 /// condition ? a : b; where an interval cannot decide, the hull of both.
 inline constexpr vocabulary::Select select{};
-/// select(condition, a(), b()) for branches that are dear: where the condition is plainly true or false, only
-/// that one is computed.
+/// select(condition, a(), b()) for expensive branches: if the condition is decided, only one branch is
+/// computed.
 inline constexpr vocabulary::Choose choose{};
 inline constexpr vocabulary::Min min{};
 inline constexpr vocabulary::Max max{};
@@ -247,14 +246,14 @@ T ln2() {
 
 namespace detail {
 
-/// Terms of log1p_remainder's series that a type needs where each adds at least that many bits; an even
-/// number.
+/// The number of terms of log1p_remainder's series that a type needs if each adds at least `bits` bits; an
+/// even number.
 template <std::floating_point T>
 constexpr std::size_t remainder_terms(int bits) {
   return static_cast<std::size_t>(std::numeric_limits<T>::digits / bits / 2 * 2 + 2);
 }
 
-/// 1/3, 1/5, 1/7 .. for a sum that is as exact as a T.
+/// 1/3, 1/5, 1/7 .. for a sum with the precision of T.
 template <std::floating_point T, std::floating_point Term = T>
 inline constexpr auto reciprocals_of_odd = [] {
   std::array<Term, remainder_terms<T>(3)> r{};
@@ -262,14 +261,14 @@ inline constexpr auto reciprocals_of_odd = [] {
   return r;
 }();
 
-/// In which log1p_remainder sums its series from the third term on. The rest is at most 1/180 of the sum and
-/// that at most 1/7 of the result: where a T has the 64 bits of an extended double, a double's rounding of it
-/// adds one to two of the T's own, in half the time.
+/// The type in which log1p_remainder sums its series from the third term on. These terms are at most 1/180 of
+/// the sum, and the sum is at most 1/7 of the result. If T is an extended double (64 bits), summing them in
+/// double adds one to two roundings of T and halves the time.
 template <std::floating_point T>
 using RemainderTail = std::conditional_t<std::numeric_limits<T>::digits == 64, double, T>;
 
-/// r (2 r^2 (1/3 + r^2/5 + ..) - x), see `log1p_remainder`, as exact as an R; T may be several R at once, the
-/// largest r^2 among which is `largest`.
+/// r (2 r^2 (1/3 + r^2/5 + ..) - x), see `log1p_remainder`, with the precision of R. T may hold several R;
+/// `largest` is the largest r^2 among them.
 template <std::floating_point R, class T, class Tail>
 T remainder_by_series(const T& x, const T& r, const T& r2, R largest) {
   const int bits = largest * 65536 < 1 ? 16 : largest * 256 < 1 ? 8 : 3;
@@ -314,8 +313,8 @@ struct Scalar<T> {
   /// With r = x/(2+x), log(1+x) = 2 atanh(r) = 2 r (1 + r^2/3 + r^4/5 + ..) and 2 r - x = -x r, so
   ///   log1p(x) - x = r (2 r^2 (1/3 + r^2/5 + ..) - x).
   /// For |x| <= 1/2 the first term in the bracket stays below |x|/2.5: no cancellation, and r^2 <= 1/9, so
-  /// that each term of the sum adds 3 bits; below 1/9 (r^2 < 1/256) it adds 8, below 1/129 (r^2 < 2^-16) 16.
-  /// Beyond 1/2, log1p(x) - x itself loses at most two bits.
+  /// that each term of the sum adds 3 bits; below |x| = 1/9 (r^2 < 1/256) it adds 8, below 1/129 (r^2 <
+  /// 2^-16) 16. For |x| > 1/2, log1p(x) - x itself loses at most two bits.
   static T log1p_remainder(T x) {
     if (!(std::abs(x) <= T(1) / 2)) return std::log1p(x) - x;
     const T r = x / (2 + x);

@@ -8,16 +8,15 @@
 /// Source: Fisher 1953, "Dispersion on a sphere".
 namespace shadefit {
 
-/// k/(4 pi sinh k) e^(k c), as it is printed. e^k leaves the range of the scalar T where k exceeds the
-/// logarithm of its largest number.
+/// k/(4 pi sinh k) e^(k c), as printed. e^k overflows if k exceeds the logarithm of the largest number of T.
 template <class T>
 T von_mises_fisher(const T& cos_theta, const T& concentration) {
   const T sinh = (exp(concentration) - exp(-concentration)) / integer<T>(2);
   return concentration / (integer<T>(4) * pi<T>() * sinh) * exp(concentration * cos_theta);
 }
 
-/// The same for every k, from y: k/(2 pi (1 - e^(-2k))) e^(-k y). 2 sinh k = e^k (1 - e^(-2k)), and the e^k
-/// goes into the exponential, which is then at most 1.
+/// The same for every k, from y: k/(2 pi (1 - e^(-2k))) e^(-k y). 2 sinh k = e^k (1 - e^(-2k)); moving e^k
+/// into the exponential makes that at most 1.
 template <class T>
 T von_mises_fisher_near_peak(const T& one_minus_cos, const T& concentration) {
   const T two = integer<T>(2);

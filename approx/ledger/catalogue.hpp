@@ -9,7 +9,7 @@
 #include "approx/phong_blinn.hpp"
 #include "approx/records/record.hpp"
 
-/// Every record in one list; the records themselves stand beside their formulas, one file a topic.
+/// Every record in one list; the records are in one file per topic.
 namespace shadefit {
 
 namespace detail {

@@ -8,8 +8,8 @@
 /// The rows of the ledger: Instruction counts.
 namespace shadefit {
 
-/// fit/ledger/lobes/shader_forms.cpp has the forms of these names. Printed are both how many instructions
-/// there are and which.
+/// fit/ledger/lobes/shader_forms.cpp has the forms of these names. The sources print both the number of
+/// instructions and their kinds.
 inline constexpr std::array cost_claims{
     Claim{.id = "cost-pow",
           .statement = "c^k as exp2(log2(c) k) is three instructions",

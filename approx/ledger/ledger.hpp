@@ -19,7 +19,7 @@
 #include "approx/ledger/von_mises_fisher.hpp"
 #include "approx/records/claim.hpp"
 
-/// Every claim in one list, a section a topic. The records of a topic stand in approx/ledger/.
+/// Every claim in one list, with one section per topic. The records of a topic are in approx/ledger/.
 namespace shadefit {
 
 inline constexpr std::array ledger{

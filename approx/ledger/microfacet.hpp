@@ -11,7 +11,7 @@ namespace shadefit {
 
 namespace detail {
 
-/// What the rows on this topic are given: roughnesses r, and how a width is made of one.
+/// Inputs of the rows on this topic: roughnesses r, and the formula that gives a width.
 inline constexpr Quantity roughnesses{"roughness", "0.01,0.05,0.1,0.3,0.5,0.7,0.9,1"};
 inline constexpr Quantity width_of_roughness{"alpha", "r^2"};
 /// View angles in degrees.

@@ -12,8 +12,8 @@ namespace shadefit {
 
 namespace detail {
 
-/// What the rows on this topic are given: specular exponents for the view along the normal, and exponents and
-/// view angles in degrees for the others.
+/// Inputs of the rows on this topic: specular exponents for the view along the normal; exponents and view
+/// angles in degrees for the others.
 inline constexpr Quantity normal_exponents{"exponents", "0.1,1,2,8,64,2048,100000,1000000"};
 inline constexpr Quantity view_exponents{"exponents at other views", "1,64,2048"};
 inline constexpr Quantity other_views{"view angles", "15:75:15,80,85,89,89.9"};
@@ -27,7 +27,7 @@ inline constexpr std::string_view reflectance_derivation =
 
 }  // namespace detail
 
-/// What is printed is a formula: it is read and evaluated, a = alpha.
+/// The printed values are formulas, which are parsed and evaluated; a = alpha.
 inline constexpr std::array normalisation_claims{
     Claim{.id = LambertLobe::record.id,
           .statement = "Lambert's BRDF is normalised by 1/pi",

@@ -9,7 +9,7 @@
 
 #include "approx/records/record.hpp"
 
-/// The ledger: every statement of the source documents that has a number, or means one, is a record.
+/// The ledger: one record for every statement of the source documents that contains or implies a number.
 namespace shadefit {
 
 /// A named number, list or word of a record, as text.
@@ -36,7 +36,7 @@ class Quantities {
   constexpr const Quantity& operator[](std::size_t i) const { return items_.at(i); }
   constexpr Quantity& operator[](std::size_t i) { return items_.at(i); }
 
-  /// The value of that name. Throws std::out_of_range where there is none.
+  /// The value of that name. Throws std::out_of_range if there is none.
   constexpr std::string_view at(std::string_view name) const {
     for (const Quantity& item : *this) {
       if (item.name == name) return item.value;
@@ -49,25 +49,25 @@ class Quantities {
   std::size_t size_ = 0;
 };
 
-/// One row of the ledger. It holds what is said and how it is read; whether it is right is computed
-/// (fit/ledger/ledger.hpp).
+/// One row of the ledger: the statement and our reading of it. fit/ledger/ledger.hpp computes whether it is
+/// right.
 struct Claim {
   std::string_view id;
   std::string_view
-      statement;            ///< what is said, in our words, with its formula and the meaning of its letters
+      statement;            ///< the statement in our words, with its formula and the meaning of its letters
   Quantities printed = {};  ///< its numbers as printed; none for an identity or a comparison
   Quantities inputs =
-      {};  ///< what the computation is given: exponents, domains, readings of words ("accurate": 0.02)
+      {};  ///< the inputs of the computation: exponents, domains, readings of words ("accurate": 0.02)
   std::string_view derivation;   ///< why the computed value is what it is, in a few lines
   std::string_view figure = {};  ///< the figure that shows it, as in `plots/NAME.svg`; empty: none
   Source source;
-  /// The published constants that fits have to give, one for each printed number, in that order; empty for a
-  /// claim of another kind.
+  /// The published constants that fits have to reproduce, one for each printed number, in that order; empty
+  /// for other kinds of claims.
   std::span<const Published> constants = {};
 };
 
-/// The claim of one published constant: its record says what is printed and for which exponents. Fits over
-/// the cosines from 0 to 1 judge it.
+/// The claim of one published constant. Its record holds the printed digits and the exponents; fits over the
+/// cosines from 0 to 1 judge it.
 constexpr Claim claim_of(const Published& published, std::string_view statement, std::string_view derivation,
                          std::string_view figure) {
   Claim claim{.id = published.id,

@@ -17,14 +17,14 @@ struct OpticalConstants {
   Source source;
 };
 
-/// Dielectrics, from outside: water, glass and a gem, as they are usually rounded.
+/// Dielectrics, from outside: water, glass and a gem, with the usual rounded values.
 inline constexpr std::array dielectrics{
     OpticalConstants{"dielectric", "", "1.33", "0", sources::born_wolf_1999},
     OpticalConstants{"dielectric", "", "1.5", "0", sources::born_wolf_1999},
     OpticalConstants{"dielectric", "", "2.0", "0", sources::born_wolf_1999},
 };
 
-/// Glass, whose reflectance at normal incidence is `reference_f0` of approx/fresnel.hpp.
+/// Glass. Its reflectance at normal incidence is `reference_f0` of approx/fresnel.hpp.
 inline constexpr const OpticalConstants& glass = dielectrics[1];
 
 /// Metals, at the tabulated wavelengths nearest to 650, 550 and 450 nm.

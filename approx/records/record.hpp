@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-/// Records: what was published, where, and how it is meant. Records are data; formulas live beside them.
+/// Records: what was published, where, and its meaning. Records are data; the formulas are separate.
 namespace shadefit {
 
 /// Where a number was published. `title` is quoted as it stands there.
@@ -20,15 +20,16 @@ struct Variant {
   std::string_view seen_in;
 };
 
-/// How a published number is meant, that is: which computation has to give it.
+/// The meaning of a published number: the computation that has to reproduce it.
 enum class Statement {
-  best_fit,       ///< the optimum of its family (at the one number in `exponents`, where it has an exponent)
+  best_fit,       ///< the optimum of its family (at the single number in `exponents`, if the family has an
+                  ///< exponent)
   mean_of_fits,   ///< the arithmetic mean of the optima over the sweep `exponents`
   limit_of_fits,  ///< the optimum as the exponent grows without bound
   fit_somewhere,  ///< the optimum at exponents that the source does not state
 };
 
-/// A closed form that a published number follows by convention instead of by a fit.
+/// A closed form that gives a published number by convention instead of a fit.
 struct Convention {
   std::string_view name;     ///< empty: there is none
   std::string_view formula;  ///< as text
@@ -48,14 +49,14 @@ struct Published {
   std::span<const Variant> variants;
 };
 
-/// How a curve runs with the angle, that is from c = 1 down to c = 0.
+/// The trend of a curve with the angle, that is from c = 1 down to c = 0.
 enum class Trend {
   none,   ///< nothing is said
-  falls,  ///< nowhere rises
-  rises,  ///< nowhere falls
+  falls,  ///< never rises
+  rises,  ///< never falls
 };
 
-/// What a form must be at its published and fitted parameters. An interval proof shows it
+/// Properties that a form must have at its published and fitted parameters; an interval proof shows them
 /// (fit/proof/curve_proof.hpp).
 struct CurveShape {
   Trend trend = Trend::none;
@@ -64,26 +65,27 @@ struct CurveShape {
   bool operator==(const CurveShape&) const = default;
 };
 
-/// A family of approximations, for people. Its target and its form are templates, and print themselves.
+/// The description of a family of approximations for readers. Its target and form are templates that print
+/// themselves.
 struct Family {
   std::string_view id;
   std::string_view title;
   std::string_view variables;  ///< what each letter means
   std::string_view
-      sweep;  ///< exponents to fit by default: numbers and A:B:STEP, by commas; empty: no exponent
-  /// A form that no source names, to hold others against: `fit` and `list` know it, a report only on request.
+      sweep;  ///< exponents to fit by default: numbers and A:B:STEP, separated by commas; empty: no exponent
+  /// A form that no source names, for comparison: `fit` and `list` show it, a report only on request.
   bool is_comparison = false;
   CurveShape curve = {};
 };
 
-/// One published normalisation constant: a closed form that numeric integration has to confirm.
+/// One published normalisation constant: a closed form that numerical integration has to confirm.
 struct Normalisation {
   std::string_view id;
   std::string_view lobe;     ///< the function whose integral over the hemisphere is normalised
   std::string_view printed;  ///< the closed form as printed, a = alpha
   bool has_exponent;
   Source source;
-  /// The relative difference up to which it is what its source says: 0 for an exact closed form.
+  /// The relative difference that its source's claim allows: 0 for an exact closed form.
   double closeness = 0;
 };
 

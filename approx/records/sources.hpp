@@ -59,7 +59,7 @@ inline constexpr Source lagarde_2012{
     "Lagarde", 2012, "Spherical Gaussian approximation for Blinn-Phong, Phong and Fresnel",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
 
-/// The wording of the post of 2012 before its corrections.
+/// The post of 2012 before its corrections.
 inline constexpr Source lagarde_2012_first{
     "Lagarde", 2012, "Spherical gaussien approximation for Blinn-Phong, Phong and Fresnel (first version)",
     "seblagarde.wordpress.com/2012/06/03/spherical-gaussien-approximation-for-blinn-phong-phong-and-fresnel"};
