@@ -35,7 +35,7 @@ std::vector<forms::Width> widths_of(const BenchOptions& options) {
   return {forms::Width::scalar, *options.width};
 }
 
-/// A line where the machine has not all of the widths that the forms are compiled for.
+/// A line that names the missing widths, if the machine lacks some that the forms are compiled for.
 std::string widths_line(const BenchOptions& options) {
   const auto here = forms::widths_here();
   if (options.width || here.back() == forms::Width::avx512) return "";
@@ -69,7 +69,7 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
   const forms::Catalogue catalogue = forms::catalogue();
   require_targets(catalogue, options.only);
   const auto show = bar(progress, "errors of every form");
-  // The table of accuracies proves, which takes seconds: a quick bench looks at a grid alone, and writes no
+  // The accuracy table needs proofs, which take seconds. A quick bench only samples a grid and writes no
   // table.
   const auto accuracy = options.quick ? std::nullopt : std::optional(forms::accuracy_table(checkpoint, show));
   const auto errors =

@@ -22,14 +22,15 @@ Surface surface_of(const OpticalConstants& constants) {
   return exact_surface(constant<double>(constants.ior), constant<double>(constants.extinction));
 }
 
-/// Schlick's weight, the truth on glass and on a metal.
+/// Schlick's weight, and the exact reflectance of glass and of a metal.
 std::vector<Setting> usual_surfaces() {
   constexpr const OpticalConstants &glass = dielectrics[1], &gold = metals[1];
   static_assert(glass.ior == "1.5" && gold.material == "gold" && gold.wavelength == "548.6");
   return {Setting{}, Setting{0, surface_of(glass)}, Setting{0, surface_of(gold)}};
 }
 
-/// What to compare at: what the options name, else the usual surfaces, or the ends of the exponents.
+/// The settings of the comparison: those of the options, else the usual surfaces, or the first and last
+/// exponent.
 std::vector<Setting> settings_to_compare(const NamedFit& named, const FitOptions& options) {
   const FittableFamily& family = *named.family;
   if (options.target && !family.is_fresnel())

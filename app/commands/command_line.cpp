@@ -31,7 +31,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// The help of `of`, a command or `app` itself; lines fit 80 columns.
+/// The help of `of`, a command or `app` itself, wrapped to 80 columns.
 std::string help_text(CLI::App& app, CLI::App& of) {
   constexpr std::size_t column = 30, room = 50, all = column + room;
   const auto fold = [](const std::string& text, std::size_t width) {
@@ -58,7 +58,7 @@ Outcome usage_error(const std::string& message, const std::vector<std::string>& 
   return {2, "", fmt::format("shadefit: {} (see 'shadefit help{}')\n", one_line(message), of)};
 }
 
-/// CLI11 takes whatever follows an option for its value, also the next option.
+/// Requires values, because CLI11 takes the next option as the value of an option.
 void require_values(const CLI::App& command, const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     const std::string name = arguments[i].substr(0, arguments[i].find('='));
@@ -80,7 +80,7 @@ std::string first_unexpected(const std::string& message, const std::vector<std::
   return first == arguments.end() ? message : fmt::format("unexpected argument '{}'", *first);
 }
 
-/// Its message begins with the name of the option.
+/// The message begins with the name of the option.
 std::string wrong_number(const std::string& message, const CLI::App& command) {
   const std::string name = message.substr(0, message.find(':'));
   const CLI::Option* option = command.get_option_no_throw(name);
@@ -123,7 +123,8 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) return {0, help_text(app, command), ""};
   require_values(command, arguments);
   try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // CLI11 takes the last first
+    app.parse(std::vector<std::string>(arguments.rbegin(),
+                                       arguments.rend()));  // CLI11 expects the arguments in reverse order
   } catch (const CLI::ExtrasError& error) {
     return usage_error(first_unexpected(error.what(), arguments), arguments);
   } catch (const CLI::ArgumentMismatch& error) {
@@ -134,8 +135,8 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   return call.outcome;
 }
 
-/// What no rule foresaw. The user can mend an error of the file system: a name that is too long, links that
-/// lead in a circle, a folder that may not be entered. Missing memory or threads are the machine's fault.
+/// An unexpected error. The user can fix an error of the file system: a name that is too long, a cycle of
+/// links, a folder without permission. Missing memory or threads are the machine's fault.
 Outcome unforeseen(const std::exception& error, const std::vector<std::string>& arguments) {
   const auto failed = [](int exit_code, const std::string& line) {
     return Outcome{exit_code, "", fmt::format("shadefit: {}\n", one_line(line))};

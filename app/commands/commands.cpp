@@ -27,14 +27,14 @@
 namespace shadefit {
 namespace {
 
-/// What a run is to say of its plots, and the call that puts everything in its place.
+/// The messages of a run about its plots, and the call that writes all files.
 struct PreparedResults {
   PlotsNews news;
   std::function<void()> put;
 };
 
-/// Draws the pictures that can be drawn, then makes everything ready at once: the report shows the figures
-/// that there is a picture of.
+/// Draws the pictures that can be drawn, then prepares all files at once, because the report shows only
+/// figures with a picture.
 PreparedResults prepare_results(const RunOptions& options, const Results& results, const OutputFolder& folder,
                                 const Checkpoint& checkpoint) {
   auto figures = options.no_plots ? std::vector<Figure>{} : make_figures(results);
@@ -82,7 +82,7 @@ std::string failed_lines(const Results& results) {
   return err;
 }
 
-/// Whether a text holds another, large and small letters alike.
+/// Whether a text contains another, ignoring case.
 bool holds(std::string_view text, std::string_view part) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
@@ -90,14 +90,14 @@ bool holds(std::string_view text, std::string_view part) {
   return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
 }
 
-/// Whether a claim is on a family: on one of its published numbers, or by its name.
+/// Whether a claim is about a family: about one of its published numbers, or by its name.
 bool is_on(std::string_view claim, std::string_view family) {
   return claim == family || claim.starts_with(std::string(family) + "-") ||
          std::any_of(published_constants.begin(), published_constants.end(),
                      [&](const Published& p) { return p.id == claim && p.family == family; });
 }
 
-/// The claims that the filters leave; not judged, unless by verdict.
+/// The claims that pass the filters. They are judged only if filtered by verdict.
 std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpoint& checkpoint) {
   std::vector<JudgedClaim> claims;
   for (const Topic& topic : ledger) {
@@ -119,7 +119,7 @@ std::vector<JudgedClaim> wanted_claims(const ListOptions& options, const Checkpo
   return judged_claims;
 }
 
-/// Refuses filters that leave nothing because they name nothing.
+/// Refuses filters that match nothing because they name nothing that exists.
 void require_known_filters(const ListOptions& options) {
   std::vector<std::string> titles, families;
   for (const Topic& topic : ledger) titles.emplace_back(topic.title);
@@ -164,7 +164,7 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   std::vector<std::string> parts;
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) parts.push_back(write_console(summary, Precision::report, options.terminal));
-  // Asked for by name, claims are shown; of all of them there are too many.
+  // Claims are shown only if requested by name; all of them would be too many.
   if (!options.only.empty() && !results.claims.empty())
     parts.push_back(
         write_console(claims_for_a_terminal(results.claims, true), Precision::report, options.terminal));
@@ -178,7 +178,7 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const Baseline baseline = read_baseline(options.baseline);
-  // Of the slow tables too, before anything is computed.
+  // Reads the baselines of the slow tables too, before anything is computed.
   std::vector<Baseline> slow_baselines;
   for (const SlowTables& slow : options.all ? slow_tables : std::vector<SlowTables>{}) {
     slow_baselines.push_back(
@@ -196,7 +196,7 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
   if (drifts.empty())
     return {0, fmt::format("check passed: {} cells agree with {}\n", cells, printable(options.baseline)), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
-  // Words of the baseline's files: whatever they hold, a short line each.
+  // These texts come from the baseline's files and may hold anything, so each becomes one short line.
   for (const Drift& d : drifts) {
     table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
   }

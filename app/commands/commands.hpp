@@ -5,7 +5,7 @@
 #include "app/terminal/progress.hpp"
 
 /// The commands, each with its parsed options. Bad input throws UserError. Long work calls the checkpoint
-/// until files are put in place, and shows its progress.
+/// until its files are written, and shows its progress.
 namespace shadefit {
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);

@@ -22,7 +22,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The words that a value can be, by the name of its type; empty for a number, a file or a text of the user.
+/// The possible words of a value, by the name of its type; empty for a number, a file or free text.
 Words words_for(const CLI::App& app, const std::string& type) {
   Words words;
   if (type == "FORM") return ids_with_a_fit();
@@ -55,12 +55,12 @@ bool takes_value(const CLI::Option& option) {
   return option.get_items_expected_min() > 0;
 }
 
-/// A case statement of bash and zsh: what may follow `word` of a command.
+/// A branch of a bash or zsh case statement: the completions after `word` of a command.
 std::string shell_case(const std::string& command, const std::string& word, const std::string& action) {
   return fmt::format("    {}:{}) {} ;;\n", command, word, action);
 }
 
-/// How a shell adds words, paths, and nothing.
+/// The shell code that completes words, paths, or nothing.
 struct Actions {
   std::string begin, words, paths, nothing, is_option, end;
 };
@@ -103,7 +103,7 @@ std::string bash_completion(const CLI::App& app) {
                 "  if [ \"$COMP_CWORD\" -eq 1 ]; then words='{}'\n"
                 "  else case ${{COMP_WORDS[1]}}:$previous in\n",
        .words = "words='{}'",
-       .paths = "return",  // then -o default completes a path
+       .paths = "return",  // then `-o default` completes a path
        .nothing = "compopt +o default 2>/dev/null; return",
        .is_option = "[[ $current == -* ]]",
        .end = "  esac; fi\n"
@@ -154,7 +154,7 @@ std::string fish_completion(const CLI::App& app) {
   return out;
 }
 
-/// A text for groff: '-' and '\' are escaped, and no line begins with a command of it.
+/// A text for groff: '-' and '\' are escaped, and no line begins with a groff command.
 std::string roff(const std::string& text) {
   std::string out;
   for (const char c : text) {

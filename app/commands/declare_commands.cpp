@@ -81,7 +81,7 @@ void add_domain(CLI::App& command, FitOptions& fit) {
             "the range of cosines that counts (default: 0:1)");
 }
 
-/// What a Fresnel form is fitted to.
+/// Adds the options for the target of a Fresnel form.
 void add_target(CLI::App& command, FitOptions& fit, const std::string& by_default) {
   add_choice(
       command, "--target", fit.target,
@@ -95,7 +95,7 @@ void add_target(CLI::App& command, FitOptions& fit, const std::string& by_defaul
             "extinction k of a conductor with index n + i k (default: 0)");
 }
 
-/// Which error is measured where, for `fit`, `certify` and `emit`.
+/// Adds the options for the error and its domain, for `fit`, `certify` and `emit`.
 void add_metric(CLI::App& command, FitOptions& fit) {
   add_choice(command, "--measure", fit.metric.measure, by_name(measures),
              "how the domain is weighted: evenly in the cosine, in the angle, or by the cosine");
@@ -112,7 +112,7 @@ void add_norm(CLI::App& command, FitOptions& fit) {
              "what the fit makes smallest: the mean square of the error, or its maximum");
 }
 
-/// What the answer of a fit has to obey.
+/// Adds the options for the constraints of a fit.
 void add_constraints(CLI::App& command, Metric& metric) {
   const auto parse_weight = [](const std::string& option, const std::string& text) {
     if (text.empty())
@@ -187,7 +187,7 @@ void declare_verify(CLI::App& verify, VerifyOptions& options) {
       ->type_name("FILE");
 }
 
-/// The order of the options is that of the command in generated files.
+/// Generated files list the options in this order.
 void declare_emit(CLI::App& emit, EmitOptions& options) {
   // With --check the file names its command.
   emit.add_option("id", options.fit.id, form_help)->type_name("FORM");

@@ -9,11 +9,11 @@ namespace CLI {
 class App;
 }
 
-/// Every command and option of `shadefit`, in one place: the help, the man page and the completions are made
-/// from these declarations.
+/// All commands and options of `shadefit`. The help, the man page and the completions are generated from
+/// these declarations.
 namespace shadefit {
 
-/// What a command runs with, and what came of it.
+/// The environment of a command, and its outcome.
 struct Call {
   const Checkpoint& checkpoint;
   const Progress& progress;
@@ -21,7 +21,7 @@ struct Call {
   Outcome outcome = {};
 };
 
-/// Declares the commands. A parse of arguments then runs the one that they name, and sets `call.outcome`.
+/// Declares the commands. Parsing arguments then runs the command that they name and sets `call.outcome`.
 void declare_commands(CLI::App& app, Call& call);
 
 }  // namespace shadefit

@@ -40,21 +40,21 @@ std::string function_name(const FittableFamily& family, const EmitOptions& optio
   return text;
 }
 
-/// The command that makes the file.
+/// The command that generates the file.
 std::string command_of(const EmitOptions& options) {
   std::vector<std::string> words = options.words;
   words.insert(words.begin() + 2, {"--lang", std::string(name(*options.language))});
   return command_text(words);
 }
 
-/// What is known of the constants at each setting that the code serves.
+/// The proof of the constants over all settings of the code.
 struct Proven {
-  ChosenSubject chosen;  ///< at the last of them
-  double upper = 0;      ///< no error is larger at any
+  ChosenSubject chosen;  ///< at the last setting
+  double upper = 0;      ///< bounds the error at all settings
   std::string target, form;
 };
 
-/// Constants that serve all the settings, and their proof.
+/// One set of constants for all settings, and its proof.
 Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, const EmitOptions& options,
                  const Metric& metric, const Checkpoint& checkpoint, const Progress& progress) {
   Proven proven;
@@ -75,13 +75,13 @@ Proven proven_at(const std::vector<Setting>& settings, const NamedFit& named, co
   return proven;
 }
 
-/// A decimal text, or of a fit a hexadecimal double, as a decimal.
+/// A decimal text, or a fit's hexadecimal double, as a decimal.
 std::string as_decimal(const std::string& text) {
   const auto hex = parse_hex(text);
   return hex ? fmt::format("{}", *hex) : text;
 }
 
-/// The form with its constants; an exponent is one of them where it was asked for.
+/// The form with its constants; the exponent is one of them if it was requested.
 ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options, const Subject& subject) {
   ShaderFunction function{function_name(family, options), {"c"}, family.form()};
   const bool is_of_one_exponent = options.fit.exponents.has_value();
@@ -98,7 +98,7 @@ ShaderFunction function_of(const FittableFamily& family, const EmitOptions& opti
   return function;
 }
 
-/// Whose constants they are: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
+/// The origin of the constants: "published: Lagarde 2012, "Spherical Gaussian.."", "given", or how they were
 /// fitted.
 std::string origin_of(const NamedFit& named, const ChosenSubject& chosen, const Metric& metric) {
   if (chosen.from == "fitted") return "fitted: " + headline(metric);
@@ -121,7 +121,7 @@ std::string exponents_text(const std::vector<Setting>& settings) {
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
-  function_name(family, options);  // refused before anything is computed
+  function_name(family, options);  // refuses a bad name before anything is computed
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   if (options.fit.exponents && settings.size() > 1)
     throw UserError(fmt::format(
@@ -161,7 +161,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const std::string code = code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};
-  // A stream holds the code alone: it may be standard output.
+  // A stream receives only the code, because it may be standard output.
   const std::string said = file->is_stream() ? "" : fmt::format("Code: {}\n", printable(*options.out));
   return {0, said, "", file->prepare(code, options.force, checkpoint)};
 }

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using bench::Sweep;
 
-/// What a sweep is of.
+/// The form and its target that a sweep compares.
 struct Chosen {
   const forms::FormEntry* form;
   const forms::Target* target;
@@ -66,7 +66,7 @@ Chosen chosen_by(const forms::Catalogue& catalogue, const BenchOptions& options)
           options.exp2_degree, options.width.value_or(forms::Width::sse2)};
 }
 
-/// The kernel of a form. Throws UserError for a degree that it has not.
+/// The kernel of a form. Throws UserError for a degree that the form does not have.
 const forms::CompiledForm find_kernel(const std::vector<forms::CompiledForm>& all, std::string_view form,
                                       int exp2_degree) {
   std::vector<int> known;
@@ -85,10 +85,10 @@ std::vector<float> in_float(const std::vector<double>& numbers) {
   return floats;
 }
 
-/// The form in float, and for truth the target's own formula by the library in double. That is off by a few
-/// last bits of a double: pow of the C library by less than one (as it states), 1 - c of a float by half of
-/// one, which a power of some tens multiplies. A unit of a float is 2^29 of a double's, so truth rounds to
-/// the right float but where it lies within a millionth of the middle between two.
+/// The form in float. The reference is the target's formula in double, by the library. Its error is a few
+/// last bits of a double: less than one for pow of the C library (as documented), half of one for 1 - c of a
+/// float, multiplied by a power of some tens. One ulp of a float is 2^29 ulps of a double, so the reference
+/// rounds to the right float, except within a millionth of the middle between two floats.
 bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const Chosen& chosen) {
   const auto form = find_kernel(bench::compiled_for(chosen.width), chosen.form->id, chosen.exp2_degree);
   const auto exact = std::find_if(catalogue.forms.begin(), catalogue.forms.end(), [&](const auto& other) {
@@ -101,7 +101,7 @@ bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const Chosen& 
             form.in_float({.in = {in}, .out = out, .size = count}, parameters);
           },
           [=](const float* in, double* out, std::size_t count) {
-            // By pieces that fit on the stack: several threads are here at once.
+            // In pieces that fit on the stack, because several threads run here at once.
             std::array<double, 256> cosines;
             for (std::size_t first = 0; first < count; first += cosines.size()) {
               const std::size_t piece = std::min(cosines.size(), count - first);
@@ -130,7 +130,7 @@ fs::path state_path(const BenchOptions& options, const Chosen& chosen, const ben
   return without_detours(options.out) / (name + ".json");
 }
 
-/// The state that is there, which has to be of this sweep; nothing where none is.
+/// The saved state, which must belong to this sweep; empty if there is none.
 std::optional<Sweep> state_at(const fs::path& path, const bench::SweepIdentity& identity,
                               const bench::Shard& shard) {
   std::error_code error;
@@ -173,16 +173,16 @@ std::string result_text(const Sweep& sweep, const Chosen& chosen, const Terminal
   return text + write_console(table, Precision::report, terminal);
 }
 
-/// The share of a sweep that is done.
+/// The finished fraction of a sweep.
 double share_of(const Sweep& sweep) {
   const bench::Stretch all = sweep.stretch();
   return all.size() == 0 ? 1 : static_cast<double>(sweep.next - all.from) / static_cast<double>(all.size());
 }
 
-/// Looks at the floats that are left, keeping the state now and then, and where a signal ends it.
+/// Sweeps the remaining floats. Saves the state now and then, and when a signal ends the sweep.
 void sweep_and_keep(Sweep& sweep, const bench::FloatSubject& subject, const fs::path& path,
                     const Checkpoint& checkpoint, const Progress& progress) {
-  // Seconds that a process that is killed may lose.
+  // Seconds of work that a killed process may lose.
   constexpr double longest_unkept = 10;
   const double start = bench::now().real, share_before = share_of(sweep);
   double kept = start;
@@ -219,7 +219,7 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
     for (const std::string& file : options.merge) shards.push_back(bench::read_state(file));
     sweep = bench::merge(identity, shards);
   } else if (!sweep.is_done()) {
-    // A disk that is full is found out now, not after a minute.
+    // This detects a full disk now, not after a minute.
     if (!before) bench::keep_state(path, sweep);
     try {
       sweep_and_keep(sweep, subject, path, checkpoint, progress);

@@ -18,7 +18,7 @@
 namespace shadefit {
 namespace {
 
-/// A mean or a limit of fits, asked for by its own id.
+/// A mean or a limit of fits, requested by its own id.
 Outcome derived_command(const FittableFamily& family, const Published& published, const FitOptions& options) {
   if (options.exponents) {
     throw UserError(fmt::format("--exponent '{}' does not apply: {} names its own exponents",
@@ -38,7 +38,7 @@ Outcome derived_command(const FittableFamily& family, const Published& published
         "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
         published.id));
   }
-  surface_for(family, options);  // refuses: no such number is for a Fresnel form
+  surface_for(family, options);  // refuses surface options: no such number belongs to a Fresnel form
   FitCache fits(family);
   const auto exponents = exponents_of(published);
   const std::vector<Setting> settings(exponents.begin(), exponents.end());
@@ -66,7 +66,7 @@ std::string console_text(const Refit& refit, const Metric& metric, const Termina
   return text;
 }
 
-/// The proofs of each fit, where they are asked for.
+/// The proofs of each fit, if requested.
 std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, const Checkpoint& checkpoint,
                                 const Progress& progress) {
   std::vector<FitProof> proofs;
@@ -79,7 +79,7 @@ std::vector<FitProof> proofs_of(const Refit& refit, const FitOptions& options, c
   return proofs;
 }
 
-/// How sensitive each fit is, where it is asked for; empty for one that did not converge.
+/// The sensitivity of each fit, if requested; empty for a fit that did not converge.
 std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, const FitOptions& options,
                                                          const Checkpoint& checkpoint,
                                                          const Progress& progress) {
@@ -94,7 +94,7 @@ std::vector<std::optional<Sensitivity>> sensitivities_of(const Refit& refit, con
   return sensitivities;
 }
 
-/// What is told of each fit where it is asked for; else empty.
+/// Requested additional results of each fit; else empty.
 struct FitExtras {
   std::vector<FitProof> proofs;
   std::vector<RoundedFit> rounded;
@@ -133,7 +133,7 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
   return json_text_of_each(array);
 }
 
-/// Constraints that a form cannot satisfy are the user's to mend.
+/// Constraints that a form cannot satisfy are an error of the user.
 void require_feasible(const Refit& refit) {
   for (const FitReport& report : refit.fits) {
     if (report.fit.status == Status::infeasible)

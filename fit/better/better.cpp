@@ -11,8 +11,8 @@ namespace {
 
 using Kind = Contender::Kind;
 
-/// What a shader executes for a form with constants, as `shadefit emit` writes it at one exponent: what is
-/// made of constants alone is computed before.
+/// The operations of a form with constants in a shader, as `shadefit emit` writes it at one exponent.
+/// Expressions of constants alone are precomputed.
 Operations executed(const FittableFamily& family, const Setting& setting, const std::vector<double>& values) {
   const auto value_of = [&](const std::string& variable) {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -23,8 +23,7 @@ Operations executed(const FittableFamily& family, const Setting& setting, const 
   return count_operations(evaluate<Symbolic>(family.form(), value_of));
 }
 
-/// A form with constants, of the family and in the setting that the subject names; `alternation` is that of a
-/// minimax fit.
+/// A form with constants, for the family and setting of the subject; `alternation` comes from a minimax fit.
 Contender contender(Kind kind, const FittableFamily& family, const Subject& subject,
                     const std::vector<double>& values, double width, const Checkpoint& checkpoint,
                     const std::vector<AlternationPoint>& alternation = {}) {
@@ -46,12 +45,12 @@ Contender contender(Kind kind, const FittableFamily& family, const Subject& subj
           .rms_error = family.objective(subject.setting, {.domain = subject.domain}, values)};
 }
 
-/// The printed constants of a family, each set once.
+/// Appends the printed constants of a family, each set once.
 void append_published(Comparison& comparison, const FittableFamily& family, const Contest& contest,
                       const Checkpoint& checkpoint) {
   auto& contenders = comparison.contenders;
   for (const Published* number : numbers_of(family.info)) {
-    if (number->parameter != family.parameters.front()) continue;  // a set is named by its first
+    if (number->parameter != family.parameters.front()) continue;  // a set is named by its first number
     Subject subject{.family = std::string(family.info.id),
                     .parameters = {},
                     .setting = comparison.setting,
@@ -101,7 +100,7 @@ void append_fits(Comparison& comparison, const FittableFamily& family, const Con
   for (const Measure measure : measures) append({.measure = measure});
 }
 
-/// Schlick's formula where it is not the target.
+/// Appends Schlick's formula if it is not the target.
 void append_schlick(Comparison& comparison, const Contest& contest, const Checkpoint& checkpoint) {
   const SchlickError error =
       schlick_error(comparison.setting.surface, contest.domain, contest.width, checkpoint);
@@ -120,8 +119,7 @@ void append_schlick(Comparison& comparison, const Contest& contest, const Checkp
                                    .rms_error = error.rms});
 }
 
-/// The target as a formula that a shader could run, its constants known before; of an exact surface the
-/// reflectance F.
+/// The target as a formula for a shader, with precomputed constants; for an exact surface, the reflectance F.
 Symbolic runnable_target(const FittableFamily& family, const Surface& surface) {
   if (!surface.is_exact()) return family.target();
   const Symbolic c = Symbolic::variable("c"), n = Symbolic::number(to_text(surface.ior));
@@ -149,7 +147,7 @@ void append_target(Comparison& comparison) {
        .rms_error = 0});
 }
 
-/// Less error, proven, at no more instructions.
+/// Whether the proven error is smaller at no more instructions.
 bool is_better(const Contender& contender, const Contender& published) {
   return contender.max_abs_error.upper < published.max_abs_error.lower &&
          contender.operations.total() <= published.operations.total();

@@ -7,13 +7,12 @@
 #include "approx/scalar.hpp"
 #include "fit/quadrature/metric.hpp"
 
-/// Boxes of the domain, for proofs: each from one double to another, exactly, without a place between two
-/// boxes.
+/// Boxes of the domain, for proofs. The ends of each box are exact doubles, and adjacent boxes leave no gap.
 namespace shadefit {
 
-/// The end of [0, 1] from which a cosine is measured. A lobe of exponent 1e6 lives within 1 - c = 1e-5, and a
-/// power of c turns within any c, however small: near either end a double holds the distance from it, not c
-/// and 1 - c both. The sides meet at c = 1/2, which both hold.
+/// The end of [0, 1] from which a cosine is measured. A lobe of exponent 1e6 is concentrated within 1 - c =
+/// 1e-5, and a power of c can turn at any small c. A double cannot hold both c and 1 - c accurately, so near
+/// each end we store the distance from that end. The sides meet at c = 1/2, which both can represent.
 enum class Origin {
   horizon,  ///< the distance is c, up to 1/2
   peak,     ///< the distance is 1 - c, up to 1/2
@@ -21,14 +20,14 @@ enum class Origin {
 
 inline constexpr double half_way = 0.5;
 
-/// One place, exactly.
+/// A cosine, exactly.
 struct ExactPlace {
   Origin side = Origin::peak;
   double distance = 0;
   bool operator==(const ExactPlace&) const = default;
 };
 
-/// The places between two distances from one side.
+/// The cosines between two distances from one side.
 struct Box {
   Origin side = Origin::peak;
   double lower = 0;
@@ -43,13 +42,14 @@ Cosine<T> cosine_at(Origin side, const T& distance) {
   return side == Origin::peak ? Cosine<T>{rest, distance} : Cosine<T>{distance, rest};
 }
 
-/// The place nearest to a cosine, from the side on which it lies.
+/// The place nearest to a cosine, measured from the end that is nearer to it.
 inline ExactPlace place_of(const Cosine<double>& c) {
   return c.one_minus_cos <= half_way ? ExactPlace{Origin::peak, c.one_minus_cos}
                                      : ExactPlace{Origin::horizon, c.cos_theta};
 }
 
-/// A domain as one or two boxes. 1 - c of a double c in [1/2, 1] is exact, so the boxes are the domain.
+/// A domain as one or two boxes. 1 - c is exact for a double c in [1/2, 1], so the boxes are exactly the
+/// domain.
 inline std::vector<Box> boxes_of(const Domain& domain) {
   std::vector<Box> boxes;
   if (domain.lower < half_way)

@@ -12,15 +12,14 @@
 #include "fit/quadrature/metric.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// What a proof of a largest error says, in values: enough to check it again without the search that found
-/// it.
+/// The data of a proof of a largest error: enough to check the proof again without repeating the search.
 namespace shadefit {
 
-/// What a proof is about: one form with its constants, and where.
+/// The subject of a proof: one form with its constants, and the domain.
 struct Subject {
   std::string family;
-  /// Name and value of each, in the order of the family's names. A value is a decimal text as it was printed,
-  /// which no double need be and which the proof encloses; or, of a fit, a hexadecimal double.
+  /// Names and values, in the order of the family's names. A printed value is a decimal text; it need not be
+  /// a double, so the proof encloses it. A fitted value is a hexadecimal double.
   std::vector<std::pair<std::string, std::string>> parameters = {};
   Setting setting = {};
   Error error = Error::absolute;
@@ -28,17 +27,17 @@ struct Subject {
   bool operator==(const Subject&) const = default;
 };
 
-/// Why a subject is none, a line: an unknown family; a parameter that is missing, unknown, doubled, out of
-/// order or no finite number; an exponent or a surface that the family does not have or that cannot be; a
-/// domain that is not within [0, 1]. Empty where nothing is wrong.
+/// One line that says why a subject is invalid, or an empty text. Faults: an unknown family; a parameter that
+/// is missing, unknown, repeated, out of order or not a finite number; an exponent or a surface that is
+/// invalid or that the family does not have; a domain outside [0, 1].
 std::string fault_of(const Subject& subject);
 
-/// What became of one property of a curve.
+/// The result of proving one property of a curve.
 enum class Proof {
-  none,     ///< the record says nothing of it
+  none,     ///< the record does not state it
   proven,   ///< on the whole domain
-  refuted,  ///< a place was found where it fails, beyond doubt
-  open,     ///< neither, with the boxes that there may be
+  refuted,  ///< it certainly fails at a place that was found
+  open,     ///< undecided within the allowed number of boxes
 };
 
 constexpr std::string_view name(Proof proof) {
@@ -62,27 +61,27 @@ constexpr std::string_view name(Trend trend) {
 /// max |error| lies in [lower, upper].
 struct Certificate {
   Subject subject;
-  std::string target, form;  ///< the formulas as they print themselves
+  std::string target, form;  ///< the formulas as text
   double lower = 0;
   double upper = 0;
   ExactPlace attained;      ///< here |error| >= lower
-  std::vector<Box> places;  ///< outside of these |error| <= lower; by rising cosine
-  /// The domain cut into boxes: the distances of their ends from either side, rising, each the end of one box
-  /// and the start of the next. On each box |error| <= upper.
+  std::vector<Box> places;  ///< outside these |error| <= lower; by rising cosine
+  /// The domain cut into boxes: for each side, the rising distances at which one box ends and the next
+  /// begins. On each box |error| <= upper.
   std::vector<double> horizon, peak;
-  CurveShape curve;   ///< what is proven of the form on the domain, nothing where it is not
+  CurveShape curve;   ///< the properties proven for the form on the domain; `none` where nothing is proven
   int precision = 0;  ///< of the intervals, in bits
   bool operator==(const Certificate&) const = default;
 };
 
-/// What became of what the record says of a form's curve, over the domain of the proof.
+/// The results for the properties that the record states of a form's curve, over the domain of the proof.
 struct CurveProof {
   Proof trend = Proof::none;
   Proof non_negative = Proof::none;
   Proof at_most_one = Proof::none;
 };
 
-/// A certificate, whether its bounds are as near as was asked, and what of the curve could be proven.
+/// A certificate, whether its bounds reach the requested width, and the proof of the curve's properties.
 struct Certified {
   Certificate certificate;
   bool is_reached = false;
@@ -92,20 +91,20 @@ struct Certified {
 /// The cosines of a box, rounded outward.
 Domain cosines_of(const Box& box);
 
-/// Proves bounds of the largest error of a subject, `width` apart relative to it, and what the record says of
-/// the form's curve. A relative error is looked for where it has a meaning, which narrows the domain. The
-/// checkpoint is called for each box. Throws UserError for a `fault_of` the subject, a width that is not in
-/// [least_width, 1), and where a relative error has no meaning anywhere.
+/// Proves bounds of the largest error of a subject, of relative width `width`, and the properties that the
+/// record states of the form's curve. For a relative error, the domain is narrowed to where it is defined.
+/// The checkpoint is called for each box. Throws UserError for a `fault_of` the subject, for a width outside
+/// [least_width, 1), and for a relative error that is not defined anywhere.
 Certified certify(const Subject& subject, double width, const Checkpoint& checkpoint = keep_going);
 
 /// The subject of a fit, its parameters exact.
 Subject subject_of(const Fit& fit, Error error = Error::absolute);
 
-/// How much of a check is done, from 0 to 1; throws to end it.
+/// The finished fraction of a check, from 0 to 1; throws to stop it.
 using ShareDone = std::function<void(double share)>;
 
-/// Checks a certificate again, by evaluations of the formula on its boxes alone. Empty where all that it says
-/// holds, else the reason to refuse it, a line. `done` is called for each box.
+/// Checks a certificate again, only by evaluating the formula on its boxes. Empty if everything in it holds,
+/// else one line with the reason to refuse it. `done` is called for each box.
 std::string reason_to_refuse(
     const Certificate& certificate, const ShareDone& done = [](double) {});
 

@@ -14,23 +14,23 @@
 /// The formula that a certificate is about, in interval arithmetic. The search and the check share it.
 namespace shadefit {
 
-/// The value of a constant's text: a hexadecimal double exactly, a decimal enclosed. Empty for what is
-/// neither, or beyond a double.
+/// The value of a constant's text: a hexadecimal double exactly, a decimal number enclosed. Empty for other
+/// text or beyond the range of a double.
 inline std::optional<Interval> enclosed_constant(const std::string& text) {
   if (const auto exact = parse_hex(text)) return Interval(*exact);
   if (!parse_number(text)) return std::nullopt;
   return constant<Interval>(text);
 }
 
-/// What a form approximates in a setting, as text.
+/// The target of a form in a setting, as text.
 inline std::string target_text(const FittableFamily& family, const Setting& setting) {
   if (!family.is_fresnel() || !setting.surface.is_exact()) return to_text(family.target());
   return setting.surface.extinction == 0 ? "(F - f0)/(1 - f0), F the exact reflectance of a dielectric"
                                          : "(F - f0)/(1 - f0), F the exact reflectance of a conductor";
 }
 
-/// Calls visitor(error, form, family) with the two functions of the cosine that a subject names, in any
-/// scalar that takes intervals. The family is known and each parameter's text a constant.
+/// Calls visitor(error, form, family) with the error and the form of a subject as functions of the cosine,
+/// for any scalar over intervals. The family must be known and each parameter's text a constant.
 template <class Visitor>
 auto visit_formula(const Subject& subject, const Visitor& visitor) {
   return visit_family(subject.family, [&]<class F>(std::type_identity<F>) {

@@ -19,7 +19,8 @@ std::string parameters_text(const Subject& subject) {
   return text;
 }
 
-/// No pole in the domain. The denominator is linear in c: the ends decide.
+/// Requires that the form has no pole in the domain. The denominator is linear in c, so checking both ends is
+/// enough.
 void require_admissible(const Subject& subject) {
   visit_family(subject.family, [&]<class F>(std::type_identity<F>) {
     if constexpr (HasDenominator<F>) {
@@ -36,7 +37,7 @@ void require_admissible(const Subject& subject) {
   });
 }
 
-/// Where the error has a meaning; of a double end, the double.
+/// The part of the domain where the error is defined. An end that is a double stays exact.
 template <class F>
 Domain narrowed(const F& family, const Subject& subject) {
   if (subject.error == Error::absolute) return subject.domain;
@@ -48,8 +49,7 @@ Domain narrowed(const F& family, const Subject& subject) {
   return {lower, subject.domain.upper};
 }
 
-/// Where a search in plain doubles sees the largest error. Nothing rests on it but how soon the proof is
-/// done.
+/// The place of the largest error by a search in plain doubles. It only makes the proof faster.
 template <class F>
 std::optional<ExactPlace> probable_place(const FittableFamily& family, const F&, const Subject& subject) {
   std::vector<double> parameters;
@@ -61,7 +61,7 @@ std::optional<ExactPlace> probable_place(const FittableFamily& family, const F&,
   return found ? std::optional(place_of(found->at)) : std::nullopt;
 }
 
-/// The ends of the boxes of one side, rising.
+/// The ends of the boxes of one side, in rising order.
 std::vector<double> ends_of(const std::vector<Box>& boxes, Origin side) {
   std::vector<double> ends;
   for (const Box& box : boxes) {

@@ -7,14 +7,14 @@
 #include "fit/scalars/jet.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// Whether a form runs as its record says: one way with the angle, not below 0, not above 1.
+/// Proves the properties of a form that its record states: monotonic in the angle, not below 0, not above 1.
 namespace shadefit {
 
-/// Boxes that a proof of a curve may add before it is given up. The forms here need none, or a few.
+/// The most boxes that the proof of a curve may add. The forms here need none or a few.
 inline constexpr int most_curve_boxes = 2000;
 
-/// A form's value and its slope with the angle's direction (towards c = 0), on a box or, where both ends are
-/// one, at a place.
+/// A form's value and its slope in the direction of the rising angle (towards c = 0), on a box. A box with
+/// equal ends is a single place.
 template <class Form>
 ceres::Jet<Interval, 1> form_on(const Form& form, const Box& box) {
   using Jet = ceres::Jet<Interval, 1>;
@@ -24,8 +24,8 @@ ceres::Jet<Interval, 1> form_on(const Form& form, const Box& box) {
 }
 
 /// Proves one property by cutting boxes until it holds on each. `holds` and `fails` take a Jet of `form_on`;
-/// `fails` is asked at places alone. Where it is proven, `boxes` are those that it holds on. The checkpoint
-/// is called for each box.
+/// `fails` is tested only at single places. After a proof, `boxes` are the boxes on which the property holds.
+/// The checkpoint is called for each box.
 template <class Form, class Holds, class Fails>
 Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const Fails& fails,
             const Checkpoint& checkpoint) {
@@ -53,7 +53,8 @@ Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const
   return Proof::proven;
 }
 
-/// Proves what the record says of a curve over boxes by rising cosine, which it cuts further where it has to.
+/// Proves the properties that the record states of a curve, over boxes by rising cosine. It cuts boxes
+/// further where needed.
 template <class Form>
 CurveProof prove_curve(const Form& form, const CurveShape& curve, std::vector<Box>& boxes,
                        const Checkpoint& checkpoint) {

@@ -12,20 +12,21 @@
 #include "fit/quadrature/metric.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// Integrals over the cosine, enclosed: every rounding and the remainder of the quadrature are inside.
+/// Enclosed integrals over the cosine: the enclosure includes every rounding and the remainder of the
+/// quadrature.
 namespace shadefit {
 
-/// Panels that an integral may take before it is given up.
+/// The most panels of an integral.
 inline constexpr int most_panels = 4000;
 
-/// A part of the domain: the variable is the distance from one side, 1 - c or c; of the angle measure the
-/// angle from the peak or from the horizon.
+/// A part of the domain. The variable is the distance from one side, 1 - c or c; for the angle measure it is
+/// the angle from the peak or from the horizon.
 struct IntegralPanel {
   bool is_at_peak;
   Interval lower, upper;
 };
 
-/// The domain in panels that meet at c = 1/2: near either end of [0, 1] nothing cancels.
+/// The domain in panels that meet at c = 1/2, so nothing cancels near the ends of [0, 1].
 inline std::vector<IntegralPanel> panels_of(const Metric& metric) {
   const Domain& domain = metric.domain;
   const Interval half = Interval(1) / Interval(2), one(1);
@@ -68,13 +69,13 @@ WeightedCosine<T> weighted_cosine(Measure measure, bool is_at_peak, const T& s) 
 
 /// Integrals of N functions at once, over the measure and the domain of a metric. `integrand` maps a
 /// Cosine<T> to N values for T = Interval and Taylor<Order>. Panels are cut until each adds at most its part
-/// of `tolerance` to the width of every integral; empty where they are too many. The checkpoint is called for
+/// of `tolerance` to the width of every integral; empty if there are too many. The checkpoint is called for
 /// each panel.
 ///
 /// On a panel [m-r, m+r] the integral of f is the sum of 2 f_j r^(j+1)/(j+1) over even j < Order, f_j the
 /// coefficients at m, and the remainder 2 f_Order r^(Order+1)/(Order+1) with f_Order enclosed on all of the
-/// panel, Order even: the mean of the remainder's derivative, by Lagrange. Where f has no series, at c = 0 of
-/// a power c^k, the panel's length times the range of f stands for it.
+/// panel, Order even: the mean of the remainder's derivative, by Lagrange. Where f has no series, as c^k at c
+/// = 0, the panel's length times the range of f is used.
 template <int Order, std::size_t N>
 class EnclosedIntegral {
  public:
@@ -113,7 +114,7 @@ class EnclosedIntegral {
     return values;
   }
 
-  /// Panels that carry anything number about fifty.
+  /// About fifty panels contribute to an integral.
   static constexpr double parts = 64;
 
   bool is_fine(const Values& values) const {
@@ -132,7 +133,7 @@ class EnclosedIntegral {
     return values;
   }
 
-  /// The integrals over a panel, where they are fine.
+  /// The integrals over a panel, if they are narrow enough.
   template <class Integrand>
   std::optional<Values> part_of(const Integrand& integrand, const IntegralPanel& panel) const {
     const Interval all = Scalar<Interval>::hull(panel.lower, panel.upper);

@@ -32,7 +32,7 @@ class LargestSearch {
       options_.checkpoint();
       const Box box = boxes_.top().box;
       const double centre = box.lower + (box.upper - box.lower) / 2;
-      if (!(box.lower < centre && centre < box.upper)) break;  // two neighbouring doubles
+      if (!(box.lower < centre && centre < box.upper)) break;  // lower and upper are neighbouring doubles
       boxes_.pop();
       add({box.side, box.lower, centre});
       add({box.side, centre, box.upper});
@@ -45,13 +45,14 @@ class LargestSearch {
 
   void add(const Box& box) { boxes_.push({box, bound_on(box)}); }
 
-  /// |f| on a box: its natural extension, or the mean-value form f(m) + f'(box) (box - m), whose error falls
-  /// with the square of the width; where f' has one sign, the larger of both ends.
+  /// |f| on a box: its natural extension, or the mean-value form f(m) + f'(box) (box - m), whose excess falls
+  /// with the square of the width. Where f' has one sign, the larger value of the two ends.
   double bound_on(const Box& box) {
     const Interval distance = span_of(box.lower, box.upper);
     const Jet value = f_.jet(cosine_at(box.side, Jet(distance, 0)));
     double natural = largest_magnitude_in(value.a);
-    // At a kink below a root a Jet's maximum is the hull of both branches, an interval's own is not.
+    // At a kink under a root, the maximum of Jets is the hull of both branches; the maximum of intervals is
+    // narrower.
     if (std::isinf(natural)) natural = largest_magnitude_in(f_.value(cosine_at(box.side, distance)));
     if (natural <= lower_ || !is_bounded(value.v[0])) return natural;
     const double centre = box.lower + (box.upper - box.lower) / 2;
@@ -62,7 +63,7 @@ class LargestSearch {
     return std::fmin(bound, std::fmax(largest_magnitude_in(left), largest_magnitude_in(right)));
   }
 
-  /// f at a place, which may raise the lower bound.
+  /// Evaluates f at a place and raises the lower bound if |f| is larger.
   Interval raise(const ExactPlace& place) {
     const Interval value = f_.value(cosine_at(place.side, Interval(place.distance)));
     const double magnitude = smallest_magnitude_in(value);
@@ -89,19 +90,19 @@ class LargestSearch {
       result.boxes.push_back(box);
       if (bound > lower_) append(result.places, box);
     }
-    // A largest magnitude that a box's bound proves to be attained exactly leaves no box above it.
+    // If the upper bound of a box equals the attained maximum exactly, no box is left above it.
     if (result.places.empty())
       result.places.push_back({attained_.side, attained_.distance, attained_.distance});
     return result;
   }
 
-  /// Neighbours become one, and so do places with little between them: around a maximum the box that holds it
-  /// may be settled before those beside it, which are of about its size.
+  /// Merges adjacent places and places with a small gap. Around a maximum, the box that contains it may be
+  /// finished before its neighbours of about the same size.
   static void append(std::vector<Box>& places, const Box& box) {
     if (!places.empty() && places.back().side == box.side) {
       Box& last = places.back();
       const Box both{box.side, std::fmin(last.lower, box.lower), std::fmax(last.upper, box.upper)};
-      constexpr double little = 8;  // times as wide as what is left
+      constexpr double little = 8;  // gaps up to this many times the wider place are merged
       const double widest = std::fmax(last.upper - last.lower, box.upper - box.lower);
       const double gap = both.upper - both.lower - (last.upper - last.lower) - (box.upper - box.lower);
       if (gap <= little * widest) {

@@ -14,7 +14,7 @@
 namespace shadefit {
 namespace {
 
-/// A box and the place that its series is about.
+/// A box and the centre of its series.
 struct CentredBox {
   Box box;
   double centre;
@@ -24,7 +24,7 @@ double middle(double lower, double upper) {
   return lower + (upper - lower) / 2;
 }
 
-/// The domain as boxes with one of the places in each, or none.
+/// The domain as boxes, each with at most one of the places.
 std::vector<CentredBox> boxes_around(std::span<const Cosine<double>> peaks, const Domain& domain) {
   std::vector<CentredBox> boxes;
   for (const Box& box : boxes_of(domain)) {
@@ -46,21 +46,21 @@ std::vector<CentredBox> boxes_around(std::span<const Cosine<double>> peaks, cons
   return boxes;
 }
 
-/// Of the series: errors are small differences of a form and its target, so that remainders of low order are
-/// far larger than what they enclose. From six on the whole report takes no less time.
+/// The order of the series. Errors are small differences of a form and its target, so remainders of low order
+/// are far larger than the error. Beyond six the report gets no faster.
 constexpr int order = 6;
 
-/// The values of a series about a centre on all of a box, a step around it: value + slope step + step^2 (..).
-/// About a peak the slope is nothing and the bracket has the sign that takes |error| down, so that a peak
-/// takes a few boxes where a bound by first derivatives takes dozens.
+/// The values of a series on a whole box, with `step` the interval around the centre: value + slope step +
+/// step^2 (..). At a peak the slope is 0, and the sign of the bracket reduces |error|. So a peak takes a few
+/// boxes; a bound by first derivatives takes dozens.
 Interval values_on(const Taylor<order - 1>& at_centre, const Interval& remainder, const Interval& step) {
   Interval bracket = remainder;
   for (int i = order - 1; i >= 2; --i) bracket = at_centre[i] + step * bracket;
   return at_centre.value() + at_centre[1] * step + power(step, 2) * bracket;
 }
 
-/// Shows that |error| is nowhere `width` above its largest value at the peaks, on each box by Taylor's series
-/// about a place with an enclosed remainder. Empty where boxes get too small or too many, as at a kink.
+/// Proves that |error| exceeds its largest value at the peaks by less than `width`: on each box by a Taylor
+/// series with enclosed remainder. Empty if the boxes become too small or too many, as at a kink.
 template <class F>
 std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain,
                                             std::span<const Cosine<double>> peaks, double width,
@@ -96,17 +96,17 @@ std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain
 template <class F>
 ErrorBounds bounds_of(const F& error, const Domain& domain, std::span<const Cosine<double>> peaks,
                       double width, const Checkpoint& checkpoint) {
-  // half, so that roundings of the bound itself stay within the width
+  // half, so that the rounding of the bound itself stays within the width
   if (const auto bounds = bounds_by_series(error, domain, peaks, width / 2, checkpoint)) return *bounds;
   const Enclosure found = enclose_largest(
       error, domain, {.width = width, .hint = place_of(peaks.front()), .checkpoint = checkpoint});
   return {found.lower, found.upper, found.is_reached};
 }
 
-/// The integral over a domain, cut where a surface's reflectance has a kink or ends its fall.
+/// The integral over a domain, split where a surface's reflectance has a kink or stops falling.
 template <class F>
 double integral(const F& f, const Domain& domain, const Surface& surface) {
-  constexpr double tolerance = 1e-12;  // far below the digits that an rms error is shown with
+  constexpr double tolerance = 1e-12;  // far below the printed digits of an rms error
   const auto joint = joint_of(surface);
   if (!joint || joint->cosine <= domain.lower || joint->cosine >= domain.upper)
     return tanh_sinh(f, domain.lower, domain.upper, tolerance).value;

@@ -18,7 +18,7 @@ namespace {
 template <std::size_t N>
 using Coefficients = std::array<Interval, N>;
 
-/// The coefficients as they are printed, and as the format has them.
+/// The coefficients as printed, and rounded to the format.
 template <std::size_t N>
 Coefficients<N> as_printed(const Exp2Coefficients& polynomial) {
   Coefficients<N> c;
@@ -33,8 +33,8 @@ Coefficients<N> as_rounded(const Exp2Coefficients& polynomial) {
   return c;
 }
 
-/// What `exp2_tail` leaves out for |x| <= 0.35, with m >= 16: 1 + x/m + x^2/(m (m+1)) + .. is within 0.03 of
-/// 1, and its slope by x below 1/m (1 + 2 |x|/m + ..) < 0.1.
+/// Encloses the rest of the series after `exp2_tail` for |x| <= 0.35, with m >= 16: 1 + x/m + x^2/(m (m+1)) +
+/// .. is within 0.03 of 1, and its slope by x below 1/m (1 + 2 |x|/m + ..) < 0.1.
 Interval rest_of_tail(const Interval&) {
   return span_of(0.97, 1.03);
 }
@@ -63,7 +63,7 @@ Enclosure largest_error(const Coefficients<N>& coefficients) {
     const T r = rest_of(c);
     return exp2_relative_error(r, degree, d, exp2_tail(r, degree, rest_of_tail(r)), exp2(T(-r)));
   };
-  // a tenth of the last digit of a stated bound
+  // a tenth of the last digit of a printed bound
   return enclose_largest(error, Domain{}, {.width = 1e-5});
 }
 

@@ -14,7 +14,7 @@
 /// Exponents of the scalars of fit/: half, 50 digits, Jet and interval.
 namespace shadefit {
 
-/// As of float, with half's bits.
+/// The same as for float, with half's bits.
 template <>
 struct ExponentBits<Eigen::half> {
   using half = Eigen::half;
@@ -32,7 +32,7 @@ struct ExponentBits<Eigen::half> {
   }
 };
 
-/// Its exponents have no end that a formula meets.
+/// Its exponent range is larger than any formula needs.
 template <unsigned Digits>
 struct ExponentBits<boost::multiprecision::number<boost::multiprecision::cpp_bin_float<Digits>,
                                                   boost::multiprecision::et_off>> {
@@ -45,13 +45,13 @@ struct ExponentBits<boost::multiprecision::number<boost::multiprecision::cpp_bin
   static T times_exp2(const T& p, int whole) { return ldexp(p, whole); }
 };
 
-/// An interval may have more than one whole number, and then its rest is all of [-1/2, 1/2] and a little
-/// more: next to the middle between two both are taken, so that what holds of an interval holds of an
-/// exponent in it that a float arithmetic has rounded to the other side.
+/// An interval may contain several whole numbers; then its rest is [-1/2, 1/2] and slightly more. Near the
+/// middle between two whole numbers both are used. So a result also covers exponents that float arithmetic
+/// has rounded to the other side.
 template <>
 struct ExponentBits<Interval> {
-  /// Three times what rounding in float moves the exponents A c - A of lobes up to A = 27; whoever rests a
-  /// proof on it has to see that it is enough.
+  /// Three times the float rounding of the exponents A c - A of lobes up to A = 27. A proof that relies on it
+  /// has to check that it is large enough.
   static constexpr double overlap = 0x1p-14;
 
   struct Whole {
@@ -71,7 +71,7 @@ struct ExponentBits<Interval> {
   static Interval times_exp2(const Interval& p, const Whole& whole) {
     return p * Scalar<Interval>::hull(exp2(Interval(whole.lower)), exp2(Interval(whole.upper)));
   }
-  /// Between two neighbours each has its own rest, next to the cut.
+  /// Between two neighbouring whole numbers, each has its own rest next to the cut.
   template <class F>
   static Interval joined(const Interval& x, const F& f) {
     const Whole whole = whole_of(x);
@@ -85,7 +85,7 @@ struct ExponentBits<Interval> {
   }
 };
 
-/// The whole number does not vary: the derivative is that of the polynomial, as it is between two jumps.
+/// The whole number is constant between two jumps, so the derivative is that of the polynomial.
 template <class T, int N>
 struct ExponentBits<ceres::Jet<T, N>> {
   using Jet = ceres::Jet<T, N>;
@@ -101,7 +101,7 @@ struct ExponentBits<ceres::Jet<T, N>> {
     for (int i = 0; i < N; ++i) result.v[i] = p.v[i] * shadefit::times_exp2(integer<T>(1), whole);
     return result;
   }
-  /// What jumps has no slope: it may be any number.
+  /// At a jump there is no slope, so the derivative is enclosed by all numbers.
   template <class F>
   static Jet joined(const Jet& x, const F& f) requires std::same_as<T, Interval> {
     if (!ExponentBits<T>::whole_of(x.a).is_cut()) return f(split(x));

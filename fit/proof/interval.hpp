@@ -7,19 +7,20 @@
 
 #include "approx/scalar.hpp"
 
-/// The adapter of MPFI intervals: the arithmetic of proof. Every result contains every true result.
+/// The adapter of MPFI intervals, the arithmetic of the proofs. Every result contains all true results.
 namespace shadefit {
 
 /// An interval with 50-digit ends, rounded outward by each operation. Expression templates are off.
 using Interval = boost::multiprecision::number<boost::multiprecision::mpfi_float_backend<50>,
                                                boost::multiprecision::et_off>;
 
-/// What `less` of two intervals can know.
+/// The possible results of `less` for two intervals.
 enum class Certainty { no, yes, unknown };
 
-/// MPFI's own functions are called directly: Boost 1.74 lacks some, its comparisons end the process when they
-/// cannot be decided, and its pow throws at zero. An end that is not a number (a root of [-1, 4]) makes the
-/// whole result not a number: MPFR's max would drop it and MPFI's comparison call it equal.
+/// MPFI's own functions are called directly: Boost 1.74 lacks some, its comparisons terminate the process
+/// when they cannot be decided, and its pow throws at zero. An end that is NaN (the root of [-1, 4]) makes
+/// the whole result NaN. Otherwise MPFR's max would drop the NaN and MPFI's comparison would treat it as
+/// equal.
 template <>
 struct Scalar<Interval> {
   static Interval exp(const Interval& x) { return apply(mpfi_exp, x); }
@@ -33,7 +34,7 @@ struct Scalar<Interval> {
   static Interval cos(const Interval& x) { return apply(mpfi_cos, x); }
   static Interval atan(const Interval& x) { return apply(mpfi_atan, x); }
 
-  /// MPFI has none; erfc falls, so its ends are those of x, by MPFR's directed rounding.
+  /// MPFI has no erfc. erfc falls, so its ends come from the ends of x, by MPFR's directed rounding.
   static Interval erfc(const Interval& x) {
     if (is_nan(x)) return nan();
     Interval result;
@@ -101,10 +102,10 @@ struct Scalar<Interval> {
     return result;
   }
 
-  /// Whether it is the number 0 and no other: `==` of two intervals ends the process where it is undecided.
+  /// Whether x is exactly 0. `==` of two intervals would terminate the process if it cannot be decided.
   static bool is_zero(const Interval& x) { return mpfi_is_zero(x.backend().data()) > 0; }
 
-  /// The smallest interval that contains both; not a number where either is (a function left its domain).
+  /// The smallest interval that contains both; NaN if either is NaN (a function left its domain).
   static Interval hull(const Interval& a, const Interval& b) {
     if (is_nan(a) || is_nan(b)) return nan();
     Interval result;

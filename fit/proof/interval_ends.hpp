@@ -5,7 +5,7 @@
 
 #include "fit/proof/interval.hpp"
 
-/// Between intervals and doubles, always outward: what is said of an interval in doubles stays true.
+/// Conversion between intervals and doubles, always rounded outward, so that bounds stay true.
 namespace shadefit {
 
 /// The bits of an interval's ends.
@@ -25,17 +25,17 @@ inline Interval any_number() {
   return span_of(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
 }
 
-/// The largest double that is at most every number of x; NaN where x is not a number.
+/// The largest double that is at most every number of x; NaN if x is NaN.
 inline double lower_end(const Interval& x) {
   return mpfr_get_d(&x.backend().data()->left, MPFR_RNDD);
 }
 
-/// The smallest double that is at least every number of x; NaN where x is not a number.
+/// The smallest double that is at least every number of x; NaN if x is NaN.
 inline double upper_end(const Interval& x) {
   return mpfr_get_d(&x.backend().data()->right, MPFR_RNDU);
 }
 
-/// Whether x is a number and bounded on either side.
+/// Whether x is not NaN and bounded on both sides.
 inline bool is_bounded(const Interval& x) {
   return mpfi_bounded_p(x.backend().data()) != 0;
 }
@@ -45,14 +45,14 @@ inline double width_of(const Interval& x) {
   return upper_end(Interval(x - x));  // from lower - upper to upper - lower
 }
 
-/// At least every |number| of x; infinite where x is not a number.
+/// At least every |number| of x; infinite if x is NaN.
 inline double largest_magnitude_in(const Interval& x) {
   const double lower = lower_end(x), upper = upper_end(x);
   if (std::isnan(lower) || std::isnan(upper)) return std::numeric_limits<double>::infinity();
   return std::fmax(-lower, upper);
 }
 
-/// At most every |number| of x; 0 where x is not a number.
+/// At most every |number| of x; 0 if x is NaN.
 inline double smallest_magnitude_in(const Interval& x) {
   const double lower = lower_end(x), upper = upper_end(x);
   if (lower > 0) return lower;
@@ -64,7 +64,7 @@ inline bool has_one_sign(const Interval& x) {
   return is_bounded(x) && mpfi_has_zero(x.backend().data()) <= 0;
 }
 
-/// Whether no number of x is above 0, or none below.
+/// Whether no number of x is above 0 (`is_never_positive`) or below 0 (`is_never_negative`).
 inline bool is_never_positive(const Interval& x) {
   return upper_end(x) <= 0 && !std::isnan(lower_end(x));
 }

@@ -14,34 +14,33 @@
 #include "fit/scalars/narrow_result.hpp"
 #include "fit/scalars/rounded_interval.hpp"
 
-/// How far a machine's evaluation of a formula is from the formula: running error analysis, proven by
-/// intervals.
+/// Proven bounds of the rounding error of a formula: running error analysis with intervals.
 namespace shadefit {
 
-/// The rounding of a format's operations, all relative to the exact result of the operation: a basic one, a
-/// function, and what underflow adds to either.
+/// The rounding of a format's operations, relative to the exact result: of a basic operation, of a function,
+/// and the absolute error that underflow adds.
 struct Rounding {
   double basic;
   double quotient;
   double function;
   double underflow;
-  bool is_gpu = false;  ///< exp and pow are made of exp2 and log2
+  bool is_gpu = false;  ///< exp and pow are computed with exp2 and log2
 
   bool operator==(const Rounding&) const = default;
 };
 
-/// The true value of a quantity, enclosed, and a bound of |computed - true|. The rounding of the operations
-/// travels with it: an operand that no operation has touched has none.
+/// The true value of a quantity, enclosed, and a bound of |computed - true|. It carries the rounding of the
+/// operations; an untouched operand has none.
 ///
-/// Each operation bounds what its operands' errors do to its true result (over the whole intervals, by its
-/// derivative or, for exp, by its law of addition) and adds its own rounding of the computed value. Source:
-/// Higham 2002, "Accuracy and Stability of Numerical Algorithms", 2nd edition, section 3.3.
+/// Each operation bounds the effect of its operands' errors on its true result, over the whole intervals: by
+/// its derivative or, for exp, by exp(a + b) = exp(a) exp(b). Then it adds its own rounding of the computed
+/// value. Source: Higham 2002, "Accuracy and Stability of Numerical Algorithms", 2nd edition, section 3.3.
 struct RunningError {
   Interval value;
   double error = 0;
   const Rounding* rounding = nullptr;
 
-  /// An operand: the number itself, or on a GPU zero where it is subnormal.
+  /// An operand: the number itself, or on a GPU zero if it is subnormal.
   static RunningError operand(const Interval& value, const Rounding& rounding) {
     return {value, rounding.is_gpu ? rounding.underflow : 0, &rounding};
   }
@@ -86,7 +85,7 @@ struct RunningError {
   }
 };
 
-/// What the forms are made of.
+/// The operations that the forms use.
 template <>
 struct Scalar<RunningError> {
   using T = RunningError;
@@ -150,9 +149,9 @@ struct Scalar<RunningError> {
   }
 };
 
-/// The arithmetic of a machine: an operation is off by half an ulp, which is at most 2^-p of its result; the
-/// functions too in a float, by the contract of `--round`, and by an ulp in a double, by the manual of the
-/// GNU C library.
+/// The arithmetic of a CPU. An operation has an error of half an ulp, at most 2^-p of its result. Functions
+/// have half an ulp in float, by the contract of `--round`, and one ulp in double, by the manual of the GNU C
+/// library.
 inline constexpr Rounding float_rounding{0x1p-24, 0x1p-24, 0x1p-24, least_of<FloatFormat>};
 inline constexpr Rounding double_rounding{0x1p-53, 0x1p-53, 0x1p-52, 0x1p-1074};
 /// See `GpuModel`.
@@ -160,9 +159,9 @@ inline constexpr Rounding gpu_float_rounding{0x1p-24, GpuModel::quotient_ulps * 
                                              GpuModel::function_ulps * 0x1p-23, least_normal_of<FloatFormat>,
                                              true};
 
-/// A bound of what rounding does to a form anywhere in a domain: boxes are cut until the largest bound is
-/// within a twentieth of what places reach, or there are many. `error` maps a box's cosines, enclosed, to a
-/// bound there.
+/// A bound of the rounding error of a form over a domain. Boxes are cut until the largest bound is within a
+/// twentieth of the largest value at single places, or until there are too many. `error` maps a box's
+/// cosines, enclosed, to a bound there.
 template <class Error>
 double bound_of_rounding(const Error& error, const Domain& domain) {
   using Part = std::pair<double, Box>;

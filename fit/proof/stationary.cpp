@@ -20,8 +20,8 @@ namespace {
 
 /// Orders of the Taylor series: a gradient needs 20 digits, a Hessian a few.
 constexpr int gradient_order = 20, hessian_order = 8;
-/// Relative widths that the integrals are asked for. What of the gradient is left over moves the box by about
-/// as much, and more by the condition of the problem, a few hundred for the pair.
+/// Requested relative widths of the integrals. The width of the gradient moves the box by about as much,
+/// times the condition of the problem (a few hundred for the pair).
 constexpr double gradient_width = 1e-19, hessian_width = 1e-4;
 
 template <std::size_t N>
@@ -35,7 +35,7 @@ ceres::Jet<T, N> seed(const T& value, int i) {
   return jet;
 }
 
-/// error * d error/dp_i at a place: what the gradient of half the square integrates.
+/// error * d error/dp_i at a place: the integrand of the gradient of half the squared error.
 template <class F, std::size_t N>
 auto gradient_integrand(const F& family, const Intervals<N>& parameters) {
   return [=]<class T>(const Cosine<T>& c) {
@@ -50,7 +50,7 @@ auto gradient_integrand(const F& family, const Intervals<N>& parameters) {
   };
 }
 
-/// And of its derivatives, row by row.
+/// The same for the derivatives of the gradient, row by row.
 template <class F, std::size_t N>
 auto hessian_integrand(const F& family, const Intervals<N>& parameters) {
   return [=]<class T>(const Cosine<T>& c) {
@@ -80,7 +80,7 @@ StationaryPoint prove(const F& family, const Fit& fit, const Checkpoint& checkpo
   using Matrix = Eigen::Matrix<double, static_cast<int>(N), static_cast<int>(N)>;
   const std::array<double, N> p = parameter_array<F>(fit.parameters);
 
-  // Plain numbers choose the scales and the inverse; whatever they are, the proof holds or fails by itself.
+  // The scales and the inverse are chosen in plain doubles. The proof does not depend on their accuracy.
   const auto substitutions = Substitution::panels(fit.metric, family.shape());
   long double total = 0;
   for (const Substitution& panel : substitutions) total += panel.total();

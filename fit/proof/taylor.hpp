@@ -11,18 +11,18 @@
 /// Taylor series in one variable with interval coefficients: the arithmetic of enclosed integrals.
 namespace shadefit {
 
-/// The coefficients f(a), f'(a), f''(a)/2 .. of a function up to the Order-th, each enclosed for every place
-/// a of an interval: of the middle of a panel, or of all of it. Coefficients beyond `degree` are 0, so that
-/// what is constant or a polynomial stays cheap.
+/// The coefficients f(a), f'(a), f''(a)/2 .. of a function up to the Order-th, each enclosed for all a of an
+/// interval: the middle of a panel, or the whole panel. Coefficients beyond `degree` are 0, so constants and
+/// polynomials stay cheap.
 ///
-/// Where a function leaves its domain, or a condition cannot be decided on the interval, coefficients are not
-/// numbers, and so is all that is made of them.
+/// If a function leaves its domain, or a condition cannot be decided on the interval, the coefficients and
+/// all results from them are NaN.
 template <int Order>
 class Taylor {
  public:
   Taylor() : Taylor(Interval(0)) {}
   explicit Taylor(const Interval& constant) : coefficients_{constant} {}
-  Taylor(double constant) : Taylor(Interval(constant)) {}  // what ceres::Jet asks of its scalar
+  Taylor(double constant) : Taylor(Interval(constant)) {}  // ceres::Jet requires this of its scalar
   explicit Taylor(std::vector<Interval> coefficients) : coefficients_(std::move(coefficients)) {}
 
   /// The variable itself at a place or on an interval.
@@ -61,7 +61,7 @@ class Taylor {
   Taylor& operator*=(const Taylor& b) { return *this = *this * b; }
   Taylor& operator/=(const Taylor& b) { return *this = *this / b; }
 
-  /// The function with that value and that slope.
+  /// The function with the given value and slope.
   static Taylor integrated(const Interval& value, const Taylor& slope) {
     return recurrence(std::min(Order, slope.degree() + 1), value,
                       [&](int k, const Taylor&) { return slope[k - 1] / Interval(k); });
@@ -90,7 +90,7 @@ class Taylor {
  private:
   const Interval& at(int i) const { return coefficients_[static_cast<std::size_t>(i)]; }
 
-  /// sum += a b, without an Interval made for the product: most of the time of a proof is spent here.
+  /// sum += a b, without a new Interval for the product: a proof spends most of its time here.
   static void add_product(Interval& sum, const Interval& a, const Interval& b, Interval& term) {
     mpfi_mul(term.backend().data(), a.backend().data(), b.backend().data());
     mpfi_add(sum.backend().data(), sum.backend().data(), term.backend().data());
@@ -148,13 +148,13 @@ struct Scalar<Taylor<Order>> {
   /// x^p = exp(p log x), x > 0; at x = 0 it has no series.
   static T power(const T& x, const T& p) { return exp(p * log(x)); }
 
-  /// For an integral a condition may fail to hold at single places: touching intervals are decided.
+  /// Single points do not change an integral, so touching intervals count as decided.
   static Certainty less(const T& a, const T& b) {
     const Interval difference = b.value() - a.value();
     if (is_never_negative(difference)) return Certainty::yes;
     return is_never_positive(difference) ? Certainty::no : Certainty::unknown;
   }
-  /// Where it is not decided there are two functions and no series.
+  /// An undecided condition would need two functions, so the result has no series.
   static T select(Certainty condition, const T& a, const T& b) {
     if (condition == Certainty::unknown) return T(std::vector(Order + 1, shadefit::log(Interval(-1))));
     return condition == Certainty::yes ? a : b;
@@ -182,8 +182,8 @@ struct Scalar<Taylor<Order>> {
     });
   }
 
-  /// f with f(a) and f'(a) given and f'' = sign f: a sine or a cosine. k f_k = sum of j a_j g_(k-j), and g
-  /// the same of f.
+  /// f with f(a) and f'(a) given and f'' = sign f: a sine or a cosine. k f_k = sum of j a_j g_(k-j), and
+  /// correspondingly for g with f.
   static T turned(const T& a, const Interval& value, const Interval& slope, int sign) {
     const T inner = a.differentiated();
     T f(value), g(slope);

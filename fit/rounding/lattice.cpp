@@ -11,7 +11,7 @@
 namespace shadefit {
 namespace {
 
-/// A double has 15 to 17 significant digits: 17 tell any two apart.
+/// 17 significant digits distinguish any two doubles.
 constexpr int digits_that_tell_apart = 17;
 
 }  // namespace
@@ -54,7 +54,7 @@ std::string DecimalLattice::text(std::int64_t index) const {
   const std::int64_t tens = fractions() / 9;
   const int power_of_ten = least_power + static_cast<int>(i / fractions());
   const std::string mantissa = std::to_string(tens + i % fractions());
-  // d.ddd by 10^power_of_ten, in plain notation where that is short
+  // d.ddd times 10^power_of_ten, in plain notation if that is short
   std::string plain;
   if (power_of_ten >= 0 && power_of_ten < digits) {
     const auto whole = static_cast<std::size_t>(power_of_ten) + 1;

@@ -7,25 +7,25 @@
 
 #include "fit/scalars/narrow_result.hpp"
 
-/// The finite numbers of a format as a lattice: each has an index, neighbours have neighbouring ones.
+/// The finite numbers of a format as a lattice: neighbouring numbers have neighbouring indices.
 namespace shadefit {
 
-/// What constants are rounded to.
+/// The number format that constants are rounded to.
 struct NumberFormat {
   enum class Kind { half, bfloat16, single, decimal };
   Kind kind = Kind::half;
-  int digits = 0;  ///< significant ones of a decimal, 1 to 17
+  int digits = 0;  ///< significant digits of a decimal, 1 to 17
 
   bool operator==(const NumberFormat&) const = default;
 
-  /// Whether there are so few numbers in [0, 1] that a form is evaluated at each.
+  /// Whether [0, 1] holds so few numbers that a form is evaluated at every one of them.
   bool is_narrow() const { return kind == Kind::half || kind == Kind::bfloat16; }
 };
 
 /// "half", "bfloat16", "float", "decimal:5".
 std::string to_text(const NumberFormat& format);
 
-/// That format. Throws UserError with one line for anything else.
+/// The format that a text names. Throws UserError with one line for any other text.
 NumberFormat parse_number_format(const std::string& text);
 
 /// The numbers of a binary format by their bits: index i >= 0 is the i-th number from zero up, -i its
@@ -46,7 +46,7 @@ struct BinaryLattice {
                                                       exponent + static_cast<int>(binade) - 1);
     return index < 0 ? -magnitude : magnitude;
   }
-  /// The index of the number nearest to x; beyond `last()` where x overflows.
+  /// The index of the number nearest to x; beyond `last()` if x overflows.
   std::int64_t nearest(double x) const {
     const double rounded = static_cast<double>(NarrowResult<Format>::rounded(std::abs(x)));
     if (!(rounded <= largest_of<Format>)) return x < 0 ? -(last() + 1) : last() + 1;

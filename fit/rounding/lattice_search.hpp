@@ -42,30 +42,30 @@ template <std::size_t N>
 struct LatticeOptimum {
   LatticePoint<N> point{};
   double error = std::numeric_limits<double>::infinity();
-  long boxes = 0;          ///< that were bounded
+  long boxes = 0;          ///< number of bounded boxes
   long evaluated = 0;      ///< points whose error was computed
   bool is_proven = false;  ///< no other point of the box is better
 };
 
-/// A problem behind plain functions: the search is compiled once for as many coordinates.
+/// A type-erased problem: the search is compiled only once for each number of coordinates.
 template <std::size_t N>
 struct LatticeProblem {
-  /// At most the error of every point of the box; may stop at anything from `best` up.
+  /// A lower bound of the error of all points of the box. May return early with any value >= `best`.
   std::function<double(const LatticeBox<N>& box, double best)> bound;
-  /// The error of a point, or anything from `best` up where it is no better.
+  /// The error of a point, or any value >= `best` if the point is no better.
   std::function<double(const LatticePoint<N>& point, double best)> error;
 };
 
-/// What a problem's own members `bound` and `error` say; it has to stay where it is.
+/// Wraps a problem with members `bound` and `error`. The problem must outlive the result.
 template <std::size_t N, class Problem>
 LatticeProblem<N> lattice_problem(Problem& problem) {
   return {[&problem](const LatticeBox<N>& box, double best) { return problem.bound(box, best); },
           [&problem](const LatticePoint<N>& point, double best) { return problem.error(point, best); }};
 }
 
-/// Best first: of all boxes the one whose bound is lowest is cut at its widest side, and its centre tried,
-/// which gives a good error to prune by early. Of points with equal errors the first met stays. Gives up
-/// after `limit` boxes, calls `checkpoint` now and then.
+/// Best first: the box with the lowest bound is cut at its widest side and its centre is evaluated, which
+/// soon gives a good error for pruning. Of points with equal errors the first one stays. Gives up after
+/// `limit` boxes; calls `checkpoint` now and then.
 template <std::size_t N>
 LatticeOptimum<N> search_lattice(const LatticeProblem<N>& problem, const LatticeBox<N>& all,
                                  const std::vector<LatticePoint<N>>& starts, long limit,

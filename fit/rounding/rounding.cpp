@@ -15,7 +15,7 @@
 namespace shadefit {
 namespace {
 
-/// The cosines at which the error has a meaning.
+/// The cosines at which the error is defined.
 template <class F>
 Domain domain_of(const F& family, const Domain& domain, Error kind) {
   if (kind == Error::absolute) return domain;
@@ -48,7 +48,7 @@ std::string largest_text(const DecimalLattice&) {
   return "1e" + std::to_string(DecimalLattice::largest_power + 1);
 }
 
-/// Each parameter rounded to the lattice by itself.
+/// Each parameter rounded to the lattice separately.
 template <std::size_t N, class Lattice>
 LatticePoint<N> rounded_point(const Lattice& lattice, const FittableFamily& family,
                               const NumberFormat& format, const std::vector<double>& parameters) {
@@ -63,7 +63,7 @@ LatticePoint<N> rounded_point(const Lattice& lattice, const FittableFamily& fami
   return point;
 }
 
-/// The largest error is searched as it is, and the form as it comes.
+/// Refuses a weight and constraints: the search supports only the plain largest error.
 void require_no_more(const Metric& metric, const NumberFormat& format) {
   const auto refuse = [&](bool is_there, const char* option) {
     if (is_there) throw UserError("--round '" + to_text(format) + "' does not apply with " + option);
@@ -75,7 +75,7 @@ void require_no_more(const Metric& metric, const NumberFormat& format) {
   refuse(metric.constraints.at_least.has_value(), "--at-least: rounding would break it");
 }
 
-/// An exponent is a constant of the form too.
+/// The exponent is a constant of the form and must be a number of the format.
 template <class Format>
 void require_exponent(const FittableFamily& family, double exponent, const NumberFormat& format) {
   if (!family.has_exponent()) return;
@@ -96,7 +96,7 @@ RoundedConstants constants_at(const Lattice& lattice, const LatticePoint<N>& poi
   return constants;
 }
 
-/// What a display shows of a weight: of a surface its reflectance.
+/// The displayed value of a weight: with a surface, its reflectance.
 template <class F>
 double shown(const F& family, double weight) {
   if constexpr (requires { family.surface; }) {
@@ -172,18 +172,19 @@ RoundedConstants assessed(const RealProblem<F, Lattice>& problem, const F& famil
   return constants;
 }
 
-/// Steps of the lattice to each side of the best so far, where not all of it can be searched.
+/// If the whole lattice is too large to search: steps to each side of the best point so far.
 constexpr std::int64_t neighbourhood = 16;
-/// Parameters up to which all of a lattice can be.
+/// The most parameters for which the whole lattice can be searched.
 constexpr std::size_t most_dimensions = 2;
-/// Neighbourhoods that a search may move through.
+/// The most neighbourhoods of a search.
 constexpr int most_moves = 100;
 
-/// Which parameters are given: they stay at the first start.
+/// Marks the given parameters; they keep their value from the first start.
 template <std::size_t N>
 using GivenPlaces = std::array<bool, N>;
 
-/// All of the lattice up to `last`, or else neighbourhoods until the best of one is its centre.
+/// Searches the whole lattice up to `last`, or else neighbourhoods until the best point is the centre of its
+/// neighbourhood.
 template <std::size_t N>
 LatticeOptimum<N> search(const LatticeProblem<N>& problem, std::int64_t last,
                          const std::vector<LatticePoint<N>>& starts, const GivenPlaces<N>& given, long limit,
@@ -228,7 +229,7 @@ LatticeOptimum<N> search(const LatticeProblem<N>& problem, std::int64_t last,
   return best;
 }
 
-/// The parts of the answer that each kind of problem finds in the same way.
+/// The parts of the answer that all kinds of problems compute in the same way.
 template <class F, class Problem, class Assess>
 void round_with(const Fit& fit, Problem& problem, const std::vector<double>& published, long limit,
                 const Checkpoint& checkpoint, const Assess& assess, Rounded& rounded) {

@@ -15,7 +15,8 @@
 #include "fit/rounding/rounding.hpp"
 #include "fit/scalars/rounded_interval.hpp"
 
-/// Which constants of a lattice make a form's largest error least: the problems that `search_lattice` solves.
+/// The problems that `search_lattice` solves: the constants of a lattice with the smallest largest error of a
+/// form.
 namespace shadefit {
 
 /// An error is scale |form - target|.
@@ -25,7 +26,7 @@ struct Measured {
   T scale;
 };
 
-/// What the error of a family is at a cosine: see its `error` and `relative_error`.
+/// The error of a family at a cosine: see its `error` and `relative_error`.
 template <class F, class T>
 Measured<T> measured_at(const F& family, Error kind, const Cosine<T>& c) {
   const T one = integer<T>(1);
@@ -40,7 +41,7 @@ Measured<T> measured_at(const F& family, Error kind, const Cosine<T>& c) {
   }
 }
 
-/// The exponent of a lobe; of others any number, which no formula uses.
+/// The exponent of a lobe; for other families an arbitrary number that no formula uses.
 template <class F>
 double exponent_of(const F& family) {
   if constexpr (requires { family.exponent; }) {
@@ -50,20 +51,20 @@ double exponent_of(const F& family) {
   }
 }
 
-/// A form in another arithmetic, from doubles that are numbers of it.
+/// A form evaluated in another arithmetic; the given doubles are numbers of that arithmetic.
 template <class T, class F, std::size_t N>
 T form_in(const F& family, double cos_theta, const std::array<T, N>& p) {
   return F::form_of(T(cos_theta), T(exponent_of(family)), p);
 }
 
-/// A place at which constants are held against the target.
+/// A place at which constants are compared with the target.
 struct Trial {
   double cos_theta;
   double target_lower, target_upper;
   double scale;
 };
 
-/// The trials that rule out constants. Those that did so lately come first.
+/// The trials that rule out constants, the recently successful ones first.
 class Trials {
  public:
   bool has(double cos_theta) const {
@@ -94,7 +95,7 @@ class Trials {
   std::vector<Trial> trials_;
 };
 
-/// Places that a search starts from: as many, even in the cosine, and the ends.
+/// The first trials of a search: this many places, evenly spaced in the cosine, and the ends.
 inline constexpr int first_trials = 16;
 
 /// The parameters of a box of a lattice as intervals.
@@ -156,7 +157,7 @@ class NarrowProblem {
     return worst.error;
   }
 
-  /// The largest error of constants of the format; infinite where a result is no number.
+  /// The largest error of constants of the format; infinite if a result is NaN.
   Worst worst_of(const std::array<double, N>& parameters) const {
     Worst worst{-1, {}};
     for (const Input& input : inputs_) {
@@ -200,9 +201,9 @@ class NarrowProblem {
   Trials trials_;
 };
 
-/// A wide format: the error is that of the real form, whose maximum is sampled and refined. What rules out
-/// constants is rigorous all the same: the real form, enclosed, at places where it is too far from the
-/// target.
+/// A wide format: the error is that of the real form, whose maximum is sampled and refined. Ruling out
+/// constants is rigorous nevertheless: it uses enclosures of the real form at places where the form is too
+/// far from the target.
 template <class F, class Lattice>
 class RealProblem {
  public:
@@ -220,7 +221,8 @@ class RealProblem {
     using T = RoundedInterval<OutwardArithmetic>;
     const auto p = intervals_of<OutwardArithmetic>(lattice_, box);
     if constexpr (HasDenominator<F>) {
-      // Constants that are not admissible have a pole each at a place of its own: no trial rules out many.
+      // Each inadmissible set of constants has its pole at a different place, so a trial could not rule out
+      // many.
       for (const double end : {domain_.lower, domain_.upper}) {
         if (family_.denominator(T(end), p).upper() <= 0) return unbounded;
       }
