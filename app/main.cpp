@@ -16,7 +16,7 @@
 
 namespace {
 
-/// How a run ends whose results could not be printed. The files that it made ready are not put.
+/// The outcome of a run whose results could not be printed. Its prepared files are not written.
 shadefit::Outcome not_printed(const shadefit::Printed& printed) {
   if (printed.signal > 0)
     return {128 + printed.signal, "", "shadefit: interrupted while printing, no file was written\n"};
@@ -24,15 +24,15 @@ shadefit::Outcome not_printed(const shadefit::Printed& printed) {
           std::string("shadefit: cannot write standard output: ") + std::strerror(printed.error) + "\n"};
 }
 
-/// Takes the numbers of standard streams that are closed, so that no file of ours gets one of them. Writing
-/// to such a stream fails still.
+/// Occupies the descriptors of closed standard streams, so that no file of ours gets one of them. Writing to
+/// such a stream still fails.
 void fill_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }
 
-/// The terminal behind a descriptor. Colours are for those who did not ask for none (https://no-color.org).
+/// The terminal behind a descriptor. Colours can be disabled by NO_COLOR (https://no-color.org).
 shadefit::Terminal terminal_of(int descriptor) {
   if (::isatty(descriptor) == 0) return {};
   const char *type = std::getenv("TERM"), *no_colour = std::getenv("NO_COLOR");
@@ -43,7 +43,7 @@ shadefit::Terminal terminal_of(int descriptor) {
   return {.width = size.ws_col, .has_colour = !is_plain};
 }
 
-/// As every filter ends whose reader has gone.
+/// Ends the process by a signal, like every filter that loses its reader.
 void end_by(int signal) {
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -52,9 +52,9 @@ void end_by(int signal) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file that may not grow further is then an error of that file, told like any other.
+  // A file size limit then becomes a normal error of that file.
   std::signal(SIGXFSZ, SIG_IGN);
-  // So is a reader of ours that has gone.
+  // So does a reader of our output that has gone.
   std::signal(SIGPIPE, SIG_IGN);
   fill_standard_streams();
   const auto signals = shadefit::hold_interrupts();
@@ -63,10 +63,10 @@ int main(int argc, char** argv) {
   auto outcome = shadefit::prepare_command_line({argv + 1, argv + argc}, checkpoint, progress,
                                                 terminal_of(STDOUT_FILENO));
   progress("");
-  // Somebody who pressed Ctrl-C again while the first was being obeyed.
+  // The user may press Ctrl-C again while the first is handled.
   const bool is_interrupted = outcome.exit_code > 128;
   if (is_interrupted) shadefit::take_waiting(signals);
-  // The signals stay held: printing looks for them, and none can end the process without a word.
+  // The signals stay held: printing checks for them, and none can end the process without a message.
   const auto printed = shadefit::print(STDOUT_FILENO, outcome.out, signals);
   if (printed.error == EPIPE && !outcome.put) end_by(SIGPIPE);
   outcome = printed.is_whole() ? shadefit::put_files(std::move(outcome)) : not_printed(printed);

@@ -123,8 +123,7 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   if (std::any_of(arguments.begin(), arguments.end(), asks_for_help)) return {0, help_text(app, command), ""};
   require_values(command, arguments);
   try {
-    app.parse(std::vector<std::string>(arguments.rbegin(),
-                                       arguments.rend()));  // CLI11 expects the arguments in reverse order
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // in reverse, for CLI11
   } catch (const CLI::ExtrasError& error) {
     return usage_error(first_unexpected(error.what(), arguments), arguments);
   } catch (const CLI::ArgumentMismatch& error) {

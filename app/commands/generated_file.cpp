@@ -23,8 +23,8 @@ constexpr std::string_view line_prefix = "// shadefit ";
 /// The commands that print code.
 constexpr std::array<std::string_view, 2> generators{"emit", "scene"};
 
-/// The words of a line as a shell has them: what is in quotes is one, and \\ before a quote outside of them
-/// is a quote.
+/// Splits a line into words like a shell: quoted text is one word, and \\ before a quote outside quotes is a
+/// quote.
 std::vector<std::string> words_of(std::string_view line) {
   std::vector<std::string> words;
   bool is_quoted = false, is_open = false;
@@ -69,7 +69,7 @@ std::vector<std::string> command_in(const std::string& code, const std::string& 
                               line_prefix));
 }
 
-/// The first line in which two texts differ, from 1.
+/// The number, from 1, of the first line in which two texts differ.
 int first_difference(const std::string& a, const std::string& b) {
   const auto end = std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first;
   return 1 + static_cast<int>(std::count(a.begin(), end, '\n'));
@@ -80,8 +80,8 @@ int first_difference(const std::string& a, const std::string& b) {
 std::string shell_text(const std::vector<std::string>& words) {
   std::string text = "shadefit";
   for (const std::string& word : words) {
-    // POSIX's portable characters of file names, and others without a meaning for a shell: all else is
-    // quoted.
+    // POSIX's portable characters of file names, and others without a meaning for a shell. Words with any
+    // other character are quoted.
     constexpr std::string_view plain =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./:=,+@%";
     if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) {
@@ -104,13 +104,13 @@ std::string command_text(const std::vector<std::string>& words) {
   return shell_text(words);
 }
 
-/// A text with the line ends that are ours: a checkout may have made others of them.
+/// A text with our line ends: a checkout may have changed them.
 std::string with_plain_ends(std::string text) {
   for (std::size_t i = 0; (i = text.find("\r\n", i)) != std::string::npos;) text.erase(i, 1);
   return text;
 }
 
-/// Code with another line where it names its command.
+/// Code with the line that names its command replaced.
 std::string with_command_of(std::string code, const std::string& other) {
   const auto place = [](const std::string& text) {
     const std::size_t begin = text.find("\n" + std::string(line_prefix)) + 1;
@@ -121,12 +121,12 @@ std::string with_command_of(std::string code, const std::string& other) {
   return code.replace(begin, length, other, other_begin, other_length);
 }
 
-/// The command of a file in `folder` as it is run from here. The files of a scene, its words up to the first
-/// option, are named relative to that folder; what is printed then names them from the root.
+/// The command of a file in `folder`, to be run from the current folder. A scene's files, the words up to the
+/// first option, are relative to `folder`; printed messages then show their full paths.
 std::vector<std::string> from_here(std::vector<std::string> words, const std::filesystem::path& folder) {
   if (words.front() != "scene") return words;
   for (std::size_t i = 1; i < words.size() && !words[i].starts_with("--"); ++i)
-    words[i] = (folder / words[i]).string();  // a path from the root replaces it all
+    words[i] = (folder / words[i]).string();  // an absolute path replaces all of it
   return words;
 }
 

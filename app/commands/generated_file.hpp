@@ -9,11 +9,10 @@
 /// Generated files that name the command that made them.
 namespace shadefit {
 
-/// A call as a line for a shell: "shadefit scene 'a b.mtl' --lang glsl".
+/// A command as a line for a shell: "shadefit scene 'a b.mtl' --lang glsl".
 std::string shell_text(const std::vector<std::string>& words);
 
-/// The same for a comment. Throws UserError for a word that a comment cannot hold: line ends, control
-/// characters.
+/// The same for a comment. Throws UserError for a word with line ends or control characters.
 std::string command_text(const std::vector<std::string>& words);
 
 /// Runs the command that a file of generated code names, in its comment, and compares: exit 1 where it would

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* picture_name = "scene.png";
 
-/// The spheres, where there is a gnuplot to draw them.
+/// Draws the spheres if gnuplot is installed.
 void draw_spheres(ShadedScene& shaded, const std::vector<File>& files, const std::string& out,
                   const Checkpoint& checkpoint) {
   shaded.missing.push_back({picture_name, ""});

@@ -12,18 +12,18 @@
 
 namespace shadefit {
 
-/// What `scene --shade` says and writes.
+/// The messages and files of `scene --shade`.
 struct ShadedScene {
-  std::string out = {}, err = {};  ///< something on `err`: a plan or a drawing failed
+  std::string out = {}, err = {};  ///< text on `err`: a plan or a drawing failed
   std::vector<File> files = {};    ///< none without a directory
   std::vector<File> missing = {};  ///< pictures that were not drawn
 };
 
-/// The files that `shade_scene` may make, each with what it begins with.
+/// The files that `shade_scene` may write, each with its first bytes.
 std::vector<File> files_of_shading();
 
-/// Shades a scene by the reference, by the published constants and as planned, on the widest registers of
-/// this machine; with pictures where there is a directory `out` for them.
+/// Shades a scene with the reference, with the published constants and as planned, on the widest registers of
+/// this machine. Draws pictures if a directory `out` is given.
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
                         const std::optional<std::string>& out, const Terminal& terminal,
                         const Checkpoint& checkpoint, const Progress& progress);

@@ -10,7 +10,7 @@
 namespace shadefit {
 namespace {
 
-/// A width that this machine has.
+/// A width that this machine supports.
 forms::Width parse_width(const std::string& option, const std::string& text) {
   using forms::Width;
   constexpr std::array<std::pair<std::string_view, Width>, 4> known{

@@ -26,7 +26,7 @@ struct BenchOptions {
   bool no_plots = false;
   std::optional<forms::Width> width = {};
   std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
-  std::optional<std::string> constants = {};   ///< of that form; the rest is for it too
+  std::optional<std::string> constants = {};   ///< of that form; the options below are for it too
   int exp2_degree = 0;                         ///< 0: the library's exp2
   std::optional<bench::Shard> shard = {};
   std::optional<std::string> state = {};
@@ -38,7 +38,7 @@ struct BenchOptions {
 /// Declares its options.
 void declare_bench(CLI::App& bench, BenchOptions& options);
 
-/// Times, or with --exhaustive every float. `version` is that of this program.
+/// Measures times, or with --exhaustive compares every float. `version` is the version of this program.
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
                       const Progress& progress);
 

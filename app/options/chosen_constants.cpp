@@ -14,7 +14,7 @@
 namespace shadefit {
 namespace {
 
-/// In the order of the family, where the names are its own.
+/// The parameters in the order of the family, if all names belong to it.
 Parameters in_order(Parameters parameters, const FittableFamily& family) {
   const auto rank = [&](const auto& parameter) {
     return std::find(family.parameters.begin(), family.parameters.end(), parameter.first) -
@@ -25,8 +25,8 @@ Parameters in_order(Parameters parameters, const FittableFamily& family) {
   return parameters;
 }
 
-/// The number that was published for a parameter of a fit: of the record that was asked for, else the first
-/// that is meant as the best fit in that setting.
+/// The published number for a parameter of a fit: from the requested record, else the first number that is a
+/// best fit in that setting.
 const Published* published_for(const FittableFamily& family, std::string_view parameter,
                                const Setting& setting, const Published* asked) {
   if (asked != nullptr && asked->parameter == parameter) return asked;

@@ -6,16 +6,16 @@
 #include "app/options/fit_arguments.hpp"
 #include "fit/proof/certificate.hpp"
 
-/// Which constants of a form `certify` and `emit` are about.
+/// The constants of a form that `certify` and `emit` use.
 namespace shadefit {
 
 struct ChosenSubject {
   Subject subject;
-  std::string_view from;  ///< whose its values are: given, published or fitted
+  std::string_view from;  ///< the origin of its values: given, published or fitted
 };
 
-/// The given `parameters`; without them the ones published for that setting, or, where one of them was not
-/// published, those of a fit. Throws UserError where the fit did not converge.
+/// The given `parameters`; without them the parameters published for that setting; if one of these is
+/// missing, those of a fit. Throws UserError if the fit did not converge.
 ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, const NamedFit& named,
                                const Setting& setting, const Metric& metric);
 

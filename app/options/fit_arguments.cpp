@@ -49,7 +49,7 @@ void check_weight(const std::string& text, const Domain& domain) {
   }
 }
 
-/// Refuses unless each is a parameter of the family, given once, and one is left to fit.
+/// Requires that each is a parameter of the family, given once, and that one parameter is left to fit.
 void check_held(const std::vector<Held>& held, const FittableFamily& family) {
   const auto text = [](const Held& h) { return h.parameter + "=" + to_text(h.value); };
   const auto& known = family.parameters;
@@ -65,7 +65,7 @@ void check_held(const std::vector<Held>& held, const FittableFamily& family) {
                                 text(held.back()), family.info.id));
 }
 
-/// The first of the constraints that a fit by least squares cannot keep, as option and value.
+/// The first constraint that a least-squares fit does not support, as option and value.
 std::optional<std::pair<const char*, std::string>> constraint_for_minimax(const Constraints& constraints) {
   if (!constraints.exact_at.empty()) return {{"--exact-at", to_text(constraints.exact_at.front())}};
   if (constraints.one_sided) return {{"--one-sided", std::string(name(*constraints.one_sided))}};
@@ -74,7 +74,7 @@ std::optional<std::pair<const char*, std::string>> constraint_for_minimax(const 
   return std::nullopt;
 }
 
-/// The places that count at a setting; a relative error has to have some.
+/// The cosines that count at a setting; a relative error must be defined at some of them.
 Domain domain_that_counts(const FittableFamily& family, const Setting& setting, const Metric& metric) {
   if (metric.error == Error::absolute) return metric.domain;
   if (family.is_fresnel() && setting.surface.f0 == 0.0 && metric.domain.upper == 1)

@@ -10,11 +10,11 @@
 namespace shadefit {
 namespace {
 
-/// The narrowest domain. Places in it are printed to six digits of their distance between its ends, and a
-/// cosine is rounded to 1.1e-16: so a million roundings.
+/// The narrowest domain. Places are printed to six digits of the domain's width, and a cosine is rounded to
+/// 1.1e-16. So the width must be about a million roundings.
 constexpr double narrowest_domain = 1e-10;
 
-/// The number behind the sign of a text "NAME=VALUE"; empty where the text is not one.
+/// The two parts of a text "NAME=VALUE"; empty for any other text.
 std::optional<std::pair<std::string, std::string>> split(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == 0 || equals == std::string::npos) return std::nullopt;

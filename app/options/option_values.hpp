@@ -11,11 +11,11 @@
 #include "app/options/options.hpp"
 #include "fit/support/user_error.hpp"
 
-/// Options with values: CLI11 hands each text to a function that makes the value of it. These functions take
-/// the option's name and the text, and throw UserError with one line that holds both and the rule.
+/// Options with values. CLI11 passes each text to a function that parses it. These functions take the
+/// option's name and the text, and throw UserError with one line that contains both and the rule.
 namespace shadefit {
 
-/// An option with one value. `type` names the value in the help; words with '|' between them are the choices.
+/// An option with one value. `type` names the value in the help; words separated by '|' are the choices.
 template <class V, class Parse>
 CLI::Option* add_value(CLI::App& command, const std::string& option, V& value, Parse parse,
                        const std::string& type, const std::string& help) {
@@ -23,7 +23,7 @@ CLI::Option* add_value(CLI::App& command, const std::string& option, V& value, P
   return command.add_option_function<std::string>(option, set, help)->type_name(type);
 }
 
-/// An option that may be repeated, each time with one value.
+/// An option that may be repeated, with one value each time.
 template <class V, class Parse>
 CLI::Option* add_values(CLI::App& command, const std::string& option, std::vector<V>& values, Parse parse,
                         const std::string& type, const std::string& help) {
@@ -86,7 +86,7 @@ std::vector<double> parse_exponents(const std::string& option, const std::string
 /// "A:B" with 0 <= A < B <= 1, at least 1e-10 wide.
 Domain parse_domain(const std::string& option, const std::string& text);
 
-/// The least index of a reflectance at normal incidence is 0; below 1 it leaves something to be fitted.
+/// A reflectance at normal incidence, at least 0 and below 1: at 1 nothing would be left to fit.
 double parse_f0(const std::string& option, const std::string& text);
 
 /// "NAME=VALUE" with a finite number.
@@ -95,14 +95,14 @@ Held parse_held(const std::string& option, const std::string& text);
 /// "a=-5.55473,b=-6.98316"; the values stay texts, as a proof needs every digit.
 Parameters parse_parameters(const std::string& option, const std::string& text);
 
-/// A relative width that bounds in double precision can have.
+/// A relative width of bounds that double precision can reach.
 double parse_relative_width(const std::string& option, const std::string& text);
 
-/// Whether a text would be taken for an option: it begins with '-', and no number does so.
+/// Whether a text looks like an option: it begins with '-' and is not a number.
 bool looks_like_an_option(const std::string& text);
 
-/// The words of a parsed command: its options with their values as given. Leaves out `without`, and what is
-/// as by default.
+/// The words of a parsed command: its options with their values as given. Leaves out the options `without`
+/// and options with default values.
 std::vector<std::string> words_of(const CLI::App& command, const std::vector<std::string>& without);
 
 }  // namespace shadefit

@@ -17,7 +17,7 @@ namespace shadefit {
 
 struct ListOptions {
   std::optional<Verdict> verdict;     ///< only the claims with this one; computes them
-  std::optional<std::string> topic;   ///< only topics whose title holds this text
+  std::optional<std::string> topic;   ///< only topics whose title contains this text
   std::optional<std::string> family;  ///< only the claims on this family
   bool json = false;
   bool csv = false;
@@ -33,7 +33,7 @@ struct RunOptions {
   Terminal terminal = {};
 };
 
-/// Which form, fitted to what; `fit`, `better`, `certify` and `emit` share them.
+/// The form and its target. `fit`, `better`, `certify` and `emit` share these options.
 struct FitOptions {
   std::string id = {};
   std::optional<std::vector<double>> exponents = {};  ///< empty: the record's own sweep

@@ -5,7 +5,7 @@
 namespace shadefit {
 namespace {
 
-/// How the files are read.
+/// Adds the options for reading the files.
 void add_conventions(CLI::App& scene, scene::Conventions& conventions) {
   add_choice(scene, "--alpha", conventions.is_roughness_squared,
              Choices<bool>{{"roughness", false}, {"roughness-squared", true}},
@@ -22,7 +22,7 @@ void add_conventions(CLI::App& scene, scene::Conventions& conventions) {
             "the least roughness, as engines have it: 0.045 Filament, 0.0525 three.js (default: none)");
 }
 
-/// The tolerance, and what it is for.
+/// Adds the options for the tolerance and its use.
 void add_wishes(CLI::App& scene, SceneOptions& options) {
   const auto share_of = [](double most) {
     return [most](const std::string& option, const std::string& text) {
@@ -50,7 +50,7 @@ void add_wishes(CLI::App& scene, SceneOptions& options) {
 
 }  // namespace
 
-/// The order of the options is that of the command in generated files.
+/// Generated files list the options in this order.
 void declare_scene(CLI::App& scene, SceneOptions& options) {
   scene.add_option("file", options.files, "glTF (.gltf, .glb) or Wavefront (.mtl, .obj), one or more")
       ->required()

@@ -36,8 +36,8 @@ struct SceneOptions {
 /// Declares its options.
 void declare_scene(CLI::App& scene, SceneOptions& options);
 
-/// Reads the scene and plans its shading; with --shade measures it. Exit 1 where the plan is not within the
-/// tolerance, or a measured error not within the plan.
+/// Reads the scene and plans its shading; with --shade measures it. Exit 1 if the plan exceeds the tolerance,
+/// or if a measured error exceeds the plan.
 Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 }  // namespace shadefit

@@ -9,20 +9,20 @@
 
 namespace shadefit {
 
-/// What a command says of its plots, on standard output and standard error.
+/// The messages of a command about its plots, on standard output and standard error.
 struct PlotsNews {
   std::string out, err;
 };
 
-/// What there is to be written of figures.
+/// The files of the figures.
 struct DrawnFigures {
   std::vector<File> files;    ///< data, scripts and the pictures that were drawn
-  std::vector<File> missing;  ///< pictures that were not: none of an older run may stand beside new data
+  std::vector<File> missing;  ///< pictures that were not drawn: old ones must not remain next to new data
   PlotsNews news;
 };
 
-/// Draws the figures, for a directory `out` that is only named, and leaves in `figures` those that there is a
-/// picture of.
+/// Draws the figures and keeps in `figures` those that have a picture. It only names the directory `out` and
+/// writes nothing there.
 DrawnFigures draw_figures(std::vector<Figure>& figures, const std::string& out, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

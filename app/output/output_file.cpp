@@ -23,26 +23,26 @@ namespace fs = std::filesystem;
   throw UserError(fmt::format("cannot write '{}': {}", path.string(), words));
 }
 
-/// Whether a path, /dev/fd/3 too, is a link to what a process has open. What it leads to may have no name,
-/// and where it has one, others write to it too.
+/// Whether a path (such as /dev/fd/3) is a link to an open file of a process. That file may have no name; if
+/// it has one, others may write to it too.
 bool is_descriptor(const fs::path& path) {
   std::error_code ignored;
   return fs::canonical(path.parent_path(), ignored).string().starts_with("/proc/");
 }
 
-/// What a chain of links leads to, which may not be there yet.
+/// The end of a chain of links; it need not exist yet.
 fs::path target_of(const fs::path& link) {
-  constexpr int longest_chain = 40;  // of Linux, path_resolution(7)
+  constexpr int longest_chain = 40;  // the limit of Linux, path_resolution(7)
   fs::path path = link;
   std::error_code error;
   for (int i = 0; i <= longest_chain; ++i) {
     if (is_descriptor(path) || !fs::is_symlink(fs::symlink_status(path, error))) return path;
-    path = path.parent_path() / fs::read_symlink(path, error);  // a path from the root replaces it all
+    path = path.parent_path() / fs::read_symlink(path, error);  // an absolute path replaces all of it
   }
   fail(link, std::strerror(ELOOP));
 }
 
-/// A descriptor, closed again.
+/// A descriptor that closes itself.
 struct Descriptor {
   int number;
   explicit Descriptor(int opened) : number(opened) {}
@@ -53,7 +53,7 @@ struct Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 };
 
-/// How long a wait is before the checkpoint is called again: nobody who presses Ctrl-C notices it.
+/// The wait before the checkpoint is called again: too short to notice after Ctrl-C.
 constexpr int pause_in_milliseconds = 50;
 
 /// Opens a pipe once it has a reader.

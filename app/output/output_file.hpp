@@ -10,18 +10,19 @@
 
 namespace shadefit {
 
-/// Where an option --out that names a file puts it. A link stays, and what it leads to is written. What is
-/// there and is not a regular file (a device, a pipe, an open descriptor such as /dev/stdout) is written to.
+/// The destination of an option --out that names a file. A link stays, and its target is written. An existing
+/// destination that is not a regular file (a device, a pipe, an open descriptor such as /dev/stdout) is
+/// written as a stream.
 class OutputFile {
  public:
-  /// Throws UserError where the text names no file, or one that cannot be written; `what` is what the file is
-  /// for: "the certificate".
+  /// Throws UserError if the text does not name a file, or names one that cannot be written. `what` names the
+  /// content: "the certificate".
   OutputFile(const std::string& text, const std::string& what);
 
-  /// Whether the content goes through what is there, and no file is made.
+  /// Whether the content is written as a stream and no file is created.
   bool is_stream() const { return output_ == nullptr; }
 
-  /// Makes the file ready; the call puts it in its place, or writes the stream. Throws UserError as
+  /// Prepares the file. The returned call moves it to its place or writes the stream. Throws UserError like
   /// `Output::prepare`.
   std::function<void()> prepare(const std::string& content, bool force, const Checkpoint& checkpoint) const;
 

@@ -9,14 +9,15 @@
 
 namespace shadefit {
 
-/// The directory of a run, which has it to itself from the beginning to the end.
+/// The directory of a run, locked by the run from beginning to end.
 class OutputFolder {
  public:
-  /// Throws UserError where it cannot be written, or where another run has it.
+  /// Throws UserError if it cannot be written, or if another run uses it.
   explicit OutputFolder(const std::string& directory)
       : output_(std::make_shared<Output>(directory, Company::refused)) {}
 
-  /// Makes the files ready; the call puts them in their places. Throws UserError as `Output::prepare`.
+  /// Prepares the files. The returned call moves them to their places. Throws UserError like
+  /// `Output::prepare`.
   std::function<void()> prepare(const std::vector<File>& files, const std::vector<File>& obsolete, bool force,
                                 const Checkpoint& checkpoint) const {
     output_->prepare(files, obsolete, force ? Foreign::replaced : Foreign::refused, checkpoint);

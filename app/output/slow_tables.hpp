@@ -11,8 +11,8 @@
 /// The tables that take seconds: `check --all` compares them, `check` and `run` leave them out.
 namespace shadefit {
 
-/// What a command has some of: their names, and what makes them as they are committed, in
-/// `slow_tables_folder` of the baseline.
+/// The slow tables of one command: their names in `slow_tables_folder` of the baseline, and the function that
+/// computes them as committed.
 struct SlowTables {
   std::vector<std::string> names;
   std::vector<File> (*make)(const Checkpoint& checkpoint, const Progress& progress);
@@ -24,7 +24,7 @@ inline constexpr const char* accuracy_file = "accuracy.csv";
 std::vector<File> stress_tables(const Checkpoint& checkpoint, const Progress& progress);
 std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& progress);
 
-/// One line for each command that has some.
+/// One entry for each command with slow tables.
 inline const std::vector<SlowTables> slow_tables{{{forms_stress_file, fits_stress_file}, stress_tables},
                                                  {{accuracy_file}, accuracy_tables}};
 

@@ -6,7 +6,7 @@ namespace shadefit {
 
 namespace {
 
-/// A waiting one of the signals, taken; not positive where none waits.
+/// Takes a pending signal; returns a number <= 0 if none is pending.
 int take_one(const sigset_t& held) {
   constexpr std::timespec no_time{};
   return sigtimedwait(&held, nullptr, &no_time);

@@ -4,38 +4,37 @@
 
 #include "fit/support/checkpoint.hpp"
 
-/// SIGINT, SIGTERM and SIGHUP as something that work looks for at its checkpoints, instead of a handler that
-/// strikes anywhere.
+/// Work checks for SIGINT, SIGTERM and SIGHUP at its checkpoints, instead of a handler that can run anywhere.
 namespace shadefit {
 
-/// Thrown by a checkpoint that found a signal. No UserError, and no std::exception: nothing is wrong with the
-/// input or the program, and only the command line catches it.
+/// Thrown by a checkpoint that found a signal. It is neither a UserError nor a std::exception, because
+/// neither the input nor the program is wrong. Only the command line catches it.
 struct Interrupted {
   int signal;
 };
 
-/// Signals that are held back, and the mask of blocked signals from before.
+/// The held signals, and the previous mask of blocked signals.
 struct HeldSignals {
   sigset_t held;
   sigset_t mask_before;
 };
 
-/// Blocks SIGINT, SIGTERM and SIGHUP in this thread and in those it will start; one that is ignored (a job in
-/// the background of a script ignores SIGINT, one under nohup SIGHUP) stays so. From then on they wait until
-/// a checkpoint looks for them.
+/// Blocks SIGINT, SIGTERM and SIGHUP in this thread and in the threads that it starts. An ignored signal
+/// stays ignored (a background job of a script ignores SIGINT, a job under nohup ignores SIGHUP). From then
+/// on the signals are pending until a checkpoint takes them.
 ///
-/// A blocked mask outlives exec: a program that the command starts must be given `mask_before`, or Ctrl-C
-/// will not end it.
+/// The mask survives exec: give `mask_before` to every program that the command starts, or Ctrl-C will not
+/// end it.
 HeldSignals hold_interrupts();
 
-/// Takes the signals that wait, as of somebody who pressed Ctrl-C again while the first was being obeyed.
+/// Takes the pending signals, as when the user presses Ctrl-C again while the first is handled.
 void take_waiting(const HeldSignals& signals);
 
-/// Lets the signals of `hold_interrupts` do again what they did. One that still waits strikes now, without a
-/// word: the command itself holds them to its end.
+/// Restores the previous mask after `hold_interrupts`. A signal that is still pending then acts at once,
+/// without a message; the command itself therefore holds the signals to its end.
 void release(const HeldSignals& signals);
 
-/// A checkpoint that takes a waiting signal and throws Interrupted.
+/// A checkpoint that takes a pending signal and throws Interrupted.
 Checkpoint interruptible(const HeldSignals& signals);
 
 }  // namespace shadefit

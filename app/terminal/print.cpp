@@ -12,8 +12,8 @@
 namespace shadefit {
 namespace {
 
-/// The signals as a descriptor that can be read where one waits: one call then waits for a reader and for a
-/// signal, without a moment between the two that would lose it.
+/// The signals as a readable descriptor. So one poll waits for a reader and for a signal, without a gap in
+/// which a signal could be lost.
 class SignalDescriptor {
  public:
   explicit SignalDescriptor(const sigset_t& held)
@@ -24,7 +24,7 @@ class SignalDescriptor {
   SignalDescriptor(const SignalDescriptor&) = delete;
   SignalDescriptor& operator=(const SignalDescriptor&) = delete;
 
-  int get() const { return descriptor_; }  ///< -1, which poll passes over, where there are no more
+  int get() const { return descriptor_; }  ///< -1, which poll ignores, if no more descriptors are available
   int taken() const {
     signalfd_siginfo info{};
     return ::read(descriptor_, &info, sizeof info) == sizeof info ? static_cast<int>(info.ssi_signo) : 0;
@@ -37,7 +37,7 @@ class SignalDescriptor {
 }  // namespace
 
 Printed print(int descriptor, std::string_view text, const HeldSignals& signals) {
-  // A pipe that has room at all takes as much as this at once, so that no write waits.
+  // A pipe that is ready for writing takes this much at once, so no write blocks.
   constexpr std::size_t most_at_once = PIPE_BUF;
   const SignalDescriptor signal(signals.held);
   while (!text.empty()) {

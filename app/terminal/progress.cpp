@@ -22,13 +22,13 @@ double seconds_since(Clock::time_point start) {
 
 Progress terminal_progress(int descriptor, std::chrono::milliseconds patience) {
   if (::isatty(descriptor) == 0) return unwatched;
-  // Ten lines a second are as many as anybody reads.
+  // Nobody reads more than ten lines a second.
   static constexpr std::chrono::milliseconds shortest{100};
   return [descriptor, next = Clock::now() + patience, is_shown = false](const std::string& line) mutable {
     const auto now = Clock::now();
     const bool is_due = line.empty() ? is_shown : now >= next;
     if (!is_due) return;
-    // Back to the first column, and what stands from there on erased.
+    // Moves to the first column and erases the rest of the line.
     const std::string text = "\r\x1b[K" + line;
     const auto written = ::write(descriptor, text.data(), text.size());
     is_shown = written > 0 && !line.empty();
@@ -37,7 +37,7 @@ Progress terminal_progress(int descriptor, std::chrono::milliseconds patience) {
 }
 
 Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std::string& what) {
-  const auto has_own_line = std::make_shared<bool>(false);  // both have to know it, and may be copied
+  const auto has_own_line = std::make_shared<bool>(false);  // shared by both functions, which may be copied
   return {[&checkpoint, &progress, what, has_own_line, start = Clock::now()] {
             checkpoint();
             if (!*has_own_line) progress(fmt::format("{} .. {:.0f} s", what, seconds_since(start)));

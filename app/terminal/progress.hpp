@@ -6,40 +6,41 @@
 
 #include "fit/support/checkpoint.hpp"
 
-/// How far long work has come, for somebody who watches.
+/// Progress of long work, for a user at a terminal.
 namespace shadefit {
 
-/// Shows a line in place of the one before; an empty one takes it away. Called often, it shows what a reader
-/// can follow.
+/// Shows a line in place of the previous one; an empty line removes it. It may be called often and limits how
+/// often it prints.
 using Progress = std::function<void(const std::string& line)>;
 
-/// Nobody watches.
+/// Shows nothing.
 inline void unwatched(const std::string&) {}
 
-/// Writes to a terminal, once the work has taken as long as `patience`; where the descriptor is none, nothing
-/// is ever written.
+/// Writes to a terminal, once the work has taken longer than `patience`. Writes nothing if the descriptor is
+/// not a terminal.
 Progress terminal_progress(int descriptor, std::chrono::milliseconds patience = std::chrono::seconds(2));
 
-/// How long work is looked at, and shown.
+/// The checkpoint and the progress of long work.
 struct Watched {
   Checkpoint checkpoint;
   Progress progress;
 };
 
-/// A checkpoint that shows "what .. 12 s", but while the work shows a line of its own by the progress that
-/// comes with it. So no command is silent for long that is looked at often. Both arguments have to stay.
+/// A checkpoint that shows "what .. 12 s", except while the work shows its own line by the returned progress.
+/// So a command with frequent checkpoints is never silent for long. Both arguments must outlive the result.
 Watched watch(const Checkpoint& checkpoint, const Progress& progress, const std::string& what);
 
-/// Shows the share of the work that is done, from 0 to 1, and the time that is left. `progress` has to stay.
+/// Shows the finished fraction of the work, from 0 to 1, and the remaining time. `progress` must outlive the
+/// result.
 std::function<void(double share)> bar(const Progress& progress, const std::string& what);
 
-/// A checkpoint to be called before each of so many steps, which shows the share that is done; of one step
-/// there is none to show. Both have to stay.
+/// A checkpoint to be called before each of `steps` steps. It shows the finished fraction, or nothing for a
+/// single step. Both arguments must outlive the result.
 Checkpoint stepping(const Checkpoint& checkpoint, const Progress& progress, const std::string& what,
                     std::size_t steps);
 
-/// "what [####......] 43 %, 12 s left": a share from 0 to 1, and the seconds that it took. What is left is
-/// not estimated before there is something to go by.
+/// "what [####......] 43 %, 12 s left": a fraction from 0 to 1, and the seconds that it took. The remaining
+/// time is estimated only after enough progress.
 std::string progress_line(const std::string& what, double share, double seconds);
 
 }  // namespace shadefit

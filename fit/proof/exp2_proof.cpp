@@ -33,8 +33,8 @@ Coefficients<N> as_rounded(const Exp2Coefficients& polynomial) {
   return c;
 }
 
-/// Encloses the rest of the series after `exp2_tail` for |x| <= 0.35, with m >= 16: 1 + x/m + x^2/(m (m+1)) +
-/// .. is within 0.03 of 1, and its slope by x below 1/m (1 + 2 |x|/m + ..) < 0.1.
+/// The factor for the part of the series that `exp2_tail` leaves out, for |x| <= 0.35 and m >= 16: 1 + x/m +
+/// x^2/(m (m+1)) + .. is within 0.03 of 1, and its slope by x below 1/m (1 + 2 |x|/m + ..) < 0.1.
 Interval rest_of_tail(const Interval&) {
   return span_of(0.97, 1.03);
 }
