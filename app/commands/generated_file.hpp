@@ -15,9 +15,9 @@ std::string shell_text(const std::vector<std::string>& words);
 /// The same for a comment. Throws UserError for a word with line ends or control characters.
 std::string command_text(const std::vector<std::string>& words);
 
-/// Runs the command that a file of generated code names, in its comment, and compares: exit 1 where it would
-/// print something else now. The files of a scene are looked for from the folder of `file`. Throws UserError
-/// where it names none.
+/// Runs the command named in the comment of a generated file and compares the output: exit 1 if it would
+/// print something else now. The files of a scene are relative to the folder of `file`. Throws UserError if
+/// the file names no command.
 Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

@@ -33,8 +33,8 @@ scene::Wanted wanted_by(const SceneOptions& options) {
   return wanted;
 }
 
-/// A path from the folder of the code that names it, so that both can be moved together; from the root where
-/// the code is printed and may be kept anywhere.
+/// A path relative to the folder of the code that names it, so that both can be moved together. Absolute if
+/// the code is printed, because it may be stored anywhere.
 std::string recorded_path(const std::string& file, const std::optional<std::string>& folder) {
   const auto real = [](const std::filesystem::path& path) { return std::filesystem::weakly_canonical(path); };
   return (folder ? real(file).lexically_relative(real(without_detours(*folder))) : real(file)).string();
@@ -50,7 +50,7 @@ std::string code_command(const SceneOptions& options, Language language) {
   return command_text(words);
 }
 
-/// What --out writes.
+/// The files that --out writes.
 std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scene, const scene::Plan& plan) {
   std::vector<File> files{{"scene.md", plan_markdown(scene, plan)},
                           {"scene.csv", write_csv(decisions_table(plan), Precision::report)},
@@ -65,7 +65,7 @@ std::vector<File> files_of(const SceneOptions& options, const scene::Scene& scen
   return files;
 }
 
-/// Of another plan, if they are there, and what they begin with.
+/// Files of another plan that may exist, each with its first bytes.
 std::vector<File> not_written(const SceneOptions& options, const scene::Plan& plan) {
   std::vector<File> files;
   if (plan.wanted.precision == scene::PixelPrecision::float16)

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// Reading values of a JSON document with the place of each at hand.
+/// Reads values of a JSON document together with their places.
 namespace shadefit::scene {
 
 /// A value of a document, and its place by a JSON pointer (Bryan, Zyp, Nottingham 2013, RFC 6901). Refers to
@@ -21,39 +21,39 @@ struct JsonPlace {
 /// "'scene.gltf': /materials/3".
 std::string words_of(const JsonPlace& place);
 
-/// Throws UserError: file, pointer, the value where it is a short one, and the rule that it breaks.
+/// Throws UserError with file, pointer, the value if it is short, and the rule that it breaks.
 [[noreturn]] void refuse(const JsonPlace& place, std::string_view rule);
 
-/// The member of an object; nothing where it has none. Throws where `object` is none.
+/// The member of an object, or nothing. Throws if `object` is not an object.
 std::optional<JsonPlace> member(const JsonPlace& object, std::string_view key);
 
-/// A member that has to be there.
+/// A required member.
 JsonPlace required_member(const JsonPlace& object, std::string_view key);
 
-/// The extension of an object of glTF by its name; nothing where the object has none.
+/// The extension of a glTF object by its name, or nothing.
 std::optional<JsonPlace> extension(const JsonPlace& object, std::string_view name);
 
-/// How many elements an array has. Throws where it is none.
+/// The number of elements of an array. Throws if it is not an array.
 std::size_t element_count(const JsonPlace& array);
 
 /// Element `index` < element_count(array).
 JsonPlace element(const JsonPlace& array, std::size_t index);
 
-/// The element of the array `key` of `object` that the index at `place` names. Throws where it is no whole
-/// number, or there is no such element.
+/// The element of the array `key` of `object` with the index stored at `place`. Throws if the index is not a
+/// whole number or out of range.
 JsonPlace indexed_element(const JsonPlace& place, const JsonPlace& object, std::string_view key);
 
-/// A number in [least, most]; `most` may be infinite, the number may not. Throws otherwise.
+/// A finite number in [least, most]; `most` may be infinite. Throws otherwise.
 double number_within(const JsonPlace& place, double least, double most);
 
-/// A whole number from 0 on, of bytes. Throws otherwise.
+/// A number of bytes, whole and not negative. Throws otherwise.
 std::size_t whole_number(const JsonPlace& place);
 
-/// The member `key`, or `otherwise` where there is none.
+/// The member `key`, or `otherwise` if it is missing.
 double number_or(const JsonPlace& object, std::string_view key, double least, double most, double otherwise);
 
-/// The first three numbers of the member `key`, red, green, blue, each in [0, most]; 1 each where there is
-/// none. Throws where it is no array of `size` numbers.
+/// The first three numbers of the member `key`, red, green, blue, each in [0, most]; white if it is missing.
+/// Throws if it is not an array of `size` numbers.
 std::array<double, 3> colour_or_white(const JsonPlace& object, std::string_view key, std::size_t size,
                                       double most);
 

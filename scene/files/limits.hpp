@@ -2,11 +2,11 @@
 
 #include <cstddef>
 
-/// What readers of all formats refuse to go beyond.
+/// Limits of the readers of all formats.
 namespace shadefit::scene {
 
-/// Of a scene, all its files together. A material takes some thousand bytes, and its text may have nine:
-/// without a limit a file of 64 MiB would take all memory.
+/// For all files of a scene together. A material takes some thousand bytes in memory but may take only nine
+/// in a file: without a limit, a file of 64 MiB could use all memory.
 inline constexpr std::size_t most_materials = 65536;
 
 }  // namespace shadefit::scene

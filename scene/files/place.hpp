@@ -4,11 +4,10 @@
 
 #include "fit/support/user_error.hpp"
 
-/// Where in a file something is, said with what is wrong there.
+/// Adds the place in a file to an error message.
 namespace shadefit::scene {
 
-/// What `work` returns. A UserError of it is thrown again with the place before it: "'a.gltf': /images/3:
-/// ...".
+/// Returns the result of `work`. Rethrows its UserError with the place in front: "'a.gltf': /images/3: ...".
 template <class Work>
 auto at_place(const std::string& place, const Work& work) {
   try {

@@ -4,13 +4,13 @@
 #include <string>
 #include <string_view>
 
-/// Texts of others as messages and tables show them.
+/// Shortens texts from files for messages and tables.
 namespace shadefit::scene {
 
-/// A file may hold a name of 60 MB. What escapes or prints a text takes up to 40 times its memory.
+/// A file may hold a name of 60 MB, and escaping or printing a text takes up to 40 times its memory.
 inline constexpr std::size_t most_shown_bytes = 200;
 
-/// The text itself, or its beginning and " .." where it is longer than that. UTF-8 stays whole.
+/// The text, or its beginning and " .." if it is longer than that. UTF-8 characters are not split.
 inline std::string shortened(std::string_view text) {
   if (text.size() <= most_shown_bytes) return std::string(text);
   std::size_t end = most_shown_bytes;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// PATH_MAX of Linux: no system opens a file of a longer name.
+/// PATH_MAX of Linux: it opens no file with a longer name.
 constexpr std::size_t most_name_bytes = 4096;
 
 bool is_letter(char c) {
@@ -24,8 +24,8 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// "http" of "http://..", in small letters; empty where there is none. Source: Berners-Lee, Fielding,
-/// Masinter 2005, RFC 3986, section 3.1.
+/// "http" of "http://..", in small letters; empty if there is none. Source: Berners-Lee, Fielding, Masinter
+/// 2005, RFC 3986, section 3.1.
 std::string scheme_of(std::string_view uri) {
   const std::size_t end = uri.find(':');
   if (end == std::string_view::npos || end == 0 || !is_letter(uri[0])) return {};
@@ -37,7 +37,7 @@ std::string scheme_of(std::string_view uri) {
   return scheme;
 }
 
-/// The value of a hexadecimal digit; 16 where it is none.
+/// The value of a hexadecimal digit; 16 for any other character.
 unsigned hexadecimal_value(char c) {
   if (is_digit(c)) return static_cast<unsigned>(c - '0');
   if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a') + 10;
@@ -45,7 +45,7 @@ unsigned hexadecimal_value(char c) {
   return 16;
 }
 
-/// The value of a digit of base64; 64 where it is none.
+/// The value of a base64 digit; 64 for any other character.
 unsigned base64_value(char c) {
   if (c >= 'A' && c <= 'Z') return static_cast<unsigned>(c - 'A');
   if (c >= 'a' && c <= 'z') return static_cast<unsigned>(c - 'a') + 26;

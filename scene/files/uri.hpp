@@ -4,28 +4,29 @@
 #include <string>
 #include <string_view>
 
-/// Where the names in a scene's file lead: into the file itself, into its folder, and nowhere else.
+/// Resolves the names in a scene's file: data in the file itself or files in its folder, nothing else.
 namespace shadefit::scene {
 
-/// A URI that holds its data itself.
+/// Whether a URI contains its data.
 bool is_data(std::string_view uri);
 
-/// The bytes of a URI that `is_data`. Throws UserError where it is malformed.
+/// The bytes of a URI that `is_data`. Throws UserError if it is malformed.
 /// Source: Masinter 1998, RFC 2397, "The data URL scheme"; Josefsson 2006, RFC 4648, for base64.
 std::string data_of_uri(std::string_view uri);
 
-/// http and https: fetched by nobody here.
+/// Whether a URI is http or https; these are never fetched.
 bool is_remote(std::string_view uri);
 
-/// The text of a URI with its %NN made bytes. Throws UserError where two digits are missing or make a zero.
+/// The text of a URI with each %NN decoded to a byte. Throws UserError if the two digits are missing or
+/// encode a zero byte.
 std::string percent_decoded(std::string_view uri);
 
-/// The path of the file `name` as `folder` has it. Throws UserError where it is outside: an absolute path, a
-/// scheme such as file:, a way out by "..", a link that leads elsewhere; or a name longer than a system
-/// opens. A backslash separates folders, as in the files of many exporters. The file need not be there.
+/// The path of the file `name` in `folder`. Throws UserError if it leads outside (an absolute path, a scheme
+/// such as file:, "..", a link) or if the name is too long for the system. A backslash separates folders, as
+/// in the files of many exporters. The file need not exist.
 std::filesystem::path path_within(const std::filesystem::path& folder, std::string_view name);
 
-/// The folder of a scene's file, which names in it are relative to.
+/// The folder of a scene's file; names in the file are relative to it.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
 }  // namespace shadefit::scene

@@ -6,7 +6,9 @@
 /// Lines and words of Wavefront's formats.
 namespace shadefit::scene {
 
-/// Cuts the first line off a text: up to "\n", "\r\n" or "\r", which go with it.
+/// Removes the first line of a text, including its "
+/// ", "\r
+/// " or "\r".
 inline std::string_view next_line(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, end);
@@ -15,7 +17,7 @@ inline std::string_view next_line(std::string_view& text) {
   return line;
 }
 
-/// A line's first word, and what follows without the blanks around it.
+/// A line's first word, and the trimmed rest.
 struct Words {
   std::string_view key, values;
 };
@@ -31,7 +33,7 @@ inline Words words_of_line(std::string_view line) {
   return {text.substr(0, end), trimmed(text.substr(end))};
 }
 
-/// A text without the byte order mark of UTF-8 that some editors put before it.
+/// A text without the UTF-8 byte order mark that some editors write.
 inline std::string_view without_mark(std::string_view text) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   return text.starts_with(mark) ? text.substr(mark.size()) : text;

@@ -11,14 +11,14 @@ constexpr std::size_t glb_header_size = 12, chunk_header_size = 8;
 constexpr std::uint32_t glb_magic = 0x46546C67;  // "glTF"
 constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
-/// The number at `offset`, least significant byte first; there have to be four bytes.
+/// The little-endian 32-bit number at `offset`; four bytes must be available.
 std::uint32_t word_at(Bytes bytes, std::size_t offset) {
   std::uint32_t word = 0;
   for (std::size_t i = 4; i-- > 0;) word = word << 8 | bytes[offset + i];
   return word;
 }
 
-/// What the header says the file is, of what is there.
+/// The part of the bytes that the header declares as the file.
 Bytes declared_part(Bytes bytes) {
   if (bytes.size() < glb_header_size) {
     throw UserError(

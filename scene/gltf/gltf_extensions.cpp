@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, 7> counted{
     "KHR_materials_specular", "KHR_materials_unlit",
     "KHR_materials_variants"};
 
-// A texture in a format of these is not read: that is said where a material has one.
+// Textures in the formats of these extensions are not read; a material that uses one says so.
 constexpr std::array<std::string_view, 16> harmless{"EXT_mesh_gpu_instancing",
                                                     "EXT_meshopt_compression",
                                                     "EXT_texture_avif",

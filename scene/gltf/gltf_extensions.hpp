@@ -2,13 +2,13 @@
 
 #include <string_view>
 
-/// The extensions of glTF that are known here.
+/// The known extensions of glTF.
 namespace shadefit::scene {
 
 enum class ExtensionUse {
   counted,   ///< the plan depends on it, and it is read
   harmless,  ///< geometry, coding, visibility: it changes no specular term
-  left_out,  ///< it adds to a picture what no plan is about
+  left_out,  ///< it adds something to a picture that a plan does not cover
   unknown,
 };
 

@@ -13,10 +13,10 @@
 namespace shadefit::scene {
 namespace {
 
-/// A picture of `most_pixels` that is not compressed at all, with four channels.
+/// The size of an uncompressed picture of `most_pixels` with four channels.
 constexpr std::uintmax_t most_picture_bytes = 4 * most_pixels;
 
-/// A file named by the URI at a place; nothing where the URI is data or remote.
+/// The file named by the URI at a place; nothing if the URI is data or remote.
 std::optional<std::filesystem::path> file_of_uri(const JsonPlace& place,
                                                  const std::filesystem::path& folder) {
   const std::string_view uri = text_at(place);

@@ -13,28 +13,29 @@
 #include "scene/files/json_place.hpp"
 #include "scene/textures/texture.hpp"
 
-/// The pictures of a glTF document, wherever they are: in a buffer, in a data URI, in a file beside.
+/// The pictures of a glTF document: in a buffer, in a data URI or in a separate file.
 namespace shadefit::scene {
 
-/// What was found of a texture: histograms, or the reason why it is not known, as "'a.png' is missing".
+/// The result of reading a texture: histograms, or the reason why it is unknown, such as "'a.png' is
+/// missing".
 struct TextureReading {
-  std::vector<Histogram> channels;  ///< as asked for; empty where it is not known
+  std::vector<Histogram> channels;  ///< as requested; empty if unknown
   std::string unknown;
 };
 
-/// Reads each picture once, and only those that are asked for.
+/// Reads each picture once, and only when it is requested.
 class GltfImages {
  public:
-  /// `binary` is the chunk BIN of a .glb, which has to outlive this, as has the document.
+  /// `binary` is the chunk BIN of a .glb, which must outlive this object, like the document.
   GltfImages(const JsonPlace& root, const std::optional<Bytes>& binary, const std::filesystem::path& file);
 
   /// The texture that a texture info names: an object with an index. A missing or remote file, another format
-  /// and a texture of an extension are not known; damaged pictures, indices out of range, and names outside
-  /// of the scene's folder throw UserError.
+  /// and a texture of an extension are unknown; damaged pictures, indices out of range, and names outside the
+  /// scene's folder throw UserError.
   const TextureReading& read(const JsonPlace& texture_info, const std::vector<Channel>& channels);
 
-  /// The files of buffers and images that are not there, but for those that `read` was asked for. Throws
-  /// UserError for a name outside of the scene's folder.
+  /// The missing files of buffers and images, except those that were passed to `read`. Throws UserError for a
+  /// name outside the scene's folder.
   std::vector<std::string> missing_files() const;
 
  private:

@@ -11,7 +11,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// "'sun' (100000 lux)", where it is brighter than 1 or may become so; else nothing.
+/// "'sun' (100000 lux)", if the light is or may become brighter than 1; else empty.
 std::string bright_light(const JsonPlace& light, const std::set<std::string>& animated) {
   const double intensity = number_or(light, "intensity", 0, std::numeric_limits<double>::infinity(), 1);
   const bool is_animated = animated.contains(light.pointer + "/intensity");
@@ -36,7 +36,7 @@ std::string remark_on(const std::vector<std::string>& bright) {
 
 }  // namespace
 
-/// Nodes are read one after the other, whatever hierarchy they claim, so that no cycle matters.
+/// Nodes are read as a flat list without their hierarchy, so cycles do no harm.
 GltfLights read_gltf_lights(const JsonPlace& root, const std::set<std::string>& animated) {
   const nlohmann::json nothing = nlohmann::json::object();
   const JsonPlace holder = extension(root, "KHR_lights_punctual")

@@ -9,13 +9,13 @@
 namespace shadefit::scene {
 
 struct GltfLights {
-  int count = 0;  ///< those that nodes have, or where nodes have none, those defined
-  /// Which of them are brighter than 1, the light that a tolerance is for; empty where none is.
+  int count = 0;  ///< the lights of nodes; if nodes have none, the defined lights
+  /// The lights that are brighter than 1, the light that the tolerance assumes; empty if there are none.
   std::string remark = {};
 };
 
-/// The lights of KHR_lights_punctual. `animated` holds the JSON pointers that animations move. Throws
-/// UserError naming file, place and rule. Source: Khronos Group 2018, "KHR_lights_punctual".
+/// The lights of KHR_lights_punctual. `animated` holds the JSON pointers that are animated. Throws UserError
+/// naming file, place and rule. Source: Khronos Group 2018, "KHR_lights_punctual".
 GltfLights read_gltf_lights(const JsonPlace& root, const std::set<std::string>& animated);
 
 }  // namespace shadefit::scene

@@ -16,22 +16,22 @@ namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
 
-/// What a colour may be multiplied by where an animation moves a factor without a limit.
+/// The upper limit of an animated factor that has no limit of its own.
 constexpr double unlimited = std::numeric_limits<double>::max();
 
-/// Reads one material, and notes what is not known of it.
+/// Reads one material and records what is unknown.
 struct MaterialReading {
   const GltfReading& gltf;
   Material& material;
 
-  /// Whether an animation moves the member `key` of an object. That is noted, with the range.
+  /// Whether the member `key` of an object is animated. If so, this is recorded with the range.
   bool is_animated(const JsonPlace& object, std::string_view key, std::string_view range) {
     if (!gltf.animated.contains(fmt::format("{}/{}", object.pointer, key))) return false;
     material.unknowns.push_back(fmt::format("{} is animated: it is taken from {}", key, range));
     return true;
   }
 
-  /// A factor in [0, 1], 1 by default: a number, or all of the range where it is animated.
+  /// A factor in [0, 1], 1 by default: one number, or the whole range if it is animated.
   Range factor(const JsonPlace& object, std::string_view key) {
     const double number = number_or(object, key, 0, 1, 1);
     return is_animated(object, key, "0 to 1") ? Range{0, 1} : Range{number, number};
@@ -47,7 +47,7 @@ struct MaterialReading {
     return scaled_colour({largest, largest, largest}, true);
   }
 
-  /// The histograms of a texture; every code alike where it is not known.
+  /// The histograms of a texture; uniform if the texture is unknown.
   std::vector<Histogram> read(const JsonPlace& info, std::string_view what,
                               const std::vector<Channel>& channels) {
     const TextureReading& reading = gltf.images.read(info, channels);
@@ -56,7 +56,7 @@ struct MaterialReading {
     return std::vector<Histogram>(channels.size(), unknown_texture());
   }
 
-  /// The powers of a factor times its texels, if it has a texture.
+  /// Sets the powers from a factor times the texels of its texture, if there is one.
   void take_powers_of(const Range& factor, const std::optional<Histogram>& texels, const PowerOf& power,
                       PowerTexture texture) {
     if (texels || !factor.is_constant()) {
@@ -77,7 +77,7 @@ struct MaterialReading {
   }
 };
 
-/// Roughness and metallic: the powers of the material, and the range of what is metallic.
+/// Roughness and metallic: sets the powers of the material and returns the range of metallic.
 Range read_metallic_roughness(const JsonPlace& object, MaterialReading& reading) {
   const Range roughness = reading.factor(object, "roughnessFactor");
   const Range metallic = reading.factor(object, "metallicFactor");
@@ -93,9 +93,9 @@ Range read_metallic_roughness(const JsonPlace& object, MaterialReading& reading)
           range_of_texture(channels[1], metallic.most).most};
 }
 
-/// What KHR_materials_ior and KHR_materials_specular say of a dielectric.
+/// The values of KHR_materials_ior and KHR_materials_specular for a dielectric.
 struct Dielectric {
-  Range facing;  ///< its reflectance
+  Range facing;  ///< its reflectance at normal incidence
   Range specular{1, 1};
   ColourRange colour = scaled_colour({1, 1, 1}, false);
 };
@@ -164,7 +164,7 @@ void read_specular_glossiness(const JsonPlace& object, MaterialReading& reading)
   reading.note_unread_colours("colour of the specular-glossiness texture is", "F0 is");
 }
 
-/// Whatever else the material has: other lobes, what shines through, what nobody here knows.
+/// Records what the plan leaves out: other lobes, transmission, unknown extensions.
 void note_left_out(const JsonPlace& place, Material& material) {
   const auto extensions = member(place, "extensions");
   if (!extensions) return;
@@ -175,7 +175,7 @@ void note_left_out(const JsonPlace& place, Material& material) {
   }
 }
 
-/// Nothing is shaded: no reflectance, and one power that says nothing.
+/// Makes a material unshaded: no reflectance, and one power without a meaning.
 void make_unlit(Material& material) {
   material.is_unlit = true;
   material.f0 = {};

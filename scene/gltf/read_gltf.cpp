@@ -22,7 +22,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// Geometry and the curves of its motion, which take most of a document.
+/// Skips geometry and animation curves, which take most of a document.
 bool is_member_wanted(std::string_view key) {
   constexpr std::array<std::string_view, 11> unwanted{"accessors", "cameras",  "extras",     "matrix",
                                                       "rotation",  "samplers", "scale",      "scenes",
@@ -35,14 +35,14 @@ void require_version(const JsonPlace& root) {
   if (!text_at(version).starts_with("2.")) refuse(version, "it must be 2.0");
 }
 
-/// Calls `use` with each element of the array `key`, of an object that may have none.
+/// Calls `use` with each element of the array `key` of an object, if it exists.
 template <class Use>
 void for_each_element(const JsonPlace& object, std::string_view key, const Use& use) {
   const auto array = member(object, key);
   for (std::size_t i = 0; array && i < element_count(*array); ++i) use(element(*array, i));
 }
 
-/// Refuses a file that says it cannot be read without what is not known here.
+/// Refuses a file that requires unknown extensions.
 void require_known_extensions(const JsonPlace& root) {
   for_each_element(root, "extensionsRequired", [](const JsonPlace& name) {
     if (use_of_extension(text_at(name)) == ExtensionUse::unknown)
@@ -50,7 +50,7 @@ void require_known_extensions(const JsonPlace& root) {
   });
 }
 
-/// What the file uses beside its materials, whose extensions each of them remarks on.
+/// The ignored extensions outside materials; each material remarks on its own extensions.
 std::vector<std::string> extensions_left_out(const JsonPlace& root) {
   std::set<std::string> of_materials, remarks;
   for_each_element(root, "materials", [&](const JsonPlace& material) {
@@ -68,16 +68,17 @@ std::vector<std::string> extensions_left_out(const JsonPlace& root) {
   return {remarks.begin(), remarks.end()};
 }
 
-/// Which materials primitives of meshes use; the default's number is that of all materials.
+/// The materials that mesh primitives use. The default material has the index `materials`.
 struct MaterialUses {
   std::set<std::size_t> used, with_vertex_colours;
-  /// Materials by themselves are for any use; levels of detail name further ones.
+  /// A file without primitives is a library, so all its materials count as used; levels of detail name
+  /// further ones.
   bool are_all_used = false;
 
   bool is_used(std::size_t material) const { return are_all_used || used.contains(material); }
 };
 
-/// A variant that is chosen at run time puts other materials in place.
+/// Includes the materials of variants, which are chosen at run time.
 MaterialUses uses_of_materials(const JsonPlace& root, std::size_t materials) {
   MaterialUses uses;
   const auto add = [&](const JsonPlace& primitive, const std::optional<JsonPlace>& index) {
@@ -105,9 +106,9 @@ MaterialUses uses_of_materials(const JsonPlace& root, std::size_t materials) {
   return uses;
 }
 
-/// JSON pointers of what animations move beside nodes.
+/// The animated JSON pointers, except those of nodes.
 std::set<std::string> animated_pointers(const JsonPlace& root) {
-  constexpr std::size_t longest = 256;  // those of factors are shorter
+  constexpr std::size_t longest = 256;  // pointers of factors are shorter
   std::set<std::string> pointers;
   for_each_element(root, "animations", [&](const JsonPlace& animation) {
     for_each_element(animation, "channels", [&](const JsonPlace& channel) {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// What a scene's file says of a material, in the terms of one shading: a specular lobe with a power, a
-/// Fresnel term between two reflectances, a diffuse part that nothing here is about.
+/// A material of a scene's file: a specular lobe with a power, and a Fresnel term between two reflectances.
+/// The diffuse part is not used.
 namespace shadefit::scene {
 
 /// An interval of a quantity over a material's texels.
@@ -15,59 +15,60 @@ struct Range {
   bool operator==(const Range&) const = default;
 };
 
-/// How often a specular power is used: the share of a material's texels.
+/// A specular power and the share of a material's texels that use it.
 struct PowerShare {
-  double power;  ///< of cos^power(n.h); 0 is a constant and no lobe
+  double power;  ///< of cos^power(n.h); 0 is a constant, not a lobe
   double share;  ///< they sum to 1
   bool operator==(const PowerShare&) const = default;
 };
 
-/// How the reflectance runs with the angle.
+/// The dependence of the reflectance on the angle.
 enum class FresnelTerm {
-  none,     ///< a factor alone: Ks of Wavefront's format
+  none,     ///< a constant factor: Ks of Wavefront's format
   schlick,  ///< from F0 to F90
 };
 
-/// What a texture stores that the power is read from, pixel by pixel.
+/// The quantity of the texture that gives the power of each pixel.
 enum class PowerTexture { none, roughness, gloss, power };
 
 struct Material {
-  std::string name;  ///< as the file has it; "material 3" where it has none
+  std::string name;  ///< as in the file; "material 3" if it has none
   std::string file;
-  bool is_unlit = false;  ///< nothing of it is shaded
+  bool is_unlit = false;  ///< it is not shaded
 
   FresnelTerm fresnel = FresnelTerm::schlick;
   std::array<Range, 3>
-      f0;  ///< red, green, blue: linear reflectances facing the surface; of `none`, the factor
+      f0;  ///< red, green, blue: linear reflectances at normal incidence; the factor for `none`
   Range f90{1, 1};
-  /// A texture of colours, which is not read, is within the ranges of `f0`: a pixel's channels may differ
-  /// even where the ranges do not.
+  /// A colour texture is not read; its values are within the ranges of `f0`. A pixel's channels may differ
+  /// even if the ranges are equal.
   bool has_unread_colours = false;
 
-  /// By rising power, at least one. A power that is the same everywhere is one share.
+  /// By rising power, at least one. A constant power is a single share.
   std::vector<PowerShare> powers;
-  PowerTexture power_texture = PowerTexture::none;  ///< none where all texels agree
+  PowerTexture power_texture = PowerTexture::none;  ///< `none` if all texels agree
   bool is_power_textured() const { return power_texture != PowerTexture::none; }
 
-  /// What the files do not say, taken at its full range: "roughness texture 'a.png' is missing", a line each.
+  /// Unknown data, taken at its full range: "roughness texture 'a.png' is missing", one line each.
   std::vector<std::string> unknowns;
-  /// What was changed to be usable: "Ns = 1e+30 is taken for 1e+09", a line each.
+  /// Values that were changed to be usable: "Ns = 1e+30 is taken for 1e+09", one line each.
   std::vector<std::string> remarks;
 
   bool operator==(const Material&) const = default;
 };
 
-/// How stored numbers become powers.
+/// The conversion of stored numbers to powers.
 struct Conventions {
   /// alpha = roughness^2 (Burley 2012, "Physically-based shading at Disney"), or roughness itself.
   bool is_roughness_squared = true;
   /// A gloss g is 1 - roughness (KHR_materials_pbrSpecularGlossiness), or a power 2^(10 g + 1) (Lagarde 2011,
   /// "Adopting a physically based shading model").
   bool is_gloss_exponential = false;
-  /// map_Ka is metallic and map_Ns roughness (the seed document's exporter), or what the names say.
+  /// map_Ka is metallic and map_Ns is roughness (the seed document's exporter); otherwise the maps have their
+  /// standard meaning.
   bool are_maps_pbr = false;
-  /// A smaller roughness is taken for this one, as engines do: Filament below 0.045, three.js below 0.0525.
-  /// 0: none is.
+  /// A smaller roughness is raised to this one, as engines do: Filament to 0.045, three.js to 0.0525. 0: no
+  /// limit.
   double min_roughness = 0;
 };
 
@@ -77,23 +78,23 @@ struct Conventions {
 /// glTF none.
 inline constexpr double least_engine_roughness = 0.045;
 
-/// Beyond this a lobe is narrower than any light: larger powers are taken for it, and that is said.
+/// At this power a lobe is narrower than any light. Larger powers are reduced to it, with a remark.
 inline constexpr double most_power = 1e9;
 
-/// The largest Ks, which is a colour and should be at most 1: with the largest power a float still holds its
-/// normalised lobe.
+/// The largest accepted Ks, although a colour should be at most 1. With the largest power, the normalised
+/// lobe still fits in a float.
 inline constexpr double most_factor = 1e6;
 
-/// What the files hold together.
+/// The contents of all files.
 struct Scene {
   std::vector<Material> materials;
-  Conventions conventions = {};  ///< by which its numbers became powers
-  int lights = 0;                ///< punctual ones; 0 where the files name none
-  /// Files that were named and are missing, without a loss: geometry, buffers.
+  Conventions conventions = {};  ///< for the conversion of its numbers to powers
+  int lights = 0;                ///< punctual lights; 0 if the files name none
+  /// Missing files that a plan does not need: geometry, buffers.
   std::vector<std::string> missing = {};
-  /// The names of materials that nothing is drawn with. They are not among `materials`.
+  /// The names of unused materials. They are not in `materials`.
   std::vector<std::string> unused = {};
-  /// What no plan counts, of lights and of the files as a whole, a line each.
+  /// What a plan does not cover, of lights and of the files as a whole, one line each.
   std::vector<std::string> remarks = {};
 };
 

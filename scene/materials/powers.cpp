@@ -12,7 +12,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// What texels of that code stand for.
+/// The value of a texel's code.
 double value_of_code(std::size_t code) {
   return static_cast<double>(code) / 255;
 }
@@ -22,7 +22,7 @@ double value_of_code(std::size_t code) {
 double power_of_roughness(double stored, const Conventions& conventions) {
   const double roughness = std::max(stored, conventions.min_roughness);
   const double alpha = conventions.is_roughness_squared ? roughness * roughness : roughness;
-  // The exponent's limit, without a division by zero or by what is next to it.
+  // The limit of the exponent, without a division by zero or by a subnormal number.
   if (alpha * alpha < std::numeric_limits<double>::min()) return std::numeric_limits<double>::infinity();
   return blinn_phong_exponent(alpha);
 }

@@ -13,12 +13,12 @@ ColourRange scaled_colour(const std::array<double, 3>& colour, bool is_textured)
 }
 
 Range metallic_range(const Range& dielectric, const Range& base_colour, const Range& metallic) {
-  // Linear in each of the three, so that both ends are at corners.
+  // Linear in each of the three arguments, so both ends are at corners.
   Range range{1, 0};
   for (const double f0 : {dielectric.least, dielectric.most}) {
     for (const double base : {base_colour.least, base_colour.most}) {
       for (const double m : {metallic.least, metallic.most}) {
-        // At m = 1 rounding would leave something of the dielectric.
+        // At m = 1 rounding would leave a trace of the dielectric.
         const double mixed = m == 1 ? base : metallic_f0(f0, base, m);
         range = {std::min(range.least, mixed), std::max(range.most, mixed)};
       }
@@ -28,7 +28,7 @@ Range metallic_range(const Range& dielectric, const Range& base_colour, const Ra
 }
 
 Range dielectric_range(const Range& facing, const Range& specular_colour, const Range& specular) {
-  // Rises with all three.
+  // Rises with all three arguments.
   const auto reflectance = [](double f0, double colour, double factor) {
     return std::min(f0 * colour, 1.0) * factor;
   };

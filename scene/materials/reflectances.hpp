@@ -4,16 +4,16 @@
 
 #include "scene/materials/material.hpp"
 
-/// Reflectances facing the surface, over all that textures may make of them.
+/// Reflectances at normal incidence, over all possible texture values.
 namespace shadefit::scene {
 
 using ColourRange = std::array<Range, 3>;
 
-/// From nothing to a colour where a texture scales it, else that colour.
+/// From 0 to a colour if a texture scales it, else exactly that colour.
 ColourRange scaled_colour(const std::array<double, 3>& colour, bool is_textured);
 
-/// The metallic workflow over ranges: the reflectance of dielectrics where `metallic` is 0, the base colour
-/// where it is 1, in a line between.
+/// The metallic workflow over ranges: linear from the reflectance of dielectrics at `metallic` = 0 to the
+/// base colour at 1.
 Range metallic_range(const Range& dielectric, const Range& base_colour, const Range& metallic);
 
 /// The reflectance of a dielectric with KHR_materials_specular: min(F colour, 1) factor, F = ((ior - 1)/(ior

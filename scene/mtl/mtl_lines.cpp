@@ -14,7 +14,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// A line with its place in the file, for what is wrong in it.
+/// A line with its place in the file, for error messages.
 struct MtlLine {
   const std::string& file;
   std::size_t number;
@@ -25,14 +25,14 @@ struct MtlLine {
   }
 };
 
-/// What is left of a line's values, cut off its first word.
+/// Removes and returns the first word of the values.
 std::string_view next_word(std::string_view& values) {
   const Words words = words_of_line(values);
   values = words.values;
   return words.key.starts_with('#') ? std::string_view() : words.key;
 }
 
-/// The number that a word is. As in C it may have a sign +.
+/// Parses a word as a number. As in C, it may begin with +.
 std::errc read_number(std::string_view word, double& number) {
   if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
   const char* const last = word.data() + word.size();
@@ -53,7 +53,7 @@ double number_in(const MtlLine& line, std::string_view word, double most) {
   return number;
 }
 
-/// The numbers of a line, of which there have to be `least`, or three.
+/// The numbers of a line: one, or three for a colour.
 std::vector<double> numbers_in(const MtlLine& line, bool is_colour, double most) {
   std::vector<double> numbers;
   std::string_view values = line.words.values;
@@ -81,7 +81,7 @@ int illumination_of(const MtlLine& line) {
   return static_cast<int>(number);
 }
 
-/// An option of a map, and how many words follow it at most: a first one, then numbers.
+/// An option of a map, and the most words that follow it: a first word, then numbers.
 struct MapOption {
   std::string_view name;
   int most_words;
@@ -114,7 +114,7 @@ ScalarMap map_of(std::string_view values) {
   return map;
 }
 
-/// Takes what a line says into the material that it belongs to.
+/// Stores the values of a line in its material.
 void take_line(const MtlLine& line, MtlEntry& material) {
   constexpr double no_limit = std::numeric_limits<double>::infinity();
   const std::string_view key = line.words.key;
@@ -142,7 +142,7 @@ void take_line(const MtlLine& line, MtlEntry& material) {
 
 std::vector<MtlEntry> parse_mtl(std::string_view text, const std::string& file, std::size_t most) {
   std::vector<MtlEntry> materials;
-  MtlEntry before_all{};  // belongs to no material, and is checked nevertheless
+  MtlEntry before_all{};  // lines before the first material are checked but not used
   std::size_t number = 0;
   while (!text.empty()) {
     const MtlLine line{file, ++number, words_of_line(next_line(text))};

@@ -17,10 +17,10 @@
 namespace shadefit::scene {
 namespace {
 
-/// A picture of `most_pixels` that is not compressed at all, with four channels.
+/// The size of an uncompressed picture of `most_pixels` with four channels.
 constexpr std::uintmax_t most_map_bytes = 4 * most_pixels;
 
-/// A material while it is read.
+/// The state of reading a material.
 struct MtlReading {
   const MtlEntry& entry;
   MtlMapReader& reader;
@@ -32,21 +32,21 @@ struct MtlReading {
   }
 };
 
-/// The map of roughness, where the material has one: map_Pr, or what an exporter puts into map_Ns.
+/// The roughness map of a material, if any: map_Pr, or map_Ns by the conventions.
 const ScalarMap* roughness_map(const MtlReading& reading) {
   if (!reading.entry.roughness_map.name.empty()) return &reading.entry.roughness_map;
   const bool has = reading.conventions.are_maps_pbr && !reading.entry.shininess_map.name.empty();
   return has ? &reading.entry.shininess_map : nullptr;
 }
 
-/// The map of metallic: map_Pm, or what an exporter puts into map_Ka.
+/// The metallic map, if any: map_Pm, or map_Ka by the conventions.
 const ScalarMap* metallic_map(const MtlReading& reading) {
   if (!reading.entry.metallic_map.name.empty()) return &reading.entry.metallic_map;
   const bool has = reading.conventions.are_maps_pbr && !reading.entry.ambient_map.name.empty();
   return has ? &reading.entry.ambient_map : nullptr;
 }
 
-/// Ns, times map_Ns where that scales it.
+/// Ns, times map_Ns if there is one.
 void read_shininess(MtlReading& reading) {
   Material& material = reading.material;
   if (!reading.entry.shininess) material.remarks.push_back("Ns is not said and is taken for 1");
@@ -68,7 +68,7 @@ void read_phong(MtlReading& reading) {
   material.fresnel = FresnelTerm::none;
   const bool is_specular = reading.entry.illumination.value_or(2) > 1;
   const bool is_textured = reading.entry.has_specular_map;
-  const double unsaid = is_textured ? 1 : 0;  // a map alone is the colour itself
+  const double unsaid = is_textured ? 1 : 0;  // a map without Ks is the colour itself
   auto colour = reading.entry.specular.value_or(std::array{unsaid, unsaid, unsaid});
   const bool is_black =
       std::all_of(colour.begin(), colour.end(), [](double channel) { return channel == 0; });
@@ -114,7 +114,7 @@ Range read_metallic(MtlReading& reading) {
   return range_of_texture(reading.read(*map, "metallic texture"), metallic);
 }
 
-/// The metallic workflow, with Kd for its base colour.
+/// The metallic workflow, with Kd as its base colour.
 void read_metallic_roughness(MtlReading& reading) {
   Material& material = reading.material;
   read_roughness(reading);

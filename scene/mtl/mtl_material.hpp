@@ -9,7 +9,7 @@
 #include "scene/mtl/mtl_lines.hpp"
 #include "scene/textures/texture.hpp"
 
-/// A material of Wavefront's format in the terms of one lobe.
+/// Converts a material of Wavefront's format to one lobe.
 namespace shadefit::scene {
 
 /// Reads maps of one file, each once.
@@ -17,8 +17,8 @@ class MtlMapReader {
  public:
   explicit MtlMapReader(const std::filesystem::path& folder) : folder_(folder) {}
 
-  /// The histogram of a map; where it is missing or no PNG or JPEG, every code alike, and `what` is noted in
-  /// `unknowns`. Throws UserError: a damaged picture, a name outside of the folder.
+  /// The histogram of a map. If it is missing or neither PNG nor JPEG, the histogram is uniform and `what` is
+  /// added to `unknowns`. Throws UserError for a damaged picture or a name outside the folder.
   Histogram read(const ScalarMap& map, std::string_view what, std::vector<std::string>& unknowns);
 
  private:
@@ -27,7 +27,7 @@ class MtlMapReader {
   std::map<std::pair<std::string, Channel>, Histogram> read_;
 };
 
-/// The material as `read_mtl` says. Throws UserError naming file, line and rule.
+/// The material as documented at `read_mtl`. Throws UserError naming file, line and rule.
 Material mtl_material(const MtlEntry& entry, const std::string& file, MtlMapReader& reader,
                       const Conventions& conventions);
 

@@ -17,14 +17,14 @@
 namespace shadefit::scene {
 namespace {
 
-/// A line of geometry may have any length; a longer one than this names no library.
+/// Geometry lines may have any length; lines longer than this do not name libraries.
 constexpr std::size_t most_line_bytes = 4096;
 
-/// Each other line mtllib has its names looked up; no exporter writes as many.
+/// The names of each distinct mtllib line are looked up in the file system; no exporter writes this many.
 constexpr std::size_t most_library_lines = 1000;
 
-/// The names on one line mtllib: the whole of it where that is a file, as names may have blanks; else its
-/// words.
+/// The libraries of one mtllib line: the whole text if that is a file, because names may have blanks; else
+/// its words.
 std::vector<std::string> libraries_on_line(std::string_view values, const std::filesystem::path& folder) {
   std::error_code ignored;
   const auto is_file = [&](std::string_view name) {
@@ -37,14 +37,14 @@ std::vector<std::string> libraries_on_line(std::string_view values, const std::f
   return names;
 }
 
-/// The names on lines usemtl; of a file without any, which is a list of libraries, all names.
+/// The names on usemtl lines. A file without such lines is a list of libraries, and all names count as used.
 class UsedNames {
  public:
   void add(std::string_view name) {
     if (name == last_) return;
     last_ = shortened(name);
     is_any_ = true;
-    // of more names than there may be materials all count
+    // beyond the most possible materials, all names count as used
     if (names_.size() <= most_materials) names_.insert(last_);
   }
   bool contains(const std::string& name) const {
@@ -57,7 +57,7 @@ class UsedNames {
   bool is_any_ = false;
 };
 
-/// Calls `on_line` with the number and the text of each line, of a long one with its beginning.
+/// Calls `on_line` with the number and the text of each line; long lines are cut.
 template <class OnLine>
 void read_lines(const std::filesystem::path& file, const OnLine& on_line) {
   require_size(file, most_obj_bytes);
