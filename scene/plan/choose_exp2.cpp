@@ -7,9 +7,9 @@
 
 namespace shadefit::scene {
 
-/// exp2 by a polynomial is off by a factor 1 + bound, which moves no value by more than the bound.
+/// exp2 by a polynomial has an error factor of 1 + bound, which changes no value by more than the bound.
 ChosenExp2 choose_exp2(double allowed, ShownScale scale) {
-  constexpr double upwards = 1 + 0x1p-40;  // more than what is computed here rounds
+  constexpr double upwards = 1 + 0x1p-40;  // safety factor, larger than the rounding of these doubles
   ChosenExp2 chosen{};
   for (const Exp2Coefficients& record : exp2_for_float) {
     double bound = 0;

@@ -14,7 +14,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// One whole power by so many multiplications is no dearer than LOG2, MUL and EXP2.
+/// A whole power by at most this many multiplications costs no more than LOG2, MUL and EXP2.
 constexpr int most_multiplications = 9;
 
 int multiplications(int n) {
@@ -22,15 +22,16 @@ int multiplications(int n) {
   return static_cast<int>(std::bit_width(bits)) + std::popcount(bits) - 2;
 }
 
-/// A form is taken within this share of what is allowed: the rest is for exp2 by a polynomial.
+/// The share of the allowed error for the form; the rest is for exp2 by a polynomial.
 constexpr double share_of_form = 0.9;
-/// A c - A saves an instruction over A (c - 1) where what it rounds more is next to nothing of what is
-/// allowed.
+/// A c - A saves one instruction over A (c - 1). It is used if its additional rounding is at most this share
+/// of the allowed error.
 constexpr double next_to_nothing = 0.02;
-/// The steps from constants of the least largest error to those of the least mean error.
+/// The number of steps from the constants with the smallest largest error to those with the smallest mean
+/// error.
 constexpr int all_the_way = 128;
 
-/// Constants on that way, each slope a float.
+/// The constants after a number of these steps, each slope a float.
 LobeForm between(LobeForm level, const LobeForm& mean, int steps) {
   const auto mixed = [&](double a, double b) { return a + (b - a) * steps / all_the_way; };
   level.offset = mixed(level.offset, mean.offset);
@@ -77,7 +78,7 @@ class Choice {
     return n;
   }
 
-  /// Without an offset, else with this scene's.
+  /// The Gaussian without an offset if that is enough, else with this scene's offset.
   std::optional<ChosenLobe> gaussian(LobeFitter& fitter) {
     LobeForm form{.kind = LobeKind::exponential, .slopes = {natural_slope}};
     if (const auto plain = near_enough(fitter, form)) return plain;
@@ -92,14 +93,15 @@ class Choice {
     return within(fitter, form, share_of_form * budget_.allowed);
   }
 
-  /// The form whose largest error is least with what its budget leaves over spent on its mean error.
+  /// Starts from the form with the smallest largest error and spends the rest of its budget on a smaller mean
+  /// error.
   ChosenLobe by_use(LobeFitter& fitter, ChosenLobe level) const {
     const LobeForm mean = fitter.best_on_the_mean(level.form);
     level.mean_error = level.mean_error_of_level = fitter.mean_error(level.form);
     const double left = budget_.allowed - level.error - level.rounding;
     const double allowed = std::min(share_of_form * budget_.allowed,
                                     level.error + left - choose_exp2(left, budget_.scale).error);
-    // The proven bound may be wider than what is sampled: then less far.
+    // The proven bound may be wider than the sampled error; then fewer steps are taken.
     int steps = steps_towards(fitter, level.form, mean, allowed);
     for (int attempt = 0; attempt < 4 && steps > 0; ++attempt, steps = steps * 3 / 4) {
       auto found = within(fitter, between(level.form, mean, steps), allowed);
@@ -112,8 +114,8 @@ class Choice {
     return level;
   }
 
-  /// How far from `level` towards `mean` the sampled error stays within what is allowed: it falls and then
-  /// rises along every line of constants.
+  /// The number of steps from `level` towards `mean` within the allowed sampled error. Along every line of
+  /// constants the error first falls, then rises.
   static int steps_towards(const LobeFitter& fitter, const LobeForm& level, const LobeForm& mean,
                            double allowed) {
     int near = 0, far = all_the_way + 1;
@@ -125,7 +127,8 @@ class Choice {
     return near;
   }
 
-  /// The form with its errors where they are within the budget, of which the lobe may have what is allowed.
+  /// The form with its errors, if they are within the budget. `allowed` is the part of the budget for the
+  /// lobe.
   std::optional<ChosenLobe> within(const LobeFitter& fitter, LobeForm form, double allowed) const {
     if (fitter.sampled_error(form.slopes, form.offset) > allowed) return {};
     double error = 0;

@@ -11,22 +11,23 @@
 namespace shadefit::scene {
 namespace {
 
-/// The ratio of a cell's ends. A lobe falls on a cell by the factor e^-(0.02 t) or so, t = n y, and what
-/// matters of it lies at t = 1 to 3.
+/// The ratio of a cell's ends. On a cell a lobe falls by a factor of about e^-(0.02 t), t = n y. The
+/// important range is t = 1 to 3.
 constexpr double cell_ratio = 1.02;
-/// Where cells begin: below t = n y = 0.01, and below a cosine of 1e-4, where little light is, one cell does.
+/// The start of the fine cells. Below t = n y = 0.01, and below a cosine of 1e-4, where there is little
+/// light, one cell is enough.
 constexpr double least_t = 0.01, least_cosine = 1e-4;
-/// More than all operations of a bound in doubles round, each by 1.1e-16 and functions by a few times that,
-/// with exponents up to 40 and what a sum of slopes cancels.
+/// Safety factor, larger than the rounding of a bound in doubles: 1.1e-16 for each operation and a few times
+/// that for functions, with exponents up to 40 and cancellation in a sum of slopes.
 constexpr double rounding_up = 1 + 1e-12;
 constexpr double derivative_rounding = 1e-13;
 
-/// Doubles are enough: what they round is next to nothing beside the width of a cell.
+/// Doubles are enough: their rounding is negligible compared with the width of a cell.
 using Outward = RoundedInterval<OutwardArithmetic>;
 
-/// Of a form by slopes: log f/n at y = 1 - c, natural.
+/// For a form by slopes: the natural log f/n at y = 1 - c.
 Outward form_log(const std::vector<Outward>& slopes, const Outward& y) {
-  static constexpr double ln2 = std::numbers::ln2;  // to half an ulp, of at most 2^-53
+  static constexpr double ln2 = std::numbers::ln2;  // rounded by half an ulp, at most 2^-53
   return Outward(ln2 - 0x1p-53, ln2 + 0x1p-53) * log2_by_slopes(Outward(-y), slopes);
 }
 
@@ -50,8 +51,8 @@ double largest_magnitude(const Range& range) {
   return std::max(std::abs(range.least), std::abs(range.most));
 }
 
-/// A cell of cosines [c_low, c_high], given with y = 1 - c of both: one of each pair is rounded, and by less
-/// than what everything is rounded up by.
+/// A cell of cosines [c_low, c_high], given with y = 1 - c of both: one of each pair is rounded, by less than
+/// `rounding_up` covers.
 LobeCell make_cell(std::span<const double> slopes, const std::vector<Outward>& wide, double c_low,
                    double c_high, double y_low, double y_high) {
   const bool is_near_peak = y_high <= 0.5;
@@ -108,17 +109,18 @@ LobeCells::LobeCells(std::span<const double> slopes, double largest_power) {
 double LobeCells::largest_error(const WeightedPower& lobes, double offset, ShownScale scale,
                                 double enough) const {
   const double least = lobes.power.least, most = lobes.power.most;
-  // of a power times x; no power times an endless bend is nothing
+  // power * x, but 0 for a power of 0 and an infinite bend
   const auto times = [](double power, double x) { return power > 0 ? power * x : 0; };
   const auto highest = [&](double x) { return times(x > 0 ? most : least, x); };
   const auto lowest = [&](double x) { return times(x > 0 ? least : most, x); };
   const double most_shown = on_scale(scale, 1);
-  // Most cells are ruled out by a logarithm, before any exponential: by more than all of it rounds.
+  // Most cells are ruled out by their logarithms alone, without an exponential. This margin is larger than
+  // the rounding.
   constexpr double clearly = 1e-9;
   const double log_factor = std::log(lobes.factor);
   const auto log_of = [&](double shown) { return std::log(from_scale(scale, shown)) - clearly; };
   double largest = enough, log_largest = log_of(largest);
-  // Near the peak no form is far from the lobe, and from some cell on little is left of either.
+  // Near the peak every form is close to the lobe, and beyond some cell both are small.
   const auto first = std::partition_point(cells_.begin(), cells_.end(), [&](const LobeCell& cell) {
     return (times(most, cell.bend_so_far) + offset * cell.y_high) * most_shown <= largest;
   });
@@ -126,7 +128,7 @@ double LobeCells::largest_error(const WeightedPower& lobes, double offset, Shown
     if (highest(cell.log_from_here) + log_factor < log_largest) break;
     const double ratio = std::max(std::abs(lowest(cell.bend_low) - offset * cell.y_high),
                                   std::abs(highest(cell.bend_high) - offset * cell.y_low));
-    // v S'(v) <= S(1), so that a ratio of e^r moves nothing by more than |r| S(1)
+    // v S'(v) <= S(1), so a ratio of e^r changes no value by more than |r| S(1)
     if (ratio * most_shown <= largest) continue;
     const double log_larger =
         std::max(highest(cell.log_target), highest(cell.log_form) - offset * cell.y_low);

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double golden = std::numbers::phi - 1;
 
-/// Neighbouring powers want the same constants.
+/// Powers within this ratio need the same constants.
 constexpr double neighbours = 1.1;
 
-/// Where the error of a lobe is looked at. Near its peak at t = n y from 0.05 in steps of a twentieth up to
-/// 44, where e^-44 leaves nothing of the largest factor, 1e8; so many see an error to a percent. What is left
-/// of it towards the horizon, at c from 1/2 in such steps down to 1/2000, where hardly any light is.
+/// The samples of the error of a lobe. Near its peak: t = n y from 0.05 in steps of 5 % up to 44, where e^-44
+/// cancels the largest factor, 1e8. This resolves an error to 1 %. Towards the horizon: c from 1/2 in the
+/// same steps down to 1/2000, where there is hardly any light.
 constexpr double first_t = 0.05, last_t = 44, step = 1.05;
 constexpr double last_cosine = 1.0 / 2000;
 
@@ -41,7 +41,7 @@ std::vector<LobeFitter::Lobe> thinned(std::span<const WeightedPower> lobes) {
   return kept;
 }
 
-/// Those within a tenth together as the first of them.
+/// Merges powers within 10 % into the first of them.
 std::vector<UsedPower> taken_together(std::vector<UsedPower> used) {
   std::sort(used.begin(), used.end(),
             [](const UsedPower& a, const UsedPower& b) { return a.power < b.power; });
@@ -57,18 +57,18 @@ std::vector<UsedPower> taken_together(std::vector<UsedPower> used) {
   return kept;
 }
 
-/// What a lobe is multiplied by at y, at most: its factor, and the light that reaches it there.
+/// An upper bound of the multiplier of a lobe at y: its factor times the light there.
 double brightest_at(double factor, double y) {
   return factor * std::min(1.0, 2 * (1 - y));
 }
 
-/// What the logarithm of a value that is shown is worth, for errors of it that are little.
+/// The weight of a small error in the logarithm of a displayed value.
 constexpr double little = 1e-3;
 double worth_of_logarithm(ShownScale scale, double shown) {
   return apart_by_ratio(scale, shown, little) / little;
 }
 
-/// log2(c) by slopes, a row for each place.
+/// log2(c) by slopes, one row for each place.
 struct SlopeRows {
   Eigen::MatrixXd powers;
   Eigen::VectorXd target;
@@ -89,7 +89,7 @@ struct SlopeRows {
   }
 };
 
-/// Each a float.
+/// Rounds each slope to a float.
 std::vector<double> rounded(const Eigen::VectorXd& slopes) {
   std::vector<double> result;
   for (const double slope : slopes) result.push_back(static_cast<double>(static_cast<float>(slope)));
@@ -159,8 +159,8 @@ double LobeFitter::mean_error(const LobeForm& form) const {
   return std::sqrt(mean_square(form).square);
 }
 
-/// The logarithm of a lobe is off by n bend - x y, bend that of log c by the slopes: with what a logarithm is
-/// worth held, a problem that is linear.
+/// The error of a lobe's logarithm is n bend - x y, where bend is the error of log c by the slopes. With
+/// fixed weights of the logarithms, the problem is linear.
 LobeForm LobeFitter::reweighted(LobeForm form, const MeanSquare& mean) const {
   if (form.slopes.size() == 1) {
     double along = 0, square = 0;
@@ -189,7 +189,7 @@ LobeForm LobeFitter::best_on_the_mean(LobeForm form) {
   for (int time = 0; time < most_times; ++time) {
     const LobeForm next = reweighted(form, best);
     MeanSquare mean = mean_square(next);
-    constexpr double hardly = 0.98;  // an error that falls by 1 % is as good as the least
+    constexpr double hardly = 0.98;  // stops if the square falls by less than 2 %, the error by less than 1 %
     const bool goes_on = mean.square < hardly * best.square;
     if (mean.square < best.square) {
       form = next;
@@ -206,9 +206,10 @@ double LobeFitter::sampled_error(std::span<const double> slopes, double offset, 
   for (const Sample& sample : samples_) {
     const double target = sample.power * sample.log_cosine;
     const double form = (sample.power + offset) * std::numbers::ln2 * log2_by_slopes(-sample.y, slopes);
-    if (std::abs(form - target) * white <= largest) continue;  // no value moves by more than its share
+    if (std::abs(form - target) * white <= largest)
+      continue;  // no value changes by more than its relative error
     const double log_shown = sample.log_brightest + std::max(form, target);
-    if (log_shown < log_largest) continue;  // nor by more than all of it
+    if (log_shown < log_largest) continue;  // nor by more than the whole value
     const double error = apart_by_ratio(scale_, std::exp(log_shown), form - target);
     if (error <= largest) continue;
     if (error > enough) return error;
@@ -221,8 +222,8 @@ double LobeFitter::sampled_error(std::span<const double> slopes, double offset, 
 double LobeFitter::best_offset() {
   ++fits_run_;
   const std::array slope{natural_slope};
-  // The largest of functions that fall and then rise does so too. Of the larger of two errors it does not
-  // matter how large it is: it is never looked at again.
+  // The maximum of functions that first fall and then rise has the same shape. The exact value of the larger
+  // of two errors does not matter: it is never used again.
   const auto error = [&](double offset, double other) { return sampled_error(slope, offset, other); };
   double low = 0, high = 16;
   double a = high - golden * (high - low), b = low + golden * (high - low);
@@ -253,7 +254,7 @@ std::vector<double> LobeFitter::best_slopes(int count) {
   const auto size = rows.target.size();
   Eigen::VectorXd worth(size);
   for (Eigen::Index i = 0; i < size; ++i) worth[i] = places_[static_cast<std::size_t>(i)].worth;
-  // |error|, weighed by what it is worth, becomes level where it is largest.
+  // The iteration makes the weighted |error| equal at all places where it is largest.
   Eigen::VectorXd level = Eigen::VectorXd::Constant(size, 1.0 / static_cast<double>(size));
   Eigen::VectorXd best = Eigen::VectorXd::Zero(count);
   double least = HUGE_VAL;

@@ -9,23 +9,24 @@
 #include "approx/shading.hpp"
 #include "scene/materials/material.hpp"
 
-/// What may stand for the lobe c^n of a scene.
+/// The forms that can replace the lobe c^n of a scene.
 namespace shadefit::scene {
 
 enum class LobeKind {
   constant,     ///< 1: every power is 0
-  multiplied,   ///< c^n by multiplications, one whole power for all
+  multiplied,   ///< c^n by multiplications, for one common whole power
   exponential,  ///< exp2((n + x) y (s1 + y (s2 + ..))), y = c - 1
   power,        ///< exp2(n log2(c))
 };
 
-/// A form, and its constants where it has some.
+/// A form with its constants, if any.
 struct LobeForm {
   LobeKind kind = LobeKind::power;
-  int whole = 0;                    ///< of `multiplied`
-  double offset = 0;                ///< x of `exponential`, at least 0; 0 where there are several slopes
-  std::vector<double> slopes = {};  ///< of `exponential`; of several, each a float
-  /// Of one slope and constant powers: A c - A, a multiply-add, where it rounds well enough; else A (c - 1).
+  int whole = 0;                    ///< the power of `multiplied`
+  double offset = 0;                ///< x of `exponential`, at least 0; 0 with several slopes
+  std::vector<double> slopes = {};  ///< of `exponential`; several slopes are floats
+  /// For one slope and constant powers: true for A c - A, a multiply-add, if its rounding is acceptable;
+  /// false for A (c - 1).
   bool is_fused = false;
   bool operator==(const LobeForm&) const = default;
 };
@@ -33,14 +34,14 @@ struct LobeForm {
 /// The slope of the Gaussian that is c^n near the peak.
 inline constexpr double natural_slope = std::numbers::log2e;
 
-/// What of a lobe is known before its cosine.
+/// The parts of a lobe that do not depend on its cosine.
 template <class T>
 struct LobeConstants {
-  std::vector<T> slopes;      ///< with n + x in them, or without
-  std::optional<T> exponent;  ///< n + x, where the slopes are without it; of `power` n, always
+  std::vector<T> slopes;      ///< multiplied by n + x, or not
+  std::optional<T> exponent;  ///< n + x, if the slopes do not include it; for `power` always n
 };
 
-/// The lobe of a form, as code has it.
+/// The lobe of a form, as in the generated code.
 template <class T>
 T planned_lobe(const LobeForm& form, const T& cos_theta, const LobeConstants<T>& constants) {
   switch (form.kind) {

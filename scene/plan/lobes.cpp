@@ -10,7 +10,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// Facing the surface, of diamond 0.17; nothing clear that is rendered has more.
+/// A reflectance at normal incidence above all rendered transparent materials: diamond has 0.17.
 constexpr double most_of_dielectrics = 0.2;
 
 double largest_of(const std::array<Range, 3>& channels) {
@@ -27,21 +27,22 @@ std::vector<WeightedPower> each_once(std::vector<WeightedPower> lobes) {
   return lobes;
 }
 
-/// The steps of powers between texels: equal ones for all materials, so that those of many are few. Up to 1/3
-/// each is as wide as the last.
+/// The next step of powers of texels. The steps are the same for all materials, so many materials share few
+/// steps. Below 1/3 the steps have a constant width.
 double next_power(double power) {
   constexpr double ratio = 1.03, narrowest = 0.01;
   return std::max(power * ratio, power + narrowest);
 }
 
-/// All steps that powers of files may be in.
+/// All steps up to the largest power.
 std::vector<double> steps_of_powers() {
   std::vector<double> steps{0};
   while (steps.back() <= most_power) steps.push_back(next_power(steps.back()));
   return steps;
 }
 
-/// Collects lobes: of textures each step once, with the largest reflectance, however many materials have it.
+/// Collects lobes. For textures, each step occurs once, with the largest reflectance of all materials that
+/// use it.
 class LobeCollection {
  public:
   void add(const Material& material) {
@@ -62,7 +63,7 @@ class LobeCollection {
     }
   }
 
-  /// A share of the texels of all materials. Those within a step are one, of the least of their powers.
+  /// Adds a share of the texels of all materials. Shares within a step are merged at their lowest power.
   void add(const UsedPower& used) {
     const auto [at, is_new] = used_.try_emplace(step_of(used.power), used);
     if (is_new) return;
