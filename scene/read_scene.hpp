@@ -5,11 +5,11 @@
 
 #include "scene/materials/material.hpp"
 
-/// Scenes of any number of files.
+/// Reads scenes from any number of files.
 namespace shadefit::scene {
 
-/// What the files hold together, in their order. By their extension they are .gltf, .glb, .mtl or .obj.
-/// Throws UserError for another one, and as the reader of each format says.
+/// The contents of all files, in their order. The extension decides the format: .gltf, .glb, .mtl or .obj.
+/// Throws UserError for any other extension, and like the reader of each format.
 Scene read_scene(std::span<const std::filesystem::path> files, const Conventions& conventions);
 
 }  // namespace shadefit::scene

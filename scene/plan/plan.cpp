@@ -16,9 +16,9 @@
 namespace shadefit::scene {
 namespace {
 
-/// How a light's share of the tolerance is spent. A cut-off costs no instruction of a pixel that is lit, and
-/// a tenth of the error widens it little: the lobe's own width is its logarithm. Fresnel's term is cheap
-/// where it is kept, so that little is set aside to do without. The lobe has the rest.
+/// How a light's share of the tolerance is spent. The cut-off gets 10 %: it costs lit pixels no instruction,
+/// and a lobe's width depends only on the logarithm of the threshold. The Fresnel term is cheap to keep, so
+/// little is reserved for dropping it. The lobe gets the rest.
 constexpr double for_cutoff = 0.1, for_fresnel = 0.3;
 
 class Planner {
@@ -101,7 +101,7 @@ class Planner {
       decide(term, Treatment::skip, "", "no material needs a specular lobe");
   }
 
-  /// What F0 in place of the reflectance would be off by, at most.
+  /// A bound of the error of F0 in place of the reflectance.
   double error_without_fresnel() const {
     double largest = 0;
     for (std::size_t i = 0; i < plan_.materials.size(); ++i) {
@@ -140,7 +140,7 @@ class Planner {
     }
   }
 
-  /// Whether every power is 0: then n.h is not asked.
+  /// Whether every power is 0: then n.h is not needed.
   bool is_constant() const { return lobes_.range().most == 0; }
 
   void decide_culling() {
@@ -212,7 +212,8 @@ class Planner {
            " on the mean, where the least largest error has " + decimal(chosen.mean_error_of_level, 2);
   }
 
-  /// Instructions of slopes, EXP2 and LOG2 counted as four each, where the power itself takes no more.
+  /// The instructions of the slopes, with EXP2 and LOG2 counted as four each, if the power itself costs no
+  /// more.
   std::string price_of(const LobeForm& form) const {
     constexpr int of_power = 9, beside_slopes = 5;  // LOG2, MUL, EXP2; c - 1, MUL and EXP2
     const int cost = beside_slopes + static_cast<int>(form.slopes.size()) + (lobes_.is_textured() ? 1 : 0);
@@ -254,7 +255,7 @@ class Planner {
     }
   }
 
-  /// How a texture's number becomes a power.
+  /// Decides the conversion of a texture's number to a power.
   void decide_decode() {
     const auto has = [&](PowerTexture texture) { return lobes_.textures.contains(texture); };
     const bool is_gloss_a_power = has(PowerTexture::gloss) && scene_.conventions.is_gloss_exponential;
@@ -280,7 +281,7 @@ class Planner {
   }
 
   void sum_up() {
-    // A pixel is of one material: it has a lobe, with the errors of its terms, or it has none.
+    // A pixel has one material: either with a lobe and the errors of its terms, or without a lobe.
     double of_lobes = 0, of_materials = 0;
     for (const Decision& decision : plan_.decisions)
       (decision.term == "specular lobe" ? of_materials : of_lobes) += decision.error;
@@ -293,7 +294,7 @@ class Planner {
   const Scene& scene_;
   const Checkpoint& checkpoint_;
   double budget_;          ///< of one light
-  double left_ = budget_;  ///< what is not spent of it
+  double left_ = budget_;  ///< the unspent part of the budget
   Plan plan_;
   Lobes lobes_;
 };

@@ -10,20 +10,19 @@
 #include "scene/plan/rounding_error.hpp"
 #include "scene/plan/shown_scale.hpp"
 
-/// What a shading needs for a scene's own materials, within a tolerance: each term is kept, replaced by the
-/// cheapest form that is near enough, or skipped.
+/// Plans the shading for a scene's materials within a tolerance: each term is kept, replaced by the cheapest
+/// form that is accurate enough, or skipped.
 ///
-/// The shading is that of one light: F (n + 2)/8 c^n (n.l), F by Schlick, c = n.h, a unit light of games,
-/// clamped to [0, 1]. Where a normal is turned away from the viewer, n.v < 0, n.l counts as 2 n.h at most:
-/// `seen_light`, which the code computes. An error is one of that result, in linear values or in sRGB codes,
-/// and the sum of all of a pixel's errors over all lights stays below the tolerance. Errors are proven, in
-/// exact arithmetic, and what the pixel's precision rounds comes on top; the cosines themselves are taken as
-/// given.
+/// The shading of one light is F (n + 2)/8 c^n (n.l), clamped to [0, 1]: F by Schlick, c = n.h, a unit light
+/// of games. If a normal is turned away from the viewer, n.v < 0, n.l is limited to 2 n.h; the code computes
+/// this as `seen_light`. Errors are those of this result, in linear values or in sRGB codes. The sum of a
+/// pixel's errors over all lights stays below the tolerance. Errors are proven in exact arithmetic, and the
+/// rounding of the pixel's precision is added. The cosines themselves count as exact.
 namespace shadefit::scene {
 
 struct Wanted {
-  double tolerance = 1.0 / 255;  ///< on the scale, above 0
-  int lights = 1;                ///< that may shine on one point, at least 1
+  double tolerance = 1.0 / 255;  ///< on `scale`, above 0
+  int lights = 1;                ///< the most lights on one point, at least 1
   ShownScale scale = ShownScale::linear;
   PixelPrecision precision = PixelPrecision::float32;
 };
@@ -32,38 +31,38 @@ enum class Treatment { keep, replace, skip };
 
 std::string_view name(Treatment treatment);
 
-/// What becomes of one term.
+/// The decision about one term.
 struct Decision {
   std::string term;  ///< "specular lobe" ..
   Treatment treatment;
-  std::string form;  ///< what is computed; empty where nothing is
+  std::string form;  ///< the computed form; empty if none
   std::string reason;
-  double error = 0;  ///< of one light's result, at most, on the scale
+  double error = 0;  ///< upper bound for one light's result, on the scale
 };
 
-/// What becomes of one material.
+/// The decisions about one material.
 struct MaterialPlan {
   std::string name;
   bool has_lobe = false;
-  std::string reason;  ///< why it has none; empty where it has one
+  std::string reason;  ///< why it has no lobe; empty if it has one
   Range power = {};    ///< of its lobe
   double factor = 0;   ///< the largest F (n + 2)/8
-  /// Below this n.h a light adds less than the error that is set aside for it, and need not be asked. 0: of
-  /// every light.
+  /// Below this n.h a light adds less than the error reserved for it and can be skipped. 0: no light is
+  /// skipped.
   double cutoff = 0;
-  double error = 0;  ///< of one light, where it has no lobe and might have had one
+  double error = 0;  ///< of one light, if its lobe was dropped
 };
 
-/// What is computed where a material has a lobe.
+/// The shading of materials with a lobe.
 struct PlannedShading {
   LobeForm lobe;
-  bool has_fresnel = true;        ///< else F0 stands for the reflectance
-  bool is_coloured = true;        ///< else one channel does
-  bool is_power_of_pixel = true;  ///< else of the material
-  /// Where the pixel's power is its own, a lobe of at most 2^this need not be finished: no light adds more
-  /// than the error that is set aside.
+  bool has_fresnel = true;        ///< else F0 replaces the reflectance
+  bool is_coloured = true;        ///< else one channel is enough
+  bool is_power_of_pixel = true;  ///< else the power is that of the material
+  /// If the power varies by pixel, a lobe of at most 2^this can be skipped: its light adds at most the
+  /// reserved error.
   double least_exponent = 0;
-  /// Of the polynomial that does for exp2 where a processor has none; 0: there is no exp2.
+  /// The degree of the polynomial for exp2 on a processor without exp2; 0: exp2 is not used.
   int exp2_degree = 0;
 };
 
@@ -72,21 +71,21 @@ struct Plan {
   PlannedShading shading;
   std::vector<Decision> decisions;
   std::vector<MaterialPlan> materials;
-  double error = 0;  ///< of all lights together, at most
-  /// What one light is moved by, at most, where n.h comes from a dot product in the pixel's precision, by any
-  /// form: not in `error`.
+  double error = 0;  ///< upper bound for all lights together
+  /// A bound of the error of one light if n.h comes from a dot product in the pixel's precision, for any
+  /// form. Not included in `error`.
   double dot_product_error = 0;
-  std::vector<std::string> notes;  ///< what the plan does not count, and what was changed, a line each
+  std::vector<std::string> notes;  ///< what the plan does not cover and what was changed, one line each
   int fits_run = 0;
-  int fits_skipped = 0;  ///< of those that a whole catalogue of constants would take
+  int fits_skipped = 0;  ///< of the fits of a whole catalogue of constants
   bool is_within() const { return error <= wanted.tolerance; }
   bool has_lobes() const;
 };
 
-/// The form as it is written: "exp2(A c - A), A = (n + 0.775)/ln 2".
+/// The form as text: "exp2(A c - A), A = (n + 0.775)/ln 2".
 std::string to_text(const LobeForm& form);
 
-/// Decides for a scene with at least one material.
+/// Makes the plan for a scene with at least one material.
 Plan make_plan(const Scene& scene, const Wanted& wanted, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::scene

@@ -6,7 +6,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// The materials with a lobe whose roughness falls below what engines keep.
+/// The number of materials with a lobe and a roughness below the minimum of engines.
 long smooth_materials(const Scene& scene, const Plan& plan) {
   const double most = power_of_roughness(least_engine_roughness, scene.conventions);
   long smooth = 0;

@@ -5,10 +5,10 @@
 
 #include "scene/plan/plan.hpp"
 
-/// What a plan says beside its decisions.
+/// The notes of a plan.
 namespace shadefit::scene {
 
-/// What the plan does not count, what was changed, and what engines would change, a line each.
+/// What the plan does not cover, what was changed, and what engines would change, one line each.
 std::vector<std::string> notes_of(const Scene& scene, const Plan& plan);
 
 }  // namespace shadefit::scene

@@ -22,7 +22,7 @@ Format format_of(PixelPrecision precision) {
   return {0x1p-11, 1, 65504, 0x1p-24};
 }
 
-/// By how much a sum of slopes cancels: sum |s_i| y^(i-1) over |sum s_i (-y)^(i-1)|, at most.
+/// A bound of the cancellation in a sum of slopes: sum |s_i| y^(i-1) over |sum s_i (-y)^(i-1)|.
 double cancellation(std::span<const double> slopes) {
   double most = 1;
   constexpr int places = 256;
@@ -40,13 +40,13 @@ double cancellation(std::span<const double> slopes) {
   return most > 1 ? most * between_places : 1;
 }
 
-/// Roundings of a pixel's power: relative to n + 2, which is at most 3 n from n = 1 on, or to n.
+/// Roundings of a pixel's power: relative to n + 2, which is at most 3 n for n >= 1, or to n.
 double roundings_of_power(const RoundedShading& shading) {
   if (!shading.lobes.is_textured()) return 0;
   return shading.is_gloss_exponential ? 20 : 5;
 }
 
-/// Of the exponent, relative to it, where the power is at least 1.
+/// Roundings of the exponent, relative to it, for powers of at least 1.
 double roundings_of_exponent(const RoundedShading& shading, const Format& format) {
   const double of_power = 3 * roundings_of_power(shading);
   const LobeForm& form = shading.form;
@@ -62,8 +62,8 @@ double roundings_of_exponent(const RoundedShading& shading, const Format& format
   return 0;
 }
 
-/// What a relative error of a value moves on the scale: size times v^power times it, at most. The encoding's
-/// v S'(v) is 255 (1.055/2.4) v^(1/2.4), and up to 1.7 % more where it is straight.
+/// A bound of the change on the scale by a relative error of a value v: size times v^power times the error.
+/// The encoding's v S'(v) is 255 (1.055/2.4) v^(1/2.4), and up to 1.7 % more in its linear part.
 struct Elasticity {
   double size, power;
 };
@@ -89,7 +89,7 @@ double largest_dull_factor(const Lobes& lobes) {
   return largest;
 }
 
-/// All roundings of a light, each as much as it moves.
+/// The sum of all roundings of a light, weighted by their effect.
 double weighted_roundings(const RoundedShading& shading, const Format& format, double sharpness, double p) {
   constexpr double of_fresnel = 12, of_constant = 1, of_normalisation = 3, of_products = 3;
   constexpr double ln2 = std::numbers::ln2;
@@ -119,10 +119,10 @@ double rounding_error(const RoundedShading& shading, PixelPrecision precision, S
   const double sharpness = (power + shading.form.offset) * natural_slope;
   if (std::max({power, factor, game_normalisation(power), sharpness}) > format.largest) return white;
   const double relative = weighted_roundings(shading, format, sharpness, elasticity.power) * format.unit;
-  // Products of roundings are left out of the count: a fiftieth, as long as all are a fiftieth.
+  // Covers the products of roundings, which are not counted: 2 % if the sum is at most 2 %.
   constexpr double products = 1.02;
   if (relative > products - 1) return white;
-  // a lobe below the normal numbers is off by a step
+  // a subnormal lobe has an error of one step
   return std::min(white, elasticity.size * relative * products + on_scale(scale, factor * format.smallest));
 }
 
@@ -132,7 +132,7 @@ double dot_product_rounding(PixelPrecision precision) {
 }
 
 double dot_product_error(const Lobes& lobes, PixelPrecision precision, ShownScale scale) {
-  constexpr double small = 2.4;  // of the exponent of sRGB's encoding
+  constexpr double small = 2.4;  // from the exponent of sRGB's encoding
   const double off = dot_product_rounding(precision);
   double largest = 0;
   for (const WeightedPower& lobe : lobes.all) {

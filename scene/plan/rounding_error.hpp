@@ -5,11 +5,11 @@
 #include "scene/plan/lobes.hpp"
 #include "scene/plan/shown_scale.hpp"
 
-/// What a processor's rounding adds to the error of a scene's shading: bounds, by counting roundings.
+/// Bounds of the rounding error of a scene's shading, by counting roundings.
 ///
-/// An operation is off by a factor 1 + u at most, u = 2^-24 or 2^-11; exp2 and log2 by 2 ulps, 4 u, in float,
-/// and in half, where a processor computes them in float, by one rounding. What is shown of a light is v =
-/// min(1, g w 2^-|a|), a the exponent of the lobe.
+/// An operation has an error factor of at most 1 + u, u = 2^-24 or 2^-11. exp2 and log2 have 2 ulps, 4 u, in
+/// float. In half they have one rounding, because a processor computes them in float. The displayed value of
+/// a light is v = min(1, g w 2^-|a|), a the exponent of the lobe.
 ///
 /// - The exponent of d slopes has 2 d + 3 roundings, with n + x and the constants; A c - A rounds A c, |A| u
 ///   more; where slopes differ in sign and cancel, all times by how much. 2^a is off by ln 2 |a| times that,
@@ -28,7 +28,7 @@ enum class PixelPrecision { float32, float16 };
 /// "float" or "half".
 std::string_view name(PixelPrecision precision);
 
-/// What is rounded.
+/// The shading whose rounding is bounded.
 struct RoundedShading {
   const LobeForm& form;
   const Lobes& lobes;
@@ -36,18 +36,18 @@ struct RoundedShading {
   bool is_gloss_exponential;  ///< of a texture of gloss
 };
 
-/// The most that rounding moves a light's result on the scale. All of white where a format has no such
-/// numbers: a power or a normalisation above the largest half.
+/// A bound of the rounding error of a light's result on the scale. It is white if the format cannot hold a
+/// number: a power or a normalisation above the largest half.
 double rounding_error(const RoundedShading& shading, PixelPrecision precision, ShownScale scale);
 
-/// What a dot product of unit vectors rounds n.h by: gamma_3 = 3 u/(1 - 3 u). Source: Higham 2002, "Accuracy
-/// and Stability of Numerical Algorithms", section 3.1, with |n| |h| = 1.
+/// The rounding error of n.h as a dot product of unit vectors: gamma_3 = 3 u/(1 - 3 u). Source: Higham 2002,
+/// "Accuracy and Stability of Numerical Algorithms", section 3.1, with |n| |h| = 1.
 double dot_product_rounding(PixelPrecision precision);
 
-/// What that moves a light of any of the lobes on the scale, at most, whatever the form: a cosine that is off
-/// by d makes a power n of c off by n d/c. From n = 2.4 on v n/c rises with c as long as v < 1, on both
-/// scales: it is largest where g c^n = 1, or at c = 1 where g is below 1. Of a smaller n, the slope of g c^n
-/// min(1, 2 c) is 2 (n + 1) g at most.
+/// A bound of its effect on a light of any of the lobes on the scale, for every form. An error d of the
+/// cosine c changes c^n by a relative n d/c. For n >= 2.4, v n/c rises with c as long as v < 1, on both
+/// scales. So it is largest where g c^n = 1, or at c = 1 if g < 1. For a smaller n, the slope of g c^n min(1,
+/// 2 c) is 2 (n + 1) g at most.
 double dot_product_error(const Lobes& lobes, PixelPrecision precision, ShownScale scale);
 
 }  // namespace shadefit::scene

@@ -10,13 +10,13 @@ namespace {
 
 constexpr double codes_of_white = 255;
 
-/// v S'(v) of the encoding S rises with v, so that of two values with a given ratio those nearest to 1 are
-/// farthest apart; but where the curve leaves the straight line it falls once, from 12.92 v = 0.04045 to
-/// 1.055/2.4 v^(1/2.4) = 0.03976, by 1.7 %: so much may be missed.
+/// v S'(v) of the encoding S rises with v, so two values with a given ratio differ most nearest to 1. But v
+/// S'(v) falls once, where the curve leaves the straight line, from 12.92 v = 0.04045 to 1.055/2.4 v^(1/2.4)
+/// = 0.03976, by 1.7 %. This factor covers that.
 constexpr double kink = 1.018;
 
 /// The two branches of the encoding do not meet: 12.92 0.0031308 = 0.040449936, the power there 0.0404499075,
-/// 7.3e-6 codes less. By so much it falls.
+/// 7.3e-6 codes less. This is the size of that step.
 constexpr double step_down = 7.3e-6;
 
 }  // namespace

@@ -1,9 +1,9 @@
 #pragma once
 
-/// On what scale a shown value counts: as light, or as a display's code.
+/// The scale of a displayed value: linear light or display codes.
 ///
-/// The encoding is concave and 0 at 0. So values that are apart by d are apart by no more than the encoding
-/// of d, and errors of several terms or lights add up on this scale as on the linear one.
+/// The encoding is concave and 0 at 0. So the codes of two values that differ by d differ by at most the code
+/// of d. Errors of several terms or lights therefore add up on this scale as on the linear one.
 namespace shadefit::scene {
 
 enum class ShownScale {
@@ -17,8 +17,8 @@ double on_scale(ShownScale scale, double linear);
 /// The value in [0, 1] that is `shown` on the scale.
 double from_scale(ShownScale scale, double shown);
 
-/// The largest difference on the scale of a value up to `value` and another that is smaller by the factor
-/// e^-|log_ratio|: an upper bound.
+/// An upper bound of the difference on the scale between a value up to `value` and that value times
+/// e^-|log_ratio|.
 double apart_by_ratio(ShownScale scale, double value, double log_ratio);
 
 }  // namespace shadefit::scene

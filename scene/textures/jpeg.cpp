@@ -4,7 +4,7 @@
 #include <array>
 #include <csetjmp>
 #include <cstdio>
-// jpeglib.h uses size_t and FILE without saying where they come from.
+// jpeglib.h uses size_t and FILE without including their headers.
 #include <jpeglib.h>
 
 #include <jerror.h>
@@ -17,11 +17,11 @@
 namespace shadefit::scene {
 namespace {
 
-/// A progressive picture comes in some ten scans, each over all of it; a file may hold thousands that are all
-/// but empty.
+/// A progressive picture has about ten scans of the whole picture. A file may hold thousands of almost empty
+/// scans.
 constexpr int most_scans = 64;
 
-/// A picture on its way through libjpeg, and what went wrong there.
+/// The state of decoding a picture with libjpeg, and its error.
 struct JpegReading {
   Bytes encoded;
   jpeg_decompress_struct decoder{};
@@ -46,7 +46,7 @@ JpegReading& reading_of(j_common_ptr decoder) {
   std::longjmp(reading.back, 1);
 }
 
-/// libjpeg makes up what is missing, and calls that a warning.
+/// Ends at missing data: libjpeg would invent it with only a warning.
 void end_at_missing_data(j_common_ptr decoder, int level) {
   constexpr std::array damages{int{JWRN_JPEG_EOF}, int{JWRN_HIT_MARKER}, int{JWRN_HUFF_BAD_CODE},
                                int{JWRN_MUST_RESYNC}};
@@ -61,9 +61,9 @@ void end_at_too_many_scans(j_common_ptr decoder) {
   std::longjmp(reading.back, 1);
 }
 
-// libjpeg leaves the two functions below by a jump: they hold nothing that wants to be destroyed.
+// libjpeg leaves the two functions below by longjmp, so they must hold no object with a destructor.
 
-/// Reads the header. False where libjpeg gave up.
+/// Reads the header. False if libjpeg failed.
 bool begin_jpeg(JpegReading& reading) {
   if (setjmp(reading.back) != 0) return false;
   jpeg_create_decompress(&reading.decoder);
@@ -74,7 +74,7 @@ bool begin_jpeg(JpegReading& reading) {
   return true;
 }
 
-/// Counts rows as they come: grey, or whatever libjpeg makes RGB of. False where it gave up.
+/// Counts decoded rows: grey, or anything that libjpeg converts to RGB. False if it failed.
 bool count_jpeg_rows(JpegReading& reading, std::uint8_t* row, std::span<ChannelCount> counted) {
   if (setjmp(reading.back) != 0) return false;
   jpeg_decompress_struct& decoder = reading.decoder;

@@ -12,9 +12,9 @@
 namespace shadefit::scene {
 namespace {
 
-/// A picture on its way through libpng, and what went wrong there.
+/// The state of decoding a picture with libpng, and its error.
 struct PngReading {
-  Bytes rest;  ///< what has not been read yet
+  Bytes rest;  ///< the unread bytes
   std::array<char, 128> error{};
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -42,9 +42,9 @@ void give_png_bytes(png_structp png, png_bytep wanted, std::size_t number) {
   reading.rest = reading.rest.subspan(number);
 }
 
-// libpng leaves the two functions below by a jump: they hold nothing that wants to be destroyed.
+// libpng leaves the two functions below by longjmp, so they must hold no object with a destructor.
 
-/// Reads the size, and asks for 8 bits a channel and no palette. False where libpng gave up.
+/// Reads the size, and requests 8 bits per channel without a palette. False if libpng failed.
 bool begin_png(PngReading& reading) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
   png_set_read_fn(reading.png, &reading, give_png_bytes);
@@ -58,8 +58,8 @@ bool begin_png(PngReading& reading) {
   return true;
 }
 
-/// Counts rows as they come. The texels of an interlaced picture come in seven smaller ones; where each
-/// belongs does not matter to a count. False where libpng gave up.
+/// Counts decoded rows. An interlaced picture comes as seven smaller ones; the position of a texel does not
+/// matter for a count. False if libpng failed.
 bool count_png_rows(PngReading& reading, std::uint8_t* row, std::span<ChannelCount> counted) {
   if (setjmp(png_jmpbuf(reading.png)) != 0) return false;
   const bool is_interlaced = png_get_interlace_type(reading.png, reading.info) != PNG_INTERLACE_NONE;

@@ -8,23 +8,23 @@
 
 #include "scene/textures/texture.hpp"
 
-/// What the readers of the two formats of pictures have in common.
+/// Code shared by the PNG and JPEG readers.
 namespace shadefit::scene {
 
 struct PictureSize {
   std::uint64_t width, height;
 };
 
-/// Called with the size that the header says, before anything is decoded; throws where it is too large.
+/// Called with the size in the header before anything is decoded; throws if it is too large.
 using SizeCheck = std::function<void(PictureSize)>;
 
-/// What is counted of texels: a channel each.
+/// The counts of one channel.
 struct ChannelCount {
   Channel channel;
   Histogram counts{};
 };
 
-/// Counts texels that follow each other, `components` bytes each: grey, grey and alpha, RGB, RGBA.
+/// Counts consecutive texels of `components` bytes each: grey, grey and alpha, RGB, RGBA.
 inline void count_texels(const std::uint8_t* texels, std::size_t number, std::size_t components,
                          std::span<ChannelCount> counted) {
   const bool is_coloured = components >= 3, has_alpha = components % 2 == 0;
@@ -42,8 +42,8 @@ inline void count_texels(const std::uint8_t* texels, std::size_t number, std::si
   }
 }
 
-// Both decode row by row, so that memory is that of a row; but a progressive JPEG has six bytes a texel. Both
-// throw UserError with the decoder's words.
+// Both decode row by row, so they need memory for one row only; but a progressive JPEG needs six bytes per
+// texel. Both throw UserError with the decoder's words.
 
 void count_png(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> counted);
 void count_jpeg(Bytes encoded, const SizeCheck& check, std::span<ChannelCount> counted);

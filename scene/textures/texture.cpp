@@ -27,7 +27,7 @@ PictureFormat picture_format(Bytes encoded) {
 
 std::vector<Histogram> PictureReader::histograms(Bytes encoded, std::span<const Channel> channels) {
   const SizeCheck check = [&](PictureSize size) {
-    // Both formats keep width and height in 31 bits, so that the product is exact.
+    // Both formats store width and height in at most 31 bits, so the product is exact.
     const std::uint64_t pixels = size.width * size.height;
     if (pixels > most_pixels) {
       throw UserError(fmt::format("the picture has {} x {} pixels, more than {} together", size.width,
