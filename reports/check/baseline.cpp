@@ -30,7 +30,8 @@ constexpr const char* fresnel_file = "fresnel.csv";
 constexpr const char* normalisation_file = "normalization.csv";
 constexpr const char* reflectance_file = "reflectance.csv";
 
-/// Of a table; the largest that is committed has 70 KB. A cell takes 32 bytes, however short its text.
+/// The size limit of a table; the largest committed one has 70 KB. Even a short cell takes 32 bytes in
+/// memory.
 constexpr std::uintmax_t most_table_bytes = 4U << 20;
 
 constexpr std::array baseline_files{fits_file,    normalisation_file, reflectance_file,
@@ -131,7 +132,7 @@ struct NamedTable {
   Table table;
 };
 
-/// The tables whose drifts need no knowledge of what is in them.
+/// The tables that are compared without knowledge of their contents.
 std::vector<NamedTable> plain_tables(const Results& results) {
   return {{normalisation_file, normalisation_table(results.normalisations)},
           {reflectance_file, reflectance_table(results.reflectances)},

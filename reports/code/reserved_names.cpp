@@ -21,7 +21,7 @@ bool holds_word(WordList words, std::string_view word) {
   return false;
 }
 
-/// Words of C that C++, HLSL, MSL and GLSL (as keywords or kept for later) share.
+/// Words of C that are keywords or reserved in C++, HLSL, MSL and GLSL.
 constexpr WordList c_words =
     "auto break case char const continue default do double else enum extern float for goto if inline int long "
     "register return short signed sizeof static struct switch typedef union unsigned void volatile while bool "
@@ -250,7 +250,7 @@ bool is_function(std::string_view name, Language language) {
   return false;
 }
 
-/// Forms of names that a language keeps for itself and its implementations.
+/// Forms of names that a language reserves for itself and its implementations.
 bool is_reserved_form(std::string_view name, Language language) {
   const bool has_two = name.find("__") != std::string_view::npos;
   switch (language) {

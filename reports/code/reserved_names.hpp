@@ -5,11 +5,11 @@
 
 #include "reports/code/shader_code.hpp"
 
-/// Names that a language keeps for itself.
+/// Names that a language reserves.
 namespace shadefit {
 
 /// Why a function in generated code cannot have this name, an identifier of letters, digits and '_': it is a
-/// word or a function of the language, or of a form that it reserves. Empty where it can.
+/// keyword or a function of the language, or has a reserved form. Empty if the name is allowed.
 ///
 /// Sources: GLSL 4.60 and GLSL ES 3.20 (3.6 Keywords, 3.7 Identifiers, 8 Built-in Functions); Microsoft's
 /// HLSL reference (Keywords, Reserved Words, Intrinsic Functions); WGSL (15 Keyword and Token Summary, 17

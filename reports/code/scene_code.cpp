@@ -23,7 +23,7 @@ using scene::Plan;
 using scene::PowerTexture;
 using scene::Scene;
 
-/// A constant, at most the largest half where that is what computes.
+/// A constant, limited to the largest half if the code computes in half.
 Symbolic number_of(double value, scene::PixelPrecision precision) {
   constexpr double largest_half = 65504;
   const bool is_half = precision == scene::PixelPrecision::float16;
@@ -61,7 +61,7 @@ bool has_sharpness(const Plan& plan) {
          !one_power(plan);
 }
 
-/// The power of what a pixel stores, as `power_of_roughness` has it.
+/// The power of a pixel's stored value, as in `power_of_roughness`.
 Symbolic power_of(const Symbolic& stored, const Scene& scene, const Plan& plan) {
   const double least = scene.conventions.min_roughness;
   const Symbolic roughness = least > 0 ? max(stored, number_of(least, plan.wanted.precision)) : stored;
@@ -87,8 +87,8 @@ ShaderFunction exponent_of_gloss(const Scene& scene, const Plan& plan) {
   return function;
 }
 
-/// A cosine whose logarithm is a number, where a power may be 0 and -infinity times it would be none: at
-/// least the least normal number. Nothing is lost: `seen_light` is as small.
+/// Limits the cosine to at least the smallest normal number if a power may be 0, because 0 times log2(0) =
+/// -infinity would be NaN. Nothing is lost: `seen_light` is as small.
 Symbolic above_zero(const Plan& plan, const Symbolic& c) {
   const bool has_power_of_zero =
       std::any_of(plan.materials.begin(), plan.materials.end(),
@@ -98,7 +98,8 @@ Symbolic above_zero(const Plan& plan, const Symbolic& c) {
   return max(c, number_of(is_float ? std::numeric_limits<float>::min() : 0x1p-14, plan.wanted.precision));
 }
 
-/// What the lobe knows: numbers of one power, the material's sharpness, or slopes and the exponent.
+/// The constants of the lobe: numbers for a single power, the material's sharpness, or slopes and the
+/// exponent.
 scene::LobeConstants<Symbolic> constants_of(const Plan& plan) {
   const LobeForm& lobe = plan.shading.lobe;
   const std::optional<double> power = one_power(plan);
@@ -150,7 +151,7 @@ ShaderFunction reflectance() {
           {"Schlick's reflectance, for each channel that differs."}};
 }
 
-/// Where the exponent of a pixel comes from.
+/// The source of a pixel's exponent.
 std::string exponent_source(const scene::Material& material) {
   if (material.power_texture == PowerTexture::roughness)
     return "scene_exponent_of_roughness of the pixel's roughness, its texel times its factor";

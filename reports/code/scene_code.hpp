@@ -6,10 +6,10 @@
 #include "reports/code/shader_code.hpp"
 #include "scene/plan/plan.hpp"
 
-/// The code of a plan for a scene: what its shading computes, and nothing else.
+/// Generates the code of a plan for a scene.
 namespace shadefit {
 
-/// The functions of a plan, none where no material has a specular lobe:
+/// The functions of a plan; none if no material has a specular lobe:
 /// - `scene_exponent_of_roughness(roughness)`, `scene_exponent_of_gloss(gloss)`: n of a pixel, where a
 /// texture
 ///   holds it;
@@ -21,9 +21,9 @@ namespace shadefit {
 /// The specular term is their product, or F0 times `scene_light`.
 std::vector<ShaderFunction> scene_functions(const scene::Scene& scene, const scene::Plan& plan);
 
-/// All of them in a language, with `command`, which made them, the errors, the materials that have a lobe
-/// with their constants, and where a light need not be asked, in the comment above. Throws UserError as
-/// `shader_code`.
+/// All functions in a language. The comment above them contains `command`, which generated them, the errors,
+/// the materials with a lobe and their constants, and the cosines at which a light can be skipped. Throws
+/// UserError like `shader_code`.
 std::string scene_code(const scene::Scene& scene, const scene::Plan& plan, Language language,
                        const std::string& command);
 

@@ -20,7 +20,7 @@ using scene::Plan;
 using scene::Scene;
 using Json = nlohmann::ordered_json;
 
-/// Of a bound, as many digits as anybody reads.
+/// A bound with few digits for readers.
 Cell bound(double value) {
   return Number{value, 3};
 }
@@ -46,7 +46,7 @@ std::string summary(const Plan& plan) {
                      plan.fits_skipped);
 }
 
-/// What is not known, what was changed, and what is not counted, a line each.
+/// What is unknown, what was changed, and what the plan does not cover, one line each.
 std::vector<std::string> notes(const Scene& scene, const Plan& plan) {
   std::vector<std::string> lines = plan.notes;
   for (const std::string& remark : scene.remarks) lines.push_back(printable(remark));
@@ -63,17 +63,15 @@ std::vector<std::string> notes(const Scene& scene, const Plan& plan) {
   return lines;
 }
 
-/// A text of the scene's files for Markdown: shown as it is, never a tag, a link, a picture or a row of its
-/// own.
+/// A text of the scene's files, escaped for Markdown: never a tag, a link, a picture or a new row.
 std::string markdown_text(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    // Escapes of Markdown would be undone by nobody inside a table's cell; a character reference always
-    // works.
+    // Markdown escapes do not work inside the cells of a table; a character reference always works.
     const bool has_meaning = std::string_view("&<>|`*_[]()!~#\\$@").find(c) != std::string_view::npos;
     out += has_meaning ? fmt::format("&#{};", static_cast<int>(c)) : std::string(1, c);
   }
-  // GitHub makes links of what looks like one.
+  // GitHub turns text that looks like a link into a link.
   for (const std::string_view sign : {"://", "www."}) {
     for (std::size_t i = 0; (i = out.find(sign, i)) != std::string::npos; i += sign.size())
       out.replace(i + (sign == "www." ? 3 : 0), 1, sign == "www." ? "&#46;" : "&#58;");
@@ -81,7 +79,7 @@ std::string markdown_text(std::string_view text) {
   return out;
 }
 
-/// A table whose words may be of a scene's files.
+/// A table that may contain words of a scene's files.
 Table for_markdown(Table table) {
   for (auto& row : table.rows) {
     for (Cell& cell : row) {

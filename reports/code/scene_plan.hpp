@@ -6,7 +6,7 @@
 #include "reports/table/writers.hpp"
 #include "scene/plan/plan.hpp"
 
-/// The plan of a scene, for people and for programs.
+/// The plan of a scene as text, Markdown, CSV and JSON.
 namespace shadefit {
 
 /// `term,verdict,form,error,reason`, a row a term: what `scene.csv` holds.

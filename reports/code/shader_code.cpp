@@ -19,13 +19,13 @@ namespace {
 
 using Kind = Symbolic::Kind;
 
-/// What tells a language from the others.
+/// The differences between the languages.
 struct Dialect {
   std::string_view name;
   std::string_view prologue = {};       ///< before the first function, a line or more; or empty
   std::string_view prologue_half = {};  ///< the same where the arithmetic is half
   std::string_view type;
-  std::string_view half = {};                      ///< the type of half; empty where there is none
+  std::string_view half = {};                      ///< the type of half; empty if there is none
   std::string_view suffix = {}, half_suffix = {};  ///< of literals
   std::string_view functions = {};                 ///< in front of the name of a function of the library
   std::string_view float_suffix = {};              ///< behind it
@@ -98,8 +98,8 @@ Symbolic multiplied(const Symbolic& x, int n) {
   return n % 2 == 0 ? even : even * x;
 }
 
-/// exp(n x) as exp2((n/ln 2) x), n a number: the exponential that a processor has, its factor computed
-/// before. The conversion of any other is the compiler's.
+/// exp(n x) as exp2((n/ln 2) x), n a number: processors have exp2, and the factor is precomputed. Any other
+/// exp is left to the compiler.
 std::optional<Symbolic> exp_by_exp2_of_product(const Symbolic& e) {
   if (e.kind() != Kind::function || e.name() != "exp" || e.part(0).kind() != Kind::multiply)
     return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<Symbolic> exp_by_exp2_of_product(const Symbolic& e) {
   return exp2(Symbolic((factor / ln2<Symbolic>()) * e.part(0).part(1)));
 }
 
-/// How tightly an expression of a programming language holds together.
+/// The precedence of an expression.
 enum class Tightness { sum, product, sign, atom };
 
 /// One function's body.
@@ -140,8 +140,8 @@ class Body {
     return decimal + (is_whole ? ".0" : "") + std::string(is_half() ? dialect_.half_suffix : dialect_.suffix);
   }
 
-  /// The text of an expression, in parentheses unless it is at least that tight; of one that is used again,
-  /// the name of the line that computes it.
+  /// The text of an expression, in parentheses unless it is at least that tight. For a reused expression, the
+  /// name of the variable that holds it.
   std::string text(const Symbolic& e, Tightness least) {
     if (e.parts().empty()) {
       if (!is_number(e)) return e.name();
@@ -177,7 +177,7 @@ class Body {
         return {sum(e), Tightness::sum};
       case Kind::multiply:
       case Kind::divide: {
-        // the left first: its lines come before those of the right
+        // the left part first, so that its lines come first
         const std::string left = text(e.part(0), Tightness::product);
         const char* sign = e.kind() == Kind::multiply ? " * " : " / ";
         return {left + sign + text(e.part(1), Tightness::sign), Tightness::product};
@@ -240,7 +240,7 @@ class Body {
   const Dialect& dialect_;
   ShaderPrecision precision_;
   std::map<std::string, int> uses_;           ///< by text
-  std::map<std::string, std::string> names_;  ///< of what has its own line
+  std::map<std::string, std::string> names_;  ///< of expressions with their own line
   std::string lines_;
   int next_name_ = 0;
 };
@@ -256,8 +256,9 @@ std::string head(const ShaderFunction& function, const Dialect& dialect, std::st
                  : fmt::format("{}{} {}({})", dialect.before, type, function.name, arguments);
 }
 
-/// A header that may be included twice. The guard holds a digest of the code: two headers with functions of
-/// one name and different constants are an error of the compiler, not one of them passed over in silence.
+/// A header that may be included twice. The guard contains a digest of the code. So two headers with the same
+/// function names but different constants give a compiler error; otherwise the second would be skipped
+/// silently.
 std::string guarded(const std::string& body, std::string name) {
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });

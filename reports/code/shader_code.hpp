@@ -16,7 +16,7 @@ enum class Language { glsl, hlsl, c, cpp, wgsl, msl };
 inline constexpr std::array languages{Language::glsl, Language::hlsl, Language::c,
                                       Language::cpp,  Language::wgsl, Language::msl};
 
-/// As it is asked for: "glsl" ..
+/// The name of the option value: "glsl" ..
 std::string_view name(Language language);
 
 /// The arithmetic of generated code.
@@ -27,11 +27,11 @@ inline constexpr std::array shader_precisions{ShaderPrecision::float32, ShaderPr
 /// "float" or "half".
 std::string_view name(ShaderPrecision precision);
 
-/// The first line of generated code: so it is recognised.
+/// The first line of generated code, by which it is recognised.
 inline constexpr std::string_view generated_line =
     "Generated: do not edit. Made by the next line, held against it by 'shadefit emit --check FILE'.";
 
-/// What is generated: a function of numbers to a number.
+/// A generated function of numbers that returns a number.
 struct ShaderFunction {
   std::string name;                    ///< letters, digits and `_`
   std::vector<std::string> arguments;  ///< the variables of `result`, in their order
@@ -39,19 +39,19 @@ struct ShaderFunction {
   std::vector<std::string> comment = {};  ///< lines above it
 };
 
-/// An expression as generated code has it: every part that is of numbers alone is one number, computed in 50
-/// digits and rounded once to the format, as the shortest decimal that reads back as it; a whole power is its
-/// multiplications, in the order of `power`; exp of a number times something is exp2 of another.
+/// An expression as in generated code. Each part of numbers alone becomes one number, computed in 50 digits,
+/// rounded once to the format and written as the shortest decimal that reads back. A whole power becomes
+/// multiplications in the order of `power`. exp of a number times an expression becomes exp2.
 ///
 /// Evaluated in float, operation by operation, it is bit for bit what the code computes, where that is
 /// compiled without contraction and calls the same exp2.
 Symbolic as_generated(const Symbolic& expression, ShaderPrecision precision);
 
-/// The functions in a language, below `comment`. What several operations use is computed once. A file of it
-/// needs nothing else: C and C++ include <math.h> or <cmath>, Metal its own library.
+/// The functions in a language, below `comment`. Common subexpressions are computed once. The file is
+/// complete: C and C++ include <math.h> or <cmath>, Metal its own library.
 ///
-/// Throws UserError where a language lacks what is asked: a function of the vocabulary (log1p in a shader),
-/// or half in C and C++.
+/// Throws UserError if the language lacks a function of the vocabulary (log1p in a shader), or half (C and
+/// C++).
 std::string shader_code(std::span<const ShaderFunction> functions, Language language,
                         ShaderPrecision precision, std::span<const std::string> comment);
 

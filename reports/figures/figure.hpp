@@ -8,7 +8,7 @@
 /// A figure of the report: numbers, and how to draw them.
 namespace shadefit {
 
-/// What stands in `plots/` under one name: its data, its script, and once drawn its picture.
+/// The files in `plots/` with one name: data, script and, once drawn, the picture.
 struct Figure {
   std::string name;         ///< "lobe": lobe.csv, lobe.gnuplot, lobe.svg
   std::string_view family;  ///< the family in whose section the report shows it

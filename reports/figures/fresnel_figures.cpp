@@ -11,7 +11,7 @@
 namespace shadefit {
 namespace {
 
-/// A published curve of c: its column, its label, its look.
+/// A published curve of c: its column, its label and its line style.
 struct Form {
   std::string column;
   std::string label;

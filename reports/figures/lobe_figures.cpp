@@ -14,7 +14,7 @@
 namespace shadefit {
 namespace {
 
-/// One curve of the panels: what stands after the kind in its column's name, and its parameter at a fit.
+/// One curve of the panels: the suffix of its column's name, and its parameter at a fit.
 struct Approximation {
   std::string column;
   std::string label;
@@ -46,7 +46,7 @@ constexpr LobeFormulas formulas_of{[](const Cosine<double>& c, double exponent, 
 constexpr LobeFormulas gaussian = formulas_of<SgOffset>;
 constexpr LobeFormulas blinn = formulas_of<PhongBlinn>;
 
-/// The fits of a low, a medium and a high exponent under the first measure, as far as they were made.
+/// The available fits of a low, a medium and a high exponent under the first measure.
 std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double> exponents) {
   std::vector<const Fit*> fits;
   for (const double exponent : exponents) {
@@ -55,14 +55,14 @@ std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double
   return fits;
 }
 
-/// As far as a lobe is visible (its relative domain), up to the next multiple of five degrees.
+/// The angle up to which a lobe is visible (its relative domain), rounded up to a multiple of five degrees.
 double last_angle(const Fit& fit) {
   constexpr double step = 5;
   const double c = fit.relative_domain.lower;
   return std::ceil(degrees_of({c, 1 - c}) / step) * step;
 }
 
-/// Calls `append` for each row: exponent and angle stand in it already.
+/// Calls `append` for each row, which already contains exponent and angle.
 template <class Append>
 void add_rows(Table& table, const std::vector<const Fit*>& fits, const Append& append) {
   for (const Fit* fit : fits) {
@@ -86,7 +86,7 @@ Table lobe_table(const std::vector<const Fit*>& fits, const std::vector<Approxim
   return table;
 }
 
-/// Relative errors stand where the target is at least 1/255.
+/// Relative errors are given where the target is at least 1/255.
 Table error_table(const std::vector<const Fit*>& fits, const std::vector<Approximation>& approximations,
                   const LobeFormulas& formulas) {
   Table table{{"exponent", "angle"}, {}};

@@ -5,7 +5,8 @@
 #include "fit/verdicts/refit.hpp"
 #include "reports/figures/figure.hpp"
 
-/// The figures of the two lobe families. A panel needs the fit at its exponent; without it there is no panel.
+/// The figures of the two lobe families. A panel needs the fit at its exponent; without the fit it is left
+/// out.
 namespace shadefit {
 
 /// `lobe`, `lobe-errors`, `offset`: c^k by exp((k+x)(c-1)).

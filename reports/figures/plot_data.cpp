@@ -16,7 +16,7 @@ Cell plotted(double value) {
 
 Cosine<double> cosine_of_degrees(double degrees) {
   constexpr double radian = std::numbers::pi / 180;
-  // Of the complement, so that 90 degrees have the cosine 0; of the half, so that 1 - c does not cancel.
+  // The sine of the complement gives the cosine 0 at 90 degrees; the half angle avoids cancellation in 1 - c.
   const double half_sine = std::sin(degrees / 2 * radian);
   return {std::sin((90 - degrees) * radian), 2 * half_sine * half_sine};
 }

@@ -8,7 +8,7 @@
 #include "fit/verdicts/refit.hpp"
 #include "reports/table/table.hpp"
 
-/// What the tables behind figures are made of.
+/// Helpers for the tables behind figures.
 namespace shadefit {
 
 /// Six digits: more than any picture shows, fewer than rounding reaches.

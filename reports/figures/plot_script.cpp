@@ -52,7 +52,7 @@ int rows_of_legend(const std::vector<Curve>& legend) {
   return static_cast<int>((legend.size() + in_a_row - 1) / std::max<std::size_t>(in_a_row, 1));
 }
 
-/// Where the panels stand, in pixels.
+/// The positions of the panels, in pixels.
 struct Layout {
   int rows;
   int above;  ///< the first row
@@ -124,8 +124,8 @@ std::string plotted(const Plot& plot, const Panel& panel, const Curve& curve) {
                      static_cast<int>(curve.look));
 }
 
-/// Each panel starts from the same settings, whatever the one before it had. The label of its y axis stands
-/// at a fixed distance, where gnuplot would take the width of the tics for it and leave the picture.
+/// Each panel starts from the same settings, independent of the previous one. The label of its y axis has a
+/// fixed distance; gnuplot would base it on the width of the tics and place it outside the picture.
 std::string panel_text(const Plot& plot, const Panel& panel) {
   std::string out = fmt::format(
       "\nunset arrow; unset label; unset logscale; unset x2tics; set autoscale; set format\n"
@@ -149,7 +149,7 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
   return out + fmt::format("plot {}\n", fmt::join(lines, ", \\\n  "));
 }
 
-/// One legend for all panels: the key of a panel of its own, as wide as the picture, that draws nothing else.
+/// One legend for all panels: the key of an additional empty panel, as wide as the picture.
 std::string legend_text(const Plot& plot) {
   const auto legend = legend_of(plot);
   std::vector<std::string> lines{"2 notitle"};

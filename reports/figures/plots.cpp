@@ -13,7 +13,7 @@
 namespace shadefit {
 namespace {
 
-/// The refit of a family, or null where it was not asked for or a fit of it did not converge.
+/// The refit of a family, or null if it was not requested or one of its fits did not converge.
 const Refit* find_refit(const Results& results, const Family& family) {
   for (const Refit& refit : results.refits) {
     if (refit.family->info.id != family.id) continue;

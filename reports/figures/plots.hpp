@@ -9,8 +9,7 @@
 /// The figures of a run.
 namespace shadefit {
 
-/// The figures that the results allow: those of each family that was refitted, where all of its fits
-/// converged.
+/// The figures that the results allow: those of each refitted family whose fits all converged.
 std::vector<Figure> make_figures(const Results& results);
 
 /// plots/NAME.csv and plots/NAME.gnuplot of each.

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-/// Files, and where they may stand.
+/// Files and directories for output.
 namespace shadefit {
 
 struct File {
@@ -12,22 +12,22 @@ struct File {
   std::string content;
 };
 
-/// `directory` without each "x/.." whose x is not there and so no link to elsewhere: nobody wants an empty x.
-/// Any other ".." stays, because what x is decides where it leads.
+/// `directory` without each "x/.." whose x does not exist, so that no empty x is created. Any other ".."
+/// stays, because x may be a link.
 std::filesystem::path without_detours(const std::filesystem::path& directory);
 
 /// Throws UserError where `directory` cannot become one or be written to: it is a file, lies below one, is
-/// relative to a working directory that is gone, or the system lets nothing be created there. What it tries
-/// with is gone again, so that a long run can refuse before it starts.
+/// relative to a working directory that is gone, or the system lets nothing be created there. It removes its
+/// test file again, so a long run can refuse before it starts.
 void require_directory(const std::filesystem::path& directory);
 
-/// A path as messages have it.
+/// A path as in messages.
 std::string quoted_path(const std::filesystem::path& path);
 
-/// A path from the root. Throws UserError where it is relative to a working directory that is gone.
+/// An absolute path. Throws UserError if it is relative to a working directory that no longer exists.
 std::filesystem::path from_the_root(const std::filesystem::path& directory);
 
-/// What a file may have that no kind of file gives a smaller limit: far above anything that shadefit writes.
+/// The size limit of files without a smaller limit of their own: far above anything that shadefit writes.
 inline constexpr std::uintmax_t most_file_bytes = 64U << 20;
 
 /// The whole of a file of at most `most_file_bytes`. Throws UserError naming the path.

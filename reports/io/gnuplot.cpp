@@ -31,8 +31,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Our environment without what would change a picture or the language of a complaint: gnuplot's own
-/// variables and the locale.
+/// Our environment without gnuplot's own variables and the locale, which could change a picture or the
+/// language of messages.
 std::vector<std::string> environment_of_gnuplot() {
   std::vector<std::string> kept{"LC_ALL=C.UTF-8"};
   for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
@@ -50,8 +50,8 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// What gnuplot says, in a file of `directory` that has lost its name already. Its descriptor is above the
-/// standard ones even where those were closed, and is not inherited.
+/// gnuplot's messages, in an unlinked file of `directory`. Its descriptor is above the standard ones even if
+/// those were closed, and is not inherited.
 class Transcript {
  public:
   explicit Transcript(const fs::path& directory) {
@@ -70,11 +70,12 @@ class Transcript {
   Transcript(const Transcript&) = delete;
   Transcript& operator=(const Transcript&) = delete;
 
-  /// Why there is none; empty where there is one.
+  /// Why there is no transcript; empty if there is one.
   const std::string& error() const { return error_; }
   int descriptor() const { return descriptor_; }
 
-  /// The first line that names a place in the script and is no warning, else the first that says something.
+  /// The first line that names a place in the script and is not a warning, else the first line that is not
+  /// empty.
   std::string complaint() const {
     std::string text(4096, '\0');
     const auto size = ::pread(descriptor_, text.data(), text.size(), 0);
@@ -95,7 +96,7 @@ class Transcript {
   std::string error_;
 };
 
-/// What posix_spawn wants, freed again.
+/// The settings of posix_spawn, freed by the destructor.
 struct SpawnSettings {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
@@ -123,7 +124,7 @@ std::string script_file(const std::string& name) {
   return fs::path(picture_file(name)).replace_extension(".gnuplot").string();
 }
 
-/// gnuplot at work on one script. Ends with `finish`; otherwise the destructor ends it.
+/// A gnuplot process for one script. It ends with `finish`; otherwise the destructor ends it.
 class Drawing {
  public:
   Drawing(const fs::path& gnuplot, const fs::path& directory, const std::string& name)
@@ -142,7 +143,7 @@ class Drawing {
   Drawing(const Drawing&) = delete;
   Drawing& operator=(const Drawing&) = delete;
 
-  /// Waits for gnuplot and puts the picture in its place, or says why there is none.
+  /// Waits for gnuplot and moves the picture to its place, or returns why there is none.
   std::optional<FailedPlot> finish(std::chrono::seconds longest, const Checkpoint& checkpoint) {
     std::string complaint = outcome(longest, checkpoint);
     std::error_code error;
@@ -181,7 +182,7 @@ class Drawing {
     error_ = std::strerror(error);
   }
 
-  /// What went wrong; empty where nothing did.
+  /// What went wrong; empty if nothing did.
   std::string outcome(std::chrono::seconds longest, const Checkpoint& checkpoint) {
     if (!error_.empty()) return error_;
     const auto status = wait(longest, checkpoint);
@@ -194,8 +195,8 @@ class Drawing {
     return is_whole_picture() ? "" : "gnuplot left no whole picture";
   }
 
-  /// gnuplot's status as waitpid tells it, 0 is success; nothing where it has not ended after `longest`. That
-  /// is counted in pauses: a run that was stopped for a while has not waited meanwhile.
+  /// gnuplot's status from waitpid, 0 is success; nothing if it has not ended after `longest`. Time is
+  /// counted in pauses, so the time while the run is stopped does not count.
   std::optional<int> wait(std::chrono::milliseconds longest, const Checkpoint& checkpoint) {
     for (std::chrono::milliseconds waited{0};; waited += pause) {
       int status = -1;
@@ -209,7 +210,7 @@ class Drawing {
     }
   }
 
-  /// Asks gnuplot to end, and makes it end where it does not within a second.
+  /// Asks gnuplot to end, and kills it if it does not end within a second.
   void kill() {
     ::kill(process_, SIGTERM);
     if (wait(std::chrono::seconds(1), keep_going)) return;
@@ -226,7 +227,7 @@ class Drawing {
     ::nanosleep(&time, nullptr);
   }
 
-  /// gnuplot ends in success where the disk was full.
+  /// gnuplot reports success even if the disk is full.
   bool is_whole_picture() const {
     const std::string_view end = is_png(name_) ? "IEND" : "</svg>";
     std::array<char, 64> tail{};

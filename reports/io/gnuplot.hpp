@@ -9,7 +9,7 @@
 #include "fit/support/checkpoint.hpp"
 #include "reports/io/files.hpp"
 
-/// Running gnuplot, which is another program and may be missing or fail.
+/// Runs gnuplot, which may be missing or fail.
 namespace shadefit {
 
 /// The program `gnuplot` of the PATH, or nothing.
@@ -37,7 +37,7 @@ std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
                                    const Checkpoint& checkpoint = keep_going,
                                    std::chrono::seconds longest = longest_drawing);
 
-/// Pictures, and the plots that there is none of.
+/// Pictures, and the plots that could not be drawn.
 struct Pictures {
   std::vector<File> files;  ///< "plots/NAME.svg", or "plots/NAME" of a name that ends with .png
   std::vector<FailedPlot> failed;

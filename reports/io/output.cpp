@@ -51,15 +51,15 @@ class Directory {
 
  private:
   void remove() const {
-    std::error_code ignored;  // what holds files of others stays
+    std::error_code ignored;  // directories with files of others stay
     for (const fs::path& part : created_) fs::remove(part, ignored);
   }
 
   std::vector<fs::path> created_;  ///< the innermost first
 };
 
-/// A lock on a directory, which ends with the process at the latest. A file system that has none locks
-/// nothing.
+/// A lock on a directory, released with the process at the latest. Without support by the file system it
+/// locks nothing.
 class Lock {
  public:
   explicit Lock(const fs::path& directory)
@@ -101,7 +101,7 @@ class Workshop {
   fs::path path_;
 };
 
-/// A place that gets a file, or loses it. Unless it is finished, the old file comes back.
+/// Writes or removes the file at one place. The old file is restored unless the change is finished.
 class FileChange {
  public:
   /// `fresh` is the new file, empty where the place is to be empty; the old one is kept as `kept`.
@@ -178,7 +178,7 @@ class FileChange {
   bool has_kept_ = false, is_put_ = false, is_finished_ = false;
 };
 
-/// Refuses what `file` would be written over, unless that is ours.
+/// Refuses to overwrite an existing file, unless it is ours.
 inline void require_free(const fs::path& place, const File& file, Foreign foreign) {
   std::error_code error;
   const auto status = fs::symlink_status(place, error);
@@ -197,7 +197,8 @@ inline void require_free(const fs::path& place, const File& file, Foreign foreig
 
 using namespace output_parts;
 
-// Destroyed from the back: the changes before the workshop that they are in, that before what was created.
+// Destroyed in reverse order: first the changes, then the workshop that contains them, then the created
+// directories.
 struct Output::Parts {
   fs::path directory;
   std::list<Directory> created;
@@ -224,7 +225,7 @@ void Output::prepare(const std::vector<File>& files, const std::vector<File>& ob
     return parts.directory == "." ? fs::path(file.name) : parts.directory / file.name;
   };
   for (const File& file : files) require_free(place_of(file), file, foreign);
-  // What lies within another directory is removed before it.
+  // The contents of a directory are removed before the directory.
   for (const File& file : files) parts.created.emplace_front((parts.directory / file.name).parent_path());
   const Workshop& workshop = parts.workshop.emplace(parts.directory);
   const auto change = [&](const fs::path& place, bool is_new) -> FileChange& {

@@ -8,7 +8,7 @@
 #include "fit/support/checkpoint.hpp"
 #include "reports/io/files.hpp"
 
-/// Writing results so that nothing is ever half-written, and no file of others is touched.
+/// Writes results so that nothing is ever half-written and no file of others is touched.
 namespace shadefit {
 
 /// What happens to a file that shadefit did not write (`is_own`) under a name that is to be written.
@@ -21,8 +21,8 @@ enum class Foreign {
 enum class Company { welcome, refused };
 
 /// Files that are written into a directory all at once or not at all: `prepare` writes them into a directory
-/// of its own there, `put` renames them into their places. Unless it comes to the end of `put`, everything is
-/// as it was before.
+/// of its own there, `put` renames them into their places. Unless `put` completes, everything stays as
+/// before.
 class Output {
  public:
   /// Creates the directory (`without_detours`) and tries whether one can write to it. Throws UserError where
@@ -40,8 +40,8 @@ class Output {
   void prepare(const std::vector<File>& files, const std::vector<File>& obsolete, Foreign foreign,
                const Checkpoint& checkpoint = keep_going);
 
-  /// Puts the files in their places and removes the obsolete. Throws UserError naming the path and what went
-  /// wrong; then the old files are back.
+  /// Moves the files to their places and removes the obsolete ones. Throws UserError naming the path and what
+  /// went wrong; then the old files are restored.
   void put();
 
  private:

@@ -54,7 +54,7 @@ class OwnFields {
     return json.get<std::string>();
   }
 
-  /// A whole number from 0 on that T can hold.
+  /// A whole number >= 0 that T can hold.
   template <std::integral T>
   T whole(const char* key) const {
     return whole_of<T>(field(key), key);
@@ -91,8 +91,8 @@ class OwnFields {
     }
   }
 
-  /// Refuses a field that differs from `written`, which is what shadefit writes of what was read. The digest
-  /// is judged apart.
+  /// Refuses a field that differs from `written`, the output of shadefit for the data that was read. The
+  /// digest is checked separately.
   void require_written_as(const Json& written) const {
     for (const auto& [key, value] : json_.items()) {
       const auto found = written.find(key);

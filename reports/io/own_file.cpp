@@ -58,8 +58,8 @@ std::string_view beginning_of(std::string_view text) {
   return text.substr(0, second);
 }
 
-/// Whether one header is the other, or the other with more columns behind. Headers of two columns are
-/// anybody's.
+/// Whether two headers are equal, or one is the other with additional columns at the end. Headers of two
+/// columns are too common to count.
 bool are_columns_alike(const std::string& a, const std::string& b) {
   constexpr auto fewest = 2;                                              // commas
   const std::string &shorter = std::min(a, b), &longer = std::max(a, b);  // of a prefix and the whole

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// UTF-8 as RFC 3629 has it, and what of a text a terminal can show.
+/// UTF-8 by RFC 3629, and text that is safe to show on a terminal.
 namespace shadefit {
 
 /// The length in bytes of the code point that `text` begins with; 0 where it is empty or begins with none: a

@@ -29,7 +29,7 @@ nlohmann::ordered_json write_certificate_json(const Certificate& certificate);
 /// The same as the text of a file.
 std::string certificate_text(const Certificate& certificate);
 
-/// What came of reading a file: a certificate, or the reason why what looks like one is refused.
+/// The result of reading a file: a certificate, or the reason to refuse it.
 struct ReadCertificate {
   Certificate certificate;
   std::string refused;  ///< empty; else that its digest is not that of its fields

@@ -22,7 +22,7 @@ std::string constants_text(const Contender& contender, Precision precision) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The lower bound, which is the error at a place: its digits do not hang on how the proof went.
+/// The lower bound, which is the error at a place: its digits do not depend on the course of the proof.
 Cell shown_error(const Contender& contender, int digits) {
   return Number{contender.max_abs_error.lower, digits};
 }

@@ -8,7 +8,7 @@
 #include "fit/better/better_in_half.hpp"
 #include "reports/table/table.hpp"
 
-/// What is published and what else there is for a target, as rows and as JSON.
+/// The published curves and the alternatives for a target, as rows and as JSON.
 namespace shadefit {
 
 /// "(1 - c)^5", "exact dielectric n = 1.5", "c^k at k = 5".

@@ -11,8 +11,8 @@
 #include "fit/verdicts/refit.hpp"
 #include "reports/table/table.hpp"
 
-/// What is proven of forms and fits, as rows and as JSON. Bounds are doubles rounded outward; their decimals
-/// read back as these.
+/// The proofs of forms and fits, as rows and as JSON. Bounds are doubles rounded outward; their decimals read
+/// back as these.
 namespace shadefit {
 
 /// What is proven of a fit.

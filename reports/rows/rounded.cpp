@@ -73,7 +73,7 @@ std::vector<Cell> row_of(const std::string_view name, const RoundedConstants& co
   return row;
 }
 
-/// What `max error` is.
+/// The meaning of `max error`.
 std::string meaning_of_error(const NumberFormat& format) {
   switch (format.kind) {
     case NumberFormat::Kind::half:
@@ -87,7 +87,7 @@ std::string meaning_of_error(const NumberFormat& format) {
   return "a proven bound: of the form in real numbers, and of the rounding of each operation in double";
 }
 
-/// What "best" is.
+/// The meaning of "best".
 std::string meaning_of_best(const Rounded& rounded) {
   const std::string by = rounded.format.is_narrow() ? "" : " by their error in real numbers";
   if (rounded.is_proven) return fmt::format("Best: proven, among {}{}.", rounded.searched, by);

@@ -11,7 +11,7 @@
 namespace shadefit {
 namespace {
 
-/// Below it an error of a naive form is a matter of how the library rounds.
+/// Below this, the error of a naive form depends on the rounding of the library.
 constexpr double least_told = 16;
 
 /// "2^24": the power of two that is not exceeded.

@@ -8,7 +8,7 @@
 #include "reports/io/files.hpp"
 #include "reports/table/table.hpp"
 
-/// What forms and fits made of stress, as tables.
+/// The results of the stress tests of forms and fits, as tables.
 namespace shadefit {
 
 /// stress.csv: a row per form and format. Every cell is the same on every machine, though functions of the

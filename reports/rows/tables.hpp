@@ -25,13 +25,13 @@ struct FitsTable {
 /// named `x_mean`, `x_limit`. A fit that did not converge has empty cells and its status for a verdict.
 FitsTable fits_table(const std::vector<Refit>& refits);
 
-/// One row per fit, parameters to their last bit: what a person wants to see of it on a console.
+/// One row per fit, parameters to their last bit: the overview for the console.
 Table fits_overview(const Refit& refit);
 
 /// One row per constant and exponent: normalization.csv.
 Table normalisation_table(const std::vector<NormalisationCheck>& checks);
 
-/// Every published number and what becomes of it: the summary of the report and of the console.
+/// Every published number and its verdict: the summary of the report and of the console.
 Table summary_table(const Results& results);
 
 /// What a fit approximates: the family's target, of which surface, or the exact reflectance of that.

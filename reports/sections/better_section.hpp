@@ -8,7 +8,7 @@
 /// The part of the report that says what would be better at the same cost.
 namespace shadefit {
 
-/// A table for each target, and which published curves nothing here beats.
+/// A table for each target, and the published curves that no alternative beats.
 std::string better_section(const std::vector<Comparison>& comparisons);
 
 }  // namespace shadefit

@@ -16,8 +16,7 @@ Table fresnel_table(const std::vector<FresnelLink>& chain);
 /// The chain from published form to Schlick to the exact reflectance of dielectrics and metals.
 std::string exact_fresnel_section(const std::vector<FresnelLink>& chain);
 
-/// One sentence that the report leads with: how far each curve is from the truth on glass. Empty without a
-/// chain.
+/// The leading sentence of the report: the error of each curve on glass. Empty without a chain.
 std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain);
 
 /// The rows of the chain for glass, index 1.5: what a reader asks first.
