@@ -36,7 +36,8 @@ void include(FloatErrors& into, const FloatErrors& more) {
 
 namespace {
 
-/// So many floats at a time that they, their values and the truth stay in the first cache.
+/// The number of floats per block: small enough that they, their values and the reference stay in the first
+/// cache.
 constexpr std::size_t block = 1024;
 
 struct Block {
@@ -71,7 +72,7 @@ FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch) {
   std::uint64_t left = stretch.size();
   for (std::uint32_t first = stretch.from; left > 0; first += block) {
     const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(block, left));
-    // The last block is filled up with its last float: kernels have no rest.
+    // The last block is padded with its last float, because kernels have no remainder loop.
     for (std::size_t i = 0; i < block; ++i)
       floats.in[i] = std::bit_cast<float>(first + static_cast<std::uint32_t>(std::min(i, count - 1)));
     subject.form(floats.in.data(), floats.out.data(), block);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 
-/// A form at every float of a stretch, held against the truth rounded to float.
+/// Compares a form at every float of a stretch with the reference rounded to float.
 namespace shadefit::bench {
 
 /// Bit patterns of floats, [from, to): those of non-negative floats are in the order of the numbers.
@@ -22,7 +22,8 @@ inline constexpr Stretch unit_floats{0, std::bit_cast<std::uint32_t>(1.0F) + 1};
 /// How many floats lie between two, one of them included: 0 for equal ones, zeros of both signs too; 1 for
 /// neighbours, across zero and powers of two as elsewhere. No NaN.
 inline std::uint32_t float_steps(float a, float b) {
-  // The patterns of negative floats run backwards: mirrored at zero, all are in the order of the numbers.
+  // The patterns of negative floats are in reverse order; mirrored at zero, all are in the order of the
+  // numbers.
   const auto place = [](float x) {
     const auto bits = std::bit_cast<std::int32_t>(x);
     return bits < 0 ? std::int64_t{INT32_MIN} - bits : std::int64_t{bits};
@@ -31,35 +32,36 @@ inline std::uint32_t float_steps(float a, float b) {
   return static_cast<std::uint32_t>(steps < 0 ? -steps : steps);
 }
 
-/// What was found on a stretch. Everything is a count or a maximum, so that it does not matter in which
-/// pieces and which order the floats were looked at: of equal maxima the smallest input is kept.
+/// The errors on a stretch. All members are counts or maxima, so the result does not depend on the pieces and
+/// the order of the work. Of equal maxima the smallest input is kept.
 struct FloatErrors {
-  /// |form - truth|, rounded to float: so a last bit of a library's pow decides nothing.
+  /// |form - reference|, rounded to float, so that the last bit of a library's pow does not matter.
   float max_abs_error = 0;
-  std::uint32_t max_abs_error_at = UINT32_MAX;  ///< a bit pattern; UINT32_MAX: no input was looked at
+  std::uint32_t max_abs_error_at = UINT32_MAX;  ///< a bit pattern; UINT32_MAX: no input was tested
   std::uint32_t max_ulps = 0;                   ///< floats between the form and the truth rounded to float
   std::uint32_t max_ulps_at = UINT32_MAX;
   std::array<std::uint64_t, 33> ulps{};  ///< [0]: none; [i]: 2^(i-1) to 2^i - 1
   std::uint64_t nans = 0, above_one = 0, below_zero = 0;
   bool operator==(const FloatErrors&) const = default;
 
-  /// How many inputs were looked at.
+  /// The number of tested inputs.
   std::uint64_t count() const;
 };
 
-/// Takes in what was found on another stretch.
+/// Adds the errors on another stretch.
 void include(FloatErrors& into, const FloatErrors& more);
 
-/// What is looked at: both take `count` floats, a multiple of 64, and are called by several threads at once.
+/// The form and its reference. Both take `count` floats, a multiple of 64, and are called by several threads
+/// at once.
 struct FloatSubject {
   std::function<void(const float* in, float* out, std::size_t count)> form;
   std::function<void(const float* in, double* out, std::size_t count)> truth;
 };
 
-/// Looks at a stretch.
+/// The errors on a stretch.
 FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch);
 
-/// The same on several threads, at least one. What one of them throws is thrown.
+/// The same on several threads, at least one. Rethrows an exception of a thread.
 FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch, unsigned threads);
 
 }  // namespace shadefit::bench

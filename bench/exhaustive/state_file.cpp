@@ -26,7 +26,7 @@ std::string pattern(std::uint32_t bits) {
   return fmt::format("0x{:08x}", bits);
 }
 
-/// Where a maximum is, for a machine and for a reader.
+/// The place of a maximum, as a bit pattern and as a number for readers.
 Json place_json(std::uint32_t at) {
   if (at == UINT32_MAX) return nullptr;
   return {{"bits", pattern(at)}, {"c", hex_text(std::bit_cast<float>(at))}};

@@ -6,8 +6,8 @@
 
 #include "bench/exhaustive/sweep.hpp"
 
-/// Sweeps as files: a shard's result, a state to go on from, and the result of the whole are one kind of
-/// file, so that the whole is the same bytes whether it came in one go or not.
+/// Sweeps as files. A shard's result, a state to resume and the final result are the same kind of file. So
+/// the final file has the same bytes, whether the sweep was interrupted or not.
 ///
 /// Constants and errors are hexadecimal texts, nothing is rounded; floats are named by their bit patterns.
 /// `digest` is that of certificates.
@@ -16,7 +16,7 @@ namespace shadefit::bench {
 /// The version of the file; it rises when a field changes its meaning.
 inline constexpr int sweep_schema = 1;
 
-/// What a file may have; those that are written have 2 KB.
+/// The size limit of a file; written files have 2 KB.
 inline constexpr std::uintmax_t most_state_bytes = 1U << 16;
 
 /// The text of a file.
@@ -27,7 +27,7 @@ std::string state_text(const Sweep& sweep);
 /// not what `state_text` writes of what it says.
 Sweep parse_state(const std::string& text, const std::string& name);
 
-/// Puts a state into its place as `write_files` does: an error leaves the old one as it was.
+/// Writes a state like `write_files`: after an error the old file is unchanged.
 void keep_state(const std::filesystem::path& path, const Sweep& sweep);
 
 /// Reads a file. Throws UserError as `parse_state` and `read_bounded` do.

@@ -4,10 +4,11 @@
 
 #include "bench/tradeoff/trade.hpp"
 
-/// What to use when, in words.
+/// Advice in words: when to use which form.
 namespace shadefit::bench {
 
-/// What holds a form up: its loads and stores, or what it computes; and what is left of that in memory.
+/// The bottleneck of a form, its loads and stores or its computation, and the remaining difference with data
+/// in memory.
 std::string bound_of(const Trade& trade, const TimedForm& timed);
 
 /// One line of a list for each form on the front of a target, from the least exact on: "Up to an error of E

@@ -5,17 +5,17 @@
 #include <numeric>
 #include <vector>
 
-/// Which of many ways are worth a thought: those that no other beats.
+/// The Pareto front of many offers.
 namespace shadefit::bench {
 
-/// What a way costs and how wrong it is; less of either is better.
+/// The cost and the error of an offer; less of either is better.
 struct Offer {
   double time;
   double error;
 };
 
-/// The offers that no other one beats in one of the two without being worse in the other, as places in the
-/// list, the fastest and so the least exact first. Of equal offers the first. NaN is on no front.
+/// The indices of the offers that no other offer dominates, the fastest and least accurate first. Of equal
+/// offers the first is kept. An offer with NaN is never on the front.
 inline std::vector<std::size_t> front_of(const std::vector<Offer>& offers) {
   std::vector<std::size_t> order(offers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -6,8 +6,8 @@
 
 namespace shadefit::bench {
 
-/// The ratios that were aimed at, from the times in float with the data in the first cache. One that needs a
-/// row which is not there has not been reached.
+/// The ratios that were aimed at, from the times in float with the data in the first cache. A goal with a
+/// missing row counts as not reached.
 std::vector<Goal> goals_of(const Trade& trade);
 
 }  // namespace shadefit::bench

@@ -6,7 +6,7 @@
 
 namespace shadefit::bench {
 
-/// When and where, for people who compare files; nothing of ours depends on it.
+/// Time and host of the run, for people who compare files; nothing else depends on it.
 struct Occasion {
   std::string date;  ///< ISO 8601
   std::string host;

@@ -4,25 +4,26 @@
 #include <string>
 #include <vector>
 
-/// Names beside points of a picture, so that none lies over another or over a point.
+/// Places names next to the points of a picture without overlaps.
 namespace shadefit::bench {
 
-/// A place in pixels, from the upper left corner of what is drawn in.
+/// A position in pixels, from the upper left corner of the drawing area.
 struct Pixel {
   double x, y;
 };
 
 /// A text on one line.
 struct Label {
-  Pixel middle_left;  ///< where it begins
-  bool has_leader;    ///< it stands so far from its point that a line has to lead there
+  Pixel middle_left;  ///< the start of the text
+  bool has_leader;    ///< it is so far from its point that it needs a leader line
 };
 
-/// What a letter of the pictures' font takes, on average and at most for most texts, and a line of text.
+/// The width of a letter of the pictures' font, an upper bound of the average for most texts, and the height
+/// of a line.
 inline constexpr double letter_width = 7.2, line_height = 16;
 
-/// A place for the name of each of the first `names.size()` points: close to it where there is room, farther
-/// off where there is none. Names keep off every point, those without a name too, off each other, and within
+/// Positions for the names of the first `names.size()` points: close to the point if there is room, else
+/// farther away. Names avoid all points, including those without a name, avoid each other, and stay within
 /// `size`.
 std::vector<Label> place_labels(const std::vector<Pixel>& points, const std::vector<std::string>& names,
                                 const Pixel& size);

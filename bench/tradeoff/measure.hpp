@@ -9,10 +9,10 @@
 #include "bench/tradeoff/trade.hpp"
 #include "reports/table/table.hpp"
 
-/// From the catalogue of forms to times.
+/// Measures the times of the forms of a catalogue.
 namespace shadefit::bench {
 
-/// The largest absolute error of a form in a precision, where it is known.
+/// The largest absolute error of a form in a precision, if known.
 struct FormError {
   std::string target, form, constants;
   int exp2_degree = 0;
@@ -20,26 +20,25 @@ struct FormError {
   double max_abs_error = 0;
 };
 
-/// The errors in float and in double that the table of accuracies has: those of SSE2 where they differ from
-/// the scalar ones.
+/// The errors in float and in double of the accuracy table. If SSE2 differs from scalar, those of SSE2.
 std::vector<FormError> form_errors(const Table& accuracy);
 
 struct Wanted {
   std::vector<std::string> targets;  ///< ids; empty: all
   std::vector<forms::Width> widths;  ///< that this machine has
   Plan plan;
-  /// Long arrays take a system seconds to make: only those of cosines, in float.
+  /// Allocating long arrays can take seconds. If set, only the arrays of cosines in float are long.
   bool has_little_memory = false;
 };
 
 /// Rounds and visits of a whole bench, well below 90 s, and of a quick one, below 5 s.
 inline constexpr Plan full_plan{21, 5e-4}, quick_plan{5, 2e-5};
 
-/// The compiled forms of a width that this machine has.
+/// The compiled forms of a width that this machine supports.
 std::vector<forms::CompiledForm> compiled_for(forms::Width width);
 
-/// Times every form that is wanted, and joins what is known of its errors to it: one row for each set of
-/// constants, of which a kernel's time does not depend. `between` is told the share that is done.
+/// Times every requested form and adds its known errors: one row for each set of constants. The time of a
+/// kernel does not depend on its constants. `between` receives the finished fraction.
 Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& errors, const Wanted& wanted,
               const Clock& clock, const std::function<void(double)>& between);
 

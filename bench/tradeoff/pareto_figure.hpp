@@ -9,7 +9,7 @@ namespace shadefit::bench {
 /// each at its fastest width; those on the front are joined and named. Needs a form with an error.
 Figure pareto_figure(const Trade& trade, const TimedTarget& target);
 
-/// Whether a target has what its figure needs.
+/// Whether a target has the data for its figure.
 bool has_pareto_figure(const Trade& trade, const TimedTarget& target);
 
 }  // namespace shadefit::bench

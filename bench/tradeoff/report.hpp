@@ -8,12 +8,11 @@
 #include "reports/figures/figure.hpp"
 #include "reports/io/files.hpp"
 
-/// A bench as files.
+/// The files of a bench.
 namespace shadefit::bench {
 
 /// bench.md: what to use when, the fronts as tables and pictures, the goals, and how it was measured.
-/// `has_table`: whether accuracy.csv stands beside it, which the errors are of; else they are those of a
-/// grid.
+/// `has_table`: whether the errors come from accuracy.csv, written with it; else they come from a grid.
 std::string bench_report(const Trade& trade, const std::vector<Figure>& figures, bool has_table);
 
 /// The figures of all targets that have one.

@@ -13,7 +13,7 @@ Table bench_table(const Trade& trade);
 /// The front of a target, for readers: form, error, time, and its multiples.
 Table front_table(const Trade& trade, const std::string& target);
 
-/// What was aimed at, and what was reached.
+/// The goals, and the reached ratios.
 Table goals_table(const Trade& trade);
 
 }  // namespace shadefit::bench

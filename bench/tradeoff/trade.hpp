@@ -8,19 +8,19 @@
 #include "bench/timing/machine.hpp"
 #include "bench/timing/statistics.hpp"
 
-/// Run time against error: what was measured of every form, and what follows from it.
+/// Run time against error: the measurements of every form, and derived values.
 namespace shadefit::bench {
 
-/// Where the arrays are that a form reads and writes.
+/// The location of the arrays that a form reads and writes.
 enum class Place {
-  first_cache,  ///< both at once in the smallest cache
-  memory,       ///< in arrays far larger than the last one
+  first_cache,  ///< both together in the smallest cache
+  memory,       ///< in arrays far larger than the last cache
 };
 
 /// "L1", "memory".
 std::string name(Place place);
 
-/// One way of one target: which form, how compiled, where its data were; and how long it took.
+/// One measurement for a target: the form, its compilation, the place of its data, and its time.
 struct TimedForm {
   std::string target;         ///< its id
   std::string form;           ///< its id
@@ -33,19 +33,19 @@ struct TimedForm {
   Place place = Place::first_cache;
   Spread ns = {};                       ///< per element
   std::vector<double> real, cpu;        ///< ns per element of every round
-  long elements = 0;                    ///< that each of these is a mean of
+  long elements = 0;                    ///< per mean in `real` and `cpu`
   std::optional<double> max_abs_error;  ///< in its precision
-  std::optional<double> copies;         ///< its time in those of copying the same array
-  std::optional<double> pows;  ///< the time of the scalar reference in its own: how much faster it is
+  std::optional<double> copies;         ///< its time relative to copying the same array
+  std::optional<double> pows;  ///< the time of the scalar reference relative to its own: the speed-up
 };
 
-/// What a form approximates, and how a report heads it.
+/// The target of forms, and its heading in the report.
 struct TimedTarget {
   std::string id;
   std::string title;
 };
 
-/// A ratio that was aimed at, and what came out.
+/// A desired ratio, and the measured one.
 struct Goal {
   std::string what;
   double wanted;
@@ -54,7 +54,7 @@ struct Goal {
   bool is_met() const { return reached && (at_most ? *reached <= wanted : *reached >= wanted); }
 };
 
-/// Times of a run. Nothing in it is the same twice.
+/// The times of a run. They differ in every run.
 struct Trade {
   Machine machine;
   std::vector<forms::Width> widths;  ///< narrowest first
@@ -67,23 +67,23 @@ struct Trade {
 /// The form with its exp2, as one name: "sg-game", "sg-game/exp2-3".
 std::string full_id(const TimedForm& timed);
 
-/// Whether two rows are of one compiled form in one precision, wherever its data are.
+/// Whether two rows have the same compiled form and precision, at any place of the data.
 bool is_same_kernel(const TimedForm& a, const TimedForm& b);
 
-/// Whether they are of one set of constants, besides, and one place of their data.
+/// Whether two rows also have the same constants and the same place of the data.
 bool is_same_way(const TimedForm& a, const TimedForm& b);
 
 /// The same way with its data in memory, or null.
 const TimedForm* in_memory(const Trade& trade, const TimedForm& timed);
 
-/// Of the times of a form, its `copies` and its `pows`, from the rest of them.
+/// Computes `copies` and `pows` of each form from the times of the others.
 void relate(Trade& trade);
 
-/// Of each form, set of constants, degree and precision of a target that has an error, its data in the first
-/// cache: the fastest width.
+/// The fastest width of each form, set of constants, degree and precision of a target, if its error is known,
+/// with the data in the first cache.
 std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target);
 
-/// Those of them that no other beats in time or error, the fastest first.
+/// Those of them on the front of time and error, the fastest first.
 std::vector<TimedForm> front_of_target(const Trade& trade, const std::string& target);
 
 }  // namespace shadefit::bench
