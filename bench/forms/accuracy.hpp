@@ -5,7 +5,7 @@
 #include "fit/support/checkpoint.hpp"
 #include "reports/table/table.hpp"
 
-/// How wrong every form is: what `accuracy.csv` holds.
+/// The errors of every form: the table `accuracy.csv`.
 namespace shadefit::forms {
 
 /// A row for each form with each set of its constants, each exp2 and each arithmetic:

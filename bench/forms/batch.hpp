@@ -9,14 +9,14 @@
 #include "approx/exponent_bits.hpp"
 #include "approx/scalar.hpp"
 
-/// The adapter of xsimd's batches: a register of numbers, on which a formula runs as on one.
+/// The adapter of xsimd's batches: a formula runs on a register of numbers as on one number.
 ///
 /// Everything here carries the architecture in its type. A function that does not, compiled in a unit with
 /// wider instructions, might be the copy that the linker keeps for all.
 namespace shadefit {
 
-/// min and max have the arguments of xsimd's exchanged: where one is not a number, or both are zeros, the
-/// instruction returns its second, and `Scalar<float>` the first of its own.
+/// min and max exchange the arguments of xsimd's. If one is NaN, or both are zeros, the instruction returns
+/// its second argument, but `Scalar<float>` returns its first.
 template <class R, class A>
 struct Scalar<xsimd::batch<R, A>> {
   using Real = R;
@@ -46,7 +46,7 @@ struct Scalar<xsimd::batch<R, A>> {
   static T pi() { return of(std::numbers::pi_v<R>); }
   static T ln2() { return of(std::numbers::ln2_v<R>); }
 
-  /// The number in every place.
+  /// The same number in every lane.
   static T of(R value) { return T::broadcast(value); }
 };
 

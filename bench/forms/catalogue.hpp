@@ -6,8 +6,8 @@
 
 #include "bench/forms/forms.hpp"
 
-/// The targets that are timed, and every form that stands for them, with all the constants there are: as
-/// published, and best under each objective, fitted here.
+/// The timed targets and every form that approximates them, with all their constants: the published ones, and
+/// those fitted here under each objective.
 namespace shadefit::forms {
 
 /// A number with its name and as it is printed: of a fit, ten digits, which all machines agree on; the value
@@ -18,12 +18,12 @@ struct NamedNumber {
   double value = 0;
 };
 
-/// What is approximated. Its parameters come first among those of every kernel of it.
+/// The approximated function. Its parameters come first in the parameters of each of its kernels.
 struct Target {
   std::string_view id;      ///< "lobe", "lobe-gloss", "schlick", "phong-1" .. "phong-64", "henyey-greenstein"
   std::string_view text;    ///< "c^k, k = 16"
   Arguments arguments;      ///< what it reads of each element
-  double from = 0, to = 1;  ///< the cosines it is asked for
+  double from = 0, to = 1;  ///< the range of its cosines
   std::vector<NamedNumber> parameters;
 };
 
@@ -35,7 +35,7 @@ struct Constants {
 };
 
 struct FormEntry {
-  std::string_view id;      ///< that of the kernels (`CompiledForm::form`)
+  std::string_view id;      ///< the id of the kernels (`CompiledForm::form`)
   std::string_view target;  ///< the id of its target
   std::string text;         ///< the formula
   Arguments arguments;
@@ -48,20 +48,20 @@ struct Catalogue {
   std::vector<FormEntry> forms;  ///< target by target; the first of each is the target itself
 };
 
-/// The power of the fixed lobe and of the highlights: one that four squarings serve.
+/// The power of the fixed lobe and of the highlights: 2^4, which four squarings compute.
 inline constexpr int fixed_exponent = LobeSquarings::exponent;
 
-/// The catalogue, its fits made now: a fraction of a second.
+/// The catalogue. Each call computes its fits, in a fraction of a second.
 Catalogue catalogue();
 
 /// The parameters of a kernel: the target's, then the form's.
 std::vector<double> parameters_of(const Target& target, const Constants& constants);
 
-/// The target of that id. Throws std::logic_error where there is none.
+/// The target with that id. Throws std::logic_error if there is none.
 const Target& target_of(const Catalogue& catalogue, std::string_view id);
 
-/// Of N directions in the hemisphere around z, the i-th: spread evenly and made by additions, products and
-/// quotients alone, so that it is the same everywhere.
+/// The i-th of N evenly spread directions in the hemisphere around z. It uses only additions, products and
+/// quotients, so it is the same on every machine.
 std::array<double, 3> spread_direction(std::size_t i);
 
 }  // namespace shadefit::forms

@@ -6,10 +6,11 @@
 
 #include "bench/forms/loops.hpp"
 
-/// The table of the kernels of one unit. All of it is made by the compiler: nothing of it runs.
+/// The table of the kernels of one unit. It is a compile-time constant.
 namespace shadefit::forms {
 
-/// The degrees of exp2 that doubles have: below 4 a float serves, and 5 is hardly cheaper than 6.
+/// The degrees of exp2 with a double kernel: below 4 float is accurate enough, and 5 is hardly cheaper than
+/// 6.
 constexpr bool has_double_kernel(int degree) {
   return degree == 0 || degree == 4 || degree == 6;
 }

@@ -13,10 +13,10 @@
 #include "fit/proof/exponent_bits.hpp"
 #include "fit/proof/interval.hpp"
 
-/// How wrong a form of the cosine is at given constants, with an exact exp2 and with a polynomial: proven.
+/// Proven errors of a form of the cosine at given constants, with an exact exp2 and with a polynomial.
 namespace shadefit::forms {
 
-/// Relative to the error: a tenth of what decides.
+/// The width relative to the error: a tenth of the deciding threshold.
 inline constexpr double pairing_width = allowed_addition / 10;
 
 /// A quantity lies in [lower, upper].
@@ -42,9 +42,9 @@ inline double bound_of(int degree) {
   return constant<double>(exp2_of_degree(exp2_for_float, degree).bound);
 }
 
-/// How far other polynomials of a degree are from the printed one for float, relative to it: the floats that
-/// its nine digits stand for, 0.5e-9 from a coefficient at most, and the printed one for double. The terms'
-/// differences are summed for |r| <= 0.51, where the sum of the terms is 0.7 at least.
+/// The largest relative difference between the printed polynomial for float and the other polynomials of its
+/// degree: the one with coefficients rounded to float, at most 0.5e-9 from each, and the printed one for
+/// double. The terms' differences are summed for |r| <= 0.51, where the sum of the terms is 0.7 at least.
 inline double polynomials_apart(int degree) {
   const auto &in_float = exp2_of_degree(exp2_for_float, degree),
              &in_double = exp2_of_degree(exp2_for_double, degree);
@@ -57,11 +57,11 @@ inline double polynomials_apart(int degree) {
   return apart / 0.7;
 }
 
-/// A form that approximates the curve of another. `Family` has their difference without its cancellation.
+/// A form that approximates the curve of another. `Family` computes their difference without cancellation.
 template <class Form, class Curve, class Family>
 class FormErrors {
  public:
-  /// Those of the curve, then the form's own.
+  /// The parameters of the curve, then those of the form.
   using Parameters = std::array<Interval, Form::parameters>;
   static constexpr std::size_t of_curve = Curve::parameters, own_count = Family::parameters.size();
   static_assert(of_curve + own_count == Form::parameters);
@@ -84,7 +84,7 @@ class FormErrors {
   /// max |form - curve| with a polynomial in place of the exp2, for float or for double, from above. Where
   /// the polynomial is next to exact, by the largest of each; else of the form with it, as it stands.
   double upper_with(int degree) const {
-    constexpr double upwards = 1 + 0x1p-50;  // more than what the operations round
+    constexpr double upwards = 1 + 0x1p-50;  // safety factor, larger than the rounding
     const double apart = (own_.upper + bound_of(degree) * largest_form_) * upwards;
     if (apart <= (1 + pairing_width) * own_.upper) return apart;
     constexpr double form_at_most =

@@ -12,7 +12,7 @@
 #include "approx/phase.hpp"
 #include "approx/phong_blinn.hpp"
 
-/// The forms that are timed: each joins a formula of approx/ with what of it is done once for a whole array.
+/// The timed forms. Each joins a formula of approx/ with its precomputation, done once per array.
 ///
 /// A form brings
 /// - `id`; `arguments`: what it reads of each element; `function`: its transcendental function;
@@ -21,18 +21,18 @@
 /// - a call operator, the formula, over any scalar.
 namespace shadefit::forms {
 
-/// What a form reads of each element.
+/// The inputs of a form for each element.
 enum class Arguments {
   cosine,            ///< c
   cosine_and_code,   ///< c and an 8-bit gloss
   normal_to_lights,  ///< a normal, for each of the lights that are among the parameters
 };
 
-/// How a form gets by without the library's functions.
+/// The transcendental functions that a form needs.
 enum class Function {
-  none,  ///< it has none: additions, multiplications, divisions, roots
-  exp2,  ///< exp2 alone: a polynomial serves
-  pow,   ///< a logarithm too
+  none,  ///< none: only additions, multiplications, divisions, roots
+  exp2,  ///< only exp2: a polynomial can replace it
+  pow,   ///< also a logarithm
 };
 
 /// A form of the cosine whose constants are used as they are given.
@@ -57,7 +57,7 @@ struct LobePower : AsGiven<1, Function::pow> {
   }
 };
 
-/// c^k as a GPU has it.
+/// c^k as a GPU computes it.
 struct LobeExp2Log2 : AsGiven<1, Function::pow> {
   static constexpr const char* id = "lobe-exp2-log2";
   template <class T>
@@ -327,7 +327,7 @@ struct PhongGaussian {
   }
 };
 
-/// What every time is held against: the array, copied.
+/// The reference for every time: a copy of the array.
 struct Copy : AsGiven<0, Function::none> {
   static constexpr const char* id = "copy";
   template <class T>

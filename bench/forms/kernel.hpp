@@ -7,19 +7,19 @@
 #include <string_view>
 #include <vector>
 
-/// What is timed: a form over an array, compiled for one width of the machine's registers.
+/// The timed kernels: a form over an array, compiled for one register width.
 namespace shadefit::forms {
 
-/// How many numbers an operation takes, and the instructions for it.
+/// The register width and its instruction set.
 enum class Width { scalar, sse2, avx2, avx512 };
 
-/// The arrays of a kernel. What a target does not have is null.
+/// The arrays of a kernel. Arrays that a target does not use are null.
 template <class Real>
 struct Arrays {
   std::array<const Real*, 3> in{};      ///< the cosines; of a target with lights the normal's x, y and z
   const std::uint8_t* codes = nullptr;  ///< the 8-bit gloss of each element
   Real* out = nullptr;
-  std::size_t size = 0;  ///< a multiple of 64, so that no width leaves a rest
+  std::size_t size = 0;  ///< a multiple of 64, so no width has a remainder
 };
 
 /// A form over arrays. `parameters` are its constants in the order of its formula, those of the target (the
@@ -35,14 +35,14 @@ struct CompiledForm {
   Kernel<double> in_double = nullptr;
 };
 
-/// Every form compiled for a width. Never to be called where `widths_here` does not have that width: each is
-/// a unit of its own, compiled with its instructions.
+/// Every form compiled for a width. Do not call it if `widths_here` lacks that width: each is in its own
+/// unit, compiled with the instructions of that width.
 std::vector<CompiledForm> scalar_forms();
 std::vector<CompiledForm> sse2_forms();
 std::vector<CompiledForm> avx2_forms();
 std::vector<CompiledForm> avx512_forms();
 
-/// The widths that this machine has, narrowest first.
+/// The widths that this machine supports, narrowest first.
 std::vector<Width> widths_here();
 
 std::string_view name(Width width);

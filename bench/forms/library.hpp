@@ -7,15 +7,15 @@
 #include "approx/scalar.hpp"
 #include "bench/forms/lanes.hpp"
 
-/// float and double with the functions that a good library has, the same on every machine.
+/// float and double with accurate functions that give the same results on every machine.
 namespace shadefit::forms {
 
 /// A number whose operations are those of R and whose functions are evaluated in long double and rounded
 /// once.
 ///
-/// What is tabled of the library's functions must not depend on the library: the GNU C library takes other
-/// instructions where a machine has fused ones, and then differs in the last bit at a few places. Its own
-/// float functions are within 0.51 ulp of the truth, those of double within one; these within 0.50.
+/// The table must not depend on the machine's library. The GNU C library uses fused instructions where
+/// available, and then differs in the last bit at a few places. Its own float functions are within 0.51 ulp
+/// of the truth, those of double within one; these within 0.50.
 template <std::floating_point R>
 struct Library {
   R value;

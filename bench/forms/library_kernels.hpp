@@ -6,7 +6,7 @@
 
 #include "bench/forms/kernel.hpp"
 
-/// The forms in arithmetics that are not timed, for their errors.
+/// The forms in additional arithmetics, only for their errors, not timed.
 namespace shadefit::forms {
 
 /// A form with the functions of `Library`, and in half, each operation of which is rounded.

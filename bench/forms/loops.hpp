@@ -14,7 +14,7 @@ namespace shadefit::forms {
 /// The most lights that a kernel sums up.
 inline constexpr std::size_t most_lights = 64;
 
-/// What an element is computed from, in the scalar S; computed in S, once, of a form's parameters.
+/// The prepared constants of a form in the scalar S, computed once from its parameters.
 template <class Form, class S>
 auto prepared_in(const std::array<typename Lanes<S>::Real, Form::parameters>& parameters) {
   using Inner = typename Lanes<S>::Inner;

@@ -8,30 +8,30 @@
 #include "bench/forms/catalogue.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// The cheapest exp2 that a form has use for.
+/// The cheapest exp2 that is accurate enough for a form.
 namespace shadefit::forms {
 
-/// How much of a form's own error its exp2 may add.
+/// The error that exp2 may add, relative to the form's own error.
 inline constexpr double allowed_addition = 0.01;
 
-/// A form with one set of constants, and the polynomial that serves it. All errors are the largest |form -
-/// target| over c in [0, 1], over all 256 codes where there is a gloss, and over all places of the lights.
+/// A form with one set of constants, and its polynomial. All errors are the largest |form - target| over c in
+/// [0, 1], over all 256 codes of a gloss, and over all places of the lights.
 struct Pairing {
   double own_lower = 0, own_upper = 0;  ///< with an exact exp2: proven bounds
-  int degree = 0;                       ///< of the cheapest polynomial that serves; 0: none does
+  int degree = 0;                       ///< of the cheapest polynomial that is accurate enough; 0: none is
   /// By degree, with that polynomial in place of the exp2, for float or for double, in exact arithmetic:
   /// proven not to be exceeded. Of a form of the cosine it is that of the whole as it stands, both sides of
   /// each jump taken; of a decoded gloss, where two results of the polynomial meet, that of their bounds. At
   /// 0, with an exact exp2.
   std::array<double, largest_exp2_degree + 1> totals{};
-  /// What rounding adds at most where all is computed in float, the polynomial too: proven. Empty for lights:
-  /// there the cosine is a product of rounded vectors, which move the target as much as the form.
+  /// A proven bound of the rounding if everything, including the polynomial, is computed in float. Empty for
+  /// lights: there the cosine is a product of rounded vectors, which changes the target as much as the form.
   std::optional<double> rounding = std::nullopt;
 
   double total() const { return totals[static_cast<std::size_t>(degree)]; }
 };
 
-/// The pairing of an exp2 form of a target; empty of all other forms. The checkpoint is called for each
+/// The pairing of an exp2 form of a target; empty for all other forms. The checkpoint is called for each
 /// degree.
 std::optional<Pairing> pair_exp2(const Target& target, std::string_view form, const Constants& constants,
                                  const Checkpoint& checkpoint = keep_going);
