@@ -1,7 +1,7 @@
-# Finds the headers of Ceres Solver alone, as the imported target CeresHeaders::CeresHeaders and CeresHeaders_VERSION.
+# Finds only the headers of Ceres Solver, as the imported target CeresHeaders::CeresHeaders and CeresHeaders_VERSION.
 #
-# shadefit uses ceres/jet.h and ceres/tiny_solver.h, which need Eigen and nothing else. Ceres' own package asks for
-# glog, gflags, SuiteSparse, BLAS and LAPACK, and refuses where one of them is missing, though nothing here links them.
+# shadefit uses ceres/jet.h and ceres/tiny_solver.h, which need only Eigen. Ceres' own package requires glog, gflags,
+# SuiteSparse, BLAS and LAPACK and fails if one is missing, although nothing here links them.
 find_path(CeresHeaders_INCLUDE_DIR ceres/tiny_solver.h DOC "The directory that holds ceres/tiny_solver.h")
 mark_as_advanced(CeresHeaders_INCLUDE_DIR)
 

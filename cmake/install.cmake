@@ -1,11 +1,11 @@
-# What `cmake --install` lays down. Each part can be had alone with --component: `command`; `approx`, headers and the
-# CMake package; `fit`, which goes on top of approx.
+# What `cmake --install` installs. Each part can be installed separately with --component: `command`; `approx`, headers
+# and the CMake package; `fit`, which goes on top of approx.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 set(shadefit_headers ${CMAKE_INSTALL_INCLUDEDIR}/shadefit)
 set(shadefit_package ${CMAKE_INSTALL_LIBDIR}/cmake/shadefit)
 
-# One export set a component: a consumer of approx never meets the dependencies of fit.
+# One export set per component, so a consumer of approx does not need the dependencies of fit.
 function(shadefit_install_library name)
   set_target_properties(shadefit_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(shadefit_${name} INTERFACE $<INSTALL_INTERFACE:${shadefit_headers}>)
@@ -22,7 +22,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/shadefitConfig.cmake ${PROJECT_BINARY_
   DESTINATION ${shadefit_package} COMPONENT approx)
 
 if(TARGET shadefit_fit)
-  # The rooms of proofs belong to a library that is not installed.
+  # The folders of the proofs belong to a library that is not installed.
   shadefit_install_library(fit PATTERN proof EXCLUDE PATTERN rounding EXCLUDE PATTERN better EXCLUDE PATTERN run EXCLUDE)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindCeresHeaders.cmake DESTINATION ${shadefit_package} COMPONENT fit)
 endif()

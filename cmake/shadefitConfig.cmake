@@ -5,10 +5,10 @@
 #           (fit/proof/interval.hpp, which nothing else includes, needs MPFI too)
 #
 # Both have one include directory: #include "approx/fresnel.hpp", #include "fit/fit.hpp". Without COMPONENTS, approx is
-# there, and fit where it is installed and all that it needs is found; ask shadefit_fit_FOUND or TARGET shadefit::fit.
+# available, and fit if it and all its dependencies are found; check shadefit_fit_FOUND or TARGET shadefit::fit.
 #
 # The targets set no flags of yours. Fits are the same to the last bit on every compiler only with -ffp-contract=off,
-# and the compiled part of fit is built so; what your own code instantiates from the headers is compiled as you say.
+# and the compiled part of fit is built so; templates that your own code instantiates are compiled with your flags.
 set(shadefit_approx_FOUND TRUE)
 set(shadefit_fit_FOUND FALSE)
 
