@@ -17,6 +17,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome explain_command(const ExplainOptions& options);
+Outcome cite_command(const CiteOptions& options);
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 

@@ -16,6 +16,7 @@
 #include "bench/forms/catalogue.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/rows/citation.hpp"
 
 namespace shadefit {
 namespace {
@@ -28,6 +29,7 @@ Words words_for(const CLI::App& app, const std::string& type) {
   if (type == "FORM") return ids_with_a_fit();
   if (type == "CLAIM") return claim_ids();
   if (type == "ID") return known_ids();
+  if (type == "CITED") return cited_ids();
   if (type == "FAMILY") {
     for (const FittableFamily& family : fittable_families()) words.emplace_back(family.info.id);
   } else if (type == "TARGET") {

@@ -210,6 +210,11 @@ void declare_explain(CLI::App& explain, ExplainOptions& options) {
   add_json(explain, options.json);
 }
 
+void declare_cite(CLI::App& cite, CiteOptions& options) {
+  cite.add_option("id", options.id, "also the source of this claim, constant or family (see 'shadefit list')")
+      ->type_name("CITED");
+}
+
 void declare_stress(CLI::App& stress, StressOptions& options) {
   add_out(stress, options.out);
   add_force(stress, options.force);
@@ -282,6 +287,9 @@ void declare_commands(CLI::App& app, Call& call) {
                               "one claim: what it says, who says it, what is computed, and why",
                               "  shadefit explain sg-offset-mean\n  shadefit explain half-banding --json\n",
                               declare_explain, explain_command);
+  add_command<CiteOptions>(app, call, "cite", "BibTeX of shadefit, and of the source of a constant",
+                           "  shadefit cite\n  shadefit cite fresnel-quadratic\n", declare_cite,
+                           cite_command);
   add_command<BenchOptions>(
       app, call, "bench", "run time against error of every form, on this machine",
       "  shadefit bench --quick --only schlick --no-plots\n"

@@ -90,6 +90,10 @@ struct ExplainOptions {
   Terminal terminal = {};
 };
 
+struct CiteOptions {
+  std::optional<std::string> id = {};  ///< also the sources of this claim, constant or family
+};
+
 struct CheckOptions {
   std::string baseline = "reports/baseline";
   bool all = false;  ///< also the slow tables

@@ -12,6 +12,7 @@ struct Source {
   int year;
   std::string_view title;
   std::string_view place;
+  std::string_view address = {};  ///< on the web; empty where `place` is one, or where we know none
 };
 
 /// A mistyped copy of a published number that is in circulation, and where it was seen.

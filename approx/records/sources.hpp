@@ -6,10 +6,12 @@
 namespace shadefit::sources {
 
 inline constexpr Source henyey_greenstein_1941{"Henyey, Greenstein", 1941, "Diffuse Radiation in the Galaxy",
-                                               "The Astrophysical Journal 93, pp. 70-83"};
+                                               "The Astrophysical Journal 93, pp. 70-83",
+                                               "https://doi.org/10.1086/144246"};
 
 inline constexpr Source johnson_christy_1972{
-    "Johnson, Christy", 1972, "Optical Constants of the Noble Metals", "Physical Review B 6, pp. 4370-4379"};
+    "Johnson, Christy", 1972, "Optical Constants of the Noble Metals", "Physical Review B 6, pp. 4370-4379",
+    "https://doi.org/10.1103/PhysRevB.6.4370"};
 
 inline constexpr Source bayer_1973{"Bayer", 1973,
                                    "An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures",
@@ -21,18 +23,21 @@ inline constexpr Source fisher_woo_1994{"Fisher, Woo", 1994, "R.E versus N.H Spe
 inline constexpr Source rakic_1995{
     "Rakic", 1995,
     "Algorithm for the determination of intrinsic optical constants of metal films: application to aluminum",
-    "Applied Optics 34, pp. 4755-4767"};
+    "Applied Optics 34, pp. 4755-4767", "https://doi.org/10.1364/AO.34.004755"};
 
 inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics",
-                                       "7th edition, Cambridge University Press"};
+                                       "7th edition, Cambridge University Press",
+                                       "https://doi.org/10.1017/CBO9781139644181"};
 
 inline constexpr Source walter_2007{"Walter, Marschner, Li, Torrance", 2007,
                                     "Microfacet Models for Refraction through Rough Surfaces",
-                                    "Eurographics Symposium on Rendering 2007, pp. 195-206"};
+                                    "Eurographics Symposium on Rendering 2007, pp. 195-206",
+                                    "http://www.cs.cornell.edu/~srm/publications/EGSR07-btdf.html"};
 
 inline constexpr Source gotanda_2010{
     "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",
-    "SIGGRAPH 2010 course, Physically-Based Shading Models in Film and Game Production"};
+    "SIGGRAPH 2010 course, Physically-Based Shading Models in Film and Game Production",
+    "http://renderwonk.com/publications/s2010-shading-course/gotanda/course_note_practical_implementation_at_triace.pdf"};
 
 inline constexpr Source lagarde_2011_adopting{"Lagarde", 2011, "Adopting a physically based shading model",
                                               "seblagarde.wordpress.com/2011/08/17/hello-world"};
@@ -70,7 +75,8 @@ inline constexpr Source lagarde_2012_cubemapgen{
 
 inline constexpr Source burley_2012{
     "Burley", 2012, "Physically-Based Shading at Disney",
-    "SIGGRAPH 2012 course, Practical Physically-Based Shading in Film and Game Production"};
+    "SIGGRAPH 2012 course, Practical Physically-Based Shading in Film and Game Production",
+    "http://blog.selfshadow.com/publications/s2012-shading-course/"};
 
 inline constexpr Source karis_2013{"Karis", 2013, "Specular BRDF Reference",
                                    "graphicrants.blogspot.com/2013/08/specular-brdf-reference.html"};
@@ -79,9 +85,9 @@ inline constexpr Source mcguire_2013{"McGuire, Evangelakos, Wilcox, Donow, Mara"
                                      "Plausible Environment Lighting in Two Lines of Code",
                                      "graphics.cs.williams.edu/papers/EnvMipReport2013"};
 
-inline constexpr Source heitz_2014{"Heitz", 2014,
-                                   "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
-                                   "Journal of Computer Graphics Techniques 3(2), pp. 48-107"};
+inline constexpr Source heitz_2014{
+    "Heitz", 2014, "Understanding the Masking-Shadowing Function in Microfacet-Based BRDFs",
+    "Journal of Computer Graphics Techniques 3(2), pp. 48-107", "http://jcgt.org/published/0003/02/03/"};
 
 inline constexpr Source pestana_workflows_2014{
     "Pestana", 2014, "Physically Based Shading, Metallic and Specular workflows", "alexandre-pestana.com"};

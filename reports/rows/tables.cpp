@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "approx/ledger/catalogue.hpp"
+#include "reports/rows/citation.hpp"
 
 namespace shadefit {
 namespace {
@@ -236,10 +237,6 @@ std::string target_of(const FittableFamily& family, const Surface& surface) {
 
 std::string target_of(const Fit& fit) {
   return target_of(*find_family(fit.family->id), fit.surface);
-}
-
-std::string citation(const Source& source) {
-  return fmt::format("{} {}, {}, {}", source.author, source.year, source.title, source.place);
 }
 
 }  // namespace shadefit

@@ -38,7 +38,4 @@ Table summary_table(const Results& results);
 std::string target_of(const Fit& fit);
 std::string target_of(const FittableFamily& family, const Surface& surface);
 
-/// "author year, title, place"
-std::string citation(const Source& source);
-
 }  // namespace shadefit

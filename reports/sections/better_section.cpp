@@ -47,13 +47,13 @@ std::string sentence(const Contender& published, const Contender* best) {
 std::string better_section(const std::vector<Comparison>& comparisons) {
   std::string out = fmt::format(
       "## Published against best\n\n"
-      "What would be better at the same cost? For each target here the published curves, and each form with the constants "
-      "that make its largest error least (minimax); forms that nobody published stand beside. The largest errors are "
-      "proven, to {:g} of themselves: the digits shown are right to within one unit of the last. The other errors are "
-      "computed; the rms error is uniform in the cosine. On a surface all are of the reflectance F. Operations are those "
-      "of the code that `shadefit emit` writes at one exponent: what is made of constants alone is computed before it "
-      "runs. A curve beats a published one whose proven error is larger at no fewer instructions. "
-      "Other surfaces, exponents, domains and objectives: `shadefit better ID`.\n\n",
+      "What would be better at the same cost? For each target, the table lists the published curves, and each form with "
+      "its minimax constants, which make the largest error smallest. Some forms were never published. The largest errors "
+      "are proven to a relative width of {:g}: the digits shown are right to one unit of the last. The other errors are "
+      "computed, the rms error under the cosine measure. On a surface, errors are of the reflectance F. Operations are "
+      "counted in the code that `shadefit emit` writes for one exponent, where expressions of constants are computed "
+      "beforehand. A curve *beats* a published one if its proven error is smaller and it needs no more instructions. "
+      "For other surfaces, exponents, domains and objectives see `shadefit better ID`.\n\n",
       report_contest.width);
   for (const Comparison& comparison : comparisons) {
     out += fmt::format("### {}\n\n", target_of(comparison)) +

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "approx/records/optical_constants.hpp"
+#include "reports/rows/citation.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -38,6 +39,11 @@ std::string curve_text(const FresnelLink& link) {
   if (link.status != Status::converged) return fmt::format("{}, refitted: {}", form, name(link.status));
   return fmt::format("{}, {} {}", form,
                      link.published.empty() ? "refitted:" : "published:", parameters_text(link));
+}
+
+/// "`exp2(-A c)` (A = 8.35)"
+std::string published_text(const FresnelLink& link) {
+  return fmt::format("`{}` ({})", to_text(link.family->form()), parameters_text(link));
 }
 
 std::string surface_text(const OpticalConstants& surface) {
@@ -92,7 +98,7 @@ std::string sources_text(const std::vector<FresnelLink>& chain) {
     const Source& source = link.surface->source;
     if (link.surface->extinction == "0" || source.title == last) continue;
     last = source.title;
-    text += fmt::format("{}{} {} ({})", text.empty() ? "" : "; ", source.author, source.year, source.place);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", linked(source));
   }
   return text;
 }
@@ -121,8 +127,7 @@ Table fresnel_table(const std::vector<FresnelLink>& chain) {
                           cell(link.from_schlick.relative.magnitude), cell(link.from_schlick.srgb_codes),
                           cell(link.from_exact.absolute.magnitude), at(link.from_exact.absolute),
                           cell(link.from_exact.relative.magnitude), at(link.from_exact.relative),
-                          cell(link.from_exact.srgb_codes),
-                          fmt::format("{} {}", link.surface->source.author, link.surface->source.year),
+                          cell(link.from_exact.srgb_codes), author_and_year(link.surface->source),
                           std::string(name(link.status))});
   }
   return table;
@@ -139,16 +144,16 @@ Table glass_table(const std::vector<FresnelLink>& chain) {
 std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
   std::string out =
       "## Exact Fresnel\n\n"
-      "The forms above were fitted to Schlick's formula, which is itself an approximation. Here each is held against "
-      "both: Schlick's formula with the surface's f0, and the exact reflectance of a smooth surface in unpolarised "
-      "light, from outside. Errors are the largest over all angles, of the reflectance F: absolute, relative in "
-      "percent, and in 8-bit sRGB codes. \"Refitted\" is the same form by least squares against the exact F, uniform in the "
-      "cosine.\n\n";
+      "The forms above were fitted to Schlick's formula, which is itself an approximation. Here each is compared with "
+      "both: with Schlick's formula for the surface's f0, and with the exact reflectance of a smooth surface in "
+      "unpolarised light, from outside. Each error is the largest over all angles, of the reflectance F: absolute, "
+      "relative in percent, and in 8-bit sRGB codes. \"Refitted\" is the same form, fitted to the exact F by least "
+      "squares under the cosine measure.\n\n";
   const FresnelLink* dielectric = worst(chain, false);
   const FresnelLink* metal = worst(chain, true);
   out += fmt::format(
       "Schlick's formula is off by up to {:.3g} ({:.3g} codes) on the dielectrics here, worst for {}, and by up to "
-      "{:.3g} ({:.3g} codes) on the metals, worst for {}. n and k of metals: {}.\n\n",
+      "{:.3g} ({:.3g} codes) on the metals, worst for {}. The optical constants of metals are those of {}.\n\n",
       dielectric->from_exact.absolute.magnitude, dielectric->from_exact.srgb_codes,
       surface_text(*dielectric->surface), metal->from_exact.absolute.magnitude, metal->from_exact.srgb_codes,
       surface_text(*metal->surface), sources_text(chain));
@@ -164,7 +169,7 @@ std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
   return out;
 }
 
-std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
+std::string exact_fresnel_headline(const std::vector<FresnelLink>& chain) {
   const FresnelLink *schlick = nullptr, *truest = nullptr, *closest = nullptr;
   for (const FresnelLink& link : chain) {
     if (!is_glass(link)) continue;
@@ -179,14 +184,19 @@ std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
   if (schlick == nullptr || truest == nullptr) return "";
   const double off = schlick->from_exact.absolute.magnitude, near = closest->from_schlick.absolute.magnitude;
   return fmt::format(
-             "Schlick's formula, which the Fresnel constants were fitted to, is itself off by up to {:.3g} in "
-             "reflectance on glass (n = {}): {:.2g} times as far from the truth as {} is from it ({:.3g}). Of the "
-             "published curves the nearest to the truth there, in absolute reflectance, is {}, off by {:.3g}:\n\n",
-             off, glass.ior, off / near, curve_text(*closest), near, curve_text(*truest),
-             truest->from_exact.absolute.magnitude) +
-         write_markdown(glass_table(chain), Precision::report) +
-         "\nThe largest errors over all angles, of the reflectance F with f0 = 0.04: absolute, in percent of F, and in "
-         "8-bit sRGB codes. More surfaces, metals too: [Exact Fresnel](#exact-fresnel).\n\n";
+      "The Fresnel constants were fitted to Schlick's formula, which is itself off by up to {:.3g} in reflectance on "
+      "glass (n = {}). The published {} follows Schlick's formula to within {:.3g}, {:.2g} times closer than that "
+      "formula follows the truth. The published curve closest to the truth there is {}, off by {:.3g}.\n\n",
+      off, glass.ior, published_text(*closest), near, off / near, published_text(*truest),
+      truest->from_exact.absolute.magnitude);
+}
+
+std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
+  const std::string headline = exact_fresnel_headline(chain);
+  if (headline.empty()) return "";
+  return headline + markdown_block(glass_table(chain)) +
+         "Each error is the largest over all angles, of the reflectance F with f0 = 0.04: absolute, in percent of F, and "
+         "in 8-bit sRGB codes. More dielectrics, and metals: [Exact Fresnel](#exact-fresnel).\n\n";
 }
 
 }  // namespace shadefit

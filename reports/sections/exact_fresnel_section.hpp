@@ -16,7 +16,10 @@ Table fresnel_table(const std::vector<FresnelLink>& chain);
 /// The chain from published form to Schlick to the exact reflectance of dielectrics and metals.
 std::string exact_fresnel_section(const std::vector<FresnelLink>& chain);
 
-/// The leading sentence of the report: the error of each curve on glass. Empty without a chain.
+/// How far Schlick's formula is from the truth on glass, in three sentences. Empty without a chain.
+std::string exact_fresnel_headline(const std::vector<FresnelLink>& chain);
+
+/// The headline, and the error of each curve on glass. Empty without a chain.
 std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain);
 
 /// The rows of the chain for glass, index 1.5: what a reader asks first.

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "approx/ledger/catalogue.hpp"
+#include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/table/writers.hpp"
 
@@ -67,9 +68,8 @@ std::string somewhere_sentence(const std::vector<const Assessment*>& found) {
 std::string published_paragraph(const Refit& refit, const Published& published) {
   const auto found = assessments_of(refit, published);
   if (found.empty()) return "";
-  std::string out =
-      fmt::format("- **`{}`** is printed as **{}**: {} ({} {}).", published.id, published.printed,
-                  statement_text(published), published.source.author, published.source.year);
+  std::string out = fmt::format("- **`{}`** is printed as **{}**: {} ({}).", published.id, published.printed,
+                                statement_text(published), linked(published.source));
   if (published.statement == Statement::fit_somewhere) return out + somewhere_sentence(found) + "\n";
   out += " The fits give";
   for (const Assessment* a : found) {
@@ -236,11 +236,11 @@ std::string single_words(const Refit& refit) {
       fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
 }
 
-/// The two formulas as they print themselves, and what a shader executes for each.
+/// The two formulas as text and as mathematics, and what a shader executes for each.
 Table formulas_table(const FittableFamily& family) {
-  Table table{{"", "formula", "in LaTeX", "operations"}, {}};
+  Table table{{"", "formula", "typeset", "operations"}, {}};
   const auto add = [&](const std::string& name, const Symbolic& formula) {
-    table.rows.push_back({name, fmt::format("`{}`", to_text(formula)), fmt::format("`{}`", to_latex(formula)),
+    table.rows.push_back({name, fmt::format("`{}`", to_text(formula)), fmt::format("${}$", to_latex(formula)),
                           to_text(count_operations(formula))});
   };
   add("target", family.target());

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "reports/rows/tables.hpp"
+#include "reports/rows/citation.hpp"
+#include "reports/sections/prose.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -20,19 +21,6 @@ std::string quantities_text(const Quantities& quantities) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// The sentences of a text that `sentences` of fit/errors/effect.hpp made. The two points of ".. " do not end
-/// one.
-std::vector<std::string> sentences_of(std::string_view text) {
-  std::vector<std::string> found;
-  while (true) {
-    auto end = text.find(". ");
-    while (end != std::string_view::npos && end > 0 && text[end - 1] == '.') end = text.find(". ", end + 1);
-    found.emplace_back(text.substr(0, end == std::string_view::npos ? end : end + 1));
-    if (end == std::string_view::npos) return found;
-    text.remove_prefix(end + 2);
-  }
-}
-
 std::vector<JudgedClaim> of_topic(const std::vector<JudgedClaim>& claims, const Topic& topic) {
   std::vector<JudgedClaim> found;
   std::copy_if(claims.begin(), claims.end(), std::back_inserter(found),
@@ -44,14 +32,13 @@ std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& cl
                           const std::vector<Figure>& figures) {
   std::string out = fmt::format("### {}\n\n", topic.title) + markdown_block(claims_overview(claims));
   for (const auto& [_, claim, finding] : claims) {
-    out += fmt::format("- **`{}`** ({} {}): {}. Verdict: **{}**: {}. Effect: {}.", claim->id,
-                       claim->source.author, claim->source.year, claim->statement, verdict_text(finding),
-                       finding.evidence, finding.effect);
+    out += fmt::format("- **`{}`** ({}): {}.\n  - **{}**: {}.\n  - Effect: {}.\n", claim->id,
+                       linked(claim->source), claim->statement, verdict_text(finding), finding.evidence,
+                       finding.effect);
     const std::string_view name = claim->figure;  // clang 14 captures no structured binding
     const bool is_drawn = std::any_of(figures.begin(), figures.end(),
                                       [&](const Figure& figure) { return figure.name == name; });
-    if (is_drawn) out += fmt::format(" Plot: [{0}](plots/{0}.svg).", claim->figure);
-    out += "\n";
+    if (is_drawn) out += fmt::format("  - Plot: [{0}](plots/{0}.svg).\n", claim->figure);
   }
   return out + "\n";
 }
@@ -100,8 +87,7 @@ Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_ve
   Table table{{"id", "printed", "source"}, {}};
   if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
   for (const auto& [_, claim, finding] : claims) {
-    std::vector<Cell> row{word(claim->id), printed_text(*claim),
-                          fmt::format("{} {}", claim->source.author, claim->source.year)};
+    std::vector<Cell> row{word(claim->id), printed_text(*claim), author_and_year(claim->source)};
     if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
     table.rows.push_back(row);
   }
@@ -136,10 +122,10 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {
   std::string out = fmt::format(
       "## The ledger\n\n"
-      "What the source documents state, judged: {}. A printed number is judged by its digits, as above. A statement, an inequality, a "
-      "threshold or an identity is *confirmed* where it holds wherever it speaks of, *conditional* where it holds in a part that the "
-      "evidence names or in one reading of several, *refuted* where it does not. A word is read as a number that the record names "
-      "(`shadefit explain ID` shows it, with the derivation).\n\n",
+      "Every number and every testable statement of the sources, judged: {}. A printed number is judged by its "
+      "digits, as above. A statement is *confirmed* if it is true on the whole stated range. It is *conditional* if it is "
+      "true on a part of that range, or in one of several readings; the evidence says which. Otherwise it is *refuted*. "
+      "Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the derivation.\n\n",
       verdict_counts(claims));
   const Topic* last = nullptr;
   for (const JudgedClaim& judged : claims) {
@@ -194,7 +180,8 @@ nlohmann::ordered_json explanation_json(const JudgedClaim& judged) {
        {{"author", claim->source.author},
         {"year", claim->source.year},
         {"title", claim->source.title},
-        {"place", claim->source.place}}},
+        {"place", claim->source.place},
+        {"address", address_of(claim->source)}}},
       {"inputs", pairs(claim->inputs)},
       {"derivation", claim->derivation},
       {"computed", finding.computed},

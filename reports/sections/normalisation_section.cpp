@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "approx/normalisation.hpp"
+#include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/table/writers.hpp"
 
@@ -27,11 +28,11 @@ std::string stand_in_words(const Results& results) {
     ratios.rows.push_back({Number{*check.exponent, 10}, converged(check.closed_form / check.integral)});
   }
   return fmt::format(
-      "`{0}`, `{1}`, is a stand-in for `{2}`, and is judged by its ratio to it; \"close to 1\", as {3} {4} quotes "
-      "Naty Hoffman, is read as within {5:g}. The ratio is 1 in the limits a = 0 and infinity and largest at a = "
-      "{6:.6g}: {7:.10g}, that is {8:.3g} % too bright.\n\n{9}",
-      record.id, record.printed, BlinnPhongBrdfLobe::record.printed, record.source.author, record.source.year,
-      record.closeness, exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));
+      "`{0}`, `{1}`, stands in for `{2}`, and is judged by its ratio to it. {3} quotes Naty Hoffman: \"close to "
+      "1\". We read that as within {4:g}. The ratio is 1 in the limits a = 0 and infinity. It is largest at a = "
+      "{5:.6g}: {6:.10g}, which is {7:.3g} % too bright.\n\n{8}",
+      record.id, record.printed, BlinnPhongBrdfLobe::record.printed, linked(record.source), record.closeness,
+      exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));
 }
 
 /// What the constant of the microfacet BRDF rests on; empty where it was not checked.
@@ -39,8 +40,8 @@ std::string microfacet_words(const Results& results) {
   const Normalisation& record = MicrofacetLobe::record;
   if (!is_checked(results, record)) return "";
   return fmt::format(
-      "`{}` is a quarter of `{}` and has no integral of its own, so it is held against that of four times the "
-      "distribution's. In a game's light unit, which has absorbed pi, it reads `(a+2)/8`.\n\n",
+      "`{}` is a quarter of `{}`. It has no integral of its own, so it is compared with the integral of four times "
+      "the distribution. In a game's light unit, which contains pi, it is `(a+2)/8`.\n\n",
       record.id, DistributionLobe::record.id);
 }
 
@@ -49,18 +50,15 @@ std::string microfacet_words(const Results& results) {
 std::string normalisation_section(const Results& results) {
   std::string out =
       "## Normalisation, with view and normal aligned\n\n"
-      "Each published constant against 1 over the integral of its lobe over the hemisphere, by two rules in "
-      "two "
-      "variables: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference below "
-      "the tolerance "
-      "prints as 0; the estimated error prints as the bound that both rules, their difference and the cut "
-      "tail together stay below.\n\n";
+      "Each published constant is compared with 1 over the integral of its lobe over the hemisphere. Two rules "
+      "integrate: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference below the "
+      "tolerance prints as 0. The estimated error is a bound of the errors of both rules, their difference and the "
+      "tail that is cut off.\n\n";
   Table lobes{{"constant", "lobe", "printed", "source"}, {}};
   for (const Normalisation& record : normalisations) {
     if (!is_checked(results, record)) continue;
     lobes.rows.push_back({std::string(record.id), fmt::format("`{}`", record.lobe),
-                          fmt::format("`{}`", record.printed),
-                          fmt::format("{} {}", record.source.author, record.source.year)});
+                          fmt::format("`{}`", record.printed), linked(record.source)});
   }
   return out + markdown_block(lobes) + stand_in_words(results) + microfacet_words(results) +
          markdown_block(normalisation_table(results.normalisations));

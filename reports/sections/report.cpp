@@ -2,33 +2,63 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "reports/rows/citation.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/tables.hpp"
 #include "reports/sections/better_section.hpp"
 #include "reports/sections/exact_fresnel_section.hpp"
 #include "reports/sections/family_section.hpp"
 #include "reports/sections/ledger_section.hpp"
+#include "reports/sections/news_section.hpp"
 #include "reports/sections/normalisation_section.hpp"
+#include "reports/sections/prose.hpp"
 #include "reports/sections/reflectance_section.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
+namespace {
+
+constexpr std::string_view how_to_read =
+    "A verdict compares the printed digits with the computed number:\n\n"
+    "- *confirmed*: all printed digits are right.\n"
+    "- *rounding*: the last digit is off by one.\n"
+    "- *other-objective*: another named metric or convention gives the printed digits.\n"
+    "- *conditional*: right for some exponents only.\n"
+    "- *refuted*: no metric or convention gives the printed digits.\n\n"
+    "`c` is a cosine in [0, 1]. A measure weighs the errors at different c. The `cosine` measure dc weighs solid angle "
+    "evenly, the `angle` measure dc/sqrt(1-c^2) weighs the angle evenly, and the `cosine-weighted` measure c dc weighs "
+    "projected solid angle evenly. Fits are continuous least squares of the absolute error. The digits of a fit are those "
+    "that the last Newton step in wider arithmetic no longer changes, at most 14.\n\n";
+
+/// The publications that the records of these results cite, by year.
+std::string sources_section(const Results& results) {
+  std::vector<const Source*> sources;
+  const auto add = [&](const Source& source) {
+    const bool is_there = std::any_of(sources.begin(), sources.end(),
+                                      [&](const Source* other) { return other->title == source.title; });
+    if (!is_there) sources.push_back(&source);
+  };
+  for (const JudgedClaim& judged : results.claims) add(judged.claim->source);
+  for (const Refit& refit : results.refits) {
+    for (const Published* number : refit.numbers) add(number->source);
+  }
+  for (const NormalisationCheck& check : results.normalisations) add(check.record->source);
+  for (const FresnelLink& link : results.fresnel_chain) add(link.surface->source);
+  if (sources.empty()) return "";
+  std::stable_sort(sources.begin(), sources.end(),
+                   [](const Source* a, const Source* b) { return a->year < b->year; });
+  std::string out = "## Sources\n\n";
+  for (const Source* source : sources)
+    out += fmt::format("- {}, *{}*, {}\n", linked(*source), source->title, source->place);
+  return out;
+}
+
+}  // namespace
 
 std::string write_report(const Results& results, const std::vector<Figure>& figures) {
-  std::string out =
-      "# shadefit report\n\n"
-      "Constants of real-time shading, refitted and checked. A verdict compares the printed digits with the "
-      "computed "
-      "number: *confirmed*, all printed digits; *rounding*, the last one off by one; *other-objective*, "
-      "another named "
-      "metric or convention gives them; *conditional*, for some exponents only; *refuted*, none does. `c` is a cosine in [0, 1]; the `cosine` "
-      "measure dc weighs "
-      "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) the angle, the `cosine-weighted` measure c dc "
-      "projected solid "
-      "angle. Fits are continuous least squares "
-      "of the "
-      "absolute error; their digits are what the last Newton step in wider arithmetic leaves, at most 14.\n\n"
-      "## Summary\n\n";
+  std::string out = fmt::format("## How to read it\n\n{}## Summary\n\n", how_to_read);
   out += exact_fresnel_lead(results.fresnel_chain);
   const Table summary = summary_table(results);
   if (!summary.rows.empty()) out += markdown_block(summary);
@@ -38,8 +68,25 @@ std::string write_report(const Results& results, const std::vector<Figure>& figu
   if (!results.normalisations.empty()) out += normalisation_section(results);
   if (!results.reflectances.empty()) out += reflectance_section(results.reflectances);
   if (!results.claims.empty()) out += ledger_section(results.claims, figures);
-  out.pop_back();  // sections end in an empty line, the file does not
-  return out;
+  const std::string sources = sources_section(results);
+  const std::string news = results.claims.empty() ? "" : news_section(results.claims);
+  out = fmt::format(
+      "# shadefit report\n\nConstants of real-time shading, refitted and checked.\n\n{}## Contents\n\n{}{}",
+      news, contents(out + sources), out);
+  return with_short_lines(out) + sources;
+}
+
+std::string write_summary(const Results& results) {
+  std::string out = "# shadefit summary\n\n";
+  if (!results.claims.empty()) out += fmt::format("{}.\n\n", verdict_counts(results.claims));
+  out += exact_fresnel_headline(results.fresnel_chain);
+  for (const Verdict verdict : {Verdict::refuted, Verdict::conditional}) {
+    const auto claims = claims_with(results.claims, verdict);
+    if (!claims.empty()) out += markdown_block(claims_overview(claims));
+  }
+  const Table constants = summary_table(results);
+  if (!constants.rows.empty()) out += markdown_block(constants);
+  return with_short_lines(out) + "More: report.md.\n";
 }
 
 std::string write_latex_tables(const Results& results) {
@@ -54,6 +101,7 @@ std::string write_latex_tables(const Results& results) {
 std::vector<File> report_files(const Results& results, const std::vector<Figure>& figures) {
   return {
       {"report.md", write_report(results, figures)},
+      {"summary.md", write_summary(results)},
       {"better.csv", write_csv(comparisons_table(results.comparisons, Precision::report), Precision::report)},
       {"claims.csv", write_csv(claims_table(results.claims), Precision::report)},
       {"fits.csv", write_csv(fits_table(results.refits).table, Precision::report)},

@@ -224,7 +224,8 @@ std::string write_latex(const Table& table, Precision precision) {
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
-std::string markdown_block(const Table& table) {
+std::string markdown_block(Table table) {
+  for (std::string& title : table.columns) std::replace(title.begin(), title.end(), '_', ' ');
   return write_markdown(table, Precision::report) + "\n";
 }
 

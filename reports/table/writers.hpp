@@ -21,8 +21,9 @@ std::string write_markdown(const Table& table, Precision precision);
 /// that reads as one too, is set as mathematics: 1.2e-05 as $1.2\times10^{-5}$.
 std::string write_latex(const Table& table, Precision precision);
 
-/// The same as a report shows it: the digits that each number declares, and an empty line behind.
-std::string markdown_block(const Table& table);
+/// The same as a report shows it: titles in words, the digits that each number declares, and an empty line
+/// behind.
+std::string markdown_block(Table table);
 
 /// What a text is printed on.
 struct Terminal {

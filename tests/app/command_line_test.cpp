@@ -269,7 +269,7 @@ TEST(RunCommand, WritesTheReportAndTheTables) {
   const Outcome outcome = run_command_line({"run", "--out", directory / "out", "--no-plots"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.ends_with("\nReport: " + (directory / "out/report.md") + "\n"));
-  for (const char* name : {"report.md", "better.csv", "claims.csv", "fits.csv", "fresnel.csv",
+  for (const char* name : {"report.md", "summary.md", "better.csv", "claims.csv", "fits.csv", "fresnel.csv",
                            "normalization.csv", "reflectance.csv", "tables.tex"}) {
     EXPECT_TRUE(read_file(directory / (std::string("out/") + name)) ==
                 read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/" + std::string(name)))

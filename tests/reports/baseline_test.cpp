@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <sstream>
 
 #include "fit/support/sweep.hpp"
 #include "reports/io/csv.hpp"
+#include "reports/sections/prose.hpp"
 #include "reports/sections/report.hpp"
 #include "tests/refusal.hpp"
 #include "tests/reports/all_results.hpp"
@@ -44,6 +47,28 @@ TEST(Baseline, IsWhatIsComputed) {
 TEST(Baseline, TheCommittedReportIsTheOneThatIsWritten) {
   EXPECT_TRUE(read_file(SHADEFIT_SOURCE_DIR "/reports/baseline/report.md") == write_report(all_results()))
       << "renew it with ./run run --no-plots --out reports/baseline";
+}
+
+TEST(Baseline, TheReportHasNoLongLineOutsideItsTables) {
+  std::istringstream lines(write_report(all_results()));
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_TRUE(line.starts_with('|') || line.size() <= 400) << line;
+}
+
+TEST(Baseline, EachLinkWithinTheReportHasItsHeading) {
+  const std::string report = write_report(all_results());
+  std::set<std::string> anchors;
+  std::istringstream lines(report);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("##")) anchors.insert(anchor(line.substr(line.find(' ') + 1)));
+  }
+  std::size_t links = 0;
+  for (std::size_t at = 0; (at = report.find("](#", at)) != std::string::npos; ++links) {
+    at += 3;
+    const std::string to = report.substr(at, report.find(')', at) - at);
+    EXPECT_TRUE(anchors.contains(to)) << to;
+  }
+  EXPECT_GT(links, anchors.size() / 2);
 }
 
 /// The number with its last significant digit changed by one.

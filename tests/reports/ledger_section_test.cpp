@@ -43,8 +43,8 @@ TEST(LedgerSection, HasASectionForEachTopic) {
   const std::string section = ledger_section({judged}, {});
   EXPECT_NE(section.find("### Topic\n\n| claim "), std::string::npos) << section;
   EXPECT_NE(
-      section.find("- **`x-claim`** (Author 2012): a is b. Verdict: **rounding**: it is 1.6. Effect: 0.1 "
-                   "codes.\n"),
+      section.find(
+          "- **`x-claim`** (Author 2012): a is b.\n  - **rounding**: it is 1.6.\n  - Effect: 0.1 codes.\n"),
       std::string::npos)
       << section;
 }

@@ -259,10 +259,10 @@ TEST(Plots, TheReportShowsThemInTheirSections) {
     EXPECT_NE(report.find(part), std::string::npos) << part;
     return report.find(part);
   };
-  EXPECT_LT(at("(`sg-offset`)"), at("](plots/lobe.svg)"));
-  EXPECT_LT(at("](plots/offset.svg)"), at("(`fresnel-one-term`)"));
-  EXPECT_LT(at("(`fresnel-quadratic`)"), at("](plots/fresnel-errors.svg)"));
-  EXPECT_LT(at("(`phong-blinn`)"), at("](plots/phong-blinn-errors.svg)"));
+  EXPECT_LT(at("(`sg-offset`)\n"), at("](plots/lobe.svg)"));
+  EXPECT_LT(at("](plots/offset.svg)"), at("(`fresnel-one-term`)\n"));
+  EXPECT_LT(at("(`fresnel-quadratic`)\n"), at("](plots/fresnel-errors.svg)"));
+  EXPECT_LT(at("(`phong-blinn`)\n"), at("](plots/phong-blinn-errors.svg)"));
   for (const Figure& f : figures) EXPECT_NE(report.find(f.caption), std::string::npos) << f.name;
   EXPECT_EQ(write_report(results).find("plots/"), std::string::npos);
 }

@@ -1,0 +1,108 @@
+#include "reports/rows/citation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "approx/ledger/catalogue.hpp"
+#include "approx/ledger/ledger.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A web address without its scheme: "host.org/path".
+bool is_address(std::string_view place) {
+  return place.find(' ') == std::string_view::npos && place.find('.') != std::string_view::npos;
+}
+
+/// The letters of the first `count` words of a text, in lower case.
+std::string first_letters(std::string_view text, int count) {
+  std::string letters;
+  for (const char c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (c == ' ' && --count == 0) break;
+    if (std::isalpha(letter) != 0) letters += static_cast<char>(std::tolower(letter));
+  }
+  return letters;
+}
+
+/// BibTeX separates authors by "and".
+std::string with_and(std::string_view authors) {
+  std::string out(authors);
+  for (std::size_t i = 0; (i = out.find(", ", i)) != std::string::npos;) out.replace(i, 2, " and ");
+  return out;
+}
+
+}  // namespace
+
+std::string author_and_year(const Source& source) {
+  return fmt::format("{} {}", source.author, source.year);
+}
+
+std::string citation(const Source& source) {
+  return fmt::format("{}, {}, {}", author_and_year(source), source.title, source.place);
+}
+
+std::string address_of(const Source& source) {
+  if (!source.address.empty()) return std::string(source.address);
+  return is_address(source.place) ? fmt::format("https://{}", source.place) : "";
+}
+
+std::string linked(const Source& source) {
+  const std::string address = address_of(source);
+  return address.empty() ? author_and_year(source)
+                         : fmt::format("[{}]({})", author_and_year(source), address);
+}
+
+std::string bibtex(const Source& source) {
+  const std::string address = address_of(source);
+  std::string out =
+      fmt::format("@misc{{{}{}{},\n  author = {{{}}},\n  title = {{{{{}}}}},\n  year = {{{}}},\n",
+                  first_letters(source.author, 1), source.year, first_letters(source.title, 2),
+                  with_and(source.author), source.title, source.year);
+  if (!is_address(source.place)) out += fmt::format("  howpublished = {{{}}},\n", source.place);
+  if (!address.empty()) out += fmt::format("  url = {{{}}},\n", address);
+  return out + "}\n";
+}
+
+std::string bibtex_of_shadefit(std::string_view version) {
+  return fmt::format(
+      "@software{{shadefit,\n  author = {{{{The shadefit authors}}}},\n"
+      "  title = {{{{shadefit: refitted and checked approximation constants of real-time shading}}}},\n"
+      "  version = {{{}}},\n}}\n",
+      version);
+}
+
+std::vector<std::string> cited_ids() {
+  std::set<std::string> ids;
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) ids.emplace(claim.id);
+  }
+  for (const Published& published : published_constants) {
+    ids.emplace(published.id);
+    ids.emplace(published.family);
+  }
+  return {ids.begin(), ids.end()};
+}
+
+std::vector<Source> sources_of(std::string_view id) {
+  std::vector<Source> found;
+  const auto add = [&](const Source& source) {
+    const bool is_there = std::any_of(found.begin(), found.end(),
+                                      [&](const Source& other) { return other.title == source.title; });
+    if (!is_there) found.push_back(source);
+  };
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) {
+      if (claim.id == id) add(claim.source);
+    }
+  }
+  for (const Published& published : published_constants) {
+    if (published.id == id || published.family == id) add(published.source);
+  }
+  return found;
+}
+
+}  // namespace shadefit

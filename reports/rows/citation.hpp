@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "approx/records/record.hpp"
+
+/// Sources as people and programs cite them.
+namespace shadefit {
+
+/// "Lagarde 2012"
+std::string author_and_year(const Source& source);
+
+/// "author year, title, place"
+std::string citation(const Source& source);
+
+/// Where the source is on the web: its own address, or its place, where that is one. Empty: not known.
+std::string address_of(const Source& source);
+
+/// "Lagarde 2012" as a Markdown link to its address, if there is one.
+std::string linked(const Source& source);
+
+/// A BibTeX entry: @misc{lagarde2012sphericalgaussian, ..}. Records have surnames only.
+std::string bibtex(const Source& source);
+
+/// The BibTeX entry of shadefit itself. CITATION.cff says the same.
+std::string bibtex_of_shadefit(std::string_view version);
+
+/// The ids of claims, published constants and the families of these.
+std::vector<std::string> cited_ids();
+
+/// The sources of such an id, each once.
+std::vector<Source> sources_of(std::string_view id);
+
+}  // namespace shadefit

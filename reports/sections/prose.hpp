@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The words of a report: sentences, lines, headings.
+namespace shadefit {
+
+/// The sentences of a text. A full stop and a space end one; the two points of ".. " do not.
+std::vector<std::string> sentences_of(std::string_view text);
+
+/// A Markdown text with each sentence on a line of its own, so that no line is long: lines of lists keep
+/// their indentation, tables and headings stay as they are. A sentence over 400 letters is also broken at its
+/// semicolons.
+std::string with_short_lines(std::string_view markdown);
+
+/// The anchor that GitHub makes of a heading: "Exact Fresnel (`a`)" gives "exact-fresnel-a".
+std::string anchor(std::string_view heading);
+
+/// A list of links to the headings of a Markdown text, of the second and third level.
+std::string contents(std::string_view markdown);
+
+}  // namespace shadefit

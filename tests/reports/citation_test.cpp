@@ -1,0 +1,55 @@
+#include "reports/rows/citation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+namespace shadefit {
+namespace {
+
+const Source paper{"Walter, Li", 2007, "R.E versus N.H", "EGSR 2007, pp. 1-2", "https://doi.org/1"};
+const Source post{"Lagarde", 2012, "A Title", "host.org/2012/post"};
+const Source book{"Fisher, Woo", 1994, "Another Title", "Graphics Gems IV, pp. 3-4"};
+
+TEST(Citation, NamesAuthorYearTitleAndPlace) {
+  EXPECT_EQ(author_and_year(paper), "Walter, Li 2007");
+  EXPECT_EQ(citation(post), "Lagarde 2012, A Title, host.org/2012/post");
+}
+
+TEST(Citation, TheAddressIsItsOwnOrThePlaceOfAPost) {
+  EXPECT_EQ(address_of(paper), "https://doi.org/1");
+  EXPECT_EQ(address_of(post), "https://host.org/2012/post");
+  EXPECT_EQ(address_of(book), "");
+  EXPECT_EQ(linked(paper), "[Walter, Li 2007](https://doi.org/1)");
+  EXPECT_EQ(linked(book), "Fisher, Woo 1994");
+}
+
+TEST(Citation, BibtexHasThePlaceUnlessItIsTheAddress) {
+  EXPECT_EQ(bibtex(paper),
+            "@misc{walter2007reversus,\n  author = {Walter and Li},\n  title = {{R.E versus N.H}},\n"
+            "  year = {2007},\n  howpublished = {EGSR 2007, pp. 1-2},\n  url = {https://doi.org/1},\n}\n");
+  EXPECT_EQ(bibtex(post),
+            "@misc{lagarde2012atitle,\n  author = {Lagarde},\n  title = {{A Title}},\n  year = {2012},\n"
+            "  url = {https://host.org/2012/post},\n}\n");
+}
+
+TEST(Citation, EachIdHasSourcesAndEachSourceAKeyOfItsOwn) {
+  std::map<std::string, std::string> title_of;
+  for (const std::string& id : cited_ids()) {
+    const auto sources = sources_of(id);
+    EXPECT_FALSE(sources.empty()) << id;
+    for (const Source& source : sources) {
+      const std::string entry = bibtex(source);
+      EXPECT_EQ(std::count(entry.begin(), entry.end(), '{'), std::count(entry.begin(), entry.end(), '}'))
+          << entry;
+      const auto key = title_of.emplace(entry.substr(0, entry.find(',')), source.title).first;
+      EXPECT_EQ(key->second, source.title) << key->first;
+    }
+  }
+  EXPECT_EQ(sources_of("phong-blinn").size(), 2u);
+  EXPECT_TRUE(sources_of("nobody").empty());
+}
+
+}  // namespace
+}  // namespace shadefit
