@@ -215,6 +215,16 @@ Symbolic form() {
 }
 
 template <class F>
+CurvePoint point(const Setting& setting, std::span<const double> parameters, const Cosine<double>& cosine) {
+  const auto family = make_family<F>(setting);
+  const auto sample = family.sample(cosine);
+  const auto p = parameter_array<F>(parameters);
+  const double form = family.form(sample, p), error = family.error(sample, p),
+               relative = family.relative_error(sample, p);
+  return {form - error, form, error, std::isfinite(relative) ? std::optional(relative) : std::nullopt};
+}
+
+template <class F>
 ReflectanceError reflectance_error(const Surface& surface, std::span<const double> parameters) {
   const F family{{surface}};
   const auto p = parameter_array<F>(parameters);
@@ -234,8 +244,8 @@ constexpr auto reflectance_error_of() -> ReflectanceError (*)(const Surface&, st
 
 template <class F>
 constexpr FittableFamily entry{
-    F::info,       F::parameters, &fit<F>,  &max_abs_error<F>,         &max_rel_error<F>,  &effect<F>,
-    &objective<F>, &target<F>,    &form<F>, reflectance_error_of<F>(), &relative_domain<F>};
+    F::info,       F::parameters, &fit<F>,  &max_abs_error<F>,         &max_rel_error<F>,   &effect<F>,
+    &objective<F>, &target<F>,    &form<F>, reflectance_error_of<F>(), &relative_domain<F>, &point<F>};
 
 }  // namespace
 

@@ -52,6 +52,13 @@ struct Fit {
   std::string why = {};  ///< of a fit that did not converge, where its status does not say it all
 };
 
+/// A form beside its target at one cosine. On an exact surface both are Fresnel weights f, F = f0 + (1-f0) f.
+struct CurvePoint {
+  double target, form;
+  double error;                          ///< form - target
+  std::optional<double> relative_error;  ///< of what `Fit::relative_to` says; empty where it is not finite
+};
+
 /// A family behind plain functions; parameters are in the order of `parameters`.
 struct FittableFamily {
   const Family& info;
@@ -71,6 +78,9 @@ struct FittableFamily {
 
   /// The part of a domain in which a relative error has a meaning; empty where there is none.
   std::optional<Domain> (*relative_domain)(const Setting&, const Domain&) = nullptr;
+
+  /// The curve at a cosine, at given parameters.
+  CurvePoint (*point)(const Setting&, std::span<const double> parameters, const Cosine<double>&) = nullptr;
 
   bool is_fresnel() const { return reflectance_error != nullptr; }
 

@@ -5,10 +5,12 @@
 
 #include "app/commands/commands.hpp"
 #include "app/options/fit_arguments.hpp"
+#include "app/output/picture_file.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/better.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/figures/better_figure.hpp"
 #include "reports/rows/comparisons.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/tables.hpp"
@@ -76,8 +78,13 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
 }  // namespace
 
 Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (options.plot) require_picture(*options.plot);
   const NamedFit named = find_fit(options.id);
   const std::vector<Setting> settings = settings_to_compare(named, options);
+  if (options.plot && settings.size() > 1)
+    throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: name one with {}",
+                                *options.plot, settings.size(),
+                                named.family->is_fresnel() ? "--target" : "--exponent"));
   const Metric metric = metric_for(options, *named.family, settings);
   std::vector<Comparison> comparisons;
   std::string err;
@@ -88,7 +95,10 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
         compare_forms(*named.family, setting, {.domain = metric.domain, .width = usual_width}, checkpoint));
     err += not_reached_lines(comparisons.back());
   }
-  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options, checkpoint), err};
+  const auto put = options.plot ? draw_picture(better_figure(comparisons.front()), *options.plot,
+                                               options.force, checkpoint)
+                                : std::function<void()>();
+  return {err.empty() ? 0 : 1, comparisons_text(comparisons, options, checkpoint), err, put};
 }
 
 }  // namespace shadefit

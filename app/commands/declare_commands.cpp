@@ -50,6 +50,12 @@ void add_formats(CLI::App& command, bool& csv, bool& latex, const std::string& c
   command.add_flag("--latex", latex, "print a LaTeX tabular")->excludes(json)->excludes(csv_option);
 }
 
+void add_plot(CLI::App& command, FitOptions& options, const std::string& what) {
+  add_value(command, "--plot", options.plot, parse_text, "FILE",
+            what + "; FILE ends with .svg, .pdf or .png");
+  add_force(command, options.force);
+}
+
 void declare_list(CLI::App& list, ListOptions& options) {
   add_choice(list, "--verdict", options.verdict, by_name(all_verdicts),
              "only the claims with this verdict (computes them all)");
@@ -153,6 +159,7 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
           "also how many digits of each constant matter, and the fit under other measures and domains")};
   for (CLI::Option* extra : extras)
     extra->excludes(fit.get_option("--csv"))->excludes(fit.get_option("--latex"));
+  add_plot(fit, options, "also draw the fit and its error");
 }
 
 void declare_better(CLI::App& better, FitOptions& options) {
@@ -164,6 +171,7 @@ void declare_better(CLI::App& better, FitOptions& options) {
   add_domain(better, options);
   add_json(better, options.json);
   add_formats(better, options.csv, options.latex, ": the columns of better.csv");
+  add_plot(better, options, "also draw the errors of the published curves and of the best one");
 }
 
 void declare_certify(CLI::App& certify, CertifyOptions& options) {
@@ -249,7 +257,8 @@ void declare_commands(CLI::App& app, Call& call) {
       "  shadefit fit fresnel-quadratic\n"
       "  shadefit fit sg-offset --exponent 5,10:50:10 --csv\n"
       "  shadefit fit fresnel-quadratic --target exact --ior 1.5 --norm minimax\n"
-      "  shadefit fit fresnel-one-term --round half\n",
+      "  shadefit fit fresnel-one-term --round half\n"
+      "  shadefit fit sg-offset --exponent 5 --plot lobe.svg\n",
       declare_fit,
       [&](const FitOptions& options) { return fit_command(options, call.checkpoint, call.progress); });
   add_command<FitOptions>(

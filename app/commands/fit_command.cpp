@@ -5,8 +5,10 @@
 
 #include "app/commands/commands.hpp"
 #include "app/options/fit_arguments.hpp"
+#include "app/output/picture_file.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/figures/fit_figure.hpp"
 #include "reports/rows/alternation.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/proofs.hpp"
@@ -33,6 +35,9 @@ Outcome derived_command(const FittableFamily& family, const Published& published
     throw UserError(fmt::format("--round '{}' does not apply: {} is a mean or a limit of fits",
                                 to_text(*options.round), published.id));
   }
+  if (options.plot)
+    throw UserError(fmt::format("--plot '{}' does not apply: {} is a mean or a limit of fits", *options.plot,
+                                published.id));
   if (options.sensitivity) {
     throw UserError(fmt::format(
         "--sensitivity does not apply: {} is a mean or a limit of fits, which has no curve of its own",
@@ -145,6 +150,7 @@ void require_feasible(const Refit& refit) {
 }  // namespace
 
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (options.plot) require_picture(*options.plot);
   const auto [family_found, published] = find_fit(options.id);
   const FittableFamily& family = *family_found;
   if (published != nullptr && published->statement != Statement::best_fit)
@@ -166,7 +172,9 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
                     : std::vector<RoundedFit>{},
       sensitivities_of(refit, options, checkpoint, progress)};
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);
-  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras, checkpoint), err};
+  const auto put = options.plot ? draw_picture(fit_figure(refit), *options.plot, options.force, checkpoint)
+                                : std::function<void()>();
+  return {err.empty() ? 0 : 1, fits_text(refit, options, metric, extras, checkpoint), err, put};
 }
 
 }  // namespace shadefit

@@ -48,6 +48,8 @@ struct FitOptions {
   bool certify = false;
   std::optional<NumberFormat> round = {};
   bool sensitivity = false;
+  std::optional<std::string> plot = {};  ///< a file for the picture of the fit
+  bool force = false;                    ///< as in `RunOptions`
   Terminal terminal = {};
 };
 

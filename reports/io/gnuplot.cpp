@@ -112,13 +112,9 @@ struct SpawnSettings {
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 };
 
-bool is_png(const std::string& name) {
-  return name.ends_with(".png");
-}
-
 /// What a plot of that name writes, and what it is drawn by.
 std::string picture_file(const std::string& name) {
-  return is_png(name) ? name : name + ".svg";
+  return name.ends_with(".png") || name.ends_with(".pdf") ? name : name + ".svg";
 }
 std::string script_file(const std::string& name) {
   return fs::path(picture_file(name)).replace_extension(".gnuplot").string();
@@ -130,7 +126,8 @@ class Drawing {
   Drawing(const fs::path& gnuplot, const fs::path& directory, const std::string& name)
       : name_(name),
         place_(directory / picture_file(name)),
-        partial_(directory / fmt::format(".{}.{}.partial", picture_file(name), ::getpid())),
+        // A script chooses the format by the ending.
+        partial_(directory / fmt::format(".partial-{}-{}", ::getpid(), picture_file(name))),
         transcript_(directory),
         error_(transcript_.error()) {
     remove(partial_);
@@ -229,7 +226,9 @@ class Drawing {
 
   /// gnuplot reports success even if the disk is full.
   bool is_whole_picture() const {
-    const std::string_view end = is_png(name_) ? "IEND" : "</svg>";
+    const std::string_view end = name_.ends_with(".png")   ? "IEND"
+                                 : name_.ends_with(".pdf") ? "%%EOF"
+                                                           : "</svg>";
     std::array<char, 64> tail{};
     std::FILE* file = std::fopen(partial_.c_str(), "rb");
     if (file == nullptr) return false;

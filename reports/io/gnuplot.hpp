@@ -26,9 +26,9 @@ struct FailedPlot {
 inline constexpr std::chrono::seconds longest_drawing{60};
 
 /// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg (a name that ends with
-/// .png is the picture's own: "scene.png" is drawn by scene.gnuplot), beside its place first
-/// and renamed once whole. Returns the plots that failed, gnuplot's words as it put them: of those there is
-/// no NAME.svg in `directory` then, neither a part nor an older one. (Where results go, older pictures are
+/// .png or .pdf is that of the picture: "scene.png" is drawn by scene.gnuplot), first beside its place, and
+/// renames it once it is whole. Returns the plots that failed, gnuplot's words as it put them: of those there
+/// is no NAME.svg in `directory` then, neither a part nor an older one. (Where results go, older pictures are
 /// for `write_files` to remove.) The checkpoint is called before each and again and again while gnuplot
 /// works; when it throws, and when a picture takes `longest`, gnuplot is ended.
 std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
@@ -39,7 +39,7 @@ std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
 
 /// Pictures, and the plots that could not be drawn.
 struct Pictures {
-  std::vector<File> files;  ///< "plots/NAME.svg", or "plots/NAME" of a name that ends with .png
+  std::vector<File> files;  ///< "plots/NAME.svg", or "plots/NAME" of a name that ends with .png or .pdf
   std::vector<FailedPlot> failed;
 };
 

@@ -27,6 +27,15 @@ std::string png_mark() {
   return chunk;
 }
 
+/// A PDF with the date of the epoch: equal pictures are equal files.
+std::string without_date(std::string pdf) {
+  constexpr std::string_view key = "/CreationDate (D:", epoch = "19700101000000";
+  const std::size_t at = pdf.find(key);
+  if (at != std::string::npos && at + key.size() + epoch.size() <= pdf.size())
+    pdf.replace(at + key.size(), epoch.size(), epoch);
+  return pdf;
+}
+
 /// Bytes of the chunk IEND, the last of a PNG.
 constexpr std::size_t png_end = 12;
 
@@ -81,7 +90,8 @@ std::string sealed(std::string text, const std::string& open, const std::string&
 }
 
 std::string marked_picture(const std::string& name, std::string picture) {
-  if (!name.ends_with(".png")) return sealed(std::move(picture), "<!-- ", " -->");
+  if (name.ends_with(".svg")) return sealed(std::move(picture), "<!-- ", " -->");
+  if (name.ends_with(".pdf")) return sealed(without_date(std::move(picture)), "% ");
   picture.insert(picture.size() - std::min(picture.size(), png_end), png_mark());
   return picture;
 }
@@ -89,7 +99,8 @@ std::string marked_picture(const std::string& name, std::string picture) {
 bool is_own(const fs::path& path, const File& file) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return false;
-  const bool is_sealed_kind = file.name.ends_with(".gnuplot") || file.name.ends_with(".svg");
+  const bool is_sealed_kind =
+      file.name.ends_with(".gnuplot") || file.name.ends_with(".svg") || file.name.ends_with(".pdf");
   const bool is_picture = file.name.ends_with(".png");
   // What is recognised by its beginning needs no more of it; our pictures are far smaller than a file that
   // would take long to read.

@@ -1,0 +1,79 @@
+#include "reports/figures/better_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "approx/fresnel.hpp"
+#include "reports/figures/plot_data.hpp"
+#include "reports/figures/plot_script.hpp"
+#include "reports/io/gnuplot_text.hpp"
+#include "reports/rows/comparisons.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr std::array contender_looks{Look::first, Look::second, Look::third, Look::fourth};
+
+/// The first published curves, and behind them the best that beats one.
+std::vector<const Contender*> shown_contenders(const Comparison& comparison) {
+  std::vector<const Contender*> shown;
+  const Contender* best = nullptr;
+  for (const Contender& contender : comparison.contenders) {
+    const bool is_published = contender.kind == Contender::Kind::published;
+    if (is_published && shown.size() + 1 < contender_looks.size()) shown.push_back(&contender);
+    if (is_published || contender.beats.empty()) continue;
+    if (best == nullptr || contender.max_abs_error.upper < best->max_abs_error.upper) best = &contender;
+  }
+  if (best != nullptr) shown.push_back(best);
+  return shown;
+}
+
+/// The error of a contender at a cosine: of a lobe or a weight f, or, on a surface, of F = f0 + (1 - f0) f.
+double error_at(const Comparison& comparison, const Contender& contender, const Cosine<double>& at) {
+  const Surface& surface = comparison.setting.surface;
+  const double scale = surface.is_named() ? 1 - normal_reflectance<double>(surface) : 1;
+  const FittableFamily* family = find_family(contender.family);
+  const double error = family == nullptr ? schlick_weight(at.cos_theta) - target_weight(surface, at.cos_theta)
+                                         : family->point(comparison.setting, contender.values, at).error;
+  return scale * error;
+}
+
+}  // namespace
+
+Figure better_figure(const Comparison& comparison) {
+  const auto shown = shown_contenders(comparison);
+  Table table{{"cosine"}, {}};
+  Panel panel{.title = gnuplot_unmarked(target_of(comparison)),
+              .x_label = "c, the cosine",
+              .y_label = comparison.setting.surface.is_named() ? "error of F" : "error",
+              .abscissa = "cosine",
+              .curves = {}};
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const std::string column = fmt::format("error_{}", i + 1);
+    table.columns.push_back(column);
+    const bool is_published = shown[i]->kind == Contender::Kind::published;
+    const std::string label = fmt::format("{}: {}", is_published ? shown[i]->origin : "best", shown[i]->form);
+    panel.curves.push_back({column, gnuplot_unmarked(label), contender_looks.at(i)});
+  }
+  const Domain& domain = comparison.domain;
+  constexpr int steps = 2 * plot_steps;
+  for (int i = 0; i <= steps; ++i) {
+    const double c = domain.lower + (domain.upper - domain.lower) * i / steps;
+    std::vector<Cell> row{plotted(c)};
+    for (const Contender* contender : shown)
+      row.push_back(plotted(error_at(comparison, *contender, {c, 1 - c})));
+    table.rows.push_back(row);
+  }
+  panel.settings = fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange {}\n", domain.lower, domain.upper,
+                               range_around(table, panel.curves));
+  const Plot plot{
+      .name = "better",
+      .about = fmt::format("Errors of published curves and of the best one, for {}.", target_of(comparison)),
+      .columns = 1,
+      .panel_height = 360,
+      .panels = {panel}};
+  return {plot.name, comparison.family->info.id, plot.about, table, write_script(plot)};
+}
+
+}  // namespace shadefit

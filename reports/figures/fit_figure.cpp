@@ -1,0 +1,161 @@
+#include "reports/figures/fit_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fit/support/user_error.hpp"
+#include "reports/figures/plot_data.hpp"
+#include "reports/figures/plot_script.hpp"
+#include "reports/io/gnuplot_text.hpp"
+#include "reports/rows/tables.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr std::string_view file_name = "fit";
+constexpr int panel_height = 260;
+constexpr std::array parameter_looks{Look::first, Look::second, Look::third, Look::fourth};
+
+/// The error that the fit makes small.
+double error_of(const Fit& fit, const CurvePoint& point) {
+  return fit.metric.error == Error::relative ? point.relative_error.value_or(NAN) : point.error;
+}
+
+/// The part of the domain to draw. A narrow lobe is below a thousandth on most of it.
+Domain shown_domain(const Fit& fit) {
+  const double faint = fit.exponent ? std::pow(1e-3, 1 / *fit.exponent) : 0;
+  const Domain& domain = fit.metric.domain;
+  return {faint > 0.5 ? std::max(domain.lower, std::min(faint, domain.upper)) : domain.lower, domain.upper};
+}
+
+/// Whether the level and the contacts are those of the error that is drawn: a weight would scale them.
+bool has_level(const Fit& fit) {
+  return fit.level && fit.metric.weight.empty();
+}
+
+/// The curve over the cosine, and a row for each contact.
+Table curve_table(const Fit& fit, const FittableFamily& family) {
+  Table table{{"cosine", "target", "form", "error", "contact"}, {}};
+  const auto point_at = [&](const Cosine<double>& at) {
+    return family.point(setting_of(fit), fit.parameters, at);
+  };
+  const Domain domain = shown_domain(fit);
+  constexpr int steps = 2 * plot_steps;
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    const double c = domain.lower + share * (domain.upper - domain.lower);
+    const CurvePoint point = point_at({c, 1 - c});
+    const double error = error_of(fit, point);
+    table.rows.push_back({plotted(c),
+                          plotted(point.target),
+                          plotted(point.form),
+                          std::isfinite(error) ? plotted(error) : Cell(),
+                          {}});
+  }
+  if (!has_level(fit)) return table;
+  for (const AlternationPoint& contact : fit.alternation) {
+    const double error = error_of(fit, point_at(contact.at));
+    table.rows.push_back({plotted(contact.at.cos_theta), {}, {}, {}, plotted(error)});
+  }
+  return table;
+}
+
+/// "a = -5.5547, b = -6.9832"
+std::string constants_text(const Fit& fit, const FittableFamily& family) {
+  std::string out;
+  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+    const std::string value = text(Number{fit.parameters[i], 7}, Precision::report);
+    out += fmt::format("{}{} = {}", i == 0 ? "" : ", ", family.parameters[i], typeset(value));
+  }
+  return out;
+}
+
+Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table) {
+  const bool is_relative = fit.metric.error == Error::relative;
+  const Domain domain = shown_domain(fit);
+  const std::string range = fmt::format("set xrange [{:.9g}:{:.9g}]\n", domain.lower, domain.upper);
+  const std::string at = fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "";
+  Panel curves{.title = gnuplot_unmarked(
+                   fmt::format("{}{}: {}", to_text(family.form()), at, constants_text(fit, family))),
+               .y_label = fit.surface.is_exact() ? "weight f" : "value",
+               .settings = range,
+               .abscissa = "cosine",
+               .curves = {{"target", "target: " + gnuplot_unmarked(target_of(fit)), Look::target},
+                          {"form", "form", Look::first}}};
+  Panel errors{.x_label = "c, the cosine",
+               .y_label = is_relative ? "relative error" : "form − target",
+               .settings = range,
+               .abscissa = "cosine",
+               .curves = {{"error", is_relative ? "relative error" : "error", Look::second}}};
+  if (has_level(fit)) {
+    const std::string level = text(Number{*fit.level, 4}, Precision::report);
+    errors.levels = {{level, "level " + level}, {"-" + level, ""}};
+    errors.curves.push_back({"contact", "contacts", Look::first, false, true, false});
+  }
+  errors.settings += "set yrange " + range_around(table, errors.curves) + "\n";
+  return {.name = std::string(file_name),
+          .about = fmt::format("A fit of {}: {}.", family.info.id, name(fit.metric.norm)),
+          .columns = 1,
+          .panel_height = panel_height,
+          .panels = {curves, errors}};
+}
+
+Table sweep_table(const std::vector<const Fit*>& fits, const FittableFamily& family) {
+  Table table{{"exponent"}, {}};
+  for (const std::string_view parameter : family.parameters) table.columns.emplace_back(parameter);
+  table.columns.insert(table.columns.end(), {"max_abs_error", "rms_error"});
+  for (const Fit* fit : fits) {
+    std::vector<Cell> row{plotted(*fit->exponent)};
+    for (const double parameter : fit->parameters) row.push_back(plotted(parameter));
+    row.insert(row.end(), {plotted(fit->max_abs_error.magnitude), plotted(fit->rms_error)});
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& family) {
+  const auto [least, most] = std::minmax_element(
+      fits.begin(), fits.end(), [](const Fit* a, const Fit* b) { return *a->exponent < *b->exponent; });
+  // Over more than a decade, equal steps of the logarithm show both ends.
+  const std::string scale = *(*most)->exponent > 10 * *(*least)->exponent ? "set logscale x\n" : "";
+  Panel parameters{.title = gnuplot_unmarked(to_text(family.form())),
+                   .y_label = "parameter",
+                   .settings = scale,
+                   .abscissa = "exponent",
+                   .curves = {}};
+  for (std::size_t i = 0; i < family.parameters.size(); ++i) {
+    const std::string name(family.parameters[i]);
+    parameters.curves.push_back({name, name, parameter_looks.at(i), false, true});
+  }
+  const Panel errors{.x_label = "k, the exponent",
+                     .y_label = "error",
+                     .settings = scale + "set logscale y\nset format y '10^{%T}'\n",
+                     .abscissa = "exponent",
+                     .curves = {{"max_abs_error", "largest error", Look::second, false, true},
+                                {"rms_error", "rms error", Look::third, false, true}}};
+  return {.name = std::string(file_name),
+          .about = fmt::format("Fits of {}: {}.", family.info.id, name(fits.front()->metric.norm)),
+          .columns = 1,
+          .panel_height = panel_height,
+          .panels = {parameters, errors}};
+}
+
+}  // namespace
+
+Figure fit_figure(const Refit& refit) {
+  const FittableFamily& family = *refit.family;
+  std::vector<const Fit*> fits;
+  for (const FitReport& report : refit.fits) {
+    if (report.fit.status == Status::converged) fits.push_back(&report.fit);
+  }
+  if (fits.empty()) throw UserError(fmt::format("--plot: no fit of {} converged", family.info.id));
+  const bool is_sweep = fits.size() > 1;
+  const Table table = is_sweep ? sweep_table(fits, family) : curve_table(*fits.front(), family);
+  const Plot plot = is_sweep ? sweep_plot(fits, family) : curve_plot(*fits.front(), family, table);
+  return {plot.name, family.info.id, plot.about, table, write_script(plot)};
+}
+
+}  // namespace shadefit
