@@ -23,7 +23,7 @@ void require_plain_text(const std::string& content, const std::string& name) {
       throw UserError(
           fmt::format("'{}' line {} holds the byte 0x{:02x}: a table is plain text", name, line, byte));
     }
-    length = utf8_length(std::string_view(content).substr(i));
+    length = first_code_point(std::string_view(content).substr(i)).length;
     if (length == 0) {
       throw UserError(fmt::format("'{}' line {} holds the byte 0x{:02x} out of place: a table is UTF-8", name,
                                   line, byte));

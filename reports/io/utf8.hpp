@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <iterator>
 #include <string>
@@ -13,35 +15,28 @@
 /// UTF-8 by RFC 3629, and text that is safe to show on a terminal.
 namespace shadefit {
 
-/// The length in bytes of the code point that `text` begins with; 0 where it is empty or begins with none: a
-/// byte out of place, a sequence cut off, longer than needed, a surrogate, or beyond U+10FFFF.
-inline std::size_t utf8_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) -> unsigned {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
-  };
-  const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0) == 0x80; };
-  const unsigned first = byte(0), second = byte(1);
-  if (text.empty()) return 0;
-  if (first < 0x80) return 1;
-  // Of two bytes: U+0080 to U+07FF, so not C0 and C1.
-  if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
-  // Of three: U+0800 (E0 A0 80) to U+FFFF, without the surrogates (ED A0 80 to ED BF BF).
-  const bool is_three = first >= 0xE0 && first <= 0xEF && !(first == 0xE0 && second < 0xA0) &&
-                        !(first == 0xED && second >= 0xA0);
-  if (is_three) return follows(1) && follows(2) ? 3 : 0;
-  // Of four: U+10000 (F0 90 80 80) to U+10FFFF (F4 8F BF BF).
-  const bool is_four = first >= 0xF0 && first <= 0xF4 && !(first == 0xF0 && second < 0x90) &&
-                       !(first == 0xF4 && second >= 0x90);
-  return is_four && follows(1) && follows(2) && follows(3) ? 4 : 0;
-}
+struct CodePoint {
+  std::size_t length = 0;  ///< in bytes
+  char32_t value = 0;
+};
 
-/// The code point that a text of `length` bytes, as `utf8_length` says, begins with.
-inline char32_t code_point(std::string_view text, std::size_t length) {
-  // The first byte of a longer sequence spends one bit more on its length than there are bytes.
+/// The code point that `text` begins with. Its length is 0 where `text` is empty or begins with none: a byte
+/// out of place, a sequence that is cut off or longer than needed, a surrogate, a value above U+10FFFF.
+inline CodePoint first_code_point(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  char32_t point = length == 1 ? byte(0) : byte(0) & (0x7FU >> length);
-  for (std::size_t i = 1; i < length; ++i) point = point << 6 | (byte(i) & 0x3FU);
-  return point;
+  // The first byte of a longer sequence begins with as many ones as the sequence has bytes.
+  const int ones = text.empty() ? 0 : std::countl_one(byte(0));
+  const std::size_t length = ones == 0 ? 1 : static_cast<std::size_t>(ones);
+  constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+  if (text.size() < length || ones == 1 || length >= least.size()) return {};
+  char32_t value = byte(0) & (0x7FU >> ones);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return {};
+    value = value << 6 | (byte(i) & 0x3FU);
+  }
+  const bool is_surrogate = value >= 0xD800 && value <= 0xDFFF;
+  if (value < least[length] || is_surrogate || value > 0x10FFFF) return {};
+  return {length, value};
 }
 
 /// Whether a code point could forge a line on a terminal: control characters (C0, DEL, C1), what ends a line
@@ -62,8 +57,8 @@ inline bool is_unshown(char32_t point) {
 inline std::vector<std::string> printable_pieces(std::string_view text) {
   std::vector<std::string> pieces;
   while (!text.empty()) {
-    const std::size_t length = utf8_length(text);
-    const bool is_shown = length > 0 && !is_unshown(code_point(text, length));
+    const auto [length, value] = first_code_point(text);
+    const bool is_shown = length > 0 && !is_unshown(value);
     const std::string_view point = text.substr(0, std::max<std::size_t>(length, 1));
     if (is_shown) pieces.emplace_back(point);
     for (std::size_t i = 0; i < point.size() && !is_shown; ++i)
@@ -88,7 +83,7 @@ inline std::string one_line(std::string_view text) {
   if (!is_long && head.size() <= longest) return fmt::format("{}", fmt::join(head, ""));
   std::string_view end = text.substr(is_long ? text.size() - half * most_bytes : 0);
   // Not from the middle of a code point on, which has at most three bytes more.
-  for (int i = 0; i < 3 && is_long && utf8_length(end) == 0; ++i) end.remove_prefix(1);
+  for (int i = 0; i < 3 && is_long && first_code_point(end).length == 0; ++i) end.remove_prefix(1);
   const auto tail = printable_pieces(end);
   const auto first = head.begin(), last = tail.end();
   const auto count = static_cast<std::ptrdiff_t>(half);

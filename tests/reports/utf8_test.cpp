@@ -29,7 +29,9 @@ TEST(Utf8, TakesEveryCodePointInItsShortestFormOnly) {
     for (int length = shortest(code_point); length <= 4; ++length) {
       const std::size_t expected =
           exists && length == shortest(code_point) ? static_cast<std::size_t>(length) : 0;
-      ASSERT_EQ(utf8_length(encoded(code_point, length) + "x"), expected) << code_point << " in " << length;
+      const CodePoint found = first_code_point(encoded(code_point, length) + "x");
+      ASSERT_EQ(found.length, expected) << code_point << " in " << length;
+      ASSERT_EQ(found.value, expected > 0 ? code_point : 0U) << code_point;
     }
   }
 }
@@ -37,16 +39,17 @@ TEST(Utf8, TakesEveryCodePointInItsShortestFormOnly) {
 TEST(Utf8, TakesNothingThatIsCutOffOrOutOfPlace) {
   for (const char* whole : {"\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80"}) {
     const std::string text(whole);
-    EXPECT_EQ(utf8_length(text), text.size());
+    EXPECT_EQ(first_code_point(text).length, text.size());
     for (std::size_t length = 1; length < text.size(); ++length) {
-      EXPECT_EQ(utf8_length(text.substr(0, length)), 0U) << "cut off by the end";
-      EXPECT_EQ(utf8_length(text.substr(0, length) + "abc"), 0U) << "cut off by another character";
-      EXPECT_EQ(utf8_length(text.substr(length)), 0U) << "a rest";
+      EXPECT_EQ(first_code_point(text.substr(0, length)).length, 0U) << "cut off by the end";
+      EXPECT_EQ(first_code_point(text.substr(0, length) + "abc").length, 0U)
+          << "cut off by another character";
+      EXPECT_EQ(first_code_point(text.substr(length)).length, 0U) << "a rest";
     }
   }
-  EXPECT_EQ(utf8_length(""), 0U);
-  EXPECT_EQ(utf8_length("\xF8\x88\x80\x80\x80"), 0U);
-  EXPECT_EQ(utf8_length("\xFF"), 0U);
+  EXPECT_EQ(first_code_point("").length, 0U);
+  EXPECT_EQ(first_code_point("\xF8\x88\x80\x80\x80").length, 0U);
+  EXPECT_EQ(first_code_point("\xFF").length, 0U);
 }
 
 // What can end or turn a line, or has no width, by Unicode's names for it; everything beside them is shown.
