@@ -27,28 +27,12 @@ struct SplitExponent {
   Whole whole;
 };
 
-namespace vocabulary {
-
-struct Split {
-  template <class T>
-  auto operator()(const T& x) const {
-    return ExponentBits<T>::split(x);
-  }
-};
-
-struct TimesExp2 {
-  template <class T, class Whole>
-  T operator()(const T& p, const Whole& whole) const {
-    return ExponentBits<T>::times_exp2(p, whole);
-  }
-};
-
-}  // namespace vocabulary
-
 /// x as the nearest whole number (ties to even) and the rest.
-inline constexpr vocabulary::Split split_exponent{};
+inline constexpr auto split_exponent = []<class T>(const T& x) { return ExponentBits<T>::split(x); };
 /// p 2^whole for a p in [1/2, 2).
-inline constexpr vocabulary::TimesExp2 times_exp2{};
+inline constexpr auto times_exp2 = []<class T, class Whole>(const T& p, const Whole& whole) -> T {
+  return ExponentBits<T>::times_exp2(p, whole);
+};
 
 /// How a binary format of 32 or 64 bits is laid out.
 template <std::floating_point T>

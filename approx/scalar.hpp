@@ -33,104 +33,6 @@ struct Scalar;
 
 namespace vocabulary {
 
-struct Exp {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::exp(x);
-  }
-};
-
-struct Exp2 {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::exp2(x);
-  }
-};
-
-struct Log {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::log(x);
-  }
-};
-
-struct Log2 {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::log2(x);
-  }
-};
-
-struct Expm1 {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::expm1(x);
-  }
-};
-
-struct Log1p {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::log1p(x);
-  }
-};
-
-struct Log1pRemainder {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::log1p_remainder(x);
-  }
-};
-
-struct Erfc {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::erfc(x);
-  }
-};
-
-struct Sqrt {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::sqrt(x);
-  }
-};
-
-struct Sin {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::sin(x);
-  }
-};
-
-struct Cos {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::cos(x);
-  }
-};
-
-struct Atan {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::atan(x);
-  }
-};
-
-struct Less {
-  template <class T>
-  auto operator()(const T& a, const T& b) const {
-    return Scalar<T>::less(a, b);
-  }
-};
-
-struct Select {
-  template <class Condition, class T>
-  T operator()(const Condition& condition, const T& a, const T& b) const {
-    return Scalar<T>::select(condition, a, b);
-  }
-};
-
 struct Choose {
   /// A scalar whose conditions can be decided brings its own `choose`.
   template <class Condition, class A, class B>
@@ -143,27 +45,6 @@ struct Choose {
     } else {
       return T(Scalar<T>::select(condition, a(), b()));
     }
-  }
-};
-
-struct Min {
-  template <class T>
-  T operator()(const T& a, const T& b) const {
-    return Scalar<T>::min(a, b);
-  }
-};
-
-struct Max {
-  template <class T>
-  T operator()(const T& a, const T& b) const {
-    return Scalar<T>::max(a, b);
-  }
-};
-
-struct PositivePart {
-  template <class T>
-  T operator()(const T& x) const {
-    return Scalar<T>::max(x, Scalar<T>::integer(0));
   }
 };
 
@@ -192,31 +73,38 @@ struct Power {
 
 }  // namespace vocabulary
 
-inline constexpr vocabulary::Exp exp{};
-inline constexpr vocabulary::Exp2 exp2{};
-inline constexpr vocabulary::Log log{};
-inline constexpr vocabulary::Log2 log2{};
-inline constexpr vocabulary::Expm1 expm1{};
-inline constexpr vocabulary::Log1p log1p{};
+inline constexpr auto exp = []<class T>(const T& x) -> T { return Scalar<T>::exp(x); };
+inline constexpr auto exp2 = []<class T>(const T& x) -> T { return Scalar<T>::exp2(x); };
+inline constexpr auto log = []<class T>(const T& x) -> T { return Scalar<T>::log(x); };
+inline constexpr auto log2 = []<class T>(const T& x) -> T { return Scalar<T>::log2(x); };
+inline constexpr auto expm1 = []<class T>(const T& x) -> T { return Scalar<T>::expm1(x); };
+inline constexpr auto log1p = []<class T>(const T& x) -> T { return Scalar<T>::log1p(x); };
 /// log1p(x) - x without its cancellation for small x; x > -1 (x = -1 gives -infinity).
-inline constexpr vocabulary::Log1pRemainder log1p_remainder{};
+inline constexpr auto log1p_remainder = []<class T>(const T& x) -> T {
+  return Scalar<T>::log1p_remainder(x);
+};
 /// The complementary error function 2/sqrt(pi) * integral of exp(-t^2) from x to infinity.
-inline constexpr vocabulary::Erfc erfc{};
-inline constexpr vocabulary::Sqrt sqrt{};
-inline constexpr vocabulary::Sin sin{};
-inline constexpr vocabulary::Cos cos{};
-inline constexpr vocabulary::Atan atan{};
+inline constexpr auto erfc = []<class T>(const T& x) -> T { return Scalar<T>::erfc(x); };
+inline constexpr auto sqrt = []<class T>(const T& x) -> T { return Scalar<T>::sqrt(x); };
+inline constexpr auto sin = []<class T>(const T& x) -> T { return Scalar<T>::sin(x); };
+inline constexpr auto cos = []<class T>(const T& x) -> T { return Scalar<T>::cos(x); };
+inline constexpr auto atan = []<class T>(const T& x) -> T { return Scalar<T>::atan(x); };
 /// a < b as the scalar's own kind of condition, for `select` alone.
-inline constexpr vocabulary::Less less{};
+inline constexpr auto less = []<class T>(const T& a, const T& b) { return Scalar<T>::less(a, b); };
 /// condition ? a : b; where an interval cannot decide, the hull of both.
-inline constexpr vocabulary::Select select{};
+inline constexpr auto select = []<class Condition, class T>(const Condition& condition, const T& a,
+                                                            const T& b) -> T {
+  return Scalar<T>::select(condition, a, b);
+};
 /// select(condition, a(), b()) for expensive branches: if the condition is decided, only one branch is
 /// computed.
 inline constexpr vocabulary::Choose choose{};
-inline constexpr vocabulary::Min min{};
-inline constexpr vocabulary::Max max{};
+inline constexpr auto min = []<class T>(const T& a, const T& b) -> T { return Scalar<T>::min(a, b); };
+inline constexpr auto max = []<class T>(const T& a, const T& b) -> T { return Scalar<T>::max(a, b); };
 /// max(x, 0), the clamp that shaders write as saturate or max(dot, 0).
-inline constexpr vocabulary::PositivePart positive_part{};
+inline constexpr auto positive_part = []<class T>(const T& x) -> T {
+  return Scalar<T>::max(x, Scalar<T>::integer(0));
+};
 /// power(x, int) or power(x, real) for x >= 0.
 inline constexpr vocabulary::Power power{};
 
