@@ -1,7 +1,6 @@
 #pragma once
 
 #include <concepts>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,9 +24,6 @@ auto in_format(std::string_view name, const Call& call) {
 template <class T>
 double widened(T x) {
   return static_cast<double>(x);
-}
-inline double widened(Eigen::half x) {
-  return static_cast<double>(static_cast<float>(x));
 }
 
 /// A double rounded to the format, once.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "approx/scalar.hpp"
+#include "fit/scalars/scalar_in_double.hpp"
 
 /// The adapter of Eigen::half, the 16-bit format that a mobile GPU computes in.
 namespace shadefit {
@@ -23,35 +23,7 @@ inline Eigen::half round_to_half(double x) {
   return Eigen::half(narrow);
 }
 
-/// Each function is evaluated in double and rounded once: what the best hardware of that format could return.
 template <>
-struct Scalar<Eigen::half> {
-  using half = Eigen::half;
-
-  static half exp(half x) { return round_to_half(std::exp(wide(x))); }
-  static half exp2(half x) { return round_to_half(std::exp2(wide(x))); }
-  static half log(half x) { return round_to_half(std::log(wide(x))); }
-  static half log2(half x) { return round_to_half(std::log2(wide(x))); }
-  static half expm1(half x) { return round_to_half(std::expm1(wide(x))); }
-  static half log1p(half x) { return round_to_half(std::log1p(wide(x))); }
-  static half log1p_remainder(half x) { return round_to_half(Scalar<double>::log1p_remainder(wide(x))); }
-  static half erfc(half x) { return round_to_half(std::erfc(wide(x))); }
-  static half sqrt(half x) { return round_to_half(std::sqrt(wide(x))); }
-  static half sin(half x) { return round_to_half(std::sin(wide(x))); }
-  static half cos(half x) { return round_to_half(std::cos(wide(x))); }
-  static half atan(half x) { return round_to_half(std::atan(wide(x))); }
-  static half power(half x, half p) { return round_to_half(std::pow(wide(x), wide(p))); }
-  static bool less(half a, half b) { return a < b; }
-  static half select(bool condition, half a, half b) { return condition ? a : b; }
-  static half min(half a, half b) { return b < a ? b : a; }
-  static half max(half a, half b) { return a < b ? b : a; }
-  static half integer(int n) { return half(static_cast<float>(n)); }
-  static half from_decimal(std::string_view decimal) { return round_to_half(constant<double>(decimal)); }
-  static half pi() { return round_to_half(Scalar<double>::pi()); }
-  static half ln2() { return round_to_half(Scalar<double>::ln2()); }
-
- private:
-  static double wide(half x) { return static_cast<double>(static_cast<float>(x)); }
-};
+struct Scalar<Eigen::half> : ScalarInDouble<Eigen::half, round_to_half> {};
 
 }  // namespace shadefit

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string_view>
 
-#include "approx/scalar.hpp"
+#include "fit/scalars/scalar_in_double.hpp"
 
 /// Arithmetic in a binary format that is narrower than a double, on operands that need not be of it.
 namespace shadefit {
@@ -91,37 +91,9 @@ class NarrowResult {
   double value_ = 0;
 };
 
-/// Each function is evaluated in double and rounded once. For exp, exp2, log and log2 of every half and every
-/// bfloat16 that is the correctly rounded result: none lies so near a tie that a double's error could move it
-/// (tests/fit/scalars/narrow_result_test.cpp).
+/// For exp, exp2, log and log2 of every half and every bfloat16 this is the correctly rounded result: none
+/// lies so near a tie that a double's error could move it (tests/fit/scalars/narrow_result_test.cpp).
 template <class Format>
-struct Scalar<NarrowResult<Format>> {
-  using T = NarrowResult<Format>;
-
-  static T exp(T x) { return T::rounded(std::exp(wide(x))); }
-  static T exp2(T x) { return T::rounded(std::exp2(wide(x))); }
-  static T log(T x) { return T::rounded(std::log(wide(x))); }
-  static T log2(T x) { return T::rounded(std::log2(wide(x))); }
-  static T expm1(T x) { return T::rounded(std::expm1(wide(x))); }
-  static T log1p(T x) { return T::rounded(std::log1p(wide(x))); }
-  static T log1p_remainder(T x) { return T::rounded(Scalar<double>::log1p_remainder(wide(x))); }
-  static T sqrt(T x) { return T::rounded(std::sqrt(wide(x))); }
-  static T sin(T x) { return T::rounded(std::sin(wide(x))); }
-  static T cos(T x) { return T::rounded(std::cos(wide(x))); }
-  static T atan(T x) { return T::rounded(std::atan(wide(x))); }
-  static T erfc(T x) { return T::rounded(std::erfc(wide(x))); }
-  static T power(T x, T p) { return T::rounded(std::pow(wide(x), wide(p))); }
-  static bool less(T a, T b) { return a < b; }
-  static T select(bool condition, T a, T b) { return condition ? a : b; }
-  static T min(T a, T b) { return b < a ? b : a; }
-  static T max(T a, T b) { return a < b ? b : a; }
-  static T integer(int n) { return T::rounded(n); }
-  static T from_decimal(std::string_view decimal) { return T::rounded(constant<double>(decimal)); }
-  static T pi() { return T::rounded(Scalar<double>::pi()); }
-  static T ln2() { return T::rounded(Scalar<double>::ln2()); }
-
- private:
-  static double wide(T x) { return static_cast<double>(x); }
-};
+struct Scalar<NarrowResult<Format>> : ScalarInDouble<NarrowResult<Format>, NarrowResult<Format>::rounded> {};
 
 }  // namespace shadefit

@@ -185,8 +185,8 @@ class RoundedInterval {
   }
 
   /// A rising function of the arithmetic.
-  template <class Function>
-  static RoundedInterval rising(const RoundedInterval& x, const Function& function) {
+  template <Ends (*function)(Ends)>
+  static RoundedInterval rising(const RoundedInterval& x) {
     return RoundedInterval(valid(function(x.ends_)));
   }
   /// x^p, x >= 0: it rises or falls with either operand, so that it lies between its corners.
@@ -236,24 +236,12 @@ template <class Arithmetic>
 struct Scalar<RoundedInterval<Arithmetic>> {
   using T = RoundedInterval<Arithmetic>;
 
-  static T exp(const T& x) {
-    return T::rising(x, [](Ends e) { return Arithmetic::exp(e); });
-  }
-  static T exp2(const T& x) {
-    return T::rising(x, [](Ends e) { return Arithmetic::exp2(e); });
-  }
-  static T log(const T& x) {
-    return T::rising(x, [](Ends e) { return Arithmetic::log(e); });
-  }
-  static T log2(const T& x) {
-    return T::rising(x, [](Ends e) { return Arithmetic::log2(e); });
-  }
-  static T log1p(const T& x) {
-    return T::rising(x, [](Ends e) { return Arithmetic::log1p(e); });
-  }
-  static T sqrt(const T& x) {
-    return T::rising(x, [](Ends e) { return Arithmetic::sqrt(e); });
-  }
+  static T exp(const T& x) { return T::template rising<Arithmetic::exp>(x); }
+  static T exp2(const T& x) { return T::template rising<Arithmetic::exp2>(x); }
+  static T log(const T& x) { return T::template rising<Arithmetic::log>(x); }
+  static T log2(const T& x) { return T::template rising<Arithmetic::log2>(x); }
+  static T log1p(const T& x) { return T::template rising<Arithmetic::log1p>(x); }
+  static T sqrt(const T& x) { return T::template rising<Arithmetic::sqrt>(x); }
   static T power(const T& x, const T& p) { return T::power(x, p); }
   static T integer(int n) { return T(n); }
 };
