@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,14 +10,14 @@
 namespace shadefit {
 
 /// The items between the separators, without the blanks around them. A text without a separator is one item.
-inline std::vector<std::string_view> items_of(std::string_view text, char separator = ',') {
-  std::vector<std::string_view> items;
+inline std::vector<std::string> items_of(std::string_view text, char separator = ',') {
+  std::vector<std::string> items;
   while (true) {
     const auto end = text.find(separator);
     std::string_view item = text.substr(0, end);
     while (item.starts_with(' ')) item.remove_prefix(1);
     while (item.ends_with(' ')) item.remove_suffix(1);
-    items.push_back(item);
+    items.emplace_back(item);
     if (end == std::string_view::npos) return items;
     text.remove_prefix(end + 1);
   }
@@ -25,7 +26,7 @@ inline std::vector<std::string_view> items_of(std::string_view text, char separa
 /// The same as numbers. Throws std::invalid_argument where an item is none.
 inline std::vector<double> numbers_of(std::string_view text, char separator = ',') {
   std::vector<double> numbers;
-  for (const std::string_view item : items_of(text, separator)) numbers.push_back(number_of(item));
+  for (const std::string& item : items_of(text, separator)) numbers.push_back(number_of(item));
   return numbers;
 }
 

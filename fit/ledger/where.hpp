@@ -6,7 +6,6 @@
 
 #include "fit/errors/extremum.hpp"
 #include "fit/support/decimal.hpp"
-#include "fit/verdicts/verdict.hpp"
 
 /// On which part something holds.
 namespace shadefit {
@@ -47,12 +46,6 @@ inline std::string ranges_in_words(const std::vector<std::pair<double, double>>&
   for (const auto& [from, to] : ranges)
     words.push_back("from c = " + decimal(from, digits) + " to " + decimal(to, digits));
   return words.empty() ? "nowhere" : enumerated(words);
-}
-
-/// `confirmed` where something holds in all cases, `conditional` where in some, `refuted` where in none.
-constexpr Verdict verdict_of_part(long holds_in, long of) {
-  if (holds_in == of) return Verdict::confirmed;
-  return holds_in > 0 ? Verdict::conditional : Verdict::refuted;
 }
 
 }  // namespace shadefit

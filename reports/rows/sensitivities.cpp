@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/rows/fit_json.hpp"
 #include "reports/table/table.hpp"
 #include "reports/table/writers.hpp"
 
@@ -71,10 +72,6 @@ Table contracts_table(const Sensitivity& sensitivity) {
   return table;
 }
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json();
-}
-
 Json common_json(const Fit& fit, const std::optional<CommonDigits>& common) {
   if (!common) return {};
   const auto names = find_family(fit.family->id)->parameters;
@@ -118,7 +115,7 @@ Json sensitivity_json(const Fit& fit, const Sensitivity& sensitivity) {
     parameters[std::string(p.parameter)] = {
         {"within_1_percent", p.noticeable_digits},
         {"within_0.1_percent", p.slight_digits},
-        {"profile_1_percent", {number_or_null(p.lower), number_or_null(p.upper)}}};
+        {"profile_1_percent", {optional_json(p.lower), optional_json(p.upper)}}};
   }
   for (const OtherContract& contract : sensitivity.contracts) contracts.push_back(contract_json(contract));
   return {{"objective", sensitivity.objective},

@@ -13,8 +13,8 @@
 #include "fit/errors/effect.hpp"
 #include "fit/ledger/colour/half_banding.hpp"
 #include "fit/ledger/formats.hpp"
+#include "fit/ledger/list.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/ledger/words.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -61,7 +61,7 @@ double last_visible_power() {
 
 Finding gaussian_at_zero(const Claim& claim) {
   const double power = given(claim, "power");
-  const auto formats = words_of(claim.inputs.at("formats"));
+  const auto formats = items_of(claim.inputs.at("formats"));
   std::vector<std::string> zero, nonzero, last, last_normal;
   bool power_is_zero = true;
   for (const std::string& format : formats) {
@@ -165,8 +165,8 @@ Overflow overflow_in(std::string_view format) {
 }
 
 Finding nan_at_zero(const Claim& claim) {
-  const auto formats = words_of(claim.inputs.at("formats"));
-  const auto exponents = words_of(claim.inputs.at("exponents"));
+  const auto formats = items_of(claim.inputs.at("formats"));
+  const auto exponents = items_of(claim.inputs.at("exponents"));
   const double largest = given(claim, "powers up to");
   std::size_t nan = 0, zero = 0;
   const std::string of_nan = exponents_that(

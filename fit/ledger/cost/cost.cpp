@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "fit/errors/effect.hpp"
+#include "fit/ledger/list.hpp"
 #include "fit/ledger/lobes/shader_forms.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/ledger/words.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -33,7 +33,7 @@ Operations instructions_of(std::string_view text) {
       Named{"EXP2", &Operations::exp2},    Named{"LOG2", &Operations::log2},
       Named{"DOT3", &Operations::dot3},    Named{"DOT4", &Operations::dot4}};
   Operations found;
-  for (const std::string& word : words_of(text)) {
+  for (const std::string& word : items_of(text, ' ')) {
     const auto named =
         std::find_if(known.begin(), known.end(), [&](const Named& k) { return k.name == word; });
     if (named == known.end()) throw std::invalid_argument(fmt::format("no instruction '{}'", word));
@@ -176,8 +176,7 @@ Finding mip_level_cost(const Claim& claim) {
 
 Finding power_four_cost(const Claim& claim) {
   InstructionSet with_scales;
-  for (const std::string& scale : words_of(claim.inputs.at("free scales of a result")))
-    with_scales.free_scales.push_back(number_of(scale));
+  with_scales.free_scales = numbers_of(claim.inputs.at("free scales of a result"), ' ');
   const std::string_view form = claim.inputs.at("by exp2"), squared = claim.inputs.at("by squaring");
   const Operations count = count_form(form), scaled = count_form(form, with_scales);
   const Operations squaring = count_form(squared);

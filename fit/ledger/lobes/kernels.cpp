@@ -15,7 +15,6 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/ledger/lobes/lobe_rule.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/ledger/where.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -325,7 +324,8 @@ Finding other_kernels(const Claim& claim) {
   const auto of = static_cast<long>(contests.size());
   const Contest &first = contests.front(), &last = contests.back();
   return {
-      is_known ? std::optional(verdict_of_part(won, of)) : std::nullopt,
+      is_known ? std::optional(verdict_of_cases(static_cast<std::size_t>(won), contests.size()))
+               : std::nullopt,
       fmt::format("smallest at {} of {}", won, counted(of, "exponent")),
       fmt::format(
           "among {} from {:.6g} to {:.6g} the smallest rms error (x read as the {}) is {}. Without kernels "

@@ -285,10 +285,7 @@ Finding offset_matters(const Claim& claim) {
       *std::max_element(gaps.begin(), gaps.end(),
                         [&](const OffsetGap& a, const OffsetGap& b) { return a.at(from) < b.at(from); });
   return {
-      held == std::ssize(gaps) ? Verdict::confirmed
-      : held > 0               ? Verdict::conditional
-                               : Verdict::refuted,
-      fmt::format("k = {:.4g}", start),
+      verdict_of_cases(static_cast<std::size_t>(held), gaps.size()), fmt::format("k = {:.4g}", start),
       fmt::format(
           "{} the forms differ by less than {:.3g}: {}. All of them do from k = {:.4g} on. They differ by "
           "at most one 8-bit sRGB code, in the same order, {}",

@@ -19,10 +19,6 @@
 namespace shadefit {
 namespace {
 
-double input(const Claim& claim, std::string_view name) {
-  return given(claim, name);
-}
-
 /// The unrounded optimum of a Fresnel family under the cosine measure.
 std::vector<double> optimum(std::string_view family) {
   return find_family(family)->fit({}, {}).parameters;
@@ -80,7 +76,7 @@ std::string effect_at_normal(double weight, double f0) {
 
 /// The closed form beside the fit.
 Finding sharpness_of_offset(const Claim& claim) {
-  const double closed = one_term_sharpness(input(claim, "x"));
+  const double closed = one_term_sharpness(given(claim, "x"));
   const Verdict verdict = judge(claim.printed[0].value, {"", closed}, {}).verdict;
   return {
       verdict, decimal(closed, 10),
@@ -88,7 +84,7 @@ Finding sharpness_of_offset(const Claim& claim) {
 }
 
 Finding one_term_at_one(const Claim& claim) {
-  const double value = fresnel_one_term(1.0, input(claim, "A")), f0 = input(claim, "f0");
+  const double value = fresnel_one_term(1.0, given(claim, "A")), f0 = given(claim, "f0");
   const double best = optimum("fresnel-one-term")[0];
   return {
       judge(claim.printed[0].value, {"", value}, {}).verdict, decimal(value, 10),
@@ -100,12 +96,12 @@ Finding one_term_at_one(const Claim& claim) {
 }
 
 Finding quadratic_at_one(const Claim& claim) {
-  const double value = fresnel_quadratic(1.0, input(claim, "a"), input(claim, "b"));
-  const double ratio = fresnel_one_term(1.0, input(claim, "A")) / value, f0 = input(claim, "f0");
+  const double value = fresnel_quadratic(1.0, given(claim, "a"), given(claim, "b"));
+  const double ratio = fresnel_one_term(1.0, given(claim, "A")) / value, f0 = given(claim, "f0");
   const auto pair = optimum("fresnel-quadratic");
   const double best = fresnel_quadratic(1.0, pair[0], pair[1]);
   const double best_ratio = fresnel_one_term(1.0, optimum("fresnel-one-term")[0]) / best;
-  const double of_printed = input(claim, "exp2(-A) as printed") / number_of(claim.printed[0].value);
+  const double of_printed = given(claim, "exp2(-A) as printed") / number_of(claim.printed[0].value);
   const std::array parts{judge(claim.printed[0].value, {"", value}, {}).verdict,
                          judge(claim.printed[1].value, {"", ratio}, {}).verdict};
   return {
@@ -205,10 +201,10 @@ std::optional<Verdict> verdict_of_comparison(const Comparison& c) {
 }
 
 Finding power_four(const Claim& claim) {
-  const int n = static_cast<int>(std::lround(input(claim, "power")));
-  const double f0 = input(claim, "f0");
+  const int n = static_cast<int>(std::lround(given(claim, "power")));
+  const double f0 = given(claim, "f0");
   const auto power_form = [=]<class T>(const T& c) { return grazing_power(c, n); };
-  const auto gaussian = one_term(input(claim, "A"));
+  const auto gaussian = one_term(given(claim, "A"));
   const Distance of_power = distance_from_schlick(power_form, f0);
   const Distance of_gaussian = distance_from_schlick(gaussian, f0);
   const Comparison comparison = compare(of_power, of_gaussian);
@@ -230,9 +226,9 @@ Finding power_four(const Claim& claim) {
 }
 
 Finding relative_errors(const Claim& claim) {
-  const double f0 = input(claim, "f0"), far_smaller = input(claim, "far smaller");
-  const auto pair = quadratic(input(claim, "a"), input(claim, "b"));
-  const auto single = one_term(input(claim, "A"));
+  const double f0 = given(claim, "f0"), far_smaller = given(claim, "far smaller");
+  const auto pair = quadratic(given(claim, "a"), given(claim, "b"));
+  const auto single = one_term(given(claim, "A"));
   const auto of_pair = relative_error(pair, f0);
   const auto of_single = relative_error(single, f0);
   const Extremum small = largest_over_cosine(of_pair), large = largest_over_cosine(of_single);
@@ -255,7 +251,7 @@ Finding relative_errors(const Claim& claim) {
 }
 
 Finding exponent_sum(const Claim& claim) {
-  const double sum = fresnel_quadratic_exponent(1.0, input(claim, "a"), input(claim, "b"));
+  const double sum = fresnel_quadratic_exponent(1.0, given(claim, "a"), given(claim, "b"));
   const auto pair = optimum("fresnel-quadratic");
   const double best = fresnel_quadratic_exponent(1.0, pair[0], pair[1]);
   const std::string_view printed = claim.printed[0].value;
@@ -293,8 +289,8 @@ HalfExcess excess_in_half(int steps) {
 }
 
 Finding roughness_range(const Claim& claim) {
-  const int steps = static_cast<int>(std::lround(input(claim, "steps")));
-  const double highest = schlick_weight(input(claim, "from")), lowest = schlick_weight(input(claim, "to"));
+  const int steps = static_cast<int>(std::lround(given(claim, "steps")));
+  const double highest = schlick_weight(given(claim, "from")), lowest = schlick_weight(given(claim, "to"));
   double outside = 0;  // how far F leaves its range
   Effect effect;
   int pairs = 0, flat = 0;

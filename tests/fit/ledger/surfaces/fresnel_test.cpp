@@ -116,9 +116,9 @@ TEST(Fresnel, TheExponentAtNormalIncidenceIsTheSum) {
 }
 
 TEST(Where, APartIsACondition) {
-  EXPECT_EQ(verdict_of_part(3, 3), Verdict::confirmed);
-  EXPECT_EQ(verdict_of_part(1, 3), Verdict::conditional);
-  EXPECT_EQ(verdict_of_part(0, 3), Verdict::refuted);
+  EXPECT_EQ(verdict_of_cases(3, 3), Verdict::confirmed);
+  EXPECT_EQ(verdict_of_cases(1, 3), Verdict::conditional);
+  EXPECT_EQ(verdict_of_cases(0, 3), Verdict::refuted);
 }
 
 TEST(Where, FindsTheRangesAndTheirEnds) {

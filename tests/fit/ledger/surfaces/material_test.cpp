@@ -146,8 +146,8 @@ TEST(TransferFunction, ReadsNamesAndDecodes) {
 }
 
 TEST(List, IsReadByItsSeparator) {
-  EXPECT_EQ(items_of("a b,  c"), (std::vector<std::string_view>{"a b", "c"}));
-  EXPECT_EQ(items_of("one"), std::vector<std::string_view>{"one"});
+  EXPECT_EQ(items_of("a b,  c"), (std::vector<std::string>{"a b", "c"}));
+  EXPECT_EQ(items_of("one"), std::vector<std::string>{"one"});
   EXPECT_EQ(numbers_of("0.5, -1"), (std::vector<double>{0.5, -1}));
   EXPECT_EQ(numbers_of("5 10", ' '), (std::vector<double>{5, 10}));
   EXPECT_THROW(numbers_of("1,, 2"), std::invalid_argument);
