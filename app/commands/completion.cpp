@@ -4,10 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <array>
-#include <functional>
-#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>

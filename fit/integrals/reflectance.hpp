@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/minima.hpp>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>

@@ -1,6 +1,5 @@
 #include "fit/ledger/ledger.hpp"
 
-#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>

@@ -1,6 +1,5 @@
 #include "fit/ledger/published.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <queue>
-#include <string_view>
 #include <utility>
 #include <vector>
 

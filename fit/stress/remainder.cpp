@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "approx/scalar.hpp"
 #include "fit/stress/regimes.hpp"

@@ -1,8 +1,6 @@
 #include "approx/von_mises_fisher.hpp"
 #include "approx/full_range.hpp"
 
-#include <cmath>
-
 #include "fit/stress/regimes.hpp"
 
 namespace shadefit {

@@ -1,8 +1,6 @@
 #include "reports/code/reserved_names.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <initializer_list>
 
 namespace shadefit {

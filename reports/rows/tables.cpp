@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "approx/ledger/catalogue.hpp"
 #include "reports/rows/citation.hpp"
 

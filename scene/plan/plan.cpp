@@ -1,7 +1,6 @@
 #include "scene/plan/plan.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "approx/gloss.hpp"

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>

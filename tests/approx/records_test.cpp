@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <string>
 
 #include "approx/ledger/catalogue.hpp"
 #include "fit/fit.hpp"

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 

@@ -1,6 +1,5 @@
 #include "approx/dither.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -3,7 +3,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <string>
 
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "fit/ledger/list.hpp"
 #include "fit/support/format.hpp"

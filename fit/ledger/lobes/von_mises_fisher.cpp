@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "fit/ledger/topics.hpp"
 #include "fit/quadrature/integrate.hpp"

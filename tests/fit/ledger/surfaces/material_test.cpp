@@ -1,7 +1,6 @@
 #include "approx/material.hpp"
 #include "approx/ledger/material.hpp"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 

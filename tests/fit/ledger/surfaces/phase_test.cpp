@@ -1,7 +1,6 @@
 #include "approx/phase.hpp"
 #include "approx/ledger/phase.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "fit/quadrature/integrate.hpp"
