@@ -14,6 +14,7 @@
 #include "fit/run/results.hpp"
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/solve/weight.hpp"
+#include "fit/support/known.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 

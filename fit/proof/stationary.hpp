@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/fit.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// Proves that the stationary point of a least-squares integral exists near a fit and is unique.
 namespace shadefit {

@@ -1,30 +1,39 @@
 #pragma once
 
 #include <array>
+#include <tuple>
+#include <variant>
+#include <vector>
 
 #include "approx/cosine.hpp"
+#include "fit/families/families.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/solve/solution.hpp"
 
-/// The solvers of a family, compiled apart from their callers and from each other: in one unit they are each
-/// inlined less, and the plain fit takes half as long again.
+/// The solvers of a family. They are compiled apart from their callers and from each other: in one unit the
+/// compiler inlines less, and a plain fit takes half as long again.
 namespace shadefit {
 
+template <class List>
+struct OneOf;
+template <class... F>
+struct OneOf<std::tuple<F...>> {
+  using type = std::variant<F...>;
+};
+
+/// Any of the `Families`, with its setting. The solvers are compiled for each of them.
+using AnyFamily = OneOf<Families>::type;
+
 /// Plain least squares: of the absolute error, without weight, with all parameters free.
-template <class F>
-Solution solve_plain(const F& family, const Metric& metric);
+Solution solve_plain(const AnyFamily& family, const Metric& metric);
 
-/// Three points to start from.
-template <class F>
-using FamilyStarts = std::array<std::array<double, F::parameters.size()>, 3>;
-
-/// The same from other starts than the family's own.
-template <class F>
-Solution solve_plain_from(const F& family, const Metric& metric, const FamilyStarts<F>& starts);
+/// The same from other starts than the family's own: three points with as many numbers as the family has
+/// parameters.
+Solution solve_plain_from(const AnyFamily& family, const Metric& metric,
+                          const std::array<std::vector<double>, 3>& starts);
 
 /// A family under a metric whose places that count lie between `top` and `bottom`.
-template <class F>
-Solution solve_under(const F& family, const Metric& metric, const Cosine<double>& top,
+Solution solve_under(const AnyFamily& family, const Metric& metric, const Cosine<double>& top,
                      const Cosine<double>& bottom);
 
 }  // namespace shadefit

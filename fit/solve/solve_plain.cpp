@@ -1,4 +1,7 @@
-#include "fit/families/families.hpp"
+#include <algorithm>
+#include <cstddef>
+#include <variant>
+
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/solve/solve.hpp"
 
@@ -17,38 +20,21 @@ Solution solution_of(const Optimum<N>& optimum) {
 
 }  // namespace
 
-template <class F>
-Solution solve_plain(const F& family, const Metric& metric) {
-  return solution_of(solve_least_squares(family, metric));
+Solution solve_plain(const AnyFamily& any, const Metric& metric) {
+  return std::visit([&](const auto& family) { return solution_of(solve_least_squares(family, metric)); },
+                    any);
 }
 
-template <class F>
-Solution solve_plain_from(const F& family, const Metric& metric, const FamilyStarts<F>& starts) {
-  return solution_of(LeastSquares<F>(family, metric).solve(starts));
+Solution solve_plain_from(const AnyFamily& any, const Metric& metric,
+                          const std::array<std::vector<double>, 3>& starts) {
+  return std::visit(
+      [&]<class F>(const F& family) {
+        Starts<static_cast<int>(F::parameters.size())> points;
+        for (std::size_t i = 0; i < points.size(); ++i)
+          std::copy_n(starts[i].begin(), points[i].size(), points[i].begin());
+        return solution_of(LeastSquares<F>(family, metric).solve(points));
+      },
+      any);
 }
-
-template Solution solve_plain(const SgOffset&, const Metric&);
-template Solution solve_plain(const FresnelOneTerm&, const Metric&);
-template Solution solve_plain(const FresnelQuadratic&, const Metric&);
-template Solution solve_plain(const PhongBlinn&, const Metric&);
-template Solution solve_plain(const SgScaled&, const Metric&);
-template Solution solve_plain(const FresnelCubic&, const Metric&);
-template Solution solve_plain(const FresnelQuartic&, const Metric&);
-template Solution solve_plain(const FresnelFourth&, const Metric&);
-template Solution solve_plain(const FresnelSquare&, const Metric&);
-template Solution solve_plain(const FresnelRational&, const Metric&);
-
-template Solution solve_plain_from(const SgOffset&, const Metric&, const FamilyStarts<SgOffset>&);
-template Solution solve_plain_from(const FresnelOneTerm&, const Metric&, const FamilyStarts<FresnelOneTerm>&);
-template Solution solve_plain_from(const FresnelQuadratic&, const Metric&,
-                                   const FamilyStarts<FresnelQuadratic>&);
-template Solution solve_plain_from(const PhongBlinn&, const Metric&, const FamilyStarts<PhongBlinn>&);
-template Solution solve_plain_from(const SgScaled&, const Metric&, const FamilyStarts<SgScaled>&);
-template Solution solve_plain_from(const FresnelCubic&, const Metric&, const FamilyStarts<FresnelCubic>&);
-template Solution solve_plain_from(const FresnelQuartic&, const Metric&, const FamilyStarts<FresnelQuartic>&);
-template Solution solve_plain_from(const FresnelFourth&, const Metric&, const FamilyStarts<FresnelFourth>&);
-template Solution solve_plain_from(const FresnelSquare&, const Metric&, const FamilyStarts<FresnelSquare>&);
-template Solution solve_plain_from(const FresnelRational&, const Metric&,
-                                   const FamilyStarts<FresnelRational>&);
 
 }  // namespace shadefit

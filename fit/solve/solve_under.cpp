@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <variant>
 
-#include "fit/families/families.hpp"
 #include "fit/solve/solve.hpp"
 
 namespace shadefit {
@@ -25,28 +25,13 @@ Solution solve_with_at_most(const F& family, const Metric& metric, const Cosine<
 
 }  // namespace
 
-template <class F>
-Solution solve_under(const F& family, const Metric& metric, const Cosine<double>& top,
+Solution solve_under(const AnyFamily& any, const Metric& metric, const Cosine<double>& top,
                      const Cosine<double>& bottom) {
-  return solve_with_at_most<F::parameters.size()>(family, metric, top, bottom);
+  return std::visit(
+      [&]<class F>(const F& family) {
+        return solve_with_at_most<F::parameters.size()>(family, metric, top, bottom);
+      },
+      any);
 }
-
-template Solution solve_under(const SgOffset&, const Metric&, const Cosine<double>&, const Cosine<double>&);
-template Solution solve_under(const FresnelOneTerm&, const Metric&, const Cosine<double>&,
-                              const Cosine<double>&);
-template Solution solve_under(const FresnelQuadratic&, const Metric&, const Cosine<double>&,
-                              const Cosine<double>&);
-template Solution solve_under(const PhongBlinn&, const Metric&, const Cosine<double>&, const Cosine<double>&);
-template Solution solve_under(const SgScaled&, const Metric&, const Cosine<double>&, const Cosine<double>&);
-template Solution solve_under(const FresnelCubic&, const Metric&, const Cosine<double>&,
-                              const Cosine<double>&);
-template Solution solve_under(const FresnelQuartic&, const Metric&, const Cosine<double>&,
-                              const Cosine<double>&);
-template Solution solve_under(const FresnelFourth&, const Metric&, const Cosine<double>&,
-                              const Cosine<double>&);
-template Solution solve_under(const FresnelSquare&, const Metric&, const Cosine<double>&,
-                              const Cosine<double>&);
-template Solution solve_under(const FresnelRational&, const Metric&, const Cosine<double>&,
-                              const Cosine<double>&);
 
 }  // namespace shadefit
