@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "approx/records/record.hpp"
 #include "approx/records/sources.hpp"

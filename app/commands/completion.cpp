@@ -4,7 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <functional>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>

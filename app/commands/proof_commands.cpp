@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "app/commands/commands.hpp"
 #include "app/options/chosen_constants.hpp"
 #include "app/options/fit_arguments.hpp"

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
 
 #include "approx/exp2_polynomial.hpp"
 #include "fit/exp2/exp2_error.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/minima.hpp>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>

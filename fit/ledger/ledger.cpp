@@ -1,5 +1,6 @@
 #include "fit/ledger/ledger.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <string>

@@ -1,5 +1,6 @@
 #include "fit/ledger/published.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "fit/family_visit.hpp"
 #include "fit/proof/certificate.hpp"

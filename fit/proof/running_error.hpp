@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "fit/family_visit.hpp"
 #include "fit/least_squares/positive_definite.hpp"

@@ -1,6 +1,8 @@
 #include "approx/phase.hpp"
 #include "approx/full_range.hpp"
 
+#include <cmath>
+
 #include "fit/stress/regimes.hpp"
 
 namespace shadefit {

@@ -1,3 +1,4 @@
+#include <cmath>
 
 #include "approx/scalar.hpp"
 #include "fit/stress/regimes.hpp"

@@ -1,6 +1,8 @@
 #include "approx/von_mises_fisher.hpp"
 #include "approx/full_range.hpp"
 
+#include <cmath>
+
 #include "fit/stress/regimes.hpp"
 
 namespace shadefit {

@@ -1,6 +1,8 @@
 #include "reports/code/reserved_names.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <initializer_list>
 
 namespace shadefit {

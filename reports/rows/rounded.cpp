@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "fit/scalars/rounded_interval.hpp"
 #include "fit/support/hex_float.hpp"

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "approx/ledger/catalogue.hpp"
 #include "reports/rows/citation.hpp"
 

@@ -1,6 +1,7 @@
 #include "scene/plan/choose_lobe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>

@@ -1,6 +1,7 @@
 #include "scene/plan/lobe_error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 

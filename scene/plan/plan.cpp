@@ -1,6 +1,7 @@
 #include "scene/plan/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "approx/gloss.hpp"

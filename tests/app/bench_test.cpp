@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>

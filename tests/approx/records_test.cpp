@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "approx/ledger/catalogue.hpp"
 #include "fit/fit.hpp"

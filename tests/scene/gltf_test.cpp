@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "scene/gltf/read_gltf.hpp"
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"

@@ -1,5 +1,6 @@
 #include "approx/dither.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>

@@ -3,6 +3,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include "approx/encoding.hpp"
 #include "approx/lobe.hpp"

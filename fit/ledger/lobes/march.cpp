@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "fit/ledger/list.hpp"
 #include "fit/support/format.hpp"

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "fit/ledger/topics.hpp"
 #include "fit/quadrature/integrate.hpp"

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "fit/proof/enclosed_integral.hpp"
 #include "fit/scalars/multiprecision.hpp"

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "fit/rounding/lattice.hpp"
 #include "fit/scalars/multiprecision.hpp"

@@ -2,6 +2,7 @@
 #include "approx/ledger/kernels.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
+#include <cmath>
 #include <vector>
 
 #include "approx/lobe.hpp"

@@ -1,6 +1,9 @@
 #include "approx/phong_blinn.hpp"
 #include "approx/ledger/phong_blinn.hpp"
 
+#include <array>
+#include <cmath>
+
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/decimal.hpp"
 #include "tests/accuracy.hpp"

@@ -1,6 +1,7 @@
 #include "approx/material.hpp"
 #include "approx/ledger/material.hpp"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 

@@ -1,6 +1,7 @@
 #include "approx/phase.hpp"
 #include "approx/ledger/phase.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "fit/quadrature/integrate.hpp"
