@@ -34,7 +34,7 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
                  "'norm-phong' is integrated, not fitted: see 'shadefit run --only norm-phong'");
   expect_refusal({"plot"},
                  "unknown command 'plot': it must be one of list, run, fit, better, certify, verify, "
-                 "emit, scene, explain, bench, stress, check, help");
+                 "emit, scene, explain, cite, bench, stress, check, help");
   expect_refusal({"fit", "sg\n-offset"},
                  "unknown constant to fit 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");
@@ -379,7 +379,7 @@ TEST(BadInput, Usage) {
   const auto see = [](const std::string& help) { return " (see 'shadefit help" + help + "')"; };
   expect_refusal(
       {},
-      "name a command: list, run, fit, better, certify, verify, emit, scene, explain, bench, stress, "
+      "name a command: list, run, fit, better, certify, verify, emit, scene, explain, cite, bench, stress, "
       "check, help" +
           see(""));
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
