@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "bench/tradeoff/front.hpp"
 #include "bench/tradeoff/labels.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/gnuplot_text.hpp"
@@ -33,62 +34,75 @@ Axis axis_around(const std::vector<double>& values, double free_below, double fr
   return {*low * std::pow(10, -free_below * decades), *high * std::pow(10, free_above * decades)};
 }
 
-/// What is drawn: the front first, in its order, so that a line joins it.
+/// What is drawn: few marks, each with its name.
 struct Drawn {
-  std::vector<TimedForm> front, others;
-
-  std::vector<TimedForm> all() const {
-    std::vector<TimedForm> rows = front;
-    rows.insert(rows.end(), others.begin(), others.end());
-    return rows;
-  }
+  std::vector<TimedForm> front;   ///< the fastest first, so that a line joins them
+  std::vector<TimedForm> others;  ///< one for each form that is not on the front, and the references
 };
 
 /// A logarithmic axis has no place for an error of 0.
 bool is_drawable(const TimedForm& timed) {
-  return *timed.max_abs_error > 0 && std::isfinite(*timed.max_abs_error) && timed.ns.median > 0;
+  return !timed.is_double && timed.max_abs_error && *timed.max_abs_error > 0 &&
+         std::isfinite(*timed.max_abs_error) && timed.ns.median > 0;
 }
 
-/// The target's own formula in a scalar loop, which the fastest widths leave out.
-bool is_scalar_reference(const TimedForm& timed, const std::string& target) {
-  return timed.target == target && timed.is_reference && timed.width == forms::Width::scalar &&
-         timed.place == Place::first_cache && timed.max_abs_error.has_value();
+/// Of the constants and the degrees of exp2 of one form: the fastest, of those with an error within a
+/// hundredth of the least.
+bool is_better_mark(const TimedForm& a, const TimedForm& b) {
+  constexpr double hundredth = 1.01;
+  if (hundredth * *a.max_abs_error < *b.max_abs_error) return true;
+  return *a.max_abs_error <= hundredth * *b.max_abs_error && a.ns.median < b.ns.median;
 }
 
-bool has(const std::vector<TimedForm>& rows, const TimedForm& timed) {
-  return std::any_of(rows.begin(), rows.end(),
-                     [&](const TimedForm& other) { return is_same_way(other, timed); });
+/// The forms of a target in float, as shaders compute, each at its fastest width, and the target's own
+/// formula in scalar code.
+std::vector<TimedForm> drawable_forms(const Trade& trade, const std::string& target) {
+  std::vector<TimedForm> forms = fastest_of(trade, target);
+  for (const TimedForm& timed : trade.forms) {
+    const bool is_scalar_reference = timed.target == target && timed.is_reference &&
+                                     timed.width == forms::Width::scalar && timed.place == Place::first_cache;
+    const bool is_there = std::any_of(forms.begin(), forms.end(),
+                                      [&](const TimedForm& form) { return is_same_way(form, timed); });
+    if (is_scalar_reference && !is_there) forms.push_back(timed);
+  }
+  std::erase_if(forms, [](const TimedForm& timed) { return !is_drawable(timed); });
+  return forms;
 }
 
 Drawn drawn_of(const Trade& trade, const std::string& target) {
-  Drawn drawn{front_of_target(trade, target), fastest_of(trade, target)};
-  std::erase_if(drawn.others, [&](const TimedForm& timed) { return has(drawn.front, timed); });
-  for (const TimedForm& timed : trade.forms) {
-    if (is_scalar_reference(timed, target) && !has(drawn.front, timed) && !has(drawn.others, timed))
-      drawn.others.push_back(timed);
+  const std::vector<TimedForm> forms = drawable_forms(trade, target);
+  std::vector<Offer> offers;
+  for (const TimedForm& form : forms) offers.push_back({form.ns.median, *form.max_abs_error});
+  Drawn drawn;
+  for (const std::size_t i : front_of(offers)) drawn.front.push_back(forms[i]);
+  for (const TimedForm& form : forms) {
+    const auto is_same_mark = [&](const TimedForm& mark) {
+      return mark.form == form.form && (!form.is_reference || mark.width == form.width);
+    };
+    if (std::any_of(drawn.front.begin(), drawn.front.end(), is_same_mark)) continue;
+    const auto same = std::find_if(drawn.others.begin(), drawn.others.end(), is_same_mark);
+    if (same == drawn.others.end()) {
+      drawn.others.push_back(form);
+    } else if (is_better_mark(form, *same)) {
+      *same = form;
+    }
   }
-  std::erase_if(drawn.front, [](const TimedForm& timed) { return !is_drawable(timed); });
-  std::erase_if(drawn.others, [](const TimedForm& timed) { return !is_drawable(timed); });
   return drawn;
 }
 
-/// The series that a point belongs to, by its column.
 std::string series_of(const TimedForm& timed, bool is_on_front) {
-  if (is_on_front) return "front";
-  if (timed.is_reference) return "reference";
-  return timed.is_double ? "double" : "float";
+  return is_on_front ? "front" : timed.is_reference ? "reference" : "form";
 }
 
 Table data_of(const Drawn& drawn) {
-  Table table{{"ns", "front", "float", "double", "reference", "form", "precision", "width"}, {}};
+  Table table{{"ns", "front", "form", "reference", "name", "width"}, {}};
   const auto add = [&](const TimedForm& timed, bool is_on_front) {
     std::vector<Cell> row(table.columns.size());
     row[0] = Number{timed.ns.median, 4};
     const auto column = std::find(table.columns.begin(), table.columns.end(), series_of(timed, is_on_front));
     row[static_cast<std::size_t>(column - table.columns.begin())] = Number{*timed.max_abs_error, 4};
-    row[5] = full_id(timed);
-    row[6] = std::string(timed.is_double ? "double" : "float");
-    row[7] = std::string(forms::name(timed.width));
+    row[4] = full_id(timed);
+    row[5] = std::string(forms::name(timed.width));
     table.rows.push_back(std::move(row));
   };
   for (const TimedForm& timed : drawn.front) add(timed, true);
@@ -96,35 +110,9 @@ Table data_of(const Drawn& drawn) {
   return table;
 }
 
-/// What a point is called; off the front a reference by its width too, as there are several.
-std::string point_name(const TimedForm& timed, bool is_on_front) {
-  if (is_on_front) return timed.label + (timed.is_double ? ", double" : "");
+/// The name beside a mark. A reference stands there once for each width.
+std::string mark_name(const TimedForm& timed) {
   return timed.is_reference ? fmt::format("{} ({})", timed.form, forms::name(timed.width)) : full_id(timed);
-}
-
-/// Of the points off the front those that are named, in grey: the library's functions, and of each form in
-/// float the fastest whose error is within a hundredth of the form's least.
-std::vector<TimedForm> named_off_front(const Drawn& drawn) {
-  constexpr double hundredth = 1.01;
-  std::vector<TimedForm> named;
-  for (const TimedForm& timed : drawn.others) {
-    if (timed.is_double) continue;
-    bool is_best = true;
-    const auto compare = [&](const TimedForm& other, bool is_on_front) {
-      if (other.form != timed.form || other.is_double || timed.is_reference) return;
-      const bool is_as_exact = *other.max_abs_error <= hundredth * *timed.max_abs_error;
-      const bool is_more_exact = hundredth * *other.max_abs_error < *timed.max_abs_error;
-      // Of equal times the one of less error, and of equal ones the first.
-      const bool is_faster =
-          other.ns.median < timed.ns.median ||
-          (other.ns.median == timed.ns.median && *other.max_abs_error < *timed.max_abs_error);
-      if (is_on_front || is_more_exact || (is_as_exact && is_faster)) is_best = false;
-    };
-    for (const TimedForm& other : drawn.front) compare(other, true);
-    for (const TimedForm& other : drawn.others) compare(other, false);
-    if (is_best && !has(named, timed)) named.push_back(timed);
-  }
-  return named;
 }
 
 /// Points in a row along the line that joins others, for names to keep off.
@@ -156,15 +144,14 @@ std::string label_commands(const Drawn& drawn, const Axis& time, const Axis& err
   const auto pixel = [&](const TimedForm& timed) {
     return Pixel{area.x * time.share(timed.ns.median), area.y * (1 - error.share(*timed.max_abs_error))};
   };
-  std::vector<TimedForm> named = drawn.front;
-  for (const TimedForm& timed : named_off_front(drawn)) named.push_back(timed);
+  std::vector<TimedForm> marks = drawn.front;
+  marks.insert(marks.end(), drawn.others.begin(), drawn.others.end());
   std::vector<Pixel> points;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    points.push_back(pixel(named[i]));
-    names.push_back(point_name(named[i], i < drawn.front.size()));
+  for (const TimedForm& mark : marks) {
+    points.push_back(pixel(mark));
+    names.push_back(mark_name(mark));
   }
-  for (const TimedForm& timed : drawn.others) points.push_back(pixel(timed));
   for (std::size_t i = 1; i < drawn.front.size(); ++i)
     add_line(points, pixel(drawn.front[i - 1]), pixel(drawn.front[i]));
   const auto labels = place_labels(points, names, area);
@@ -200,32 +187,35 @@ std::string raised(std::string_view text) {
 }  // namespace
 
 bool has_pareto_figure(const Trade& trade, const TimedTarget& target) {
-  return !drawn_of(trade, target.id).all().empty();
+  return !drawn_of(trade, target.id).front.empty();
 }
 
 Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
   const Drawn drawn = drawn_of(trade, target.id);
   std::vector<double> times, errors;
-  for (const TimedForm& timed : drawn.all()) {
-    times.push_back(timed.ns.median);
-    errors.push_back(*timed.max_abs_error);
+  for (const std::vector<TimedForm>& marks : {drawn.front, drawn.others}) {
+    for (const TimedForm& mark : marks) {
+      times.push_back(mark.ns.median);
+      errors.push_back(*mark.max_abs_error);
+    }
   }
   const Axis time = axis_around(times, 0.06, 0.22), error = axis_around(errors, 0.08, 0.08);
   const std::string name = "pareto-" + target.id;
   Panel panel{
       .title = fmt::format("{}, on {}", raised(target.title), gnuplot_unmarked(trade.machine.cpu)),
-      .x_label = "ns an element, data in L1, one core",
+      .x_label = "time of an element in ns, float, data in L1, one core",
       .y_label = "largest absolute error",
       .settings = fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
                               "set format y '10^{{%L}}'\nset format x '%g'\n",
                               time.low, time.high, error.low, error.high) +
                   label_commands(drawn, time, error),
       .abscissa = "ns",
-      .curves = {
-          {.column = "front", .label = "front", .look = Look::first, .has_points = true},
-          {.column = "float", .label = "others, float", .look = Look::second, .is_joined = false},
-          {.column = "double", .label = "others, double", .look = Look::third, .is_joined = false},
-          {.column = "reference", .label = "by the library", .look = Look::fourth, .is_joined = false}}};
+      .curves = {{.column = "front", .label = "beaten by no form", .look = Look::first, .has_points = true},
+                 {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
+                 {.column = "reference",
+                  .label = "the formula, by the C library",
+                  .look = Look::fourth,
+                  .is_joined = false}}};
   // A legend names what there is.
   const Table data = data_of(drawn);
   std::erase_if(panel.curves, [&](const Curve& curve) {
@@ -238,8 +228,8 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
   return {
       .name = name,
       .family = "",
-      .caption = fmt::format("Error against time of {}: each form at its fastest width, data in L1. Forms on "
-                             "the line are beaten by none.",
+      .caption = fmt::format("Error against time of {}: each form in float at its fastest width, data in L1. "
+                             "No form is both faster and more accurate than one on the line.",
                              target.title),
       .data = data,
       .script = write_script({.name = name,

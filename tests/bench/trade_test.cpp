@@ -226,13 +226,13 @@ TEST(Pareto, ThePictureJoinsTheFrontAndNamesIt) {
   EXPECT_EQ(figure.name, "pareto-lobe");
   const std::string csv = write_csv(figure.data, Precision::report);
   EXPECT_TRUE(
-      csv.starts_with("ns,front,float,double,reference,form,precision,width\n"
-                      "0.2,0.02,,,,cheap/exp2-3,float,AVX2\n0.3,0.004,,,,cheap/exp2-5,float,AVX2\n"))
+      csv.starts_with("ns,front,form,reference,name,width\n"
+                      "0.2,0.02,,,cheap/exp2-3,AVX2\n0.3,0.004,,,cheap/exp2-5,AVX2\n"))
       << csv;
-  EXPECT_TRUE(has(csv, "\n0.9,,0.1,,,bad,float,AVX2\n")) << "what is beaten is off the front: " << csv;
-  EXPECT_TRUE(has(csv, "\n20,,,,6e-08,pow,float,scalar\n")) << csv;
+  EXPECT_TRUE(has(csv, "\n0.9,,0.1,,bad,AVX2\n")) << "what is beaten is off the front: " << csv;
+  EXPECT_TRUE(has(csv, "\n20,,,6e-08,pow,scalar\n")) << csv;
   EXPECT_TRUE(has(figure.script, "set logscale xy"));
-  EXPECT_TRUE(has(figure.script, "set label 'cheap form, exp2 of degree 3' at graph"));
+  EXPECT_TRUE(has(figure.script, "set label 'cheap/exp2-3' at graph"));
   EXPECT_TRUE(has(figure.script, "set label 'bad' at graph"))
       << "the best of a form is named off the front too";
   EXPECT_TRUE(has(figure.script, "set label 'pow (scalar)' at graph"));
