@@ -69,8 +69,9 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
   }
   std::vector<std::string> parts;
   for (const Comparison& comparison : comparisons) {
-    parts.push_back(options.latex ? write_latex(comparison_table(comparison), Precision::report)
-                                  : console_text(comparison, options.terminal, checkpoint));
+    parts.push_back(options.latex
+                        ? write_latex(comparison_table(comparison, options.digits), Precision::report)
+                        : console_text(comparison, options.terminal, checkpoint));
   }
   return fmt::format("{}", fmt::join(parts, "\n"));
 }

@@ -50,6 +50,14 @@ void add_formats(CLI::App& command, bool& csv, bool& latex, const std::string& c
   command.add_flag("--latex", latex, "print a LaTeX tabular")->excludes(json)->excludes(csv_option);
 }
 
+void add_digits(CLI::App& command, int& digits) {
+  const auto parse = [](const std::string& option, const std::string& text) {
+    return parse_whole(option, text, 1, all_digits);
+  };
+  add_value(command, "--digits", digits, parse, "N", "with --latex: at most this many significant digits")
+      ->needs(command.get_option("--latex"));
+}
+
 void add_plot(CLI::App& command, FitOptions& options, const std::string& what) {
   add_value(command, "--plot", options.plot, parse_text, "FILE",
             what + "; FILE ends with .svg, .pdf or .png");
@@ -148,6 +156,7 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   add_constraints(fit, options.metric);
   add_json(fit, options.json);
   add_formats(fit, options.csv, options.latex, ": the columns of fits.csv");
+  add_digits(fit, options.digits);
   const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
   const std::array extras{
       fit.add_flag("--certify", options.certify,
@@ -171,6 +180,7 @@ void declare_better(CLI::App& better, FitOptions& options) {
   add_domain(better, options);
   add_json(better, options.json);
   add_formats(better, options.csv, options.latex, ": the columns of better.csv");
+  add_digits(better, options.digits);
   add_plot(better, options, "also draw the errors of the published curves and of the best one");
 }
 

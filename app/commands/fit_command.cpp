@@ -57,7 +57,7 @@ Outcome derived_command(const FittableFamily& family, const Published& published
   const Table table = fits_table({refit}).table;
   return {0,
           options.csv     ? write_csv(table, Precision::full)
-          : options.latex ? write_latex(table, Precision::full)
+          : options.latex ? write_latex(with_digits(table, options.digits), Precision::report)
                           : write_console(table, Precision::full, options.terminal),
           ""};
 }
@@ -109,7 +109,7 @@ struct FitExtras {
 std::string fits_text(const Refit& refit, const FitOptions& options, const Metric& metric,
                       const FitExtras& extras, const Checkpoint& checkpoint) {
   if (options.csv) return write_csv(fits_table({refit}).table, Precision::full);
-  if (options.latex) return write_latex(fits_overview(refit), Precision::report);
+  if (options.latex) return write_latex(with_digits(fits_overview(refit), options.digits), Precision::report);
   if (!options.json) {
     std::string text = console_text(refit, metric, options.terminal);
     if (options.certify)

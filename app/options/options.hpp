@@ -45,6 +45,7 @@ struct FitOptions {
   bool json = false;
   bool csv = false;
   bool latex = false;
+  int digits = all_digits;  ///< the most significant digits of a number, in LaTeX
   bool certify = false;
   std::optional<NumberFormat> round = {};
   bool sensitivity = false;

@@ -11,13 +11,13 @@ using Json = nlohmann::ordered_json;
 using Kind = Contender::Kind;
 
 /// "a = -5.55473, b = -6.98316": as printed, of fits to ten digits or so that they read back.
-std::string constants_text(const Contender& contender, Precision precision) {
+std::string constants_text(const Contender& contender, Precision precision, int most_digits = all_digits) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < contender.parameters.size(); ++i) {
     const auto& [name, printed] = contender.parameters[i];
-    parts.push_back(
-        name + " = " +
-        (contender.kind == Kind::published ? printed : text(converged(contender.values[i]), precision)));
+    Number fitted = converged(contender.values[i]);
+    fitted.digits = std::min(fitted.digits, most_digits);
+    parts.push_back(name + " = " + (contender.kind == Kind::published ? printed : text(fitted, precision)));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -56,17 +56,17 @@ std::string origin_of(const Contender& contender) {
   return fmt::format("{}, {}", contender.published, contender.origin);
 }
 
-Table table_of(const Comparison& comparison, int digits) {
+Table table_of(const Comparison& comparison, int digits, int most_digits) {
   Table table{{"form", "constants", "from", "max abs error", "at c", "max rel error", "rms error",
                "operations", "instructions", "beats"},
               {}};
   for (const Contender& contender : comparison.contenders) {
-    table.rows.push_back({contender.form, constants_text(contender, Precision::report), origin_of(contender),
-                          shown_error(contender, digits), place_of_error(contender),
+    table.rows.push_back({contender.form, constants_text(contender, Precision::report, most_digits),
+                          origin_of(contender), shown_error(contender, digits), place_of_error(contender),
                           relative_error(contender, digits), Number{contender.rms_error, digits},
                           to_text(contender.operations), instructions(contender), beaten(contender, ", ")});
   }
-  return table;
+  return with_digits(std::move(table), most_digits);
 }
 
 Json surface_json(const Comparison& comparison) {
@@ -111,12 +111,12 @@ std::string target_of(const Comparison& comparison) {
          (domain == Domain{} ? "" : " on " + to_text(domain));
 }
 
-Table comparison_table(const Comparison& comparison) {
-  return table_of(comparison, 6);
+Table comparison_table(const Comparison& comparison, int most_digits) {
+  return table_of(comparison, 6, most_digits);
 }
 
 Table short_comparison_table(const Comparison& comparison) {
-  return table_of(comparison, 4);
+  return table_of(comparison, 4, all_digits);
 }
 
 Table comparisons_table(const std::vector<Comparison>& comparisons, Precision precision) {

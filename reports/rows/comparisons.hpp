@@ -15,8 +15,8 @@ namespace shadefit {
 std::string target_of(const Comparison& comparison);
 
 /// One row a curve, for a terminal or a page. Errors have six digits, of which the proof leaves the last one
-/// open by a unit.
-Table comparison_table(const Comparison& comparison);
+/// open by a unit; no number but a published one has more than `most_digits`.
+Table comparison_table(const Comparison& comparison, int most_digits = all_digits);
 
 /// The same in short: four digits.
 Table short_comparison_table(const Comparison& comparison);

@@ -29,11 +29,20 @@ std::string text(const Cell& cell, Precision precision) {
   return "";
 }
 
+Table with_digits(Table table, int most) {
+  for (auto& row : table.rows) {
+    for (Cell& cell : row) {
+      if (auto* number = std::get_if<Number>(&cell)) number->digits = std::min(number->digits, most);
+    }
+  }
+  return table;
+}
+
 Cell word(std::string_view text) {
   return std::string(text);
 }
 
-Cell converged(double value) {
+Number converged(double value) {
   return Number{value, parameter_digits};
 }
 

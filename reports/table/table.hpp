@@ -38,8 +38,11 @@ std::string text(const Cell& cell, Precision precision);
 
 Cell word(std::string_view text);
 
+/// The table, no number with more than `most` digits.
+Table with_digits(Table table, int most);
+
 /// 10 digits: a converged parameter, or an error that was computed without cancellation.
-Cell converged(double value);
+Number converged(double value);
 
 /// The cosine of a place: 6 digits, or as many more as leave three of 1 - c, where sharp lobes have theirs.
 Cell place(const Cosine<double>& at);

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "fit/least_squares/status.hpp"
+#include "fit/scalars/parse_formula.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/io/utf8.hpp"
@@ -80,6 +83,12 @@ std::string without_pipes(std::string s) {
   return s;
 }
 
+/// "max_abs_error" as "max abs error".
+std::vector<std::string> in_words(std::vector<std::string> titles) {
+  for (std::string& title : titles) std::replace(title.begin(), title.end(), '_', ' ');
+  return titles;
+}
+
 /// A character as LaTeX has to be told it; the font's own encoding has no <, > and | in its text.
 std::string latex_character(char c) {
   constexpr std::array<std::pair<char, std::string_view>, 6> named{{{'\\', "\\textbackslash{}"},
@@ -97,15 +106,53 @@ std::string latex_character(char c) {
 
 std::string latex_number(const std::string& s) {
   const auto e = s.find_first_of("eE");
-  if (e == std::string::npos) return "$" + s + "$";
+  if (e == std::string::npos) return s;
   std::string power = s.substr(e + 1);
   const bool is_negative = power.starts_with('-');
   power.erase(0, std::min(power.find_first_not_of("+-0"), power.size() - 1));
-  return "$" + s.substr(0, e) + "\\times10^{" + (is_negative ? "-" : "") + power + "}$";
+  return s.substr(0, e) + "\\times10^{" + (is_negative ? "-" : "") + power + "}";
+}
+
+/// The LaTeX of a number or a formula such as "c^k", without the dollars; nothing for any other text.
+std::optional<std::string> latex_formula(const std::string& s) {
+  // Cosines, exponents and parameters. Any other name in a table is a word.
+  constexpr std::array<std::string_view, 10> names{"a", "b", "c", "d", "g", "k", "n", "s", "x", "A"};
+  if (parse_number(s)) return latex_number(s);
+  try {
+    return to_latex(parse_formula(s, names));
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
+
+/// A formula or a relation of two: "k = 12", "c^k ~ exp((k + x) (c - 1))".
+std::optional<std::string> latex_relation(const std::string& s) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> relations{
+      {{" = ", " = "}, {" ~ ", " \\approx "}}};
+  for (const auto& [text, latex] : relations) {
+    const std::size_t at = s.find(text);
+    if (at == std::string::npos) continue;
+    const auto left = latex_formula(s.substr(0, at)), right = latex_formula(s.substr(at + text.size()));
+    return left && right ? std::optional(*left + std::string(latex) + *right) : std::nullopt;
+  }
+  return latex_formula(s);
+}
+
+/// Formulas and relations between commas: "a = 1.2e-05, b = 2".
+std::optional<std::string> latex_mathematics(const std::string& s) {
+  constexpr std::string_view comma = ", ";
+  std::string out;
+  for (std::size_t from = 0, to = 0; to != std::string::npos; from = to + comma.size()) {
+    to = s.find(comma, from);
+    const auto part = latex_relation(s.substr(from, to == std::string::npos ? to : to - from));
+    if (!part) return {};
+    out += (from == 0 ? "$" : ", $") + *part + "$";
+  }
+  return out;
 }
 
 std::string latex_cell(const std::string& s) {
-  if (parse_number(s)) return latex_number(s);
+  if (const auto mathematics = latex_mathematics(s)) return *mathematics;
   // At the start of a row LaTeX takes [..] and * for arguments of the row before it.
   std::string out = s.starts_with('[') || s.starts_with('*') ? "{}" : "";
   for (const char c : s) out += latex_character(c);
@@ -219,13 +266,13 @@ std::string write_latex(const Table& table, Precision precision) {
   const std::vector<bool> are_numeric = numeric_columns(table);
   std::string out = "% needs \\usepackage{booktabs}\n\\begin{tabular}{";
   for (std::size_t i = 0; i < table.columns.size(); ++i) out += are_numeric[i] ? 'r' : 'l';
-  out += "}\n\\toprule\n" + latex_line(table.columns) + "\\midrule\n";
+  out += "}\n\\toprule\n" + latex_line(in_words(table.columns)) + "\\midrule\n";
   for (const auto& row : texts(table, precision)) out += latex_line(row);
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 
 std::string markdown_block(Table table) {
-  for (std::string& title : table.columns) std::replace(title.begin(), title.end(), '_', ' ');
+  table.columns = in_words(std::move(table.columns));
   return write_markdown(table, Precision::report) + "\n";
 }
 

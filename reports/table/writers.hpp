@@ -16,9 +16,10 @@ std::string write_csv(const Table& table, Precision precision);
 /// A Markdown table, aligned in the source too; columns of numbers are right-aligned.
 std::string write_markdown(const Table& table, Precision precision);
 
-/// A LaTeX tabular with the rules of booktabs, to \input; columns of numbers are right-aligned. What LaTeX
-/// would read as a command is escaped, other UTF-8 left as it is; a cell that is a decimal number, a word
-/// that reads as one too, is set as mathematics: 1.2e-05 as $1.2\times10^{-5}$.
+/// A LaTeX tabular with the rules of booktabs, for \input; titles in words, columns of numbers right-aligned.
+/// A cell is set as mathematics if it is a number, a formula of single letters, a relation, or a
+/// list of those: 1.2e-05 as $1.2\times10^{-5}$, "x = 0.775" as $x = 0.775$. In other cells what LaTeX would
+/// read as a command is escaped, and other UTF-8 left as it is.
 std::string write_latex(const Table& table, Precision precision);
 
 /// The same as a report shows it: titles in words, the digits that each number declares, and an empty line

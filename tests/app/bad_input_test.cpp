@@ -400,6 +400,9 @@ TEST(BadInput, Usage) {
   expect_refusal({"fit", "sg-offset", "--json", "--csv"}, "--json excludes --csv" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--json", "--latex"}, "--json excludes --latex" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--csv", "--latex"}, "--csv excludes --latex" + see(" fit"));
+  expect_refusal({"fit", "sg-offset", "--digits", "3"}, "--digits requires --latex" + see(" fit"));
+  expect_refusal({"fit", "sg-offset", "--latex", "--digits", "18"},
+                 "--digits '18' must be a whole number from 1 to 17");
   expect_refusal({"list", "--latex", "--json"}, "--json excludes --latex" + see(" list"));
   expect_refusal(
       {"list", "--topic", "cooking", "--csv"},

@@ -143,6 +143,18 @@ TEST(FitCommand, Latex) {
   EXPECT_NE(run_command_line({"fit", "sg-offset-mean", "--latex"}).out.find("x\\_mean"), std::string::npos);
 }
 
+TEST(FitCommand, LatexDigits) {
+  const Outcome three = run_command_line({"fit", "fresnel-quadratic", "--latex", "--digits", "3"});
+  EXPECT_EQ(three.exit_code, 0) << three.err;
+  EXPECT_NE(three.out.find("$-5.55$ & $-6.98$"), std::string::npos) << three.out;
+  EXPECT_NE(three.out.find("$-5.55473$, $-6.98316$"), std::string::npos) << "as published: " << three.out;
+  const Outcome mean = run_command_line({"fit", "sg-offset-mean", "--latex", "--digits", "4"});
+  EXPECT_NE(mean.out.find("$0.7754$"), std::string::npos) << mean.out;
+  const Outcome better = run_command_line({"better", "sg-offset-k5", "--latex", "--digits", "2"});
+  EXPECT_NE(better.out.find("$x = 0.775$"), std::string::npos) << "as published: " << better.out;
+  EXPECT_EQ(better.out.find("$x = 0.7875"), std::string::npos) << better.out;
+}
+
 TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
   const Outcome outcome = run_command_line({"fit", "sg-offset", "--exponent", "5,1e160"});
   EXPECT_EQ(outcome.exit_code, 1);
@@ -235,7 +247,7 @@ TEST(ListCommand, Latex) {
   const Outcome outcome = run_command_line({"list", "--latex"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.out.find("\\begin{tabular}{llll}\n"), std::string::npos);
-  EXPECT_NE(outcome.out.find("\\textasciitilde{} exp((k+x)(c-1))"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("$c^{k} \\approx A e^{"), std::string::npos) << outcome.out;
 }
 
 TEST(ListCommand, FiltersByVerdict) {

@@ -75,7 +75,7 @@ TEST(Writers, Latex) {
       "% needs \\usepackage{booktabs}\n"
       "\\begin{tabular}{lrl}\n"
       "\\toprule\n"
-      "id\\_1 & value & note \\\\\n"
+      "id 1 & value & note \\\\\n"
       "\\midrule\n"
       "a\\&b\\%c\\$d\\#e\\_f\\{g\\}h & $1.2\\times10^{-5}$ & "
       "\\textasciitilde{}\\textasciicircum{}\\textbackslash{}\\textless{}\\textgreater{}\\textbar{} \\\\\n"
@@ -84,6 +84,23 @@ TEST(Writers, Latex) {
       "two lines & $7$ & 1e400 \\\\\n"
       "\\bottomrule\n"
       "\\end{tabular}\n");
+}
+
+TEST(Writers, LatexMathematics) {
+  const auto written = [](const std::string& text) {
+    const std::string out = write_latex({{"v"}, {{text}}}, Precision::report);
+    const auto begin = out.find("\\midrule\n") + 9;
+    return out.substr(begin, out.find(" \\\\\n", begin) - begin);
+  };
+  EXPECT_EQ(written("x = 0.775"), "$x = 0.775$");
+  EXPECT_EQ(written("A = 1.2e-05, x = -8.656170"), "$A = 1.2\\times10^{-5}$, $x = -8.656170$");
+  EXPECT_EQ(written("(a+2)/(8 pi)"), "$\\frac{a + 2}{8 \\pi}$");
+  EXPECT_EQ(written("c^k ~ exp((k+x)(c-1))"),
+            "$c^{k} \\approx e^{\\left(k + x\\right) \\left(c - 1\\right)}$");
+  EXPECT_EQ(written("cosine, k = 6.22 to 10.2"), "cosine, k = 6.22 to 10.2") << "words stay words";
+  EXPECT_EQ(written("x = "), "x = ");
+  EXPECT_EQ(written("norm-phong"), "norm-phong");
+  EXPECT_EQ(written(""), "");
 }
 
 TEST(Writers, LatexExponents) {
