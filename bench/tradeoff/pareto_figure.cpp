@@ -210,12 +210,10 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
                               time.low, time.high, error.low, error.high) +
                   label_commands(drawn, time, error),
       .abscissa = "ns",
-      .curves = {{.column = "front", .label = "beaten by no form", .look = Look::first, .has_points = true},
-                 {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
-                 {.column = "reference",
-                  .label = "the formula, by the C library",
-                  .look = Look::fourth,
-                  .is_joined = false}}};
+      .curves = {
+          {.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true},
+          {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
+          {.column = "reference", .label = "by the C library", .look = Look::fourth, .is_joined = false}}};
   // A legend names what there is.
   const Table data = data_of(drawn);
   std::erase_if(panel.curves, [&](const Curve& curve) {
