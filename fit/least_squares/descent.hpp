@@ -27,7 +27,7 @@ namespace shadefit {
 /// agreement saves no time that could be measured, and lets a pair on a thousandth of its domain pass with a
 /// wrong optimum.
 inline constexpr double same_optimum = 1e-12;
-/// Ceres looks for the basin on twelve nodes, on one panel or on two.
+/// Ceres looks for the basin with twelve nodes, on one panel or two.
 inline constexpr unsigned basin_nodes = 12;
 
 /// A family at those nodes; the edges of a weight are left to the polish.
@@ -78,8 +78,8 @@ T relative_size(const std::array<T, N>& step, const std::array<T, N>& p) {
   return largest;
 }
 
-/// A sampled problem behind plain functions: the way down is the same for every family with N parameters, and
-/// compiled once.
+/// A sampled problem behind plain functions, so that the descent is compiled once for all families with N
+/// parameters.
 template <int N>
 struct DescentProblem {
   using Parameters = std::array<double, static_cast<std::size_t>(N)>;
@@ -92,7 +92,7 @@ struct DescentProblem {
   std::function<bool(const Parameters&)> is_admissible;  ///< at a start they are
 };
 
-/// What the functions ask is the sampled problem itself: it has to stay where it is. So has the family.
+/// The functions refer to the sampled problem and the family: neither may move while they are in use.
 template <class F>
 auto descent_problem(const SampledProblem<F, double>& sampled, const F& family, const Domain& domain) {
   constexpr int N = SampledProblem<F, double>::N;
@@ -112,8 +112,8 @@ auto descent_problem(const SampledProblem<F, double>& sampled, const F& family, 
 /// What ceres::TinySolver minimises: sqrt(weight) * error, scaled to norm 1 at the start. TinySolver stops at
 /// absolute changes of the cost, and the cost of a lobe of exponent 1e6 is 1e-19 from the beginning.
 ///
-/// It asks for the errors after a step and, having accepted it, for them and their derivatives at the same
-/// place; both are computed at once, and the last are kept.
+/// After a step it asks for the errors, and once it has accepted the step, for the errors and their
+/// derivatives at the same place. Both are computed together, and the last result is kept.
 template <int N>
 class TinyFunction {
  public:
@@ -131,7 +131,7 @@ class TinyFunction {
     return true;
   }
 
-  /// Whether the last place that was asked for is not admissible.
+  /// Whether the last requested place is outside of the admissible parameters.
   bool is_turned_back() const { return is_turned_back_; }
 
  private:
@@ -139,7 +139,7 @@ class TinyFunction {
     place_.emplace();
     std::copy_n(parameters, N, place_->begin());
     problem_.errors(*place_, residuals_, jacobian_);
-    // An infinite cost turns a step back.
+    // An infinite cost rejects a step.
     is_turned_back_ = !problem_.is_admissible(*place_);
     if (is_turned_back_) residuals_.fill(HUGE_VAL);
     for (std::size_t node = 0; node < basin_nodes; ++node) {
@@ -182,10 +182,11 @@ struct Patience {
   int most_steps;
 };
 
-/// Only the basin is wanted, and a step of 1e-2 (|x| + 1e-2) is usually inside Newton's.
+/// Only the basin is needed: a step of 1e-2 (|x| + 1e-2) usually ends where Newton converges.
 inline constexpr Patience hasty{1e-2, 50};
-/// On a steep wall steps are damped below 1e-2 far from any basin, and Newton's first step leaves for good.
-/// Levenberg and Marquardt's steps only ever go down: twenty to forty lead to where Newton confirms them.
+/// On a steep wall, steps are damped below 1e-2 far from any basin, and Newton's first step would leave it
+/// for good. Steps of Levenberg and Marquardt always go down: twenty to forty of them reach a place that
+/// Newton confirms.
 inline constexpr Patience patient{1e-7, 400};
 
 /// Cost tests are off.
@@ -200,8 +201,8 @@ TinySolver<N> basin_solver(const Patience& patience) {
   return solver;
 }
 
-/// Corrects a Hessian by what a step has shown of it, the change of the gradient (symmetric rank one; with
-/// one parameter: the secant). Where the change is as expected, along the step, nothing is learnt. Source:
+/// Corrects a Hessian by the change of the gradient along a step (symmetric rank one; with one parameter: the
+/// secant). A change that was expected corrects nothing. Source:
 /// Nocedal, Wright 2006, "Numerical Optimization", 6.2.
 template <int N>
 void correct(Eigen::Matrix<double, N, N>& hessian, const Eigen::Matrix<double, N, 1>& step,
@@ -212,8 +213,8 @@ void correct(Eigen::Matrix<double, N, N>& hessian, const Eigen::Matrix<double, N
     hessian += surprise * surprise.transpose() / along;
 }
 
-/// Takes a step, or as much of it as leaves the parameters admissible: the first of a half, a quarter, ..
-/// False where it was cut; of parameters that are not admissible themselves nothing is taken.
+/// Takes a step, or the first of its half, quarter, .. that leaves the parameters admissible. False if the
+/// step was cut. Takes nothing if the parameters are not admissible before the step.
 template <int N>
 bool take_step(const DescentProblem<N>& problem, typename DescentProblem<N>::Parameters& p,
                typename DescentProblem<N>::Parameters step) {
@@ -226,16 +227,16 @@ bool take_step(const DescentProblem<N>& problem, typename DescentProblem<N>::Par
   }
 }
 
-/// Newton in double to the bottom of the basin, until what is left of the way is below `rest` of the
-/// parameters. The Hessian is dearer than the gradient, up to seven times: it is kept for as long as steps
-/// shrink to a third or less, and corrected by the gradients.
+/// Newton in double to the bottom of the basin, until the remaining distance is below `rest` of the
+/// parameters. The Hessian costs up to seven times as much as the gradient: it is kept while each step is at
+/// most a third of the one before, and corrected by the gradients.
 template <int N>
 void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double rest) {
   using Vector = Eigen::Matrix<double, N, 1>;
   auto& p = candidate.parameters;
   double last = 1;
   Vector last_gradient = Vector::Zero(), last_step = Vector::Zero();
-  // Three to six steps are the rule; thirty leave room for a start that Ceres gave up on.
+  // Three to six steps are usual. Thirty are enough for a start where Ceres gave up.
   for (int i = 0; i < 30; ++i) {
     const bool is_own = !candidate.hessian;
     Vector gradient;
@@ -245,7 +246,7 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
       candidate.hessian = derivatives.hessian;
     } else {
       gradient = problem.gradient(p).gradient;
-      // A shorter step shows the rounding of the gradients.
+      // A shorter step is rounding of the gradients.
       if (i > 0 && last > 1e-8) correct<N>(*candidate.hessian, last_step, gradient - last_gradient);
     }
     const auto newton = newton_step<double, double, N>(gradient, *candidate.hessian);
@@ -261,9 +262,9 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
       candidate.hessian.reset();
       continue;
     }
-    // With the Hessian of the place a step squares what was left. With another's, what it leaves of itself is
-    // the Hessian's error: as much as of the step before, and 1 % at least, where that one was small by
-    // chance.
+    // With the Hessian of this place, a step squares the relative distance. With an older Hessian, the share
+    // of the step that remains is the Hessian's error: the same share as after the step before, but at least
+    // 1 %, in case that step was small by chance.
     const double size = relative_size(newton.step, p);
     const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
     if (size < 1e-6 && left < rest) {
@@ -279,9 +280,9 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
   if (candidate.status != Status::at_border) candidate.why = "thirty Newton steps did not settle";
 }
 
-/// Whether two points are one optimum: by their distance; or, where a parameter is near 0 and has few digits
-/// of its own, by the errors, which differ by less than 1e-10 of their norm. Rounding moves those of a fit
-/// that can be settled by a hundredth of that at most.
+/// Whether two points are one optimum: their distance is small, or their errors differ by less than 1e-10 of
+/// their norm. The second test is for a parameter near 0, which has few digits. In a fit that can be settled,
+/// rounding moves the errors by at most a hundredth of that.
 template <int N>
 bool is_same_optimum(const DescentProblem<N>& problem, const Candidate<N>& one, const Candidate<N>& other) {
   if (distance(one.parameters, other.parameters) <= same_optimum) return true;
@@ -293,7 +294,7 @@ bool is_same_optimum(const DescentProblem<N>& problem, const Candidate<N>& one, 
   return apart.dot(*other.hessian * apart) <= 1e-20 * problem.square(other.parameters);
 }
 
-/// Whether a problem goes on falling, or stays, as the parameters grow.
+/// Whether the cost falls on or stays constant as the parameters grow.
 template <int N>
 bool is_far_end(const DescentProblem<N>& problem, typename DescentProblem<N>::Parameters p) {
   const double here = problem.square(p);
@@ -301,12 +302,12 @@ bool is_far_end(const DescentProblem<N>& problem, typename DescentProblem<N>::Pa
   return problem.square(p) <= here;
 }
 
-/// Where a descent begins, three times.
+/// The three starts of a descent.
 template <int N>
 using Starts = std::array<typename DescentProblem<N>::Parameters, 3>;
 
-/// The optimum on few nodes, if all of the starts that are asked lead to it; else the status says why not.
-/// The Hessian that led the first one serves the other starts, and the larger rules after them.
+/// The optimum on few nodes, if all given starts lead to it; else the status says why not. The Hessian of the
+/// first descent serves the other starts and the larger rules.
 template <int N>
 Candidate<N> common_optimum_by(const Patience& patience, const Starts<N>& starts,
                                const DescentProblem<N>& problem, std::size_t asked) {
@@ -355,7 +356,7 @@ Candidate<N> common_optimum_by(const Patience& patience, const Starts<N>& starts
   return common;
 }
 
-/// The same in haste, and only where that fails with patience.
+/// The same with few steps, and with many only if that fails.
 template <int N>
 Candidate<N> common_optimum(const Starts<N>& starts, const DescentProblem<N>& problem,
                             std::size_t asked = 3) {

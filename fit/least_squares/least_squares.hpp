@@ -18,19 +18,19 @@
 
 /// Continuous least squares: minimise the integral of measure * error^2 over the parameters of a family.
 ///
-/// Ceres finds the basin, on few nodes; it accepts steps by the cost, which is flat to the square root of the
-/// rounding, and stalls at 8 to 12 digits. Newton on the gradient with the exact Hessian (Jets of Jets)
-/// finishes on a larger rule. A rule of another size then asks in long double for one more step, and that
-/// step has to be nothing: its size is what the digits of a fit are.
+/// Ceres finds the basin, on few nodes. It accepts steps by the cost. Near the optimum the cost is flat to
+/// the square root of the rounding, so Ceres stalls at 8 to 12 digits. Newton on the gradient, with the exact
+/// Hessian (Jets of Jets), finishes on a larger rule. Then a rule of another size computes one more step in
+/// long double. That step must be negligible: its size gives the digits of the fit.
 namespace shadefit {
 
 static_assert(std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits,
               "the digits of a fit are measured in an arithmetic wider than double");
 
-/// Relative. A parameter rounded to double is off by up to 1.1e-16; 1e-14 is promised, the next larger rule
-/// adds more.
+/// Relative. Rounding a parameter to double costs up to 1.1e-16. 1e-14 is promised, and the next larger rule
+/// gives more.
 inline constexpr double settled = 2e-15;
-/// The most that `digits` says: a claim of 15 digits would rest on the last bit of a double.
+/// The most digits that are claimed: 15 would rest on the last bit of a double.
 inline constexpr int most_digits = 14;
 
 /// The optimum of a problem with N parameters.
@@ -52,7 +52,7 @@ inline int correct_digits(long double relative_step) {
   return static_cast<int>(std::clamp(digits, 0.0L, static_cast<long double>(most_digits)));
 }
 
-/// A problem under each rule that its solver asks, behind plain functions.
+/// A problem under each rule that its solver uses, behind plain functions.
 template <int N>
 struct LeastSquaresProblem {
   DescentProblem<N> basin, fine;
@@ -61,10 +61,10 @@ struct LeastSquaresProblem {
   std::size_t first;  ///< of `fit_rules`: the check's; `fine` has the next
 };
 
-/// Whether the Hessian makes nothing of a step that is none. It was corrected by gradients on the way, and
-/// where these are rounding alone, as along the offset of `sg-scaled` at exponent 1e9, it may become
-/// anything. Near an optimum with a small error Gauss and Newton's part of it says nearly the same: by that
-/// the step has to be below the 1e-14 that are promised.
+/// Whether a small step is also small by the part of the Hessian of Gauss and Newton. The Hessian was
+/// corrected by gradients on the way. If these are mere rounding, as along the offset of `sg-scaled` at
+/// exponent 1e9, it can take any value. Near an optimum with a small error both Hessians nearly agree: by the
+/// second too the step must be below the promised 1e-14.
 template <int N>
 bool is_contradicted(const SampledGradient<long double, N>& at, const std::array<long double, N>& p) {
   if constexpr (N == 1) {
@@ -77,9 +77,9 @@ bool is_contradicted(const SampledGradient<long double, N>& at, const std::array
   }
 }
 
-/// Asks a rule for one more step in long double, at the parameters as they are returned, rounded to double.
-/// Where it is nothing the answer has settled; else true says that another rule has to be asked, and a step
-/// of a larger rule than the answer's own is taken: a smaller one has nothing to add.
+/// Computes one more step by a rule, in long double, at the returned parameters, which are rounded to double.
+/// If the step is negligible, the answer has settled. Else the result is true: another rule must be tried.
+/// The step of a rule that is larger than the answer's own is taken; a smaller rule adds nothing.
 template <int N>
 bool settle(Optimum<N>& optimum, const Candidate<N>& candidate, const LeastSquaresProblem<N>& problem,
             std::size_t rule) {
@@ -107,8 +107,8 @@ bool settle(Optimum<N>& optimum, const Candidate<N>& candidate, const LeastSquar
   return true;
 }
 
-/// Never throws for a hard problem: the status says how it went, and parameters are an answer only where it
-/// is `converged`.
+/// Never throws for a hard problem. The status says how it ended; the parameters are an answer only if it is
+/// `converged`.
 template <int N>
 Optimum<N> solve_least_squares(const LeastSquaresProblem<N>& problem, const Starts<N>& starts) {
   auto candidate = common_optimum<N>(starts, problem.basin);
@@ -121,8 +121,8 @@ Optimum<N> solve_least_squares(const LeastSquaresProblem<N>& problem, const Star
   if (candidate.status != Status::converged) return optimum;
   optimum.status = Status::not_converged;
   optimum.why = "the largest quadrature rule still moves a parameter by more than 2e-15 of itself";
-  // The smaller neighbour of the rule that was polished on is the cheapest that can settle it, and nearly
-  // always does; larger ones are sampled as they are needed.
+  // The rule below the one of the polish is the cheapest that can settle the answer, and nearly always does.
+  // Larger rules are sampled only when they are needed.
   bool goes_on = settle<N>(optimum, candidate, problem, problem.first);
   for (std::size_t rule = problem.first + 2; goes_on && rule < fit_rules.size(); ++rule)
     goes_on = settle<N>(optimum, candidate, problem, rule);
@@ -146,7 +146,7 @@ class LeastSquares {
 
   Optimum<N> solve() const { return solve(family_.starts()); }
 
-  /// The same from other starts than the family's own.
+  /// The same from given starts.
   Optimum<N> solve(const Starts<N>& starts) const {
     const auto wide = [this](std::size_t rule, const std::array<long double, N>& p) {
       if (rule == first_) return wide_.gradient(p);
@@ -158,8 +158,8 @@ class LeastSquares {
   }
 
  private:
-  /// For the basin a concentrated integrand may be cut at half the decay: what is lost, 4e-11, is less than
-  /// what twelve nodes over the whole of it would lose.
+  /// For the basin, a concentrated integrand is cut at half the decay. That loses 4e-11, less than twelve
+  /// nodes over the whole of it would.
   static Shape blunt(Shape shape) {
     shape.concentration *= 2;
     return shape;

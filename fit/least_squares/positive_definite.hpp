@@ -5,8 +5,8 @@
 
 namespace shadefit {
 
-/// Whether a symmetric matrix, its rows after each other, is positive definite: whether the pivots of L D L^T
-/// are positive, of which `is_positive` decides.
+/// Whether a symmetric matrix, stored by rows, is positive definite: `is_positive` holds for each pivot of L
+/// D L^T.
 template <std::size_t N, class T, class IsPositive>
 bool is_positive_definite(std::array<T, N * N> a, const IsPositive& is_positive) {
   for (std::size_t k = 0; k < N; ++k) {

@@ -30,11 +30,11 @@ struct SampledDerivatives : SampledGradient<T, N> {
   Eigen::Matrix<T, N, N> hessian = Eigen::Matrix<T, N, N>::Zero();  ///< of half the square
 };
 
-/// A family sampled at the nodes of a Gauss rule on each panel of a domain; the measure's total is 1. Every
-/// rule has an even number of nodes: in double two at once are computed with.
+/// A family sampled at the nodes of a Gauss rule on each panel of a domain. The total of the measure is 1.
+/// Every rule has an even number of nodes, because two are computed together in double.
 ///
-/// What is called for every node is inlined whole where it is called most: as calls, the products of Jets
-/// alone take a fifth of a fit.
+/// Functions that run for every node are inlined: without that, calls of the products of Jets take a fifth of
+/// a fit.
 template <class F, class T>
 class SampledProblem {
  public:
@@ -66,7 +66,7 @@ class SampledProblem {
   std::size_t size() const { return nodes_.size() * lanes; }
   T weight(std::size_t i) const { return Lanes::lane(nodes_[i / lanes].weight, i % lanes); }
 
-  /// r, and its derivatives at all nodes by one parameter after the other
+  /// r, and its derivatives at all nodes, parameter by parameter
   [[gnu::flatten]] void errors(const Parameters& p, std::span<T> r, std::span<T> slopes) const {
     const auto seeds = seeded(p);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -160,7 +160,7 @@ class SampledProblem {
   }
 
   F family_;
-  /// The rules that nearly all fits end with fit in.
+  /// Room for the rules that nearly all fits need.
   boost::container::small_vector<Node, 30 / lanes> nodes_;
 };
 

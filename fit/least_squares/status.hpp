@@ -12,7 +12,7 @@ enum class Status {
   not_finite,     ///< a value was infinite or not a number
   degenerate,     ///< of minimax: fewer alternation points than parameters + 1 hold the optimum
   infeasible,     ///< of minimax: no parameters satisfy the constraints
-  at_border,  ///< the way down leads to the border of the admissible parameters (fit/families/admissible.hpp)
+  at_border,  ///< the descent ends at the border of the admissible parameters (fit/families/admissible.hpp)
 };
 
 constexpr std::string_view name(Status status) {

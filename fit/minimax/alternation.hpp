@@ -2,7 +2,7 @@
 
 #include "approx/cosine.hpp"
 
-/// Where the error of a minimax fit is at its level, and what else holds the optimum.
+/// The places that determine a minimax fit: the error is at its level there, or a constraint is active.
 namespace shadefit {
 
 /// Why a place belongs to the alternation.
@@ -16,11 +16,10 @@ enum class Touch {
 
 struct AlternationPoint {
   Touch touch;
-  bool is_tangent;  ///< it is the slope that the constraint holds: the value is the bound whatever the
-                    ///< parameters
+  bool is_tangent;  ///< the constraint is on the slope: the value is at the bound for all parameters
   Cosine<double> at;
   double error;       ///< weight * error
-  double multiplier;  ///< how much it holds the level up; those of `highest` and `lowest` sum to 1
+  double multiplier;  ///< Lagrange's; those of `highest` and `lowest` sum to 1
 };
 
 }  // namespace shadefit

@@ -25,13 +25,13 @@ double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s,
     if (!(low < next && next < high)) next = low + (high - low) / 2;
     const double step = std::abs(next - s);
     s = next;
-    // The error of a step is of the order of its square, and the curve's that of the square of that.
+    // A step's error is of the order of its square; the error of the curve's value is the square of that.
     if (step < 1e-5) return s;
   }
   return s;
 }
 
-/// Whether the level counts on this side of the error: on one side only where the form has to keep to it.
+/// Whether the level limits this side of the error. A one-sided form has its level on one side only.
 double Contacts::share_of_level(Touch touch) const {
   if (touch == Touch::highest) return problem_.one_sided == Side::below ? 0 : 1;
   if (touch == Touch::lowest) return problem_.one_sided == Side::above ? 0 : 1;
@@ -50,14 +50,14 @@ Contact Contacts::contact(Touch touch, const SearchPlace& place, bool is_tangent
   return c;
 }
 
-/// What the curve of a touch may at most (or at least) be, apart from the level.
+/// The bound of a touch's curve, without the level.
 long double Contacts::bound_of(Touch touch) const {
   if (!is_of_form(touch)) return 0;
   const long double bound = touch == Touch::at_most ? *problem_.at_most : *problem_.at_least;
   return problem_.is_exponential ? std::log(std::max(0.0L, bound)) : bound;
 }
 
-/// By how much a step of the parameters and a level may use a condition up.
+/// How far a step of the parameters and a level may go before they violate a condition.
 Condition Contacts::condition(const Contact& c) const {
   const double sign = sign_of(c.touch);
   const double bound = c.is_tangent ? 0 : static_cast<double>(bound_of(c.touch));
@@ -67,8 +67,8 @@ Condition Contacts::condition(const Contact& c) const {
   return result;
 }
 
-/// An end of the domain where a bounded curve is at its bound whatever the parameters: what they move there
-/// is its slope, and the bound is one on that.
+/// An end of the domain where a bounded curve is at its bound for all parameters. They change only its slope
+/// there, so the slope is bounded.
 void Contacts::find_tangents() {
   const auto consider = [&](Touch touch) {
     const SearchPlace ends[] = {problem_.places.front(), problem_.places.back()};
@@ -84,7 +84,7 @@ void Contacts::find_tangents() {
   if (problem_.at_least) consider(Touch::at_least);
 }
 
-/// The extrema of a curve that a touch speaks of: maxima for `highest` and `at_most`, else minima.
+/// The extrema of a curve that a touch needs: maxima for `highest` and `at_most`, else minima.
 void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
   const double sign = sign_of(touch);
   const auto& places = problem_.places;
@@ -116,7 +116,7 @@ void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
   }
 }
 
-/// All extrema at the parameters, their level, and by how much constraints are violated.
+/// All extrema at the parameters, their level, and the violation of the constraints.
 void Contacts::look() {
   all_.clear();
   if (!problem_.is_admissible(parameters)) {
@@ -152,8 +152,8 @@ void Contacts::look() {
   if (!is_finite) level_ = HUGE_VAL;
 }
 
-/// The extrema of the error with alternating signs, the largest of each run, no more than `count`; filled
-/// up with places of the search.
+/// The extrema of the error with alternating signs, the largest of each run of equal signs, at most `count`.
+/// Places of the search fill the rest.
 Few<Contact> Contacts::alternating(std::size_t count) const {
   Few<Contact> found;
   double largest_gradient = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;
@@ -165,7 +165,7 @@ Few<Contact> Contacts::alternating(std::size_t count) const {
   for (Contact c : all_) {
     if (is_of_form(c.touch) || c.touch == Touch::exact || c.is_tangent) continue;
     if (problem_.one_sided) {
-      // Where no positive form can touch its target nothing is held.
+      // A place where no positive form can touch its target holds nothing.
       if (!std::isfinite(contact(one_sided_touch(), c.place).value)) continue;
       c.value = problem_.error.across(c.place, parameters, c.gradient);
     }
@@ -174,8 +174,8 @@ Few<Contact> Contacts::alternating(std::size_t count) const {
     lowest = std::min(lowest, c.value);
     found.push_back(c);
   }
-  // Where no parameter moves the error, as where every form of a family meets the target, nothing can be
-  // levelled.
+  // If no parameter moves the error, because every form of the family meets the target, there is nothing to
+  // level.
   found.erase(std::remove_if(found.begin(), found.end(),
                              [&](const Contact& c) { return !(size_of(c) > 1e-9 * largest_gradient); }),
               found.end());
@@ -205,8 +205,8 @@ Few<Contact> Contacts::alternating(std::size_t count) const {
   return chain;
 }
 
-/// A reference of conditions on the error that no step can lower together: any n + 1 places, each with the
-/// sign that its share in a combination without slope has.
+/// A reference: conditions on the error that no step can lower together. Any n + 1 places will do, each with
+/// the sign of its share in a combination without slope.
 bool Contacts::first_reference(Few<Condition>& conditions,
                                std::array<std::size_t, most_unknowns>& reference) {
   const std::size_t count = unknowns() - exact_.size();
@@ -240,7 +240,7 @@ bool Contacts::first_reference(Few<Condition>& conditions,
   return true;
 }
 
-/// One that is fixed counts for more than any other.
+/// A fixed one outweighs all others.
 const Contact* Contacts::worst_violation() const {
   const Contact* worst = nullptr;
   std::pair<bool, double> most{false, 0};
@@ -258,7 +258,7 @@ bool Contacts::is_violation_fixed() const {
   return worst != nullptr && is_fixed(*worst);
 }
 
-/// The constraint that the parameters violate most, and where.
+/// The constraint that the parameters violate most, and its place.
 std::string Contacts::most_violated() const {
   const Contact* worst = worst_violation();
   if (worst == nullptr) return "satisfy the constraints";

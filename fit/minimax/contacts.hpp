@@ -10,10 +10,12 @@
 #include "fit/minimax/exchange.hpp"
 #include "fit/minimax/minimax.hpp"
 
-/// Where a minimax problem's curves are extreme or held at given parameters: what the exchange exchanges.
+/// The places where the curves of a minimax problem are extreme or constrained, at given parameters. The
+/// exchange swaps these.
 namespace shadefit {
 
-/// A place where a curve is extreme or held, with its value and the derivatives of that by the parameters.
+/// A place where a curve is extreme or constrained, with its value and the derivatives of the value by the
+/// parameters.
 struct Contact {
   Touch touch;
   SearchPlace place;
@@ -22,7 +24,7 @@ struct Contact {
   Unknowns gradient;
 };
 
-/// As many as a problem with four parameters usually has stay off the heap.
+/// The usual number for four parameters needs no heap.
 template <class T>
 using Few = boost::container::small_vector<T, 24>;
 
@@ -31,13 +33,13 @@ inline double sign_of(Touch touch) {
   return touch == Touch::lowest || touch == Touch::at_least ? -1 : 1;
 }
 
-/// Whether a touch is one of the form's own bounds, not of its error.
+/// Whether a touch bounds the form itself, not its error.
 inline bool is_of_form(Touch touch) {
   return touch == Touch::at_most || touch == Touch::at_least;
 }
 
-/// The maximum of sign * curve between low and high, from s: Newton on its slope, kept within what is known
-/// to hold the maximum.
+/// The maximum of sign * curve between low and high, from s: Newton on the slope, inside the interval that is
+/// known to contain the maximum.
 double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s, double high, double sign,
              const MinimaxParameters& p);
 
@@ -46,35 +48,35 @@ class Contacts {
   Contacts(const MinimaxProblem& problem, const MinimaxParameters& start)
       : parameters(start), problem_(problem), values_(problem.places.size()) {}
 
-  MinimaxParameters parameters;  ///< at which everything is looked at
+  MinimaxParameters parameters;  ///< at which all curves are evaluated
 
-  /// The level is one more unknown than the parameters.
+  /// The parameters and the level.
   std::size_t unknowns() const { return problem_.size + 1; }
   const Few<Contact>& all() const { return all_; }
-  /// Of what was looked at last: the largest error that counts for the level, infinite where the parameters
-  /// are not admissible, and the sum of all violations.
+  /// Of the last evaluation: the largest error that counts for the level, infinite if the parameters are not
+  /// admissible, and the sum of all violations.
   double level() const { return level_; }
   double violation() const { return violation_; }
 
   double share_of_level(Touch touch) const;
-  /// How a form that has to keep to one side of its target touches it.
+  /// How a one-sided form touches its target.
   Touch one_sided_touch() const { return problem_.one_sided == Side::below ? Touch::highest : Touch::lowest; }
   double share_of_level(const Contact& c) const { return c.is_tangent ? 0 : share_of_level(c.touch); }
   const MinimaxCurve& curve_of(Touch touch) const;
   long double bound_of(Touch touch) const;
-  /// Whether a constraint is violated without end: the target or a bound of a positive form is 0 there.
+  /// Whether a constraint is violated infinitely: the target or a bound of a positive form is 0 there.
   bool is_impossible() const { return violation_ == HUGE_VAL; }
   Contact contact(Touch touch, const SearchPlace& place, bool is_tangent = false) const;
   Condition condition(const Contact& c) const;
 
   void find_tangents();
-  /// From now on the form is held at its target there.
+  /// From now on the form equals its target there.
   void hold_exact(const SearchPlace& place) { exact_.push_back(place); }
   std::size_t held_exact() const { return exact_.size(); }
   void look();
 
-  /// False where the parameters do not move the error independently. What it adds to the contacts it adds to
-  /// the conditions.
+  /// False if the parameters do not move the error independently. Adds the same to the contacts and to the
+  /// conditions.
   bool first_reference(Few<Condition>& conditions, std::array<std::size_t, most_unknowns>& reference);
   std::string most_violated() const;
   /// Whether a constraint is violated where no parameter moves its curve.
@@ -88,7 +90,7 @@ class Contacts {
 
   const MinimaxProblem& problem_;
   std::vector<double> values_;      ///< of a curve at the search places
-  std::vector<SearchPlace> exact_;  ///< of the problem's, those that are not met by themselves
+  std::vector<SearchPlace> exact_;  ///< those of the problem that do not hold for all parameters
   Few<Contact> all_, tangents_;
   double level_ = 0, violation_ = 0;
 };

@@ -8,11 +8,11 @@
 namespace shadefit {
 namespace {
 
-/// Two to ten exchanges are the rule; sixty end what goes round in circles.
+/// Two to ten exchanges are usual. Sixty end a cycle.
 constexpr int most_exchanges = 60;
-/// A condition counts as violated from here on: what the elimination leaves of an equality. One on the error
-/// is measured against the largest bound of these or the level; a constraint, whose unit is that of the form
-/// or of its logarithm, against 1 or its own bound.
+/// A condition counts as violated from here on: the elimination leaves this much of an equality. A condition
+/// on the error is relative to the largest bound of these, or to the level. A constraint has the unit of the
+/// form or of its logarithm, and is relative to 1 or to its own bound.
 constexpr double violation_floor = 1e-13;
 
 double product(const Unknowns& a, const Unknowns& b, std::size_t size) {
@@ -95,7 +95,7 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
       return result;
     }
     for (std::size_t i = 0; i < unknowns; ++i) result.unknowns[i] = product(inverse[i], bounds, unknowns);
-    // sum of multiplier * slope = -(0, .., 0, 1), the direction in which the level falls
+    // sum of multiplier * slope = -(0, .., 0, 1), the direction of a falling level
     for (std::size_t i = 0; i < unknowns; ++i) result.multipliers[i] = -inverse[unknowns - 1][i];
 
     std::size_t entering = conditions.size();

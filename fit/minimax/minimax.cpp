@@ -12,11 +12,11 @@ namespace {
 
 /// A step of this size, relative, is Newton's last: the next would be its square.
 constexpr double last_step = 1e-7;
-/// A multiplier below this holds nothing up.
+/// A multiplier below this counts as zero.
 constexpr double no_multiplier = 1e-9;
 
-/// Errors in double that differ from those in wider arithmetic by this share of the level do not tell where
-/// they alternate.
+/// If errors in double differ from those in wider arithmetic by this share of the level, the alternation
+/// cannot be seen in double.
 constexpr double largest_rounding = 0.1;
 
 /// From a start to the settled alternation.
@@ -39,8 +39,8 @@ class RemezExchange {
     return false;
   }
 
-  /// The programme has no answer: a proof where its conditions are those of the constraints, or where the
-  /// parameters do not move what is violated.
+  /// The programme has no answer. That is a proof if its conditions are those of the constraints, or if the
+  /// parameters do not move the violated ones.
   bool fail_to_satisfy() {
     if (problem_.is_linear || here_.is_violation_fixed())
       return fail(Status::infeasible, "no parameters " + here_.most_violated());
@@ -48,12 +48,11 @@ class RemezExchange {
                 "no step from least squares leads to parameters that " + here_.most_violated());
   }
 
-  /// The level, and more for a violation than it could gain.
+  /// The level, plus a penalty for violated constraints that is larger than the level they could gain.
   double merit() const { return here_.level() + penalty_ * here_.violation(); }
 
-  /// Constraints of interpolation: those that hold whatever the parameters are fall away; of the others
-  /// Newton tells whether the form can meet them. exp(a) meets 0 for no a, and says so by steps that stay
-  /// long.
+  /// Constraints of interpolation. Those that hold for all parameters are dropped. For the others, Newton
+  /// tells whether the form can meet them: exp(a) is 0 for no a, so Newton's steps stay long.
   bool can_be_exact() {
     for (const SearchPlace& place : problem_.exact_at) {
       const MinimaxParameters start = here_.parameters;
@@ -65,7 +64,7 @@ class RemezExchange {
           const double scaled = c.gradient[j] * here_.parameters[j];
           square += scaled * scaled;
         }
-        if (i == 0 && c.value == 0 && square == 0) break;  // met by itself
+        if (i == 0 && c.value == 0 && square == 0) break;  // holds for all parameters
         if (!(square > 0) || !std::isfinite(square)) i = 60;
         const double step = -c.value / square;
         double largest = 0;
@@ -87,8 +86,8 @@ class RemezExchange {
     return true;
   }
 
-  /// From extrema to the step of their linear programme and back, until the step is Newton's last. A step
-  /// that does not lower the merit is halved.
+  /// Finds the extrema, takes the step of their linear programme, and repeats until the step is negligible. A
+  /// step that does not lower the merit is halved.
   bool descend() {
     MinimaxParameters base = here_.parameters, step{};
     double best = HUGE_VAL, scale = 1, size = 1;
@@ -157,9 +156,9 @@ class RemezExchange {
     return true;
   }
 
-  /// The programme's step leads out of the admissible parameters still, after steps of which each took half
-  /// of the way to their border or more. What is violated there beyond such a rest, no admissible parameters
-  /// satisfy.
+  /// The programme's step still leaves the admissible parameters, after steps that each took at least half of
+  /// the way to their border. If a constraint is violated there by more than such a rest, no admissible
+  /// parameters satisfy it.
   bool stop_at_border() {
     constexpr double rest = 1e-6;
     here_.look();
@@ -168,8 +167,9 @@ class RemezExchange {
     return fail(Status::at_border, "");
   }
 
-  /// Line search failed. A short step means that the level has reached its rounding: let Newton finish.
-  /// Otherwise the level does not determine the parameters.
+  /// The line search failed. If the programme still promises a lower level, the exchange has not converged.
+  /// If it does not, a short step means that the level has reached its rounding, and Newton finishes. A long
+  /// step means that the level does not determine the parameters.
   bool stall(double best, double size) {
     if (best - expected_ >= 1e-9 * best)
       return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
@@ -179,7 +179,7 @@ class RemezExchange {
                                         " places hold it there: the parameters are not determined");
   }
 
-  /// Newton on the equations of the reference, their residuals in long double, until a step is nothing.
+  /// Newton on the equations of the reference, with residuals in long double, until the step is negligible.
   void settle() {
     for (std::size_t i = 0; i < here_.unknowns(); ++i) {
       if (reference_[i].touch != Touch::exact && !(multipliers_[i] > no_multiplier)) {
@@ -191,7 +191,7 @@ class RemezExchange {
       }
     }
     long double size = 0;
-    // One pass is the rule, and a second confirms it.
+    // One pass is usual, and a second confirms it.
     for (int pass = 0; pass < 5; ++pass) {
       SmallMatrix matrix{}, inverse{};
       WideParameters wide{};
@@ -214,7 +214,7 @@ class RemezExchange {
         fail(Status::degenerate, "the equations of the alternation are not independent");
         return;
       }
-      // What each equation lacks at this level.
+      // The residual of each equation at this level.
       std::array<long double, most_unknowns> lack{};
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
         Contact& c = reference_[i];
@@ -241,7 +241,7 @@ class RemezExchange {
         if (step[i] != 0) size = std::max(size, std::abs(step[i] / wide[i]));
       }
       result_.digits = correct_digits(size);
-      // Half a unit in the last place of a double is 1.1e-16; a step above a few of these is worth taking
+      // Half a unit in the last place of a double is 1.1e-16; a step of more than a few of these is taken
       // once.
       if (size <= static_cast<long double>(pass == 0 ? 3e-16 : settled)) {
         result_.status = Status::converged;
@@ -274,9 +274,9 @@ class RemezExchange {
   Few<Contact> reference_;
   Unknowns multipliers_{};
   double penalty_ = 1;
-  double rounding_ = 0;     ///< the largest of the errors in double, where they alternate
-  double expected_ = 0;     ///< the level that the last programme promised
-  bool leads_out_ = false;  ///< and its step led out of the admissible parameters, and was cut
+  double rounding_ = 0;     ///< the largest error of double where the error alternates
+  double expected_ = 0;     ///< the level promised by the last programme
+  bool leads_out_ = false;  ///< whether its step left the admissible parameters, and was cut
 };
 
 }  // namespace

@@ -16,15 +16,15 @@
 
 /// Minimax: the parameters for which the largest |weight * error| over the domain is least.
 ///
-/// At the optimum of a form with n free parameters the error takes its largest magnitude, the level, at n + 1
-/// places at least, with alternating signs where it is one-humped in the usual way: the alternation. From a
-/// start near least squares an exchange looks for the extrema of the error, solves the linear programme of
-/// the lowest level there (fit/minimax/exchange.hpp), takes its step, which is Newton's on the equations of
-/// the alternation, and looks again. A constraint is one more condition in that programme. The result is the
-/// best near its start, not proven the best of all; the search is sampled between its places.
+/// At the optimum of a form with n free parameters the error has its largest magnitude, the level, at n + 1
+/// places at least, usually with alternating signs: the alternation. The exchange starts near least squares.
+/// It finds the extrema of the error and solves the linear programme of the lowest level there
+/// (fit/minimax/exchange.hpp). Its step is Newton's on the equations of the alternation. Then it looks for
+/// the extrema again. A constraint is one more condition of the programme. The result is the best near its
+/// start. It is not proven to be the best of all, and the search is sampled.
 namespace shadefit {
 
-/// Parameters beyond a form's number are not looked at.
+/// Parameters beyond those of the form are not used.
 using MinimaxParameters = std::array<double, most_parameters>;
 using WideParameters = std::array<long double, most_parameters>;
 
@@ -39,14 +39,14 @@ struct Along {
   double value, slope, curvature;
 };
 
-/// A value of place and parameters, behind plain functions: the solver is the same for every form.
+/// A function of place and parameters, behind plain functions, so that the solver is the same for every form.
 struct MinimaxCurve {
   std::function<void(const MinimaxParameters&, std::span<double>)> everywhere;  ///< at the search places
   std::function<Along(const SearchPlace&, const MinimaxParameters&)> along;
   /// The value, and its derivatives by the parameters.
   std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> across;
   std::function<long double(const SearchPlace&, const WideParameters&)> wide;
-  /// The same two of the slope into the domain, at s = 0 or 1.
+  /// The same for the slope into the domain, at s = 0 or 1.
   std::function<double(const SearchPlace&, const MinimaxParameters&, Unknowns&)> slope_across;
   std::function<long double(const SearchPlace&, const WideParameters&)> wide_slope;
 };
@@ -56,12 +56,13 @@ struct MinimaxProblem {
   std::vector<SearchPlace> places;  ///< by panel, then by s
   std::function<Cosine<double>(const SearchPlace&)> cosine_at;
   MinimaxCurve error;
-  /// What `at_most` and `at_least` bound, and what is 0 where the form is its target: form and error; of a
-  /// positive form log(form) and log(form/target), which may be linear in the parameters.
+  /// The curve that `at_most` and `at_least` bound, and the curve that is 0 where the form equals its target.
+  /// These are the form and its error; for a positive form log(form) and log(form/target), which may be
+  /// linear in the parameters.
   MinimaxCurve bounded, deviation;
   bool is_exponential = false;
-  /// Constraints are linear in the parameters: where they cannot be satisfied at some places at once they
-  /// cannot be satisfied.
+  /// Constraints are linear in the parameters: if they cannot be satisfied together at some places, no
+  /// parameters satisfy them.
   bool is_linear = false;
   std::optional<Side> one_sided = std::nullopt;
   std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
@@ -79,10 +80,10 @@ struct MinimaxOptimum {
   std::string why = {};                            ///< where it did not converge, in words
 };
 
-/// Exchanges until the alternation has settled, or `most_steps` are done; never throws for a hard problem.
+/// Exchanges until the alternation has settled, at most `most_steps`. Never throws for a hard problem.
 MinimaxOptimum solve_minimax(const MinimaxProblem& problem, const MinimaxParameters& start);
 
-/// Three to six are the rule; the rest is for starts from afar, where steps are halved.
+/// Three to six are usual. Distant starts need more, because their steps are halved.
 inline constexpr int most_steps = 60;
 
 }  // namespace shadefit

@@ -18,9 +18,9 @@ std::array<T, most_parameters> all_as(const Values& values) {
   return all;
 }
 
-/// The curve of `error(panel, s, parameters)`: s in [0, 1] on that panel in a scalar T, all parameters in a
-/// scalar P, which is T or has derivatives by them; the result is a P. Without what constraints on its slope
-/// would ask for. `places` are those of the problem, and stay where they are while the curve is in use.
+/// The curve of `error(panel, s, parameters)`. s in [0, 1] on that panel has the scalar T; the parameters
+/// have the scalar P, which is T or has derivatives by them; the result is a P. Constraints on the slope are
+/// not supported. `places` are those of the problem, and must not move while the curve is in use.
 template <class Error>
 MinimaxCurve curve_of_error(const Error& error, const std::vector<SearchPlace>& places) {
   return {.everywhere =

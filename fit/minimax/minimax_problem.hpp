@@ -17,8 +17,8 @@
 /// A family's minimax problem, sampled where the exchange looks.
 namespace shadefit {
 
-/// Where the exchange looks on a panel: the 41 extrema of Chebyshev's polynomial of degree 40, ends included.
-/// The error of a form with four parameters has five to seven humps.
+/// The search places of a panel: the 41 extrema of Chebyshev's polynomial of degree 40, ends included. They
+/// are enough: the error of a form with four parameters has five to seven extrema.
 inline const std::array<double, 41>& chebyshev_places() {
   static const std::array<double, 41> places = [] {
     std::array<double, 41> s{};
@@ -31,8 +31,8 @@ inline const std::array<double, 41>& chebyshev_places() {
   return places;
 }
 
-/// A family (fit/solve/under.hpp) under a norm of minimax, with the nodes of the search sampled. Not to be
-/// moved while its `problem()` is in use.
+/// A family (fit/solve/under.hpp) under a norm of minimax, sampled at the search places. It must not move
+/// while its `problem()` is in use.
 template <class F>
 class Minimax {
  public:
@@ -59,7 +59,7 @@ class Minimax {
     for (std::size_t panel = 0; panel < panels_.size(); ++panel) {
       for (const double s : chebyshev_places()) places_.push_back({panel, s});
     }
-    // Where a lobe is cut off because it is next to nothing, its domain goes on to the end.
+    // A lobe that was cut off because it is nearly zero counts to the end of the domain.
     if (panels_.back().at(1.0).cosine.cos_theta > bottom.cos_theta + 1e-15) {
       panels_.push_back(Substitution::between(bottom, bottom).front());
       places_.push_back({panels_.size() - 1, 1.0});
@@ -74,7 +74,7 @@ class Minimax {
     const auto start = common_optimum<static_cast<int>(N)>(
         family_.starts(), descent_problem(basin, family_, metric_.domain), 1);
     MinimaxParameters p{};
-    // At the border of the admissible parameters an error has a pole: from there no step leads back.
+    // At the border of the admissible parameters the error has a pole, and no step leads back from there.
     const auto from = start.status == Status::at_border ? family_.starts()[0] : start.parameters;
     std::copy(from.begin(), from.end(), p.begin());
     MinimaxOptimum optimum = solve_minimax(problem(), p);
@@ -113,7 +113,8 @@ class Minimax {
                               [this](const MinimaxParameters& p) {
                                 return shadefit::is_admissible(family_, metric_.domain, lifted<double>(p));
                               }};
-    if (is_exponential && result.at_least && *result.at_least <= 0) result.at_least.reset();  // it is above
+    if (is_exponential && result.at_least && *result.at_least <= 0)
+      result.at_least.reset();  // always satisfied
     for (const double c : metric_.constraints.exact_at)
       result.exact_at.push_back(c == metric_.domain.upper ? places_.front() : places_.back());
     return result;

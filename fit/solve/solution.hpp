@@ -17,10 +17,10 @@
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/solve/under.hpp"
 
-/// A family solved under any metric: which solver, with which parameters free.
+/// A family solved under any metric: the choice of the solver and of the free parameters.
 namespace shadefit {
 
-/// What a solver found, all parameters of the family in its order.
+/// The result of a solver, with all parameters of the family in its order.
 struct Solution {
   std::vector<double> parameters;
   Status status = Status::not_converged;
@@ -32,8 +32,8 @@ struct Solution {
   std::string why = {};
 };
 
-/// The given parameters of a metric by their places. Throws std::logic_error for a name that the family lacks
-/// and where none is left free.
+/// The given parameters of a metric by their places. Throws std::logic_error for a name that the family
+/// lacks, and if no parameter is free.
 template <class F>
 GivenParameters<F::parameters.size()> given_parameters(const Constraints& constraints) {
   GivenParameters<F::parameters.size()> given{};
@@ -47,8 +47,8 @@ GivenParameters<F::parameters.size()> given_parameters(const Constraints& constr
   return given;
 }
 
-/// sqrt(integral of measure * error^2 / integral of measure) at given parameters, the error with its weight:
-/// by the first two rules that agree to 1e-12, else by the largest.
+/// sqrt(integral of measure * error^2 / integral of measure) at given parameters, with the weighted error: by
+/// the first two rules that agree to 1e-12, else by the largest.
 template <class F>
 double scaled_rms_of(const F& family, const Metric& metric,
                      const std::array<double, F::parameters.size()>& p) {
@@ -62,20 +62,19 @@ double scaled_rms_of(const F& family, const Metric& metric,
   return last;
 }
 
-/// sqrt(integral of measure * weight^2 / integral of measure): a weight scales an rms error by as much.
+/// sqrt(integral of measure * weight^2 / integral of measure): the scale of a weight.
 inline double scale_of(const Weight& weight, const Metric& metric) {
   return weight.is_one() ? 1 : scaled_rms_of(WeightItself{weight}, metric, {});
 }
 
 /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2) at given parameters: a
-/// mean of the error, which the weight makes count more here and less there. It is never above the largest
-/// error.
+/// weighted mean of the error, never above the largest error.
 template <class F, std::size_t M>
 double rms_of(const Under<F, M>& family, const Metric& metric, const std::array<double, M>& p) {
   return scaled_rms_of(family, metric, p) / scale_of(family.weight, metric);
 }
 
-/// What a metric makes least over the places between `top` and `bottom`, at given parameters.
+/// The quantity that a metric minimises over the places between `top` and `bottom`, at given parameters.
 template <class F>
 double objective_at(const F& family, const Metric& metric, const Cosine<double>& top,
                     const Cosine<double>& bottom, const std::array<double, F::parameters.size()>& p) {
@@ -95,7 +94,7 @@ double objective_at(const F& family, const Metric& metric, const Cosine<double>&
              : largest_magnitude(error, Substitution::panels({.domain = narrowed.domain}, shape)).magnitude;
 }
 
-/// A family with M parameters free, between two places.
+/// A family with M free parameters, between two places.
 template <class F, std::size_t M>
 Solution solve_free(const Under<F, M>& family, const Metric& metric, const Cosine<double>& top,
                     const Cosine<double>& bottom) {

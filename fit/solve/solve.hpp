@@ -10,8 +10,8 @@
 #include "fit/quadrature/metric.hpp"
 #include "fit/solve/solution.hpp"
 
-/// The solvers of a family. They are compiled apart from their callers and from each other: in one unit the
-/// compiler inlines less, and a plain fit takes half as long again.
+/// The solvers of a family. Each is compiled in its own unit: in one unit the compiler inlines less, and a
+/// plain fit takes 1.5 times as long.
 namespace shadefit {
 
 template <class List>
@@ -27,12 +27,11 @@ using AnyFamily = OneOf<Families>::type;
 /// Plain least squares: of the absolute error, without weight, with all parameters free.
 Solution solve_plain(const AnyFamily& family, const Metric& metric);
 
-/// The same from other starts than the family's own: three points with as many numbers as the family has
-/// parameters.
+/// The same from given starts: three points, each with one number per parameter of the family.
 Solution solve_plain_from(const AnyFamily& family, const Metric& metric,
                           const std::array<std::vector<double>, 3>& starts);
 
-/// A family under a metric whose places that count lie between `top` and `bottom`.
+/// A family under a metric, between the places `top` and `bottom`.
 Solution solve_under(const AnyFamily& family, const Metric& metric, const Cosine<double>& top,
                      const Cosine<double>& bottom);
 

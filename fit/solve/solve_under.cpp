@@ -8,7 +8,7 @@
 namespace shadefit {
 namespace {
 
-/// `M`: as many parameters as may be free.
+/// `M`: the largest number of free parameters.
 template <std::size_t M, class F>
 Solution solve_with_at_most(const F& family, const Metric& metric, const Cosine<double>& top,
                             const Cosine<double>& bottom) {

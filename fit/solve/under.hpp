@@ -14,17 +14,17 @@
 /// A family as a metric sees it.
 namespace shadefit {
 
-/// The parameters of a family that are given, by their places; the others are free.
+/// The given parameters of a family, by their places. The others are free.
 template <std::size_t N>
 using GivenParameters = std::array<std::optional<double>, N>;
 
-/// A family of which M parameters are free, with the error that a metric asks for: absolute or relative,
-/// times the weight. A family itself, for the solvers.
+/// A family with M free parameters and the error of a metric: absolute or relative, times the weight. The
+/// solvers use it as a family.
 template <class F, std::size_t M>
 struct Under {
   static constexpr std::size_t all = F::parameters.size();
   static_assert(0 < M && M <= all);
-  /// As many names as there are free parameters; which ones they are, `given` says.
+  /// One name per free parameter. `given` tells which parameters these are.
   static constexpr std::array<std::string_view, M> parameters{};
   static constexpr bool is_linear = F::is_linear;
 
@@ -70,8 +70,8 @@ struct Under {
   }
   { return family.log_ratio(s.inner, with_given(p)); }
 
-  /// A relative error does not fall off with its target, and is singular where that is 0. Where a target
-  /// falls, a weight may rise: then panels that double take the place of a cut.
+  /// A relative error does not decay with its target, and is singular where the target is 0. A weight may
+  /// rise while the target falls. Then panels that double replace the cut.
   Shape shape() const {
     Shape shape = family.shape();
     if (error_kind == Error::relative) {

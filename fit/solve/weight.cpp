@@ -19,14 +19,14 @@ namespace {
 
 using Kind = Symbolic::Kind;
 
-/// A part of a formula at whose zeros the formula is not smooth.
+/// A part of a formula. At its zeros the formula is not smooth.
 struct Hinge {
   Symbolic part;
-  bool is_root;  ///< a zero is a singular place also where the sign does not change
-  bool is_pole;  ///< and the formula is not finite there
+  bool is_root;  ///< a zero is singular even if the sign does not change
+  bool is_pole;  ///< the formula is not finite there
 };
 
-/// What is left to Gauss's rule of a root or logarithm: as after the substitution for c^k
+/// How close to a root or logarithm Gauss's rule goes: as after the substitution for c^k
 /// (fit/quadrature/substitution.hpp).
 constexpr int power_at_root = 8;
 
@@ -34,7 +34,7 @@ bool is_negative_number(const Symbolic& e) {
   return e.kind() == Kind::negate && e.part(0).kind() == Kind::number;
 }
 
-/// The hinges of a formula, inner ones first. It calls itself no deeper than a formula may be.
+/// The hinges of a formula, inner ones first. The recursion is as deep as the formula, which is limited.
 void collect(const Symbolic& e, std::vector<Hinge>& hinges) {
   for (const Symbolic& part : e.parts()) collect(part, hinges);
   const bool is_function = e.kind() == Kind::function;
@@ -66,13 +66,13 @@ double slope_at(const Symbolic& formula, double cosine) {
   return value_at(formula, Jet(cosine, 0)).v[0];
 }
 
-/// A choice takes its first side below zero alone.
+/// A choice takes its first side only below zero.
 bool is_below(double value) {
   return value < 0;
 }
 
-/// The neighbours between which a predicate changes, among the cosines of which 1 - c is a double too; it
-/// differs at `low` and `high`.
+/// The two neighbours between which a predicate changes, among the cosines for which 1 - c is a double too.
+/// It differs at `low` and `high`.
 template <class Predicate>
 std::pair<double, double> bisected(double low, double high, const Predicate& predicate) {
   const bool at_low = predicate(low);
@@ -84,7 +84,7 @@ std::pair<double, double> bisected(double low, double high, const Predicate& pre
   }
 }
 
-/// Where a search in a domain looks: in rising order.
+/// The places of a search in a domain, in rising order.
 std::vector<double> places_of(const Domain& domain, const std::vector<Shape::Edge>& edges) {
   std::vector<double> places{domain.lower, domain.upper};
   for (const double s : search_points()) places.push_back(domain.lower + s * (domain.upper - domain.lower));
@@ -106,7 +106,7 @@ std::optional<double> append_edges(const Hinge& hinge, const Domain& domain,
   std::vector<double> places = places_of(domain, edges), values;
   for (const double c : places) values.push_back(value(c));
 
-  // Between two places it may touch zero, or cross it twice: at an extremum nearer to zero than both.
+  // Between two places it may touch zero or cross it twice, at an extremum that is nearer to zero than both.
   std::vector<double> extrema;
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double left = slope_at(hinge.part, places[i - 1]), right = slope_at(hinge.part, places[i]);
@@ -125,7 +125,7 @@ std::optional<double> append_edges(const Hinge& hinge, const Domain& domain,
     if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
   }
   const int order = hinge.is_root ? power_at_root : 1;
-  // What the rounding of a difference leaves of zero.
+  // A difference that should be 0 is at most this, by rounding.
   const auto is_zero = [&](double v) { return std::abs(v) <= 1e-15 * largest; };
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool has_left = i > 0 && std::isfinite(values[i - 1]);
@@ -140,14 +140,14 @@ std::optional<double> append_edges(const Hinge& hinge, const Domain& domain,
         (i == 0 || is_zero(values[i - 1])) && (i + 1 == places.size() || is_zero(values[i + 1]));
     if (is_flat) continue;
     edges.push_back({places[i], places[i], order});
-    // Of a double zero the nearest double is off by 1e-16, and its value by the square of that.
+    // The nearest double is 1e-16 from a double zero, so the value there is the square of that.
     if (hinge.is_pole && abs(value_at(hinge.part, Decimal50(places[i]))) <= Decimal50(1e-28 * largest))
       pole = places[i];
   }
   return pole;
 }
 
-/// In falling order; what lies nearer than rounding to another or to an end is one with it.
+/// In falling order. A place within rounding of another, or of an end, is merged with it.
 std::vector<Shape::Edge> tidied(std::vector<Shape::Edge> edges, const Domain& domain) {
   const double near = 1e-14 * (domain.upper - domain.lower);
   std::stable_sort(edges.begin(), edges.end(),
@@ -173,7 +173,7 @@ std::string text_of(double value) {
   return text;
 }
 
-/// Where a weight is looked at between two of its edges, ends included, in rising order.
+/// The places where a weight is sampled between two of its edges, ends included, in rising order.
 std::vector<std::vector<double>> pieces_of(const Weight& weight) {
   const Domain& domain = weight.domain();
   std::vector<std::vector<double>> pieces;
@@ -227,7 +227,7 @@ std::optional<std::string> find_fault(const Weight& weight) {
   }
   if (weight.pole())
     return "divides by zero at c = " + to_text(*weight.pole()) + ": it must be finite over the domain";
-  // What the rounding of 50 digits may leave of zero in a formula that cancels 20 of them.
+  // A formula that cancels 20 of 50 digits leaves at most this of a zero.
   const Decimal50 nothing = Decimal50(largest) * Decimal50("1e-30");
   const auto wide = [&](double c) { return weight.at(Decimal50(c)); };
   const auto negative_at = [&](double c) -> std::optional<std::string> {
@@ -248,7 +248,8 @@ std::optional<std::string> find_fault(const Weight& weight) {
                                                                  piece[i - 1], piece[i + 1], 53, steps);
       if (const auto fault = negative_at(minimum.first)) return fault;
     }
-    // Between two edges a formula is analytic: zero at all these places, it is zero.
+    // Between two edges a formula is analytic: if it is zero at all these places, it is zero everywhere
+    // between.
     const double lower = piece.front(), upper = piece.back();
     const bool is_zero =
         std::all_of(piece.begin() + 1, piece.end() - 1, [&](double c) { return abs(wide(c)) <= nothing; });

@@ -13,32 +13,32 @@
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/symbolic.hpp"
 
-/// What multiplies the error of a fit at a place: a user's formula in the cosine c, such as "1 + 4 c".
+/// The factor of the error of a fit: a user's formula in the cosine c, such as "1 + 4 c".
 namespace shadefit {
 
 class Weight {
  public:
-  /// Everywhere 1.
+  /// The weight 1.
   Weight() = default;
 
   /// By `parse_formula`, of the variable c; an empty text is 1. Throws std::invalid_argument with one line
-  /// that says what was expected where.
+  /// that names the place and what was expected there.
   explicit Weight(std::string_view text, const Domain& domain = {});
 
   bool is_one() const { return !formula_; }
   const Domain& domain() const { return domain_; }
 
-  /// Where the formula is not smooth inside its domain or at its ends, in falling order: where the two sides
-  /// of a choice, min or max are equal, and where a root, power or logarithm is one of zero. Found by their
-  /// signs between the `search_points`, refined to neighbouring doubles; what changes its sign twice between
-  /// two of them and has no extremum there is missed.
+  /// The places inside the domain or at its ends where the formula is not smooth, in falling order: the two
+  /// sides of a choice, min or max are equal, or the argument of a root, power or logarithm is zero. They are
+  /// found by changes of sign between the `search_points` and refined to neighbouring doubles. A double
+  /// change of sign between two of them, without an extremum there, is missed.
   const std::vector<Shape::Edge>& edges() const { return edges_; }
 
-  /// A place where it divides by zero, or takes the logarithm of it.
+  /// A place where the formula divides by zero or takes its logarithm.
   const std::optional<double>& pole() const { return pole_; }
 
-  /// The value at a cosine. Rounding may carry a place beyond an end of the domain, where sqrt(0.25 - c^2) is
-  /// not defined: the end stands for it.
+  /// The value at a cosine. Rounding may move a place beyond an end of the domain, where sqrt(0.25 - c^2) is
+  /// not defined: then the value at the end is returned.
   template <class T>
   T at(const T& cos_theta) const {
     if (!formula_) return integer<T>(1);
@@ -74,17 +74,17 @@ struct WeightItself {
   Shape shape() const { return {.edges = weight.edges()}; }
 };
 
-/// The most edges that a weight may have: each is one more panel of every sum.
+/// The largest number of edges. Each edge is one more panel of every sum.
 inline constexpr std::size_t most_edges = 64;
 
-/// The largest value of a weight lies between this and its inverse: its square, and that of the small errors
-/// that it multiplies, is a double.
+/// The largest value of a weight lies between this and its inverse: then its square, times the square of a
+/// small error, is a double.
 inline constexpr double largest_weight = 1e100;
 
-/// Why a formula is no weight on its domain, as the end of a sentence that begins with it: "is -0.5 at c = 0:
-/// it must not be negative". Empty where it is finite, nowhere negative, and zero at single places only. What
-/// is negative or zero is decided in 50 digits. Sampled: at the `search_points`, at both ends, at the edges
-/// and half-way between them, and at the minima between these.
+/// Why a formula cannot be a weight on its domain, as the end of a sentence: "is -0.5 at c = 0: it must not
+/// be negative". Empty if it is finite, nowhere negative, and zero only at single places. The sign is decided
+/// in 50 digits, at samples: the `search_points`, both ends, the edges, half-way between edges, and the
+/// minima between these.
 std::optional<std::string> find_fault(const Weight& weight);
 
 }  // namespace shadefit
