@@ -14,7 +14,7 @@
 #include "fit/fit.hpp"
 #include "fit/scalars/jet.hpp"
 
-/// From a family's id, a setting and parameter values to its templates.
+/// Calls the templates of a family, from its id, a setting and parameter values.
 namespace shadefit {
 
 /// The family of a setting.
@@ -27,7 +27,7 @@ F make_family(const Setting& setting) {
   }
 }
 
-/// The values of a family's parameters, which are as many as its names.
+/// The values of a family's parameters, one for each name.
 template <class F>
 auto parameter_array(std::span<const double> parameters) {
   std::array<double, F::parameters.size()> p;

@@ -7,7 +7,7 @@
 
 #include "approx/encoding.hpp"
 
-/// Bands: what rounding makes of a smooth highlight.
+/// Bands: rounding turns a smooth highlight into steps.
 namespace shadefit {
 
 struct Banding {
@@ -17,15 +17,15 @@ struct Banding {
 
 namespace detail {
 
-/// How far apart a curve is at two cosines, in 8-bit sRGB codes.
+/// The distance of a curve's values at two cosines, in 8-bit sRGB codes.
 template <class Curve>
 double step_between(const Curve& curve, double a, double b) {
   return std::abs(srgb_code(curve(b)) - srgb_code(curve(a)));
 }
 
-/// The jump of a computed curve between two cosines beyond the exact step: the larger half of the interval is
-/// followed until the exact curve hardly moves in it (0.01 of a code), or its ends are neighbouring floats.
-/// `least` where the jump is no larger than that.
+/// The jump of a computed curve between two cosines, less the step of the exact curve. The interval is
+/// halved, and the half with the larger jump is kept, until the exact curve moves by less than 0.01 of a code
+/// in it, or its ends are neighbouring floats. Returns `least` if the jump is not larger than that.
 template <class Computed, class Exact>
 double jump_between(const Computed& computed, const Exact& exact, double a, double b, double least) {
   constexpr double still = 0.01;
@@ -41,9 +41,9 @@ double jump_between(const Computed& computed, const Exact& exact, double a, doub
 
 }  // namespace detail
 
-/// The banding of a computed curve over samples of the cosine in their order, beside the exact curve. Both
-/// map a cosine (a float) to a linear value, of peak 1. A constant as `exact` says that each sample stands
-/// for a whole interval of a continuous highlight, which the exact curve passes without a step; else a jump
+/// The banding of a computed curve over ordered samples of the cosine, compared with the exact curve. Both
+/// map a cosine (a float) to a linear value with peak 1. A constant as `exact` says that each sample stands
+/// for an interval of a continuous highlight, in which the exact curve has no step. With a function, a jump
 /// between two samples is narrowed down.
 template <class Computed, class Exact>
 Banding banding(const std::vector<double>& cosines, const Computed& computed, const Exact& exact,

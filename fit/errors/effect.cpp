@@ -18,7 +18,7 @@ Change beside(Change change, const Coordinate& coordinate) {
 }
 
 std::string words(const Coordinate& coordinate) {
-  constexpr double longest = 1e7;  // a whole number of more digits is not read as one
+  constexpr double longest = 1e7;  // a larger whole number is hard to read in full
   const bool is_whole = std::round(coordinate.value) == coordinate.value && coordinate.value < longest;
   return std::string(coordinate.before) + decimal(coordinate.value, is_whole ? 7 : 3) +
          std::string(coordinate.after);
@@ -36,7 +36,7 @@ std::string relative_words(const Effect& effect) {
   return decimal(effect.relative.magnitude, 2) + " at " + words(effect.relative.at);
 }
 
-/// Starts the part with a capital where it starts with a word: "exp(-1)" and "x = 1" stay as they are.
+/// Capitalises the first letter of a part that starts with a word: "exp(-1)" and "x = 1" are not changed.
 std::string capitalised(std::string part) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
   const auto end = std::find_if_not(part.begin(), part.end(), is_small);

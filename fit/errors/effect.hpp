@@ -11,13 +11,15 @@
 #include "approx/encoding.hpp"
 #include "fit/errors/extremum.hpp"
 
-/// What a difference does to a picture, in the units that a renderer programmer feels. Every effect of the
-/// project is made here: values before and after are shown to an `Effect`, and `sentence` says it.
+/// The effect of a difference on a picture, in the units of a renderer: 8-bit codes, ulps of half. All
+/// effects of the project are computed here: add values before and after to an `Effect`; `sentence` puts it
+/// into words.
 namespace shadefit {
 
-/// A number that says where: "c = 0.284", "80 degrees", "code 251". The words have to outlive it: literals.
+/// A coordinate with its name: "c = 0.284", "80 degrees", "code 251". The words must outlive it: use
+/// literals.
 struct Coordinate {
-  std::string_view before = {};  ///< the words in front of the number; empty: no coordinate
+  std::string_view before = {};  ///< the words before the number; empty: there is no coordinate
   double value = 0;
   std::string_view after = {};
 };
@@ -33,23 +35,23 @@ struct Change {
   Place at{};
 };
 
-/// The largest changes of all that were shown, each at its own worst place.
+/// The largest changes of all values, each at its own worst place.
 struct Effect {
   Change absolute;               ///< the largest |change|
-  Change relative;               ///< the largest |change / value|, where the value is at least `visible`
-  bool reaches_visible = false;  ///< a value was
+  Change relative;               ///< the largest |change / value|, if the value is at least `visible`
+  bool reaches_visible = false;  ///< whether a value was at least `visible`
   double half_ulps = 0;          ///< the largest |change| in units of the last place of a half
   double srgb_codes = 0;         ///< the largest |change| in 8-bit sRGB codes (a real number: 1 is one code)
 
-  /// A value goes from `before` to `after` at that place. Of changes that are equal within `equal_extrema`
-  /// the first one shown is kept. A change that is not finite makes `absolute` infinite.
+  /// Adds a value that changes from `before` to `after` at a place. Of changes that are equal within
+  /// `equal_extrema`, the first is kept. A change that is not finite makes `absolute` infinite.
   void show(double before, double after, const Place& at);
 
-  /// What another effect was shown, too; `beside` is added to its places.
+  /// Adds the values of another effect; `beside` is added to its places.
   void include(const Effect& other, const Coordinate& beside = {});
 };
 
-/// A relative change is stated where the value is at least one code of an 8-bit linear target.
+/// A relative change counts if the value is at least one code of an 8-bit linear target.
 inline constexpr double visible = 1.0 / 255;
 
 /// The distance from |value| to the next half: 2^(e-10) in [2^e, 2^(e+1)), 2^-24 in the subnormals.
@@ -58,7 +60,7 @@ inline double half_ulp(double value) {
   return std::ldexp(1.0, exponent - 10);
 }
 
-/// "c = 0.284"; where c says little, near the peak, "c = 1 - 0.00031".
+/// "c = 0.284"; near the peak, "c = 1 - 0.00031".
 inline Place at_cosine(const Cosine<double>& c) {
   constexpr double near = 0.005;
   const bool is_near = c.one_minus_cos > 0 && c.one_minus_cos < near;
@@ -89,7 +91,7 @@ Effect effect_over(const Values& values, const Substitution& substitution) {
   return effect;
 }
 
-/// The effect of going from one function of the cosine to another; both map a Cosine<T> to a T.
+/// The effect of replacing one function of the cosine by another; both map a Cosine<T> to a T.
 template <class Before, class After>
 Effect effect_between(const Before& before, const After& after, const Substitution& substitution) {
   return effect_over(
@@ -99,7 +101,7 @@ Effect effect_between(const Before& before, const After& after, const Substituti
       substitution);
 }
 
-/// The effect of going from parameters `from` to `to`: a place is sampled once for both.
+/// The effect of replacing parameters `from` by `to`. Each place is sampled once for both.
 template <class F, std::size_t N>
 Effect effect_of_change(const F& family, const Domain& domain, const std::array<double, N>& from,
                         const std::array<double, N>& to) {
@@ -119,8 +121,8 @@ Effect effect_of_change(const F& family, const Domain& domain, const std::array<
 std::string words(const Place& place);
 
 /// "moves the curve by up to 0.0017 codes of 8-bit sRGB (absolute: 3.7e-06 at c = 0.284; relative: 0.00013 at
-/// c = 0.0684; half float: 0.48 ulps)", or "none" where nothing moved. Each number is the largest of its
-/// kind. The lead comes in front: "at k = 5 the form moves ..".
+/// c = 0.0684; half float: 0.48 ulps)", or "none" if nothing moved. Each number is the largest of its kind.
+/// The lead stands before it: "at k = 5 the form moves ..".
 std::string sentence(const Effect& effect, std::string_view what = "the curve", std::string_view lead = {});
 
 /// The parts as sentences, without the last full stop: {"x is 1", "the rest is 2"} gives "x is 1. The rest is

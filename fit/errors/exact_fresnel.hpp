@@ -7,8 +7,8 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/families/surface.hpp"
 
-/// How far a curve is from the reflectance of a surface: of an approximation from Schlick's formula, of
-/// either from the truth.
+/// The error of a curve against the reflectance of a surface: an approximation against Schlick's formula, or
+/// either against the exact formula.
 namespace shadefit {
 
 struct ReflectanceError {

@@ -20,7 +20,7 @@ std::vector<double> search_points() {
 }
 
 double largest_sampled(const std::function<double(double)>& f) {
-  // Every fourth place: such functions are dear, and the refinement spans what lies between.
+  // Every fourth place: these functions are expensive, and the refinement covers the places between.
   std::vector<double> points{0};
   const std::vector<double> all = search_points();
   for (std::size_t i = 0; i < all.size(); i += 4) points.push_back(all[i]);
@@ -51,7 +51,7 @@ Extremum largest_magnitude(const SearchedFunction& f, const Substitution& substi
   for (const double right : points) {
     const double right_slope = slope(right);
     if (left_slope * right_slope < 0) {
-      // 53 bits: the root is then as exact as f' itself. Fifty steps bound what takes about ten.
+      // 53 bits: the root is then as exact as f' itself. Ten steps are usual, fifty the limit.
       std::uintmax_t steps = 50;
       const auto root = boost::math::tools::toms748_solve(
           slope, left, right, left_slope, right_slope, boost::math::tools::eps_tolerance<double>(53), steps);
@@ -76,7 +76,7 @@ Extremum largest_magnitude(const SearchedFunction& f, const Substitution& substi
 
 Extremum largest_magnitude(const SearchedFunction& f, const std::vector<Substitution>& panels) {
   Extremum largest;
-  for (const Substitution& panel : panels) {  // from the peak down, so that a later one has the smaller c
+  for (const Substitution& panel : panels) {  // from the peak down: a later panel has smaller c
     const Extremum found = largest_magnitude(f, panel);
     if (found.magnitude >= largest.magnitude * (1 - equal_extrema)) {
       largest = {std::max(found.magnitude, largest.magnitude), found.at};

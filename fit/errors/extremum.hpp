@@ -7,7 +7,7 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
 
-/// Where a function of the cosine is largest in magnitude.
+/// The largest magnitude of a function of the cosine, and its place.
 namespace shadefit {
 
 struct Extremum {
@@ -15,36 +15,36 @@ struct Extremum {
   Cosine<double> at{};
 };
 
-/// Magnitudes this close to the largest count as equal to it, relative; the smallest c among them is the
-/// place reported.
+/// Magnitudes within this relative distance of the largest count as equal. The smallest c among them is
+/// reported.
 inline constexpr double equal_extrema = 1e-9;
 
-/// Where a sampled search looks: 256 even places inside (0, 1), and towards either end powers of two, so that
-/// a spike as narrow as 1e-12 of the domain is seen there.
+/// The places of a sampled search: 256 even places inside (0, 1), and powers of two towards both ends, so
+/// that a spike of 1e-12 of the domain is seen there.
 std::vector<double> search_points();
 
-/// The largest value of a function of s in [0, 1] that has no derivative to go by: the best of the
-/// `search_points` and both ends, refined between its neighbours to half the digits of its place, which is
-/// all that a maximum has.
+/// The largest value of a function of s in [0, 1] without a derivative: the best of the `search_points` and
+/// both ends, refined between its neighbours. The place gets half of the digits of a double: a maximum has no
+/// more.
 double largest_sampled(const std::function<double(double)>& f);
 
-/// A function of the cosine behind plain functions: the search is compiled once, and not for each function.
+/// A function of the cosine behind plain functions, so that the search is compiled once.
 struct SearchedFunction {
   using Jet = ceres::Jet<double, 1>;
 
   std::function<double(const Cosine<double>&)> value;
-  std::function<double(const Cosine<Jet>&)>
-      slope;  ///< the derivative of what it is by what the Jet varies by
+  std::function<double(const Cosine<Jet>&)> slope;  ///< its derivative
 };
 
-/// The largest |f| over the domain of the substitution. Sampled: sign changes of f' are looked for between
-/// the `search_points` and refined to a root; both ends count.
+/// The largest |f| over the domain of the substitution. Sampled: sign changes of f' between the
+/// `search_points` are refined to roots; both ends count.
 Extremum largest_magnitude(const SearchedFunction& f, const Substitution& substitution);
 
-/// The largest |f| over several panels; of equal ones the smallest c, as within a panel.
+/// The largest |f| over several panels; the smallest c of equal ones.
 Extremum largest_magnitude(const SearchedFunction& f, const std::vector<Substitution>& panels);
 
-/// The same, over either, of an `f` that maps a Cosine<T> to a T for double and ceres::Jet<double, 1>.
+/// The same for an `f` that maps a Cosine<T> to a T for double and ceres::Jet<double, 1>, over one panel or
+/// several.
 template <class F, class Places>
 Extremum largest_magnitude(const F& f, const Places& places) {
   const SearchedFunction searched{[&f](const Cosine<double>& c) { return f(c); },

@@ -8,8 +8,8 @@
 namespace shadefit {
 
 double change_of_one_code() {
-  // Codes grow with the grey times the slope of the encoding, which is largest at white: a change moves white
-  // furthest.
+  // The change in codes is proportional to the grey times the slope of the encoding. That is largest at
+  // white.
   const auto beyond = [](double change) { return srgb_code(1.0) - srgb_code(1 - change) - 1; };
   std::uintmax_t steps = 60;
   const auto root = boost::math::tools::toms748_solve(beyond, 0.0, 0.5,

@@ -4,7 +4,7 @@
 
 #include "fit/scalars/multiprecision.hpp"
 
-/// The ruler: how far a computed number of a format is from the truth, in units of the last place.
+/// The ruler: the distance of a computed number from the truth, in units of the last place of its format.
 namespace shadefit {
 
 /// A binary format of IEEE 754. Its normal numbers are +-m 2^(e - digits + 1) with a whole m in
@@ -27,13 +27,13 @@ inline constexpr BinaryFormat double_format{"double", 53, -1022, 1023};
 /// subnormal number; beyond the largest number, the spacing in the last binade.
 Decimal50 ulp_at(const Decimal50& truth, const BinaryFormat& format);
 
-/// Whether rounding to nearest makes an infinity of `truth`: from half an ulp beyond the largest number on.
+/// Whether rounding to nearest turns `truth` into an infinity: from half an ulp beyond the largest number on.
 bool overflows(const Decimal50& truth, const BinaryFormat& format);
 
-/// |computed - truth| / ulp_at(truth). `computed` is a number of the format, widened; `truth` is no NaN. Zero
-/// is 0 whatever its sign, and a number of the wrong sign is simply further away. Infinite for a NaN and for
-/// an infinity, except that the infinity which the truth rounds to is 0 ulps off; where the truth overflows,
-/// a finite number is measured from the largest finite one's binade like any other.
+/// |computed - truth| / ulp_at(truth). `computed` is a number of the format, widened; `truth` is no NaN. The
+/// sign of a zero does not matter, and a wrong sign needs no special case. Infinite for a NaN, and for an
+/// infinity unless the truth rounds to it: then 0. If the truth overflows, a finite number is measured with
+/// the ulp of the largest binade.
 double ulps_off(double computed, const Decimal50& truth, const BinaryFormat& format);
 
 }  // namespace shadefit

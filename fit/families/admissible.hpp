@@ -20,8 +20,8 @@ concept HasDenominator = requires(const F& family, double c,
   family.denominator(c, p);
 };
 
-/// Whether the denominator is positive on the whole domain. It is linear in c, so both ends decide. 1 + x
-/// rounds to a positive number only where it is one: rounding admits no parameter that is not admissible.
+/// Whether the denominator is positive on the whole domain. It is linear in c, so its sign at both ends
+/// decides. 1 + x rounds to a positive number only if it is positive, so rounding admits no wrong parameter.
 template <class F, std::size_t N>
 bool is_admissible(const F& family, const Domain& domain, const std::array<double, N>& p) {
   if constexpr (HasDenominator<F>) {
@@ -31,7 +31,7 @@ bool is_admissible(const F& family, const Domain& domain, const std::array<doubl
   }
 }
 
-/// A place in the domain where the denominator of parameters that are not admissible vanishes.
+/// A place in the domain where the denominator vanishes, for parameters that are not admissible.
 template <HasDenominator F, std::size_t N>
 Cosine<double> pole_in(const F& family, const Domain& domain, const std::array<double, N>& p) {
   const double left = family.denominator(domain.lower, p), right = family.denominator(domain.upper, p);

@@ -11,16 +11,16 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
 
-/// The families of Fresnel's weight; what a family brings says fit/families/families.hpp.
+/// The families of Fresnel's weight. fit/families/families.hpp lists the members of a family.
 namespace shadefit {
 
-/// What the Fresnel families share: they fit a form to (F - f0)/(1 - f0). Without a surface the target is
-/// Schlick's (1-c)^5.
+/// The common part of the Fresnel families: a form is fitted to (F - f0)/(1 - f0). Without a surface the
+/// target is Schlick's (1-c)^5.
 template <class Form, int N>
 struct FresnelFamily {
   static constexpr bool is_linear = Form::is_linear;
-  /// Errors are those of the reflectance F = f0 + (1 - f0) f. Without a surface, Schlick's formula stands for
-  /// every f0 and the errors are those of f.
+  /// Errors are those of the reflectance F = f0 + (1 - f0) f. Without a surface, the target is Schlick's
+  /// formula for every f0, and errors are those of f.
   Surface surface = {};
 
   template <class T>
@@ -40,7 +40,7 @@ struct FresnelFamily {
 
   Shape shape() const { return {.joint = joint_of(surface)}; }
 
-  /// Where a form falls to one half by 2^-1 at the cosine where its target does.
+  /// The parameter for which a form falls to one half at the same cosine as its target.
   double half_sharpness() const { return 1 / half_weight_cosine(surface); }
 
   template <class T>
@@ -65,7 +65,7 @@ struct FresnelFamily {
     return surface.is_named() ? (integer<P>(1) - normal_reflectance<P>(surface)) * difference : difference;
   }
 
-  /// (Fhat - F)/F = (1 - f0)/F (form - target): what a shader's reader sees.
+  /// (Fhat - F)/F = (1 - f0)/F (form - target): the relative error that a viewer sees.
   template <class T, class P>
   P relative_error(const Sample<T>& s, const std::array<P, N>& p) const {
     const T f0 = normal_reflectance<T>(surface);
@@ -112,11 +112,12 @@ struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
   }
 };
 
-/// The same by exp2((a c + b) c).
+/// (1-c)^5, or the weight of a surface, by exp2((a c + b) c).
 struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   static constexpr const Family& info = fresnel_quadratic_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
-  /// From inside, all is reflected down to the critical angle: the curve leaves 1 rising before it falls.
+  /// From inside a dielectric, everything is reflected up to the critical angle: the curve stays at 1 before
+  /// it falls.
   std::array<std::array<double, 2>, 3> starts() const {
     const double b = half_sharpness(), a = b * b;
     if (surface.is_exact() && surface.ior < 1 && surface.extinction < surface.ior)
@@ -165,7 +166,8 @@ struct RationalForm {
   }
 };
 
-/// The same by exp2(((a c + b) c + d) c); the starts are those of the quadratic, and beside them.
+/// (1-c)^5, or the weight of a surface, by exp2(((a c + b) c + d) c). The starts are near those of the
+/// quadratic.
 struct FresnelCubic : FresnelFamily<CubicForm, 3> {
   static constexpr const Family& info = fresnel_cubic_family;
   static constexpr std::array<std::string_view, 3> parameters{"a", "b", "d"};
@@ -175,7 +177,7 @@ struct FresnelCubic : FresnelFamily<CubicForm, 3> {
   }
 };
 
-/// The same by exp2((((a c + b) c + d) c + g) c).
+/// (1-c)^5, or the weight of a surface, by exp2((((a c + b) c + d) c + g) c).
 struct FresnelQuartic : FresnelFamily<QuarticForm, 4> {
   static constexpr const Family& info = fresnel_quartic_family;
   static constexpr std::array<std::string_view, 4> parameters{"a", "b", "d", "g"};
@@ -185,21 +187,21 @@ struct FresnelQuartic : FresnelFamily<QuarticForm, 4> {
   }
 };
 
-/// The same by s (1-c)^4.
+/// (1-c)^5, or the weight of a surface, by s (1-c)^4.
 struct FresnelFourth : FresnelFamily<FourthForm, 1> {
   static constexpr const Family& info = fresnel_fourth_family;
   static constexpr std::array<std::string_view, 1> parameters{"s"};
   static std::array<std::array<double, 1>, 3> starts() { return {{{1}, {0.5}, {2}}}; }
 };
 
-/// The same by (1-c)^2 (1 + (a c + b) c).
+/// (1-c)^5, or the weight of a surface, by (1-c)^2 (1 + (a c + b) c).
 struct FresnelSquare : FresnelFamily<SquareForm, 2> {
   static constexpr const Family& info = fresnel_square_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
   static std::array<std::array<double, 2>, 3> starts() { return {{{1, -1}, {2, -3}, {4, -4}}}; }
 };
 
-/// The same by (1-c)^4/(1 + a c).
+/// (1-c)^5, or the weight of a surface, by (1-c)^4/(1 + a c).
 struct FresnelRational : FresnelFamily<RationalForm, 1> {
   static constexpr const Family& info = fresnel_rational_family;
   static constexpr std::array<std::string_view, 1> parameters{"a"};

@@ -16,26 +16,25 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
 
-/// The families of the lobe c^k; what a family brings says fit/families/families.hpp.
+/// The families of the lobe c^k. fit/families/families.hpp lists the members of a family.
 namespace shadefit {
 
-/// The smallest cosine with c^k >= 1/255, one code of an 8-bit linear target: exp(-log(255)/k). Below k =
-/// 0.0078 that is less than any double: empty.
+/// The smallest cosine with c^k >= 1/255, one code of an 8-bit linear target: exp(-log(255)/k). Empty below k
+/// = 0.0078, where that is less than any double.
 inline std::optional<Cosine<double>> where_lobe_is_visible(double exponent) {
   const double log_end = -std::log(255.0) / exponent;
   if (std::exp(log_end) < std::numeric_limits<double>::min()) return std::nullopt;
   return Cosine<double>{std::exp(log_end), -std::expm1(log_end)};
 }
 
-/// The scalar of a factor that all errors at a place share. It weights the place, and a weight off by 1e-16
-/// moves an optimum by that times the ratio of error to slope, which is small: what is measured in long
-/// double, a difference of nearly equal numbers, gains nothing from a factor wider than double, and its
-/// exponential takes a fifth of the time.
+/// The scalar of a factor that all errors at a place share: double is enough. It weights the place. A weight
+/// that is off by 1e-16 moves an optimum by 1e-16 times the ratio of error to slope, which is small. In long
+/// double, its exponential would take a fifth of the time.
 template <class T>
 using CommonFactor = std::conditional_t<std::same_as<T, long double>, double, T>;
 
-/// The values at a cosine that do not depend on the lobe's parameter: form = base exp(change), change = q
-/// variable with q the parameter counted from its `origin`, and target = base exp(log_ratio).
+/// The values at a cosine that do not depend on the lobe's parameter: form = base exp(change), with change =
+/// q variable and q = parameter - `origin`; target = base exp(log_ratio).
 template <class T>
 struct LobeSample {
   T variable;
@@ -44,8 +43,8 @@ struct LobeSample {
   T ratio_minus_one;
 };
 
-/// In long double an error is target * expm1(change - log_ratio): one exponential in that arithmetic, of the
-/// place and the parameter together, where form and target apart would take one each.
+/// In long double an error is target * expm1(change - log_ratio): one exponential instead of one each for
+/// form and target.
 template <>
 struct LobeSample<long double> {
   long double variable;
@@ -63,8 +62,8 @@ LobeSample<T> lobe_sample(const T& variable, const CommonFactor<T>& base, const 
   }
 }
 
-/// The lobe c^k by a form with one parameter: what the two lobe families share. `Formulas` says how a form of
-/// approx/ is an exponential in its parameter.
+/// The lobe c^k by a form with one parameter: the common part of two lobe families. `Formulas` writes a form
+/// of approx/ as an exponential in its parameter.
 template <class Formulas>
 struct LobeFamily {
   static constexpr bool is_linear = true;  ///< the logarithm is
@@ -173,7 +172,8 @@ struct SgOffset : LobeFamily<GaussianFormulas> {
     return gaussian_lobe(cos_theta, exponent, p[0]);
   }
 
-  /// The box is (0, 3/2). For a small exponent the lobe is 1 + k log c + .., and its best offset near 5/4 k.
+  /// The search box is (0, 3/2). For a small exponent the lobe is 1 + k log c + .., and its best offset is
+  /// near 5/4 k.
   std::array<std::array<double, 1>, 3> starts() const {
     const double scale = std::min(1.0, exponent);
     return {{{0.25 * scale}, {0.75 * scale}, {1.25 * scale}}};
@@ -222,7 +222,7 @@ struct SgScaled : LobeFamily<GaussianFormulas> {
     return log(p[0]) + LobeFamily::log_ratio(s, std::array{p[1]});
   }
 
-  /// The scale is near 1; the offset as without it.
+  /// The scale is near 1, and the offset near that of the form without a scale.
   std::array<std::array<double, 2>, 3> starts() const {
     const double scale = std::min(1.0, exponent);
     return {{{1, 0.75 * scale}, {1 - 0.125 * scale, 0.25 * scale}, {1 + 0.125 * scale, 1.25 * scale}}};
@@ -238,8 +238,8 @@ struct PhongBlinn : LobeFamily<BlinnFormulas> {
     return blinn_lobe_of_cosine(cos_theta, exponent, p[0]);
   }
 
-  /// The best factor is 4 for sharp lobes and, under the measures here, below 7.5 for blunt ones: the box is
-  /// wide for these and narrow for those.
+  /// The best factor is 4 for sharp lobes and, under the measures here, below 7.5 for blunt ones. So the
+  /// search box is narrow for sharp lobes and wide for blunt ones.
   std::array<std::array<double, 1>, 3> starts() const {
     const double width = 1 / (1 + exponent);
     return {{{3.75 - 0.25 * width}, {4.5 + 0.5 * width}, {4.25 + 3.75 * width}}};

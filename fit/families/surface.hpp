@@ -11,18 +11,18 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
 
-/// What a Fresnel form is fitted to: Schlick's formula or the exact one, with or without a named surface.
+/// The target of a Fresnel form: Schlick's formula or the exact one, with or without a named surface.
 namespace shadefit {
 
-/// A smooth surface, and by which formula it reflects.
+/// A smooth surface and the formula of its reflectance.
 struct Surface {
   enum class Formula { schlick, exact };
 
   Formula formula = Formula::schlick;
   double ior = 0;         ///< index of refraction, behind over in front; 0: no surface is named
   double extinction = 0;  ///< 0: a dielectric; above: a conductor
-  /// Where no surface is named: the reflectance at normal incidence that relative errors are stated for.
-  /// Empty: the `reference_f0`.
+  /// Without a named surface: the reflectance at normal incidence for relative errors. Empty: the
+  /// `reference_f0`.
   std::optional<double> f0 = std::nullopt;
 
   auto operator<=>(const Surface&) const = default;
@@ -41,7 +41,7 @@ constexpr Surface schlick_surface(double ior, double extinction = 0) {
   return {Surface::Formula::schlick, ior, extinction, std::nullopt};
 }
 
-/// The `reference_f0`; its text is read once.
+/// The `reference_f0`. Its text is parsed once.
 template <class T>
 T reference_reflectance() {
   if constexpr (std::floating_point<T>) {
@@ -54,7 +54,7 @@ T reference_reflectance() {
   }
 }
 
-/// The reflectance at normal incidence; where no surface is named, its f0.
+/// The reflectance at normal incidence; without a named surface, `f0`.
 template <class T>
 T normal_reflectance(const Surface& surface) {
   if (!surface.is_named()) return surface.f0 ? lift<T>(*surface.f0) : reference_reflectance<T>();
@@ -69,32 +69,32 @@ T exact_reflectance(const Surface& surface, const T& cos_theta) {
   return conductor_reflectance(cos_theta, lift<T>(surface.ior), lift<T>(surface.extinction));
 }
 
-/// How far the reflectance has gone from f0 to 1 at the cosine c: (F - f0)/(1 - f0).
+/// The weight of the reflectance between f0 and 1 at the cosine c: (F - f0)/(1 - f0).
 template <class T>
 T target_weight(const Surface& surface, const T& cos_theta) {
   if (!surface.is_exact()) return schlick_weight(cos_theta);
   return weight_of_reflectance(exact_reflectance(surface, cos_theta), normal_reflectance<T>(surface));
 }
 
-/// From inside a dielectric (index below 1) everything beyond the critical angle, sin = n, is reflected: the
-/// cosine there, where the exact reflectance has a kink.
+/// The cosine of the critical angle, sin = n, beyond which a dielectric with index below 1 reflects
+/// everything. The exact reflectance has a kink there.
 inline std::optional<double> critical_cosine(const Surface& surface) {
   const bool is_inside = surface.is_exact() && surface.extinction == 0 && surface.ior < 1;
   return is_inside ? std::optional(std::sqrt((1 - surface.ior) * (1 + surface.ior))) : std::nullopt;
 }
 
-/// The cosine at which the target's weight has first fallen to one half on the way from grazing (c = 0) to
-/// normal incidence: the scale of what is to be fitted. 1 - 2^(-1/5) of Schlick's; a metal may lose its
-/// grazing reflectance within a hundredth. Between powers of 2^(1/4), which is near enough for a scale.
+/// The scale of the target: the cosine at which its weight first falls to one half, on the way from grazing
+/// (c = 0) to normal incidence. For Schlick's formula this is 1 - 2^(-1/5); a metal may lose its grazing
+/// reflectance within a hundredth. It is rounded to a power of 2^(1/4), which is near enough.
 inline double half_weight_cosine(const Surface& surface) {
   double c = std::ldexp(1.0, -40);
   while (c < 1 && target_weight(surface, c) > 0.5) c *= std::exp2(0.25);
   return std::min(c, 1.0);
 }
 
-/// Where the domain of a surface's target is cut: at its kink; or, where it falls within a small part of the
-/// domain, at eight times the cosine at which it has fallen to one half, so that the fall and the long rest
-/// each have their nodes.
+/// The place that splits the domain of a surface's target: its kink; or, if it falls within a small part of
+/// the domain, eight times the cosine at which it has fallen to one half. Then the fall and the rest have
+/// their own nodes.
 inline std::optional<Shape::Joint> joint_of(const Surface& surface) {
   if (const auto kink = critical_cosine(surface)) return Shape::Joint{*kink, true};
   if (!surface.is_exact()) return std::nullopt;

@@ -5,12 +5,12 @@
 
 #include "approx/scalar.hpp"
 
-/// exp2 and log2 by their definition: square roots and squares alone, without an exponential or a logarithm.
-/// Slow, and independent of the functions that they check. T is a multiprecision number.
+/// exp2 and log2 by their definition: square roots and squares only, without an exponential or a logarithm.
+/// They are slow, but independent of the functions that they check. T is a multiprecision number.
 namespace shadefit {
 
-/// 2^x = 2^n * 2^(1/2) * 2^(1/4) * .. over the binary digits of x: as many of them as T has, each factor the
-/// square root of the one before. Relative error: a few epsilons for each digit. One object has the roots.
+/// 2^x = 2^n * 2^(1/2) * 2^(1/4) * .. over the binary digits of x: all digits of T, each factor the square
+/// root of the one before. Relative error: a few epsilons per digit. An object stores the roots.
 template <class T>
 class RootsOfTwo {
  public:
@@ -35,9 +35,9 @@ class RootsOfTwo {
   std::vector<T> roots_;
 };
 
-/// log2(x), x > 0: its whole part is the binary exponent; a square doubles the logarithm, so that its next
-/// binary digit is whether the square of what is left reaches 2. The rounding of each square counts half as
-/// much as that of the one before: the absolute error is a few epsilons.
+/// log2(x), x > 0: the whole part is the binary exponent. A square doubles the logarithm, so the next binary
+/// digit is 1 if the square of the rest is at least 2. The rounding of each square counts half as much as
+/// that of the one before: the absolute error is a few epsilons.
 template <class T>
 T log2_by_squares(const T& x) {
   int exponent = 0;

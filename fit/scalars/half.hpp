@@ -6,12 +6,12 @@
 
 #include "fit/scalars/scalar_in_double.hpp"
 
-/// The adapter of Eigen::half, the 16-bit format that a mobile GPU computes in.
+/// The adapter of Eigen::half, the 16-bit format of mobile GPUs.
 namespace shadefit {
 
 /// The half nearest to x (ties to even), rounded once. Eigen rounds a double through float, which rounds
 /// twice; a float rounded to odd (an inexact result with an even last bit moves to its neighbour) makes the
-/// second one harmless.
+/// second rounding harmless.
 inline Eigen::half round_to_half(double x) {
   auto narrow = static_cast<float>(x);
   const bool even = (Eigen::numext::bit_cast<Eigen::numext::uint32_t>(narrow) & 1u) == 0;

@@ -2,7 +2,7 @@
 
 #include "fit/scalars/narrow_result.hpp"
 
-/// Half arithmetic on operands that need not be halves.
+/// Half arithmetic on operands of any format.
 namespace shadefit {
 
 /// On halves it is the arithmetic of Eigen::half.

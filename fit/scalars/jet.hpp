@@ -9,8 +9,8 @@
 /// The adapter of ceres::Jet: a value and its derivatives. A Jet of Jets carries second derivatives.
 namespace shadefit {
 
-/// Each function of the vocabulary as its value and the chain rule, in the vocabulary of the Jet's own
-/// scalar, so that nested and wide Jets work alike (Ceres 2.1's pow does not compile over multiprecision).
+/// Each function of the vocabulary: its value and the chain rule. Both use the vocabulary of the Jet's own
+/// scalar, so nested and wide Jets work too (Ceres 2.1's pow does not compile over multiprecision).
 template <class T, int N>
 struct Scalar<ceres::Jet<T, N>> {
   using Jet = ceres::Jet<T, N>;
@@ -28,8 +28,8 @@ struct Scalar<ceres::Jet<T, N>> {
   static Jet log2(const Jet& x) {
     return Jet(shadefit::log2(x.a), chain(one() / (x.a * shadefit::ln2<T>()), x.v));
   }
-  /// exp(x) = expm1(x) + 1 loses digits where x << 0, but there the derivative is next to nothing beside 1,
-  /// which is what it is added to in every use: a second exponential would buy nothing.
+  /// exp(x) = expm1(x) + 1 loses digits for x << 0. But there the derivative is negligible beside 1, to which
+  /// it is always added: a second exponential would gain nothing.
   static Jet expm1(const Jet& x) {
     const T value = shadefit::expm1(x.a);
     return Jet(value, (value + one()) * x.v);
@@ -77,8 +77,8 @@ struct Scalar<ceres::Jet<T, N>> {
  private:
   static T one() { return shadefit::integer<T>(1); }
 
-  /// Whether a value and all its derivatives are zero; ceres::Jet's own == looks at the value alone. A scalar
-  /// whose == is no plain question says it itself.
+  /// Whether a value and all its derivatives are zero; ceres::Jet's == compares values only. A scalar whose
+  /// == does not return a bool has its own overload.
   template <class U>
   static bool is_zero(const U& x) {
     if constexpr (requires { Scalar<U>::is_zero(x); }) {
@@ -95,7 +95,7 @@ struct Scalar<ceres::Jet<T, N>> {
     return is_zero(x.a);
   }
 
-  /// slope * v, where what does not vary stays so: an infinite slope times a zero derivative is zero.
+  /// slope * v, but an infinite slope times a zero derivative is zero: what does not vary stays constant.
   static Derivatives chain(const T& slope, const Derivatives& v) {
     Derivatives result;
     for (int i = 0; i < N; ++i) result[i] = is_zero(v[i]) ? shadefit::integer<T>(0) : T(slope * v[i]);
@@ -109,8 +109,8 @@ inline constexpr bool is_jet = false;
 template <class T, int N>
 inline constexpr bool is_jet<ceres::Jet<T, N>> = true;
 
-/// A value as the scalar P: itself, the constant Jet (of Jets) with that value, or what else P makes of it
-/// (an interval holds a double exactly).
+/// A value as the scalar P: itself, a constant Jet (of Jets), or the conversion of P (an interval holds a
+/// double exactly).
 template <class P, class T>
 P lift(const T& value) {
   if constexpr (std::same_as<P, T>) {

@@ -29,7 +29,7 @@ struct Scalar<boost::multiprecision::number<boost::multiprecision::cpp_bin_float
   static T log2(const T& x) { return log(x) / ln2(); }
   static T expm1(const T& x) { return boost::multiprecision::expm1(x); }
   static T log1p(const T& x) { return boost::multiprecision::log1p(x); }
-  /// The series x^2 (-1/2 + x/3 - ..) where the subtraction would cancel more than two bits.
+  /// The series x^2 (-1/2 + x/3 - ..) if the subtraction would cancel more than two bits.
   static T log1p_remainder(const T& x) {
     if (abs(x) * 2 > 1) return log1p(x) - x;
     T term = -x * x;

@@ -9,7 +9,7 @@
 
 #include "fit/scalars/scalar_in_double.hpp"
 
-/// Arithmetic in a binary format that is narrower than a double, on operands that need not be of it.
+/// Arithmetic in a binary format that is narrower than a double, on operands of any format.
 namespace shadefit {
 
 /// The formats by IEEE 754: significant bits, and the exponents of the least and the largest normal number.
@@ -49,9 +49,9 @@ inline constexpr double least_normal_of = power_of_two(Format::least_exponent);
 template <class Format>
 inline constexpr double least_of = power_of_two(Format::least_exponent - Format::digits + 1);
 
-/// The result of an operation in the format, or an operand as it came (a float cosine, say): every operation
-/// is computed in double and its result rounded once. On operands of the format that is the format's own
-/// arithmetic, each operation correctly rounded: a double has more than twice its digits and two.
+/// The result of an operation in the format, or an operand that is not rounded (for example a float cosine).
+/// Every operation is computed in double and rounded once. For operands of the format this is the format's
+/// own arithmetic, correctly rounded, because a double has at least 2 p + 2 digits.
 template <class Format>
 class NarrowResult {
  public:
@@ -60,12 +60,13 @@ class NarrowResult {
   explicit NarrowResult(double operand) : value_(operand) {}
   explicit operator double() const { return value_; }
 
-  /// That number in the format, ties to even: for half what `round_to_half` gives, at a tenth of its time.
+  /// The nearest number of the format, ties to even: for half the same as `round_to_half`, in a tenth of its
+  /// time.
   ///
   /// Numbers of the size of x are multiples of q = 2^(e-p+1), p the digits, where 2^e <= |x| < 2^(e+1), e at
-  /// least that of the least normal number (subnormals lie as dense). |x/q| < 2^p is exact, and adding 3 *
-  /// 2^51 to it leaves no bits for a fraction: the sum is rounded to a whole number. From half a step beyond
-  /// the largest number on, it is infinity.
+  /// least that of the least normal number (subnormals lie as dense). |x/q| < 2^p is exact. Adding 3 * 2^51
+  /// leaves no bits for a fraction: the sum is rounded to a whole number. From half a step beyond the largest
+  /// number on, the result is infinity.
   static NarrowResult rounded(double x) {
     constexpr double shift = 0x1.8p52;
     constexpr int last = Format::digits - 1;
@@ -91,8 +92,8 @@ class NarrowResult {
   double value_ = 0;
 };
 
-/// For exp, exp2, log and log2 of every half and every bfloat16 this is the correctly rounded result: none
-/// lies so near a tie that a double's error could move it (tests/fit/scalars/narrow_result_test.cpp).
+/// For exp, exp2, log and log2 of every half and every bfloat16 this is the correctly rounded result: none is
+/// so near a tie that the error of the double could move it (tests/fit/scalars/narrow_result_test.cpp).
 template <class Format>
 struct Scalar<NarrowResult<Format>> : ScalarInDouble<NarrowResult<Format>, NarrowResult<Format>::rounded> {};
 

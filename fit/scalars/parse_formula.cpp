@@ -35,7 +35,7 @@ bool is_among(const std::array<const char*, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Recursive descent: a function a rule of the grammar, each reads as much of the text as is its own.
+/// Recursive descent: one function for each rule of the grammar.
 class FormulaReader {
  public:
   FormulaReader(std::string_view text, std::span<const std::string_view> variables)
@@ -63,7 +63,7 @@ class FormulaReader {
     }
   }
 
-  /// No deeper than a formula may be; what is refused is no deeper than twice that.
+  /// A formula is not deeper than the limit, and a refused one not deeper than twice the limit.
   Symbolic limited(const Symbolic& result) const {
     if (result.depth() > deepest_formula)
       fail("no more than " + std::to_string(deepest_formula) + " operations inside one another");
@@ -168,7 +168,7 @@ class FormulaReader {
     return Symbolic::function(name, std::move(arguments));
   }
 
-  /// The number as an int, where it is written as one.
+  /// The number as an int, if it is written as one.
   std::optional<int> whole_number(std::string_view decimal, std::size_t start) {
     if (!std::all_of(decimal.begin(), decimal.end(), is_digit)) return std::nullopt;
     int n = 0;
@@ -185,7 +185,7 @@ class FormulaReader {
 
   char at(std::size_t i) const { return i < text_.size() ? text_[i] : '\0'; }
 
-  /// The next letter that is not a space, and `place_` on it; '\0' at the end.
+  /// Moves `place_` to the next letter that is not a space, and returns it; '\0' at the end.
   char peek() {
     while (at(place_) == ' ') ++place_;
     return at(place_);

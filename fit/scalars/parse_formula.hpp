@@ -6,11 +6,11 @@
 
 #include "fit/scalars/symbolic.hpp"
 
-/// Closed forms as people write them, read into the symbolic scalar.
+/// Reads closed forms, as people write them, into the symbolic scalar.
 namespace shadefit {
 
-/// The most characters of a formula, and the deepest: how many operations may be inside one another, a sum of
-/// n terms counting n - 1. What walks a formula calls itself for each part.
+/// The largest number of characters of a formula, and of operations inside one another; a sum of n terms
+/// counts as n - 1. Functions on formulas are recursive, so the depth needs a limit.
 inline constexpr std::size_t longest_formula = 1000;
 inline constexpr std::size_t deepest_formula = 200;
 
@@ -21,13 +21,13 @@ inline constexpr std::size_t deepest_formula = 200;
 ///   power     atom, or atom ^ exponent; an exponent is an atom or a signed number
 ///   atom      a number (2, 0.5, 1e-3), pi, ln2, a variable, a function of the vocabulary with its arguments
 ///             ("exp2(-a)", "max(a, 0)"), a sum in parentheses, or a choice "(a < b ? yes : no)"
-/// A power with a whole number for its exponent is one of multiplications, any other is a real power, whose
-/// base may not be negative.
+/// A power with a whole exponent is computed by multiplications. Any other is a real power; its base must not
+/// be negative.
 ///
-/// What people read in two ways is refused, not guessed: "1/2 pi", "a/b/c", "a^b^c", "2 3" and "a + -b" want
+/// A text that people read in two ways is refused: "1/2 pi", "a/b/c", "a^b^c", "2 3" and "a + -b" need
 /// parentheses or a `*`.
 ///
-/// `variables` are the names a formula may speak of besides pi and ln2; a name is a letter or underscore,
+/// `variables` are the names that a formula may contain besides pi and ln2. A name is a letter or underscore,
 /// then letters, digits and underscores. A formula that is too long or too deep is refused. Throws
 /// std::invalid_argument with one line that names the formula, the place (1 for its first letter) and what
 /// was expected there. The result evaluates in every scalar by `evaluate`.

@@ -8,19 +8,20 @@
 #include "approx/scalar.hpp"
 #include "fit/scalars/narrow_result.hpp"
 
-/// Intervals in a machine's arithmetic: what every operation could return for operands between two others.
+/// Intervals in a machine's arithmetic: all results that an operation can have for operands in given
+/// intervals.
 namespace shadefit {
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Two ends, rounded to the doubles or to the numbers of a format by whoever makes them.
+/// Two ends. The arithmetic that makes them rounds them to doubles or to numbers of a format.
 struct Ends {
   double lower = 0;
   double upper = 0;
 };
 
-/// Every operation rounded to nearest in the format. Rounding rises with its argument, so that the rounded
-/// ends enclose every rounded result between them.
+/// Every operation is rounded to nearest in the format. Rounding is monotonic, so the rounded ends enclose
+/// every rounded result between them.
 template <class Format>
 struct CorrectArithmetic {
   static constexpr bool contracts = false;
@@ -33,8 +34,8 @@ struct CorrectArithmetic {
   static Ends log(Ends x) { return basic({std::log(x.lower), std::log(x.upper)}); }
   static Ends log2(Ends x) { return basic({std::log2(x.lower), std::log2(x.upper)}); }
   static Ends sqrt(Ends x) { return basic({std::sqrt(x.lower), std::sqrt(x.upper)}); }
-  /// x^p of a positive x between the least and the largest of its corners, which a double's pow may miss by
-  /// an ulp and its neighbours then not keep in order.
+  /// x^p of a positive x, between the least and the largest value at the corners. pow in double may be off by
+  /// an ulp, and then neighbours need not be in order.
   static Ends power(Ends corners) {
     return basic({corners.lower * (1 - slack), corners.upper * (1 + slack)});
   }
@@ -61,14 +62,14 @@ struct OutwardArithmetic {
 
  private:
   static Ends widened(Ends x, double ulps) { return {-outward(-x.lower, ulps), outward(x.upper, ulps)}; }
-  /// A lower end that has overflowed is beyond the largest double, not at infinity.
+  /// A lower end that has overflowed is the largest double, not infinity.
   static double outward(double x, double ulps) {
     if (x == -unbounded) return -std::numeric_limits<double>::max();
     return x + ulps * (std::abs(x) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
   }
 };
 
-/// How far a GPU's arithmetic may be from correct rounding.
+/// The largest errors of a GPU's arithmetic.
 struct GpuModel {
   /// exp2 and log2 in float. Source: NVIDIA, "CUDA C++ Programming Guide", mathematical functions, single
   /// precision: exp2f 2 ulp, log2f 1 ulp. Vulkan allows more: 3 + 2 |x| ulp (Khronos, "Vulkan Specification",
@@ -142,8 +143,8 @@ struct GpuArithmetic {
   }
 };
 
-/// All that an arithmetic could return for operands in intervals. A result that may be no number is
-/// everything, for whoever asks what it is at least.
+/// All results that an arithmetic can return for operands in intervals. A result that may be NaN is the whole
+/// line.
 template <class Arithmetic>
 class RoundedInterval {
  public:
@@ -189,7 +190,7 @@ class RoundedInterval {
   static RoundedInterval rising(const RoundedInterval& x) {
     return RoundedInterval(valid(function(x.ends_)));
   }
-  /// x^p, x >= 0: it rises or falls with either operand, so that it lies between its corners.
+  /// x^p, x >= 0: monotonic in each operand, so it lies between its values at the corners.
   static RoundedInterval power(const RoundedInterval& x, const RoundedInterval& p) {
     if (x.lower() < 0) return everything();
     if constexpr (requires { Arithmetic::power_by_logarithm(x.ends_, p.ends_); }) {
@@ -219,8 +220,7 @@ class RoundedInterval {
     if (std::isnan(p) || std::isnan(q) || std::isnan(r) || std::isnan(s)) return {-unbounded, unbounded};
     return {std::min({p, q, r, s}), std::max({p, q, r, s})};
   }
-  /// A product and a sum with one rounding. The sum in double may itself be rounded: its neighbours enclose
-  /// it.
+  /// A product and a sum with one rounding. The sum in double may be rounded too: its neighbours enclose it.
   static RoundedInterval contracted(Ends product, Ends other) {
     const Ends sum = sum_of(product, other);
     return RoundedInterval(valid(
@@ -228,7 +228,7 @@ class RoundedInterval {
   }
 
   Ends ends_;
-  Ends product_;  ///< of a product, before it was rounded
+  Ends product_;  ///< the product before rounding
   bool is_product_ = false;
 };
 

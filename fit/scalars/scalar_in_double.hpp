@@ -8,7 +8,7 @@
 namespace shadefit {
 
 /// The adapter of a number T that is narrower than a double. Each function is evaluated in double and rounded
-/// once, by `round`: the best that hardware of that format could return.
+/// once, by `round`: the best possible result of hardware with that format.
 template <class T, T (*round)(double)>
 struct ScalarInDouble {
   static T exp(T x) { return round(std::exp(wide(x))); }

@@ -15,12 +15,10 @@ namespace {
 
 using Kind = Symbolic::Kind;
 
-/// How tightly the text of an expression holds together: what is looser than its place asks for is put in
-/// parentheses.
+/// The binding of an expression's text. Looser text than its place needs gets parentheses.
 enum class Binding { sum, quotient, product, power, atom };
 
-/// The words of one notation: each takes the texts of its operands, already in parentheses where they need
-/// them.
+/// The words of one notation. Operands come as texts, with the parentheses that they need.
 struct Notation {
   std::string (*in_parentheses)(const std::string&);
   std::string (*variable)(const std::string& name);
@@ -28,9 +26,9 @@ struct Notation {
   std::string (*power)(const std::string& base, const std::string& exponent);
   std::string (*select)(const std::string& a, const std::string& b, const std::string& yes,
                         const std::string& no);
-  std::string times_number;  ///< between a factor and one that begins with a digit
+  std::string times_number;  ///< between a factor and a factor that begins with a digit
   bool fraction_bar;         ///< a quotient needs no parentheses, inside or outside
-  bool raised_exponent;      ///< nor does an exponent
+  bool raised_exponent;      ///< an exponent needs none either
   std::pair<std::string, Binding> (*function)(const std::string& name,
                                               const std::vector<std::string>& arguments);
 };
@@ -45,7 +43,7 @@ std::string operand(const Symbolic& e, Binding least, const Notation& notation) 
 
 std::string product(const Symbolic& e, const Notation& notation) {
   const std::string left = operand(e.part(0), Binding::product, notation);
-  // A second product or quotient on the right would read as one with the left.
+  // Without parentheses, a product or quotient on the right would be read as part of the left.
   const std::string right = operand(e.part(1), Binding::power, notation);
   const bool is_digit = std::isdigit(static_cast<unsigned char>(right.front())) != 0;
   return left + (is_digit ? notation.times_number : " ") + right;
@@ -164,7 +162,7 @@ const Notation latex{
     .function = latex_function,
 };
 
-/// The subexpressions, each once, by their text: what is equal is computed once.
+/// The different subexpressions, by their text: equal ones are computed once.
 using Subexpressions = std::map<std::string, Symbolic>;
 
 /// A sign costs nothing: it is part of the instruction that reads its operand.
@@ -191,7 +189,7 @@ bool is_product(const Symbolic& e) {
 
 void count_function(const Symbolic& e, Operations& count) {
   const Symbolic& argument = unsigned_part(e.part(0));
-  // A factor that is a number takes the conversion of the base with it.
+  // A numeric factor includes the conversion of the base.
   const bool has_factor = argument.kind() == Kind::multiply &&
                           (is_known_before(argument.part(0)) || is_known_before(argument.part(1)));
   if (e.name() == "exp2") {
@@ -226,13 +224,13 @@ std::optional<double> known_factor(const Symbolic& e) {
   return std::nullopt;
 }
 
-/// Counts the instructions of the expressions that it is given.
+/// Counts the instructions of expressions.
 class Counter {
  public:
   Counter(std::span<const Symbolic> results, const InstructionSet& instructions)
       : instructions_(instructions) {
     for (const Symbolic& result : results) collect(result, all_, uses_);
-    // The largest sums first: one of four products is not one of three and an addition.
+    // The largest sums first: a sum of four products must not count as a sum of three and an addition.
     for (const std::size_t terms : {4u, 3u}) {
       for (const auto& [text, e] : all_) {
         if (instructions.dot_products && !inside_.contains(text)) fold_dot_product(e, terms);
@@ -250,13 +248,13 @@ class Counter {
  private:
   bool is_used_once(const Symbolic& value) const { return uses_.at(to_text(value)) == 1; }
 
-  /// A part of a sum that is a product used nowhere else: one instruction with the addition.
+  /// A product that is used only in one sum: one instruction together with the addition.
   bool is_fused(const Symbolic& part) const {
     const Symbolic& value = unsigned_part(part);
     return is_product(value) && is_used_once(value) && !is_scaled_result(value);
   }
 
-  /// A product that is the scale of the result of one of its parts.
+  /// A product that only scales the result of one of its parts.
   bool is_scaled_result(const Symbolic& e) const {
     const auto factor = known_factor(e);
     if (!factor ||
@@ -266,7 +264,7 @@ class Counter {
     return !result.parts().empty() && is_used_once(result);
   }
 
-  /// The terms of a sum, those of its inner sums too where these are used nowhere else.
+  /// The terms of a sum, and of inner sums that are used nowhere else.
   void add_terms(const Symbolic& sum, std::vector<Symbolic>& terms, std::vector<Symbolic>& inner) const {
     for (const Symbolic& part : sum.parts()) {
       const Symbolic& term = unsigned_part(part);
@@ -280,7 +278,8 @@ class Counter {
     }
   }
 
-  /// Where `e` is a dot product of that many terms, counts it as one, its products and inner sums as parts.
+  /// If `e` is a dot product of that many terms, counts it as one instruction, with its products and inner
+  /// sums.
   void fold_dot_product(const Symbolic& e, std::size_t size) {
     if (e.kind() != Kind::add && e.kind() != Kind::subtract) return;
     std::vector<Symbolic> terms, parts{e};
@@ -299,7 +298,7 @@ class Counter {
       case Kind::subtract:
         if (is_fused(e.part(0)) || is_fused(e.part(1))) {
           ++count_.multiply_add;
-          --count_.multiply;  // its own, counted where it stands
+          --count_.multiply;  // counted where the product itself stands
         } else {
           ++count_.add;
         }

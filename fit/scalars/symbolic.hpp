@@ -12,8 +12,8 @@
 
 #include "approx/scalar.hpp"
 
-/// The symbolic scalar: a formula run on it is its own expression, which prints itself, counts its operations
-/// and can be evaluated in any other scalar.
+/// The symbolic scalar: a formula that runs on it returns its own expression. The expression can be printed
+/// and evaluated in any other scalar, and its operations can be counted.
 namespace shadefit {
 
 /// An expression: an immutable tree, cheap to copy.
@@ -50,7 +50,7 @@ class Symbolic {
   int exponent() const { return std::stoi(node_->name); }
   const std::vector<Symbolic>& parts() const { return node_->parts; }
   const Symbolic& part(std::size_t i) const { return node_->parts.at(i); }
-  /// How many operations are inside one another; 0 of a number or a name.
+  /// The depth: operations inside one another; 0 for a number or a name.
   std::size_t depth() const { return node_->depth; }
 
   friend Symbolic operator+(const Symbolic& a, const Symbolic& b) { return operation(Kind::add, {a, b}); }
@@ -126,10 +126,10 @@ std::string to_text(const Symbolic& expression);
 /// The expression for LaTeX's math mode: `2^{\left(a c + b\right) c}`.
 std::string to_latex(const Symbolic& expression);
 
-/// What a shader executes for an expression. Equal subexpressions are computed once, those of numbers alone
-/// before it runs, and a sign is free. A sum of which one part is a product used nowhere else is one
-/// multiply-add. exp and log are those of base 2 and a multiplication, a real power log2, a multiplication
-/// and exp2, a whole power the multiplications of repeated squaring.
+/// What a shader executes for an expression. Equal subexpressions are computed once. Subexpressions of
+/// numbers are computed before the shader runs. A sign is free. A sum with a product that is used nowhere
+/// else is one multiply-add. exp and log are exp2 and log2 with a multiplication; a real power is log2, a
+/// multiplication and exp2; a whole power is repeated squaring.
 struct Operations {
   int add = 0;           ///< additions and subtractions
   int multiply = 0;      ///<
@@ -138,16 +138,16 @@ struct Operations {
   int exp2 = 0;          ///<
   int log2 = 0;          ///<
   int other = 0;         ///< square roots, sines, minima, comparisons ..
-  int dot3 = 0;          ///< sums of three products, where a processor has them
+  int dot3 = 0;          ///< sums of three products, if the processor has them
   int dot4 = 0;          ///< and of four
   int total() const { return add + multiply + multiply_add + divide + exp2 + log2 + other + dot3 + dot4; }
   bool operator==(const Operations&) const = default;
 };
 
-/// The operations of `a` that `b` has not.
+/// The operations of `a` that are not in `b`.
 Operations operator-(const Operations& a, const Operations& b);
 
-/// What a processor does in one instruction besides the plain ones.
+/// Special instructions of a processor.
 struct InstructionSet {
   /// A sum of three products is one DOT3; one of four, or of three and a term (a product with 1), one DOT4.
   bool dot_products = false;
@@ -158,10 +158,10 @@ struct InstructionSet {
 
 Operations count_operations(const Symbolic& expression, const InstructionSet& instructions = {});
 
-/// Of several results: what they share is computed once.
+/// Several results: common subexpressions are computed once.
 Operations count_operations(std::span<const Symbolic> results, const InstructionSet& instructions = {});
 
-/// "MAD, MUL, EXP2": each as often as it is executed.
+/// "MAD, MUL, EXP2": each as many times as it is executed.
 std::string to_text(const Operations& operations);
 
 /// The expression in the scalar T; `value_of(name)` gives a variable. Throws std::logic_error for a function

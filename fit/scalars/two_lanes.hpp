@@ -15,12 +15,12 @@
 #include "approx/exponent_bits.hpp"
 #include "approx/scalar.hpp"
 
-/// Two doubles side by side, one scalar to a formula: what a register of every 64-bit machine holds. The
-/// nodes of a quadrature are computed two at a time.
+/// Two doubles as one scalar: every 64-bit machine has registers of this size. The nodes of a quadrature are
+/// computed two at a time.
 namespace shadefit {
 
-/// The operations are those of a double in each lane, with the same rounding; the exponentials are computed
-/// in both lanes at once by a power series, all else lane by lane by the C++ standard library.
+/// The operations are those of a double in each lane, with the same rounding; exponentials are computed in
+/// both lanes together by a power series; other functions lane by lane by the C++ standard library.
 struct TwoLanes {
   using Scalar = double;  ///< in each lane
   static constexpr std::size_t size = 2;
