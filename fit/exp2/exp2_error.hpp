@@ -8,12 +8,12 @@
 /// The error of a polynomial for exp2 without its cancellation, for the fit and for the proof.
 namespace shadefit {
 
-/// Terms of the tail that are summed: |x| <= 0.35, so that each is at most a tenth of the one before.
+/// The terms of the tail that are summed. |x| <= 0.35, so each is at most a tenth of the one before.
 inline constexpr int tail_terms = 14;
 
 /// The series of 2^r = exp(x), x = r ln 2, from the power after the degree-th on:
 ///   x^(n+1)/(n+1)! (1 + x/(n+2) (1 + x/(n+3) ( .. rest))),
-/// `rest` for what is not summed, 1 + x/(n+15) + ..: next to 1.
+/// `rest` for the other terms, 1 + x/(n+15) + ..: nearly 1.
 template <class T>
 T exp2_tail(const T& r, int degree, const T& rest) {
   const T x = ln2<T>() * r;
@@ -23,8 +23,8 @@ T exp2_tail(const T& r, int degree, const T& rest) {
   return sum;
 }
 
-/// p(r)/2^r - 1 = 2^-r (sum of d_i r^i - tail) for p(r) = 1 + c1 r + .. and d_i = c_i - (ln 2)^i/i!. As
-/// p(r)/2^r - 1 is written it would lose nine digits at degree 6. `growth` is 2^-r.
+/// p(r)/2^r - 1 = 2^-r (sum of d_i r^i - tail) for p(r) = 1 + c1 r + .. and d_i = c_i - (ln 2)^i/i!. Computed
+/// literally, p(r)/2^r - 1 would lose nine digits at degree 6. `growth` is 2^-r.
 template <class T, std::size_t N>
 T exp2_relative_error(const T& r, int degree, const std::array<T, N>& d, const T& tail, const T& growth) {
   T sum = d[static_cast<std::size_t>(degree) - 1];

@@ -28,7 +28,7 @@ T rest_at(const T& s) {
   return s - integer<T>(1) / integer<T>(2);
 }
 
-/// Least squares at the places, where the problem is linear: near enough for the exchange.
+/// Least squares at the places, a linear problem: near enough for the exchange.
 MinimaxParameters start(int degree, const std::vector<SearchPlace>& places) {
   const auto rows = static_cast<Eigen::Index>(places.size());
   Eigen::MatrixXd powers(rows, degree);
@@ -48,7 +48,7 @@ MinimaxParameters start(int degree, const std::vector<SearchPlace>& places) {
 }  // namespace
 
 Exp2Fit fit_exp2(int degree) {
-  exp2_of_degree(exp2_for_double, degree);  // throws where there is none
+  exp2_of_degree(exp2_for_double, degree);  // throws if there is none
   std::vector<SearchPlace> places;
   for (const double s : chebyshev_places()) places.push_back({0, s});
   const auto error = [degree]<class T, class P>(std::size_t, const T& s,
@@ -63,7 +63,7 @@ Exp2Fit fit_exp2(int degree) {
                                      return Cosine<double>{at.s, 1 - at.s};
                                    },
                                .error = curve,
-                               .bounded = {},  // no constraint asks for these
+                               .bounded = {},  // no constraint needs these
                                .deviation = {}};
   const MinimaxOptimum optimum = solve_minimax(problem, start(degree, places));
   Exp2Fit fit{.degree = degree,

@@ -16,18 +16,17 @@
 namespace shadefit {
 namespace {
 
-// The error jumps where the exponent x = (a c + b) c passes the middle between two whole numbers, and where
-// that is depends on the pair. With x instead of c as the place, the jumps stand still: the form is 2^n p(x -
-// n) whatever the pair, and what the pair moves is the cosine at which the target is taken. Each whole number
-// is a panel of the search, and a jump is the end of one. What the exchange finds is the best of all, not of
-// its neighbours alone: an error within a level says that the cosine of an exponent x lies between two that
-// do not depend on the pair, that is that (a c + b) c is at least x at one of them and at most x at the
-// other: conditions linear in a, b.
+// The error jumps where the exponent x = (a c + b) c passes the middle between two whole numbers. In c, these
+// places depend on the pair. With x as the variable instead of c, they do not: the form is 2^n p(x - n) for
+// every pair, and the pair moves only the cosine at which the target is evaluated. Each whole number is a
+// panel of the search, and jumps are at the ends of panels. The result is the global optimum: an error within
+// a level means that the cosine of an exponent x lies between two cosines that do not depend on the pair. So
+// (a c + b) c is at least x at one of them and at most x at the other. These conditions are linear in a and
+// b.
 
-/// The whole numbers that are looked at, from 0 down. To leave the others out can only lower the level that
-/// is found, and it is that of the whole domain as the errors beyond are below it: there the form is at most
-/// 2^-8.5 = 0.0028 and the target less, while the level is 0.0034 and more. The proof of
-/// bench/forms/pairing.hpp looks at all.
+/// The whole numbers of the search, from 0 down. Without the others the level can only be lower. But errors
+/// there are below the level: the form is at most 2^-8.5 = 0.0028 and the target less, while the level is at
+/// least 0.0034. So the level is that of the whole domain. The proof of bench/forms/pairing.hpp includes all.
 constexpr int panels = 9;
 
 /// x on a panel: from 0 to -1/2 on the first, on the others from 1/2 above a whole number to 1/2 below it.
@@ -37,13 +36,13 @@ T exponent_at(std::size_t panel, const T& s) {
   return panel == 0 ? T(-(half * s)) : T(half - integer<T>(static_cast<int>(panel)) - s);
 }
 
-/// The root of (a c + b) c = x that is 0 with x; a, b < 0.
+/// The root of (a c + b) c = x that is 0 at x = 0; a, b < 0.
 template <class T>
 T cosine_of_exponent(const T& x, const T& a, const T& b) {
   return integer<T>(2) * x / (b - sqrt(T(b * b + integer<T>(4) * a * x)));
 }
 
-/// c1 .. cn of a degree; zeros beyond.
+/// c1 .. cn of a degree, then zeros.
 template <class T>
 std::array<T, largest_exp2_degree> coefficients_of(int degree) {
   std::array<T, largest_exp2_degree> c;

@@ -116,8 +116,8 @@ struct FresnelOneTerm : FresnelFamily<OneTermForm, 1> {
 struct FresnelQuadratic : FresnelFamily<QuadraticForm, 2> {
   static constexpr const Family& info = fresnel_quadratic_family;
   static constexpr std::array<std::string_view, 2> parameters{"a", "b"};
-  /// From inside a dielectric, everything is reflected up to the critical angle: the curve stays at 1 before
-  /// it falls.
+  /// Inside a dielectric the target stays at 1 from grazing to the critical angle, then falls: good curves
+  /// rise before they fall.
   std::array<std::array<double, 2>, 3> starts() const {
     const double b = half_sharpness(), a = b * b;
     if (surface.is_exact() && surface.ior < 1 && surface.extinction < surface.ior)

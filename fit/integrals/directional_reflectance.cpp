@@ -11,17 +11,17 @@
 namespace shadefit {
 namespace {
 
-/// Lobes are cut where they have fallen to exp(-40) = 4e-18 of their peak. That is a smaller part of the peak
-/// than of the reflectance: the sharpest lobe at the flattest view sends up so little that the bound on what
-/// is left out is 4e-12 of it.
+/// Lobes are cut off at exp(-40) = 4e-18 of their peak. Relative to the reflectance the rest is larger: at
+/// the flattest view, the sharpest lobe reflects so little above the horizon that the rest is at most 4e-12
+/// of it.
 constexpr double lobe_decay = 40;
 
 using Part = double LobeIntegrand<double>::*;
 
-/// Where a lobe ends: y = 1 - cos(psi) up to `end`, psi the angle w of Phong and 2 w of Blinn-Phong.
+/// The end of a lobe: y = 1 - cos(psi) goes up to `end`; psi is the angle w of Phong and 2 w of Blinn-Phong.
 struct Extent {
   double end;
-  bool is_cut;  ///< it has fallen to exp(-lobe_decay) there; else the hemisphere (or the clamp) ends
+  bool is_cut;  ///< by exp(-lobe_decay); else the hemisphere or the clamp ends there
 };
 
 Extent extent_of(ReflectedLobe lobe, double alpha, const View& view) {
@@ -40,15 +40,15 @@ double circle(ReflectedLobe lobe, double y, double alpha, const View& view, cons
          part;
 }
 
-/// The circles that the horizon cuts.
+/// The circles that the horizon intersects.
 ///
 /// With psi the angle from the axis to l (w of Phong, 2 w of Blinn-Phong), cos(phi) = -tan(e) cot(psi) at the
-/// horizon, e the elevation of the view. The arc shrinks from a circle at psi = e to nothing at pi - e, at
-/// either end like a square root, and close to e it does so on the scale of e. In x = log tan(psi/2) both are
-/// tame: cot(psi) = -sinh(x), so cos(phi) = tan(e) sinh(x) for -X <= x <= X, sinh(X) = cot(e), and x = middle
+/// horizon, where e is the elevation of the view. The arc shrinks from a circle at psi = e to zero at pi - e,
+/// at both ends like a square root, and close to e on the scale of e. In x = log tan(psi/2) both are smooth:
+/// cot(psi) = -sinh(x), so cos(phi) = tan(e) sinh(x) for -X <= x <= X, sinh(X) = cot(e), and x = middle
 /// - half cos(s) turns the roots into sin(s/2) and cos(s/2).
 ///
-/// An error of `negligible` is good enough: at theta_v = 0 rounding leaves a sliver of them.
+/// An error of `negligible` is accepted: at theta_v = 0 only a sliver of these circles is left, by rounding.
 Integral cut_circles(ReflectedLobe lobe, double alpha, const View& view, const Extent& extent, Part part,
                      double tolerance, double negligible) {
   const double tangent = view.direction.cosine / view.direction.sine;  // tan(e)
@@ -94,7 +94,7 @@ Integral reflect_by_circles(ReflectedLobe lobe, double alpha, const View& view, 
   const Integral outer =
       is_horizon_met ? cut_circles(lobe, alpha, view, extent, part, tolerance, tolerance * inner.value)
                      : Integral{};
-  // what a cut leaves out is at most the lobe there over the whole hemisphere
+  // the rest is at most the lobe at the cut, over the whole hemisphere
   const double tail = extent.is_cut ? 2 * std::numbers::pi * std::exp(-lobe_decay) : 0;
   return sum(sum(inner, outer), {0, tail});
 }
@@ -107,8 +107,8 @@ LobeIntegrand<Integral> reflect_by_circles(ReflectedLobe lobe, double alpha, con
 
 namespace {
 
-/// Where (1-z^2)^(a/2), or the cosine of a longitude to the power a, has fallen to exp(-lobe_decay): both are
-/// at most exp(-a x^2 / 2).
+/// The argument at which (1-z^2)^(a/2), or the cosine of a longitude to the power a, has fallen to
+/// exp(-lobe_decay). Both are at most exp(-a x^2 / 2).
 double reach_of(double alpha) {
   return std::sqrt(2 * lobe_decay / alpha);
 }
@@ -139,9 +139,9 @@ LatitudeMoments<double> blinn_phong_latitudes(double length, double alpha,
 
 /// Blinn-Phong by Gauss-Legendre rules over longitude and latitude.
 ///
-/// The latitude of the horizon has square roots at g = 0 and pi/2, and bends on the scale of the elevation e
-/// beside them; g = e sinh^2(t) from either end is tame. Panels meet at pi/4 and at the peak of the lobe,
-/// e/2, so that each sees at most one flank of it.
+/// The latitude of the horizon has square roots at g = 0 and pi/2, and bends near them on the scale of the
+/// elevation e. In g = e sinh^2(t) from either end it is smooth. Panels meet at pi/4 and at the peak of the
+/// lobe, e/2: each contains at most one side of the peak.
 LobeIntegrand<double> blinn_phong_plane(double alpha, const View& view,
                                         const std::vector<GaussNode<double>>& outer_nodes,
                                         const std::vector<GaussNode<double>>& inner_nodes) {
@@ -172,10 +172,10 @@ LobeIntegrand<double> blinn_phong_plane(double alpha, const View& view,
   return total;
 }
 
-/// Rules of rising size over the longitude until two agree; the latitudes, whose integrand is a polynomial or
-/// half a bell, have converged on the first size and get the second from then on.
+/// Rules of rising size over the longitude, until two agree. The latitudes converge with the first size,
+/// because their integrand is a polynomial or half a bell; after that they use the second size.
 LobeIntegrand<Integral> blinn_phong_by_longitude(double alpha, const View& view, double tolerance) {
-  // Each is half as large again as the one before, so that two neighbours that agree have both converged.
+  // Each is 1.5 times as large as the one before: if two neighbours agree, both have converged.
   constexpr std::array sizes{26U, 38U, 56U, 84U, 126U, 190U};
   LobeIntegrand<Integral> result{};
   for (const unsigned size : sizes) {

@@ -11,13 +11,13 @@
 namespace shadefit {
 namespace {
 
-/// Distributions are cut where exp(-distribution_decay) = 1.4e-21 of their area is left.
+/// Distributions are cut off where exp(-distribution_decay) = 1.4e-21 of their area is left.
 constexpr double distribution_decay = 48;
 
 /// The square of the slope beyond which a distribution has about exp(-distribution_decay) of its area, the
-/// area itself and not the part of it that is seen along n: Blinn-Phong's is cos to the power s + 1, cos^2 to
-/// the power 1/alpha^2 - 1/2; Beckmann's is exp(-tan^2/alpha^2), and at most 1/cos = 7 times that for alpha
-/// <= 1. The others fall like powers, and have no such end.
+/// area itself, not its projection along n: Blinn-Phong's is cos to the power s + 1, cos^2 to the power
+/// 1/alpha^2 - 1/2; Beckmann's is exp(-tan^2/alpha^2), and at most 1/cos = 7 times that for alpha
+/// <= 1. The other distributions fall like powers and are not cut off.
 double reach(Distribution distribution, double alpha) {
   const double alpha2 = alpha * alpha;
   if (distribution == Distribution::beckmann) return distribution_decay * alpha2;
@@ -34,10 +34,10 @@ Integral operator+(const Integral& a, const Integral& b) {
   return {a.value + b.value, a.error + b.error};
 }
 
-/// Over x = log tan(theta), theta the angle between m and n: sin dtheta = sin^2 cos dx. Cut where exp(-40) of
-/// the whole is left at either end, as D is flat to the left and (n.m) or the circle's own size falls like
-/// exp(-x) to the right. `azimuth` is the integral over the azimuth, bent like a square root's cube to the
-/// right of `bend`; x = bend + z^2 is tame there.
+/// Over x = log tan(theta), where theta is the angle between m and n: sin dtheta = sin^2 cos dx. Cut off
+/// where exp(-40) of the whole is left at both ends: D is flat to the left, and (n.m) or the size of the
+/// circle falls like exp(-x) to the right. `azimuth` is the integral over the azimuth. To the right of `bend`
+/// it behaves like the cube of a square root; x = bend + z^2 is smooth there.
 template <class Azimuth>
 Integral over_slope(Distribution distribution, double alpha, const Azimuth& azimuth, double bend,
                     double tolerance) {
@@ -58,7 +58,7 @@ Integral over_slope(Distribution distribution, double alpha, const Azimuth& azim
 }
 
 /// Over the sine up to 45 degrees, over the cosine beyond, in panels that meet at `bend`, an angle to n.
-/// What is left out at the horizon is 2^-60 of the hemisphere.
+/// At the horizon 2^-60 of the hemisphere is left out.
 template <class Azimuth>
 Integral over_cosine(Distribution distribution, double alpha, const Azimuth& azimuth, double bend,
                      double tolerance) {
@@ -84,7 +84,7 @@ Integral over_cosine(Distribution distribution, double alpha, const Azimuth& azi
   return total;
 }
 
-/// The azimuth integral of max(v.m, 0). The circle of m meets the plane square to v where cos(phi) =
+/// The azimuth integral of max(v.m, 0). The circle of m meets the plane perpendicular to v where cos(phi) =
 /// -cot(theta_v) cot(theta).
 auto facing(const View& view) {
   return [view](const Direction<double>& m) {

@@ -6,12 +6,12 @@
 #include "fit/integrals/directional_reflectance.hpp"
 #include "fit/quadrature/integrate.hpp"
 
-/// Integrals over the hemisphere of microfacet normals, by two independent ways.
+/// Integrals over the hemisphere of microfacet normals, by two independent methods.
 namespace shadefit {
 
 enum class Distribution { blinn_phong, beckmann, ggx, gtr1 };
 
-/// Whose Lambda masks.
+/// The distribution whose Lambda gives the masking.
 enum class Masking { beckmann, ggx };
 
 /// "blinn-phong", "beckmann", "ggx", "gtr1". Throws std::invalid_argument, naming the text, for anything
@@ -23,16 +23,16 @@ Masking masking_of(std::string_view name);
 
 double density(Distribution distribution, const MicrofacetNormal<double>& m, double alpha);
 
-/// Smith's G1 at a view.
+/// Smith's G1 for a view direction.
 double masking(Masking masking, const View& view, double alpha);
 
-/// Two values of one integral: Gauss-Kronrod over the logarithm of the slope, in which every distribution is
-/// wide; and tanh-sinh over the sine from the normal on, the cosine from the horizon on.
+/// One integral by two methods: Gauss-Kronrod over the logarithm of the slope, in which every distribution is
+/// wide; and tanh-sinh over the sine near the normal and the cosine near the horizon.
 struct TwoWays {
   Integral by_slope;
   Integral by_cosine;
   double value() const { return by_slope.value; }
-  /// The larger of both estimates and their difference together.
+  /// The larger estimate plus the difference of the values.
   double error() const;
 };
 
@@ -42,7 +42,7 @@ TwoWays integrate_projected_area(Distribution distribution, double alpha, double
 /// The integral of D(m) max(v.m, 0), which should be (v.n)/G1(v). 0 < alpha <= 1.
 TwoWays integrate_visible_area(Distribution distribution, double alpha, const View& view, double tolerance);
 
-/// The first of both ways alone, for searches.
+/// By the first method only, for searches.
 Integral integrate_visible_area_by_slope(Distribution distribution, double alpha, const View& view,
                                          double tolerance);
 

@@ -15,9 +15,8 @@ namespace shadefit {
 namespace {
 
 /// Two rules in two variables: Gauss-Kronrod over the cosine, tanh-sinh over the angle. A sharp lobe is cut
-/// where it has fallen to exp(-48); lobes fall all the way, so what is left out is at most the lobe there
-/// times what is left of y. Relative tolerance 1e-14: two digits below what is promised, and one above the
-/// rounding of the sums.
+/// off where it has fallen to exp(-48). Lobes are monotonic, so the rest is at most the lobe there times the
+/// rest of y. Relative tolerance 1e-14: two digits below the promise, and one above the rounding of the sums.
 template <class Lobe>
 NormalisationCheck check(double alpha) {
   constexpr double tolerance = 1e-14;
@@ -94,7 +93,7 @@ LargestRatio largest_cheap_ratio() {
   constexpr double step = 0.125;
   for (double left = -10; left < 20; left += step) {
     if (!(slope(left) > 0 && slope(left + step) <= 0)) continue;
-    std::uintmax_t steps = 50;  // of about ten
+    std::uintmax_t steps = 50;  // about ten are usual
     const auto root = boost::math::tools::toms748_solve(slope, left, left + step,
                                                         boost::math::tools::eps_tolerance<double>(53), steps);
     const double at = (root.first + root.second) / 2;

@@ -19,35 +19,33 @@ struct NormalisationCheck {
   double relative_difference;  ///< |closed_form / integral - 1|
   double
       estimated_error;  ///< relative, of `integral`: both rules' estimates, their difference and the cut tail
-  std::optional<Verdict> verdict;  ///< empty where the integral is not good enough to say
+  std::optional<Verdict> verdict;  ///< empty if the integral is not accurate enough
 };
 
-/// Largest relative difference that confirms a constant, and largest estimated error with which a check may
-/// speak: the integrands carry a few 1e-15, and 1e-12 is what is promised.
+/// The largest relative difference that confirms a constant, and the largest estimated error of a check with
+/// a verdict. The integrands have errors of a few 1e-15; 1e-12 is promised.
 inline constexpr double normalisation_tolerance = 1e-12;
 
 /// The exponents checked by default.
 inline constexpr double normalisation_exponents[] = {0.1, 1, 2, 8, 64, 2048, 1e5, 1e6};
 
-/// Checks the constant of that id at each exponent, all greater than 0 (once, without one, where the constant
-/// has none).
+/// Checks the constant of that id at each exponent, all greater than 0; once if the constant has no exponent.
 std::vector<NormalisationCheck> check_normalisation(
     const Normalisation& record, std::span<const double> exponents = normalisation_exponents);
 
-/// The verdict on a closed form: confirmed where the integral agrees within the tolerance, or within what the
-/// record says of itself, else refuted; empty where the estimated error of the integral exceeds the
-/// tolerance.
+/// The verdict on a closed form: confirmed if the integral agrees within the tolerance, or within the
+/// tolerance of the record; else refuted. Empty if the estimated error of the integral exceeds the tolerance.
 std::optional<Verdict> judge_normalisation(double relative_difference, double estimated_error,
                                            double closeness = 0);
 
-/// Where a stand-in for a constant is furthest above it.
+/// The place where a cheap constant is furthest above the exact one.
 struct LargestRatio {
   double exponent;
-  double ratio;  ///< stand-in over constant
+  double ratio;  ///< cheap over exact
 };
 
 /// The largest ratio of the cheap Blinn-Phong constant to the exact one over all exponents: a root of the
-/// ratio's slope, looked for on a grid of an eighth of a power of two from 2^-10 to 2^20.
+/// ratio's slope, searched on a grid with steps of 2^(1/8) from 2^-10 to 2^20.
 LargestRatio largest_cheap_ratio();
 
 }  // namespace shadefit

@@ -6,10 +6,10 @@
 namespace shadefit {
 namespace {
 
-/// Two digits finer than what is promised: the estimates of the rules are cautious.
+/// Two digits below the promise, because the estimates of the rules are cautious.
 constexpr double integral_tolerance = reflectance_tolerance / 100;
 
-/// A lobe at one exponent: what every constant of that lobe shares.
+/// A lobe at one exponent: the common part of all its constants.
 struct LobeIntegrals {
   std::vector<LobeIntegrand<double>> values;  ///< at the view angles
   std::vector<LobeIntegrand<double>> errors;  ///< relative
@@ -52,8 +52,8 @@ LobeIntegrals integrate_lobe(ReflectedLobe lobe, double alpha, std::span<const d
   return result;
 }
 
-/// Where the reflectance with n.l falls to 1 for good: between the last place at which it is known to exceed
-/// 1, at a view angle of the table or at its peak, and the next; the horizon where there is no next.
+/// The view angle from which on the reflectance with n.l is at most 1. It lies between the last known place
+/// above 1 (a view angle of the table, or the peak) and the next place; the horizon if there is none.
 std::optional<double> conserving_from(ReflectedLobe lobe, double alpha, double factor,
                                       const std::vector<Reflectance>& points, const ReflectancePeak& peak) {
   std::vector<ReflectancePeak> known{peak};
@@ -67,7 +67,7 @@ std::optional<double> conserving_from(ReflectedLobe lobe, double alpha, double f
   const auto next = last - 1;
   if (next->value >= 1) return next->view_angle;  // there it is 1
   const auto integral = over_view(lobe, alpha, &LobeIntegrand<double>::with_cosine);
-  std::uintmax_t steps = 50;  // of about ten
+  std::uintmax_t steps = 50;  // about ten are usual
   const auto root = boost::math::tools::toms748_solve(
       [&](double degrees) { return factor * integral(degrees) - 1; }, last->view_angle, next->view_angle,
       boost::math::tools::eps_tolerance<double>(40), steps);

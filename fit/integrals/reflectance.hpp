@@ -15,10 +15,10 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/integrals/directional_reflectance.hpp"
 
-/// The directional reflectance of the normalised lobes at every view angle, and whether they create energy.
+/// The directional reflectance of the normalised lobes for each view angle, and whether they create energy.
 namespace shadefit {
 
-/// A constant whose reflectance is followed over the view angle.
+/// A constant whose reflectance is computed over the view angle.
 struct ReflectedConstant {
   const Normalisation* record;
   ReflectedLobe lobe;
@@ -41,22 +41,22 @@ inline constexpr std::array reflected_constants{
 inline constexpr std::array view_angles{0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 80.0, 85.0, 88.0, 89.0, 89.9};
 inline constexpr std::array reflectance_exponents{1.0, 8.0, 64.0, 2048.0};
 
-/// The relative error that a reflectance stays below, both rules' estimates and their difference together.
-/// The rules agree to 1e-13; what is left of the bound is the caution of their estimates at flat views.
+/// The bound on a reflectance's relative error: the estimates of both rules plus their difference. The rules
+/// agree to 1e-13; the rest of the bound is for their cautious estimates at flat views.
 inline constexpr double reflectance_tolerance = 1e-10;
 
-/// A reflectance that exceeds 1 by no more than this is 1.
+/// A reflectance that exceeds 1 by at most this counts as 1.
 inline constexpr double energy_tolerance = 1e-9;
 
 /// At one view angle.
 struct Reflectance {
   double view_angle;       ///< in degrees
-  double reflectance;      ///< of the lobe as the constant is stated for it
-  double with_cosine;      ///< of that lobe times n.l; the same where it has the factor already
+  double reflectance;      ///< of the lobe for which the constant is stated
+  double with_cosine;      ///< of that lobe times n.l; the same if the lobe has this factor
   double estimated_error;  ///< relative, of the worse of both
 };
 
-/// Where a reflectance is largest.
+/// The largest reflectance and its place.
 struct ReflectancePeak {
   double value;
   double view_angle;  ///< in degrees
@@ -69,24 +69,24 @@ struct ReflectanceCurve {
   std::vector<Reflectance> points;  ///< at the view angles
   ReflectancePeak largest;
   ReflectancePeak largest_with_cosine;
-  /// The view angle in degrees from which on the reflectance with n.l stays at most 1; empty where it never
-  /// exceeds 1, so that no energy is created.
+  /// The view angle in degrees from which on the reflectance with n.l is at most 1; empty if it never exceeds
+  /// 1: then no energy is created.
   std::optional<double> conserves_from;
 };
 
-/// The curves of those constants that `is_wanted` says, in the order of `reflected_constants`, each at the
-/// `reflectance_exponents`. Integrals that constants share are computed once.
+/// The curves of the constants for which `is_wanted` is true, in the order of `reflected_constants`, each at
+/// the `reflectance_exponents`. Shared integrals are computed once.
 std::vector<ReflectanceCurve> reflectance_curves(const std::function<bool(std::string_view id)>& is_wanted);
 
 /// The curve of one constant at one exponent, at those view angles in degrees, which rise from 0 to below 90.
-/// `factor` stands for the constant: its own value there, or another's that is tried in its place.
+/// `factor` is the value of the constant, or another value that is tested in its place.
 ReflectanceCurve reflectance_curve(const ReflectedConstant& constant, double exponent, double factor,
                                    std::span<const double> angles);
 
-/// Where f, a function of the view angle, is largest between the first and the last sample. Sampled: at
-/// `samples`, which rise in angle, then at three more places to either side of the largest, then refined.
-/// Among values equal within `equal_extrema` the smallest angle counts. A peak closer to an end than the
-/// nearest of these places passes for that end.
+/// The largest value of f, a function of the view angle, between the first and the last sample, and its
+/// place. Sampled at `samples`, in rising order, then at three more places on both sides of the largest, then
+/// refined. Among values equal within `equal_extrema` the smallest angle counts. A peak that is closer to an
+/// end than the nearest place counts as at that end.
 template <class F>
 ReflectancePeak largest_over_view(const F& f, std::vector<ReflectancePeak> samples) {
   const auto by_value = [](const auto& a, const auto& b) { return a.value < b.value; };
@@ -110,7 +110,7 @@ ReflectancePeak largest_over_view(const F& f, std::vector<ReflectancePeak> sampl
             [](const auto& a, const auto& b) { return a.view_angle < b.view_angle; });
   const auto peak = best();
   if (peak == samples.begin() || peak + 1 == samples.end()) return *peak;
-  // Half the bits of a double: a value that is flat at its top has no more of its place.
+  // Half the bits of a double: the place of a maximum has no more.
   std::uintmax_t steps = 50;
   const auto found = boost::math::tools::brent_find_minima(
       [&](double angle) { return -f(angle); }, (peak - 1)->view_angle, (peak + 1)->view_angle, 26, steps);

@@ -11,10 +11,10 @@
 /// Gauss-Legendre rules of rising size, computed by Boost.Math.
 namespace shadefit {
 
-/// The sizes at hand, all even: an odd rule has a node in the middle, which would stand twice below.
+/// The available sizes. All are even: an odd rule has a node in the middle, which would be stored twice.
 inline constexpr std::array<unsigned, 12> gauss_sizes{6, 12, 14, 18, 22, 26, 30, 38, 56, 84, 126, 190};
 
-/// Half of a rule on [-1, 1], which is symmetric: the positive zeros, rising, and their weights.
+/// Half of a rule on [-1, 1], which is symmetric: the positive zeros in rising order, and their weights.
 struct GaussRule {
   std::span<const long double> zeros, weights;
 };
@@ -37,7 +37,7 @@ inline GaussRule gauss_rule(unsigned size) {
 }
 
 /// Calls visit(position, weight) for each node of the rule of `size` points on [0, 1], in rising position;
-/// the weights sum to 1. Nodes are made in long double, so that a double has them correctly rounded.
+/// the weights sum to 1. Nodes are computed in long double, so that their doubles are correctly rounded.
 template <class T, class Visit>
 void visit_gauss_rule(unsigned size, const Visit& visit) {
   const auto [x, w] = gauss_rule(size);
@@ -51,7 +51,7 @@ struct GaussNode {
   T weight;
 };
 
-/// The nodes of the rule of `size` points, for those who come back to them.
+/// The nodes of the rule of `size` points as a list.
 template <class T>
 std::vector<GaussNode<T>> gauss_nodes(unsigned size) {
   std::vector<GaussNode<T>> nodes;

@@ -8,9 +8,9 @@
 namespace shadefit {
 namespace {
 
-/// A panel's integral, and that of |f|. Boost (1.74 and later) returns its error as measured on [-1, 1], not
-/// scaled to [a, b] as its value and L1 are, and adds such errors up when it halves. So every panel is asked
-/// for alone, and its error scaled by (b - a)/2.
+/// A panel's integral, and that of |f|. Boost (1.74 and later) scales its value and L1 to [a, b], but not its
+/// error, which belongs to [-1, 1]; it also adds up such errors when it halves. So every panel is integrated
+/// alone, and its error is scaled by (b - a)/2.
 Integral panel(const Integrand& f, double from, double to, double& l1) {
   double error = 0;
   const double value = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
@@ -42,8 +42,8 @@ Integral tanh_sinh(const Integrand& f, double a, double b, double tolerance) {
   double error = 0, l1 = 0;
   std::size_t levels = 0;
   boost::math::quadrature::tanh_sinh<double> rule;
-  // Boost is asked for [0, 1] alone: of a narrow [a, b] its own places round onto the ends, which it asserts
-  // that they do not.
+  // Boost integrates over [0, 1] only: in a narrow [a, b] its places round onto the ends, and then an
+  // assertion of Boost fails.
   const double length = b - a;
   const double mean = rule.integrate([&](double t) { return f(std::min(a + length * t, b)); }, 0.0, 1.0,
                                      tolerance, &error, &l1, &levels);

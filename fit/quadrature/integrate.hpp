@@ -11,21 +11,21 @@ struct Integral {
   double error = 0;  ///< an estimate of |value - truth|, rounding included; an estimate is not a bound
 };
 
-/// What the sum of n positive terms, each with a few roundings, is off by: a handful of epsilons of it.
+/// The error of a sum of positive terms, each with a few roundings: a few epsilons of the sum.
 inline double rounding_of(double sum) {
   return 8 * std::numeric_limits<double>::epsilon() * sum;
 }
 
-/// Behind a plain function: a rule is compiled once, and not for each function that is integrated.
+/// A plain function, so that a rule is compiled once and not for each integrand.
 using Integrand = std::function<double(double)>;
 
-/// Adaptive Gauss-Kronrod (15, 31) by Boost.Math, halving where |K - G| exceeds `tolerance` times the
-/// integral of |f| (shared out among the halves), at most fifteen times. An error of `negligible`, in the
-/// units of the integral, is always good enough: for a part whose whole is known to be larger.
+/// Adaptive Gauss-Kronrod (15, 31) by Boost.Math, with at most fifteen halvings where |K - G| exceeds
+/// `tolerance` times the integral of |f| (shared among the halves). An error below `negligible`, in the units
+/// of the integral, is always accepted: this is for a part of a larger whole.
 Integral gauss_kronrod(const Integrand& f, double a, double b, double tolerance, double negligible = 0);
 
-/// tanh-sinh by Boost.Math: indifferent to infinite slopes at the ends. f itself has to be finite there: it
-/// is given x, not the distance to b, which x has lost close to b.
+/// tanh-sinh by Boost.Math: infinite slopes at the ends do no harm. f itself must be finite there: its
+/// argument is x, which close to b does not tell the distance to b.
 Integral tanh_sinh(const Integrand& f, double a, double b, double tolerance);
 
 }  // namespace shadefit

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-/// The metric is the result: a constant is only right under a measure, a norm, an error and a domain. One
-/// object of this file is shared by solver, report and test.
+/// The metric: a constant is right only under a measure, a norm, an error and a domain. Solver, report and
+/// tests share one object of this file.
 namespace shadefit {
 
 /// How the domain is weighted. All are given for c = cos(theta).
@@ -31,7 +31,7 @@ enum class Error {
   relative,  ///< relative to what the family says: a lobe's target, the reflectance F of a Fresnel form
 };
 
-/// Which side of its target a form has to keep to.
+/// The side of its target on which a form must stay.
 enum class Side { above, below };
 
 /// The range of c that counts, 0 <= lower < upper <= 1.
@@ -52,14 +52,14 @@ inline std::string to_text(const Domain& domain) {
   return to_text(domain.lower) + ":" + to_text(domain.upper);
 }
 
-/// A parameter that is not fitted but given.
+/// A given parameter, which is not fitted.
 struct Held {
   std::string parameter;
   double value = 0;
   auto operator<=>(const Held&) const = default;
 };
 
-/// What the answer of a fit has to obey. Least squares knows `held` alone.
+/// The constraints of a fit. Least squares supports `held` only.
 struct Constraints {
   std::vector<Held> held = {};                    ///< parameters with given values
   std::vector<double> exact_at = {};              ///< ends of the domain where the form is its target
@@ -74,12 +74,12 @@ struct Metric {
   Norm norm = Norm::least_squares;
   Error error = Error::absolute;
   Domain domain = {};
-  std::string weight = {};  ///< what multiplies the error, a formula in c (fit/solve/weight.hpp); empty: 1
+  std::string weight = {};  ///< the factor of the error, a formula in c (fit/solve/weight.hpp); empty: 1
   Constraints constraints = {};
   auto operator<=>(const Metric&) const = default;
 };
 
-/// The measures in the order in which a published value is tried under them.
+/// The measures, in the order in which a published value is tried.
 inline constexpr std::array measures{Measure::cosine, Measure::angle, Measure::cosine_weighted};
 
 /// A measure near the peak: y^(p-1) (1 + w y + ..) dy for y = 1 - c.
@@ -155,8 +155,8 @@ inline std::string describe(const Constraints& constraints) {
   return text;
 }
 
-/// A metric as a reader names it: the measure of a least-squares fit, "minimax absolute error" of another,
-/// which has none; then the domain where that is not all of [0, 1], the weight and the constraints.
+/// A metric in words: the measure of a least-squares fit, or "minimax absolute error", which has no measure;
+/// then the domain if it is not [0, 1], the weight and the constraints.
 inline std::string describe(const Metric& metric) {
   std::string text;
   if (metric.norm == Norm::minimax) {

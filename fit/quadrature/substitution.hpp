@@ -10,42 +10,42 @@
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/jet.hpp"
 
-/// The change of variable under which an integrand over c is smooth, so that Gauss-Legendre converges on it.
+/// The change of variable that makes an integrand over c smooth, so that Gauss-Legendre converges.
 namespace shadefit {
 
-/// How a family behaves over c: what the substitution has to know.
+/// The behaviour of a family over c, as the substitution needs it.
 struct Shape {
   /// The integrand falls at least as fast as exp(-concentration (1 - c)) from the peak; 0: it is not
   /// concentrated.
   double concentration = 0;
-  /// It behaves as c^end_power at c = 0; a whole number is smooth there.
+  /// It behaves as c^end_power at c = 0. It is smooth there if this is a whole number.
   double end_power = 0;
-  /// A cosine at which the domain is better cut in two.
+  /// A cosine at which the domain is split.
   struct Joint {
     double cosine;
-    bool is_kink = false;  ///< and a kink, with the behaviour of a square root on the side of the peak
+    bool is_kink = false;  ///< there is a kink, with the behaviour of a square root on the side of the peak
   };
   std::optional<Joint> joint = std::nullopt;
   /// It is singular at c = 0, below its domain: a lobe's relative error has log c and powers of 1/c.
   bool is_singular_below = false;
-  /// Where a weight on the error is not smooth: the part towards the peak ends at `above`, the other begins
-  /// at `below`, the same place or its neighbour among the doubles. On both sides it is smooth in the
-  /// `power`-th root of the distance.
+  /// A place where a weight on the error is not smooth. The part towards the peak ends at `above`, the other
+  /// begins at `below`: the same place or the next double. On both sides it is smooth in the `power`-th root
+  /// of the distance.
   struct Edge {
     double above, below;
     int power = 1;
   };
-  /// Where there are any, in falling order, nothing is cut off: a weight may raise what falls.
+  /// In falling order. With an edge, nothing is cut off, because a weight may raise the tail.
   std::vector<Edge> edges = {};
 
-  /// The same with the roots that a derivative needs, and no higher ones: those draw all nodes to an edge.
+  /// The same with the roots that a derivative needs. Higher roots draw all nodes to an edge.
   Shape with_square_roots() const {
     Shape shape = *this;
     for (Edge& edge : shape.edges) edge.power = std::min(edge.power, 2);
     return shape;
   }
 
-  /// For a search, which does not mind what is steep: cut at a kink alone.
+  /// For a search, which needs no smoothness: split at a kink only.
   Shape for_search() const {
     Shape shape = with_square_roots();
     if (joint && !joint->is_kink) shape.joint.reset();
@@ -60,22 +60,23 @@ struct Shape {
 /// - A power c^k with k not whole is singular at c = 0. There c (or the angle from the horizon) becomes the
 /// q-th
 ///   power of 1 - s with q (k + 1) >= 8, after which Gauss-Legendre of n nodes converges like n^-16.
-/// - An edge of a weight, such as the end c = 1 of sqrt(1 - c), is smoothed alike, at either end of a panel.
+/// - An edge of a weight, such as the end c = 1 of sqrt(1 - c), is smoothed in the same way, at either end of
+/// a panel.
 /// - A singularity below the domain is moved away from it: c is the eighth power of a variable that is linear
 ///   in s.
 class Substitution {
  public:
   Substitution(const Metric& metric, const Shape& shape);
 
-  /// The domain in panels on each of which the integrand is smooth: two where its joint lies inside, one more
-  /// for each edge inside, else one.
+  /// The domain in panels, on each of which the integrand is smooth: one, one more if the joint is inside,
+  /// and one more for each edge inside.
   static std::vector<Substitution> panels(const Metric& metric, const Shape& shape);
 
-  /// The cosine measure between two places that are known to full precision, uncut; in panels as above.
+  /// The cosine measure between two places that are known to full precision, not cut off; in panels as above.
   static std::vector<Substitution> between(const Cosine<double>& top, const Cosine<double>& bottom,
                                            const Shape& shape = {});
 
-  /// exp(-48) = 1.4e-21; with the t^3 that a gradient carries in t = k(1-c) the cut moves a fit by 2e-17 of
+  /// exp(-48) = 1.4e-21; with the factor t^3 of a gradient, t = k(1-c), the cut moves a fit by 2e-17 of
   /// itself.
   static constexpr double decay = 48;
 
@@ -108,7 +109,8 @@ class Substitution {
     const T rest = lift<T>(rest_) + from_end;
     if (measure_ == Measure::cosine) return {{rest, y}, density};
     if (measure_ == Measure::cosine_weighted) return {{rest, y}, rest * density};
-    // Near the horizon the cosine is the sine of what is left to it, near the peak 1 less than its distance.
+    // Near the horizon the cosine is the sine of the distance to it; near the peak it is 1 minus its
+    // distance.
     const T half_sine = sin(y / integer<T>(2));
     const T one_minus_cos = integer<T>(2) * half_sine * half_sine;
     const T cos_theta = choose(
@@ -158,7 +160,7 @@ std::vector<Substitution> Substitution::between_edges(const Cosine<double>& top,
     result.back().is_rooted_at_peak_ = is_rooted_at_peak;
     from = to;
   };
-  // A root draws the nodes to its end, and leaves the other half of a panel to a rule of its own.
+  // A root draws the nodes to its end; the other half of a panel needs its own rule.
   const auto go_to = [&](const Cosine<double>& to, int q) {
     if (std::max(from_power, q) > 1) {
       const double middle = to.cos_theta + (from.cos_theta - to.cos_theta) / 2;

@@ -19,8 +19,8 @@ bool is_wanted(const std::vector<std::string>& ids, std::string_view id) {
   return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
-/// A family is refitted as a whole where it is asked for, for its published numbers alone only at the
-/// exponents that they need. A form of comparison is not part of everything.
+/// A family that is named is refitted at all its exponents. For published numbers it is refitted only at the
+/// exponents that they need. "Everything" does not include the forms that only compare.
 struct WantedFits {
   std::vector<double> exponents;
   std::vector<const Published*> numbers;
@@ -41,15 +41,15 @@ std::optional<WantedFits> wanted_fits(const std::vector<std::string>& ids, const
   return wanted.numbers.empty() ? std::nullopt : std::optional(wanted);
 }
 
-/// A family stands for the claims that bear its name: sg-offset for sg-offset-mean.
+/// The name of a family includes the claims that begin with it: sg-offset includes sg-offset-mean.
 bool is_claim_wanted(const std::vector<std::string>& ids, std::string_view id) {
   return is_wanted(ids, id) || std::any_of(ids.begin(), ids.end(), [&](const std::string& wanted) {
            return find_family(wanted) != nullptr && id.starts_with(wanted + "-");
          });
 }
 
-/// What the report compares: Schlick's weight, the exact reflectance of glass, and the lobe of exponent 5,
-/// the mirror image of Schlick's weight, for which an offset was published.
+/// The comparisons of the report: Schlick's weight, the exact reflectance of glass, and the lobe of exponent
+/// 5, which mirrors Schlick's weight and for which an offset was published.
 std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const Checkpoint& checkpoint) {
   const FittableFamily& fresnel = *find_family(fresnel_quadratic_family.id);
   const FittableFamily& lobe = *find_family(sg_offset.id);
@@ -105,7 +105,7 @@ Results compute_results(const std::vector<std::string>& ids, const Checkpoint& c
     if (!wanted) continue;
     results.refits.push_back(
         refit(fits.of(family), wanted->exponents, wanted->numbers, whole_domain_metrics(), checkpoint));
-    // The chain is of what was published.
+    // The chain has published curves only.
     if (family.is_fresnel() && !family.info.is_comparison) fresnel_families.push_back(&family);
   }
   checkpoint();

@@ -11,7 +11,7 @@
 #include "fit/verdicts/fresnel_chain.hpp"
 #include "fit/verdicts/refit.hpp"
 
-/// Everything that a run computes, before it becomes rows.
+/// All results of a run, before they become rows.
 namespace shadefit {
 
 struct Results {
@@ -20,27 +20,26 @@ struct Results {
   std::vector<NormalisationCheck> normalisations;
   std::vector<ReflectanceCurve> reflectances;
   std::vector<JudgedClaim> claims;
-  std::vector<Comparison> comparisons;  ///< what would be better, of the targets that are wanted
+  std::vector<Comparison> comparisons;  ///< better alternatives, for the wanted targets
 };
 
-/// How a run compares: published curves against the least largest error of each form, to more digits than the
+/// The comparison of a run: published curves against the minimax fit of each form, with more digits than the
 /// report shows.
 inline constexpr Contest report_contest{.width = 1e-6, .only_minimax = true};
 
-/// The ids that name something: families, published constants, normalisations, claims, in the order of the
-/// report.
+/// All ids: families, published constants, normalisations, claims, in the order of the report.
 std::vector<std::string> known_ids();
 
-/// Those of the ledger alone.
+/// The ids of the ledger only.
 std::vector<std::string> claim_ids();
 
-/// Computes what `ids` name, or everything where it is empty; of a published constant the fits that it needs.
-/// Throws UserError for an id that names nothing. The checkpoint is called between fits and between
+/// Computes the results for `ids`, or everything if there are none; for a published constant, the fits that
+/// it needs. Throws UserError for an unknown id. The checkpoint is called between fits and between
 /// normalisations.
 Results compute_results(const std::vector<std::string>& ids, const Checkpoint& checkpoint = keep_going);
 
-/// Whether every fit converged, those against exact surfaces too, and every normalisation was confirmed, and
-/// every reflectance is as exact as promised, every claim could be judged and every comparison proven.
+/// Whether everything is as promised: every fit converged, also against exact surfaces; every normalisation
+/// was confirmed; every reflectance is exact enough; every claim was judged and every comparison proven.
 bool all_checks_passed(const Results& results);
 
 /// "sg-offset at exponent 5".

@@ -9,8 +9,8 @@
 namespace shadefit {
 namespace {
 
-/// What a shader gets for a cosine: the dot product of two vectors, each scaled to length 1 in the format.
-/// Those here are nearly parallel, nearly orthogonal, or anyhow.
+/// A shader's cosine: the dot product of two vectors, each normalised in the format. Here they are nearly
+/// parallel, nearly orthogonal, or random.
 double dot_of_normalised(const BinaryFormat& format, Sequence& sequence, int kind) {
   const auto round = [&](double x) { return round_to(format, x); };
   std::array<double, 3> a{}, b{};
@@ -45,7 +45,7 @@ std::vector<double> dot_products(const BinaryFormat& format, std::size_t random,
   return all;
 }
 
-/// With every power, 0 among them.
+/// With every power, including 0.
 std::vector<Input> with_powers(const BinaryFormat& format, std::size_t random, bool has_zero, double factor) {
   std::vector<Input> inputs;
   const auto cosines = dot_products(format, random, 4);
@@ -68,12 +68,12 @@ Regime power_regime() {
           .names = {"c", "k"},
           .forms = {{"power_by_exp2", "exp2(k log2(c))",
                      in_formats([](auto c, auto k) { return power_by_exp2(c, k); })},
-                    // exp2; log2 and the product count by the e-fold
+                    // exp2; log2 and the product count per e-fold
                     {"power_by_exp2_of_dot", "exp2(k log2(c)), c clamped, 0^0 = 1",
                      in_formats([](auto c, auto k) { return power_by_exp2_of_dot(c, k); }),
                      Roundings{.functions = 1, .operations_per_fold = 1, .functions_per_fold = 1}},
                     {"power_lobe", "pow(c, k)", in_formats([](auto c, auto k) { return power_lobe(c, k); })},
-                    // pow, which is one function of the library
+                    // pow is one function of the library
                     {"power_lobe_of_dot", "pow(c, k), c clamped",
                      in_formats([](auto c, auto k) { return power_lobe_of_dot(c, k); }),
                      Roundings{.functions = 1}}},

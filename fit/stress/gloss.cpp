@@ -12,7 +12,7 @@ namespace {
 /// The decode of the record: 2^(10 g + 1).
 constexpr int doublings = 10, first = 1;
 
-/// Both ends and beyond them, every 8-bit gloss, by division and by multiplication, and anything between.
+/// Both ends and beyond them, every 8-bit gloss by division and by multiplication, and random numbers.
 std::vector<Input> gloss_inputs(const BinaryFormat& format, std::size_t random) {
   std::vector<double> numbers = edges(format, 1);
   const double ulp = 1 - below_one(format);

@@ -9,14 +9,14 @@
 namespace shadefit {
 namespace {
 
-/// c^k from y = 1 - c, which near the peak is known to more digits than c.
+/// c^k from y = 1 - c, which has more digits than c near the peak.
 Regime near_peak() {
   return {.topic = "lobe",
           .domain = "y = 1 - c in [0, 1], k in [0.001, 1e9]",
           .names = {"y", "k"},
           .forms = {{"power_lobe", "pow(1 - y, k)",
                      in_formats([](auto y, auto k) { return power_lobe(integer<decltype(y)>(1) - y, k); })},
-                    // exp; what is in it, k times log1p, counts by the e-fold
+                    // exp; its argument, k times log1p, counts per e-fold
                     {"power_lobe_near_peak", "exp(k log1p(-y))",
                      in_formats([](auto y, auto k) { return power_lobe_near_peak(y, k); }),
                      Roundings{.functions = 1, .operations_per_fold = 1, .functions_per_fold = 1}}},
@@ -27,7 +27,8 @@ Regime near_peak() {
                        std::size_t random) { return near_peak_inputs(format, 1, random, 1); }};
 }
 
-/// cos^k(theta/2) from y = 1 - cos(theta). y/2 has to be a number of the format: k multiplies what it loses.
+/// cos^k(theta/2) from y = 1 - cos(theta). y/2 must be a number of the format, because k multiplies its
+/// rounding.
 Regime half_angle() {
   const auto inputs = [](const BinaryFormat& format, std::size_t random) {
     auto all = near_peak_inputs(format, 2, random, 2);
@@ -69,7 +70,7 @@ Regime base_two() {
           .names = {"c", "A"},
           .forms = {{"gaussian_lobe_base_two", "exp2(A c - A)",
                      in_formats([](auto c, auto a) { return gaussian_lobe_base_two(c, a); })},
-                    // exp2; the difference and the product count by the e-fold
+                    // exp2; the difference and the product count per e-fold
                     {"gaussian_lobe_base_two_of_difference", "exp2(A (c - 1))",
                      in_formats([](auto c, auto a) { return gaussian_lobe_base_two_of_difference(c, a); }),
                      Roundings{.functions = 1, .operations_per_fold = 2}}},

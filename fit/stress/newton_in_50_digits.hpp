@@ -9,12 +9,13 @@
 #include "fit/families/families.hpp"
 #include "fit/scalars/multiprecision.hpp"
 
-/// How far a fit is from its optimum, by arithmetic, quadrature and formulas that its solver does not use.
+/// The distance of a fit from its optimum, by arithmetic, quadrature and formulas that its solver does not
+/// use.
 namespace shadefit {
 
-/// The places, in y = 1 - c, between which the integrand of a family is smooth enough for 30 Gauss nodes: of
-/// a lobe doubling from 1/k, on which it falls, to 64/k, beyond which the square is below e^-128; then
-/// halving in c, whose powers are singular at 0. Of another family quarters.
+/// The ends of panels, in y = 1 - c, on which the integrand of a family is smooth enough for 30 Gauss nodes.
+/// For a lobe they double from 1/k, its scale, to 64/k, beyond which the square is below e^-128; then they
+/// halve in c, because powers of c are singular at 0. Other families have quarters.
 template <class F>
 std::vector<Decimal50> joints(const F& family, const Domain& domain) {
   const Decimal50 top = 1 - Decimal50(domain.upper), bottom = 1 - Decimal50(domain.lower);
@@ -37,8 +38,8 @@ std::vector<Decimal50> joints(const F& family, const Domain& domain) {
   return all;
 }
 
-/// The gradient of half the integral of (form - target)^2 dc over the domain, by the formulas as they are
-/// stated; derivatives by central differences of 1e-15 of the parameter, which leave 30 of the 50 digits.
+/// The gradient of half the integral of (form - target)^2 dc over the domain, by the formulas of approx/.
+/// Derivatives are central differences of 1e-15 of the parameter, which leave 30 of the 50 digits.
 template <class F, std::size_t N>
 std::array<Decimal50, N> gradient_in_50_digits(const F& family, const Domain& domain,
                                                const std::array<Decimal50, N>& p) {

@@ -13,7 +13,7 @@ double neighbour(const BinaryFormat& format, double x, bool up) {
   int exponent = format.least_exponent;
   if (x != 0) exponent = std::max(std::ilogb(x), format.least_exponent);
   const double step = std::ldexp(1.0, exponent - format.digits + 1);
-  // Towards zero from a power of two the spacing is half.
+  // Below a power of two the spacing is half.
   const bool shrinks =
       up == std::signbit(x) && std::abs(x) == std::ldexp(1.0, exponent) && exponent > format.least_exponent;
   const double by = shrinks ? step / 2 : step;

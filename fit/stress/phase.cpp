@@ -8,7 +8,7 @@
 namespace shadefit {
 namespace {
 
-/// g at 0, at both ends and anywhere; y likewise, and about (1 - |g|)^2/2 from the peak, where it falls.
+/// g at 0, at both ends and random; y likewise, and near (1 - |g|)^2/2, where the function falls.
 std::vector<Input> phase_inputs(const BinaryFormat& format, std::size_t random) {
   const double end = below_one(format);
   const auto sizes = with_neighbours(format,

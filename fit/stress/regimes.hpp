@@ -4,7 +4,7 @@
 
 #include "fit/stress/trial.hpp"
 
-/// The regimes, a file a topic.
+/// The regimes, one file for each topic.
 namespace shadefit {
 
 std::vector<Regime> lobe_regimes();              ///< c^k near its peak; its Gaussian with A; the half angle

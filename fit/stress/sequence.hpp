@@ -2,11 +2,12 @@
 
 #include <cstdint>
 
-/// Numbers that look random and are the same everywhere.
+/// Random numbers that are the same on every machine.
 namespace shadefit {
 
 /// SplitMix64. Source: Steele, Lea, Flood 2014, "Fast Splittable Pseudorandom Number Generators". The
-/// distributions of the standard library differ between libraries; here a number is made of bits alone.
+/// distributions of the standard library differ between libraries; here a number is made from the bits
+/// directly.
 class Sequence {
  public:
   explicit Sequence(std::uint64_t seed) : state_(seed) {}

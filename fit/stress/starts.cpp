@@ -15,9 +15,10 @@
 namespace shadefit {
 namespace {
 
-/// Lobes from blunt to needle-sharp; one of 15 also on a thousandth of the domain, as every other form.
+/// Exponents from blunt to extremely sharp lobes. Exponent 15 and all other forms are also fitted on a
+/// thousandth of the domain.
 constexpr std::array lobe_exponents{1e-3, 0.1, 1.0, 3.7, 15.0, 1e3, 1e6, 1e9};
-/// Relative: a hundred times what 14 digits leave, and far below what tells two optima apart.
+/// Relative: a hundred times the error of 14 digits, and far below the distance of two optima.
 constexpr double same_answer = 1e-12;
 constexpr std::array narrow{Domain{0.999, 1}, Domain{0.4995, 0.5005}, Domain{0, 1e-3}};
 
@@ -39,7 +40,7 @@ std::vector<Case> cases() {
   return all;
 }
 
-/// Three places in the box that the family's own starts span, four times as wide about its middle.
+/// Three places in a box around the family's own starts, four times as wide as theirs.
 template <std::size_t N>
 std::array<std::vector<double>, 3> starts_in_box(const std::array<std::array<double, N>, 3>& own,
                                                  Sequence& sequence) {
@@ -61,8 +62,8 @@ std::array<double, F::parameters.size()> answer_of(const Solution& solution) {
   return answer;
 }
 
-/// The digits of an answer: of a Newton step from it, with gradient and Hessian in 50 digits, the latter by
-/// central differences of the former.
+/// The digits of an answer, by a Newton step with gradient and Hessian in 50 digits. The Hessian is made of
+/// central differences of the gradient.
 template <class F>
 int digits_of(const F& family, const Metric& metric, const std::array<double, F::parameters.size()>& answer) {
   constexpr std::size_t n = F::parameters.size();
@@ -73,7 +74,7 @@ int digits_of(const F& family, const Metric& metric, const std::array<double, F:
   Matrix hessian;
   Eigen::Matrix<double, static_cast<int>(n), 1> g;
   for (std::size_t i = 0; i < n; ++i) {
-    // Of the 30 digits of a gradient this leaves 20.
+    // This leaves 20 of the gradient's 30 digits.
     const Decimal50 step = Decimal50("1e-10") * p[i];
     auto above = p, below = p;
     above[i] += step;
@@ -99,7 +100,7 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
   if constexpr (requires { family.exponent; }) trial.exponent = family.exponent;
   trial.domain = at.domain;
   trial.status = own.status;
-  // Where the family's own starts do not lead to one optimum, the first that converges says where it is.
+  // If the family's own starts do not lead to one optimum, the first fit that converges defines it.
   Solution reference = own;
   const auto measure = [&] {
     trial.claimed = reference.digits;

@@ -13,8 +13,8 @@
 /// Fits under stress: from many starts, for exponents from 1e-3 to 1e9, on domains shrunk to a thousandth.
 namespace shadefit {
 
-/// What came of one fit (least squares, uniform in the cosine) that was made many times over, each time from
-/// three starts drawn from a wide box, where it has three of its own; these have to lead to one optimum.
+/// The results of one fit (least squares, uniform in the cosine) that is repeated many times. Each time its
+/// three starts are drawn from a wide box. All have to lead to one optimum.
 struct StartsTrial {
   std::string_view family;
   std::optional<double> exponent;
@@ -22,21 +22,19 @@ struct StartsTrial {
   Status status = Status::not_converged;  ///< of the fit from the family's own starts
   long starts = 0;
   long fits = 0;
-  long reached = 0;  ///< fits that converged at the optimum: that of the family's own starts or, where these
-                     ///< do not meet, that of the first that converges
-  long failed = 0;   ///< that said that they did not converge
-  long elsewhere = 0;  ///< that converged at another place
-  long returned = 0;   ///< that converged at one of their very starts
-  int claimed = 0;     ///< the digits that the fit says it has
-  int digits = 0;      ///< those that it has: against a Newton step in 50 digits, capped like those claimed
+  long reached = 0;    ///< fits that converged at the optimum: the result of the family's own starts or, if
+                       ///< these do not meet, of the first fit that converges
+  long failed = 0;     ///< fits that reported that they did not converge
+  long elsewhere = 0;  ///< fits that converged at another place
+  long returned = 0;   ///< fits that converged at one of their starts
+  int claimed = 0;     ///< the digits that the fit claims
+  int digits = 0;      ///< its true digits by a Newton step in 50 digits, with the same cap
 
-  /// Whether nothing wrong was returned as an answer: what converged is one optimum, and known as well as it
-  /// is said.
+  /// Whether no wrong answer was returned: all converged fits agree on one optimum, with the claimed digits.
   bool is_right() const { return elsewhere == 0 && returned == 0 && digits >= claimed; }
 };
 
-/// Every family at every setting; about `starts` of them for each family. `progress` is told the
-/// share that is done.
+/// Every family at every setting; about `starts` fits for each family. `progress` gets the finished share.
 std::vector<StartsTrial> try_starts(
     std::size_t starts, const Checkpoint& checkpoint = keep_going,
     const std::function<void(double share)>& progress = [](double) {});

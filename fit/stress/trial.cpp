@@ -10,11 +10,11 @@
 namespace shadefit {
 namespace {
 
-/// What the exact formula says at an input.
+/// The value of the exact formula at an input.
 struct Exact {
   Decimal50 value;
   double folds = 0;
-  bool is_infinite = false;  ///< once rounded to the format
+  bool is_infinite = false;  ///< after rounding to the format
 };
 
 /// "c = 0x1p+0, k = 0x0p+0"
@@ -29,12 +29,12 @@ std::vector<Exact> exact_values(const Regime& regime, const BinaryFormat& format
   std::vector<Exact> values;
   values.reserve(inputs.size());
   for (const Input& input : inputs) {
-    // A few milliseconds of 50 digits at a time.
+    // A few milliseconds of arithmetic in 50 digits.
     if (values.size() % 64 == 0) checkpoint();
     Exact exact{regime.truth(Decimal50(input[0]), Decimal50(input[1]))};
     exact.is_infinite = overflows(exact.value, format);
     if (regime.folds != nullptr) {
-      // From 0 or infinity no result is further than all e-folds of the format.
+      // No result is further from 0 or infinity than all e-folds of the format.
       const double all = -std::log(least_subnormal(format)) + std::log(largest(format));
       exact.folds = std::min(std::abs(regime.folds(input[0], input[1])), all);
     }

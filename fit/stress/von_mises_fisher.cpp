@@ -8,7 +8,7 @@
 namespace shadefit {
 namespace {
 
-/// Lobes as everywhere, and what only a normalisation minds: k towards 0, and where sinh overflows.
+/// The usual lobes, and inputs that are hard for a normalisation: k towards 0, and k where sinh overflows.
 std::vector<Input> von_mises_fisher_inputs(const BinaryFormat& format, std::size_t random) {
   auto all = near_peak_inputs(format, 2, random, 6);
   const double top = largest(format);

@@ -2,15 +2,14 @@
 
 #include <functional>
 
-/// Where long work may be given up.
+/// Places where long work can be stopped.
 namespace shadefit {
 
-/// Called by long work and by writers at places where nothing is lost if they end there. It returns to go on,
-/// and throws to end the work; what it throws passes through untouched, and everything half-done is undone on
-/// its way.
+/// Long work and writers call it at places where they can end without loss. It returns to go on, and throws
+/// to end the work. Its exception passes through, and everything half-done is undone on its way.
 using Checkpoint = std::function<void()>;
 
-/// The checkpoint of work that nothing interrupts.
+/// The checkpoint that never interrupts.
 inline void keep_going() {}
 
 }  // namespace shadefit

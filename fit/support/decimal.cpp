@@ -17,7 +17,7 @@ std::string decimal(double value, int digits) {
 
 namespace {
 
-/// A unit of the last place of so many digits, or less.
+/// At most one unit of the last of these digits.
 double last_place(double value, int digits) {
   for (int i = 0; i < digits; ++i) value /= 10;
   return value;

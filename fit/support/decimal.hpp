@@ -6,16 +6,16 @@
 /// Numbers in sentences: free of the locale, the same bytes on every compiler.
 namespace shadefit {
 
-/// `value` to that many significant digits, trailing zeros dropped: 0.775, 1.2e-05, -3, nan, inf. Negative
+/// `value` with that many significant digits, without trailing zeros: 0.775, 1.2e-05, -3, nan, inf. Negative
 /// zero is 0.
 std::string decimal(double value, int digits);
 
-/// The least decimal of that many significant digits that is not below `value`, which is positive: for
+/// The least decimal with that many significant digits that is not below the positive `value`: for upper
 /// bounds.
 std::string decimal_above(double value, int digits);
 
-/// The largest decimal of that many significant digits that is not above `value`, which is positive: for
-/// bounds from below.
+/// The largest decimal with that many significant digits that is not above the positive `value`: for lower
+/// bounds.
 std::string decimal_below(double value, int digits);
 
 /// "1 fit", "2 fits".

@@ -1,8 +1,8 @@
 #pragma once
 
-// fmt by its headers alone: who links shadefit::fit needs no library of fmt. Defined here and not by the
-// target fmt::fmt-header-only, whose definition would have to hold for all that share our precompiled
-// headers. For .cpp files only: what includes this before or after fmt itself has to agree on it.
+// fmt as headers only: a user of shadefit::fit needs no library of fmt. The target fmt::fmt-header-only would
+// set its definition for all units that share our precompiled headers. For .cpp files only: a unit must not
+// include fmt both with and without this definition.
 #ifndef FMT_HEADER_ONLY
 #define FMT_HEADER_ONLY
 #endif

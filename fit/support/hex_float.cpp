@@ -23,7 +23,7 @@ std::optional<double> parse_hex(std::string_view text) {
   const auto [stop, error] = std::from_chars(digits.data(), end, value, std::chars_format::hex);
   if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
   if (is_negative) value = -value;
-  // More digits than a double has were rounded; another spelling would be a second text for one number.
+  // A text with too many digits was rounded, and another spelling would be a second text for one number.
   return hex_text(value) == text ? std::optional(value) : std::nullopt;
 }
 

@@ -4,14 +4,14 @@
 #include <string>
 #include <string_view>
 
-/// Doubles as text without a rounding: hexadecimal, "-0x1.62fp+2" for -5.5458984375.
+/// Doubles as text without rounding: hexadecimal, "-0x1.62fp+2" for -5.5458984375.
 namespace shadefit {
 
-/// The double as C writes it by "%a", the same on every machine; finite numbers.
+/// A finite double as C's "%a", the same on every machine.
 std::string hex_text(double value);
 
-/// The double whose `hex_text` this is. Empty for anything else: a number that is not finite, more digits
-/// than a double has, other spellings of the same double.
+/// The double with this `hex_text`. Empty for anything else: a number that is not finite, too many digits,
+/// another spelling of the same double.
 std::optional<double> parse_hex(std::string_view text);
 
 }  // namespace shadefit

@@ -12,24 +12,24 @@
 namespace shadefit {
 namespace {
 
-/// Makes a document of what the library's parser tells. Its own builder with a callback looks through all of
-/// an array after each of its elements, and without one bounds nothing.
+/// Builds a document from the events of the library's parser. The library's own builder has no limits without
+/// a callback, and with one it takes quadratic time on arrays.
 template <class Json>
 class JsonBuilder {
  public:
-  /// `file` begins every message.
+  /// Every message begins with `file`.
   JsonBuilder(std::string_view text, std::string file, bool (*is_kept)(std::string_view),
               std::size_t most_members)
       : text_(text), file_(std::move(file)), is_kept_(is_kept), most_members_(most_members) {}
 
   Json document() {
-    // The library takes a byte 0 for the end of the text.
+    // For the library a byte 0 is the end of the text.
     if (const auto zero = text_.find('\0'); zero != std::string_view::npos) refuse_at(zero + 1, "a byte 0");
     Json::sax_parse(text_.begin(), text_.end(), this);
     return std::move(root_);
   }
 
-  // What the parser calls: each returns whether to go on.
+  // The events of the parser. Each returns whether to go on.
 
   bool null() { return take(nullptr); }
   bool boolean(bool value) { return take(value); }
@@ -37,7 +37,7 @@ class JsonBuilder {
   bool number_unsigned(typename Json::number_unsigned_t value) { return take(value); }
   bool number_float(typename Json::number_float_t value, const std::string&) { return take(value); }
   bool string(std::string& value) { return take(std::move(value)); }
-  bool binary(typename Json::binary_t&) { return false; }  // in no text
+  bool binary(typename Json::binary_t&) { return false; }  // never in a text
   bool start_object(std::size_t) { return begin(Json::object()); }
   bool end_object() { return end(); }
   bool start_array(std::size_t) { return begin(Json::array()); }
@@ -57,7 +57,7 @@ class JsonBuilder {
     return true;
   }
 
-  /// Called at the last byte that was read, counted from 1 on.
+  /// Called with the number of bytes that were read.
   [[noreturn]] bool parse_error(std::size_t byte, const std::string&,
                                 const nlohmann::detail::exception& error) {
     constexpr int number_overflow = 406;
@@ -75,7 +75,7 @@ class JsonBuilder {
         fmt::format("{}, line {}, column {}: {}", file_, lines + 1, before.size() - line_begin + 1, words));
   }
 
-  /// Puts a value where it belongs.
+  /// Puts a value into its place.
   Json* put(Json value) {
     if (++values_ > most_json_values)
       throw UserError(fmt::format("{}: JSON has more than {} values", file_, most_json_values));
@@ -110,11 +110,10 @@ class JsonBuilder {
   bool (*is_kept_)(std::string_view);
   std::size_t most_members_;
   Json root_;
-  std::vector<Json*>
-      open_;  ///< what has begun and not ended; of each but the last nothing moves before that ends
-  Json* member_ = nullptr;  ///< where the value of the last key goes
+  std::vector<Json*> open_;  ///< arrays and objects that have not ended yet; only the last one changes
+  Json* member_ = nullptr;   ///< the place for the value of the last key
   int depth_ = 0, skipped_at_ = 0;
-  bool is_skipping_ = false;  ///< within a member that is not kept, whose object lies `skipped_at_` deep
+  bool is_skipping_ = false;  ///< inside a member that is not kept; its object is at depth `skipped_at_`
   std::size_t values_ = 0;
 };
 

@@ -33,9 +33,9 @@ void require_known(const std::string& id, const std::vector<std::string>& known,
   const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
     return edit_distance(id, a) < edit_distance(id, b);
   });
-  // A suggestion that shares less than half of its letters is none.
+  // A suggestion must share at least half of its letters.
   const bool is_near = 2 * edit_distance(id, *nearest) <= nearest->size();
-  constexpr std::size_t most_listed = 30;  // on the one line that says so
+  constexpr std::size_t most_listed = 30;  // in one line
   const auto known_ones = [&] {
     return known.size() <= most_listed ? "it must be one of " + fmt::format("{}", fmt::join(known, ", "))
                                        : std::string("'shadefit list' names them");

@@ -5,8 +5,8 @@
 
 namespace shadefit {
 
-/// Throws UserError, suggesting the nearest known id (all of them where none is near), unless `id` is one of
-/// `known`. `what` says what it should name.
+/// Throws UserError unless `id` is one of `known`. The message suggests the nearest known id, or lists all if
+/// none is near. `what` is the word for such an id.
 void require_known(const std::string& id, const std::vector<std::string>& known, const std::string& what);
 
 }  // namespace shadefit

@@ -26,7 +26,7 @@ double positive(std::string_view text, const std::string& of = "") {
   return value;
 }
 
-/// The number to 15 digits: 0.1 + 2 * 0.1 is meant to be 0.3.
+/// The number rounded to 15 digits, so that 0.1 + 2 * 0.1 is 0.3.
 double without_rounding(double x) {
   char digits[32];
   const auto written = std::to_chars(std::begin(digits), std::end(digits), x, std::chars_format::general, 15);

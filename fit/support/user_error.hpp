@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-/// The one kind of error that is the user's to mend.
+/// The error that the user can correct.
 namespace shadefit {
 
 /// Bad usage or bad input. `what()` is one line that names the thing, its value and the rule that it broke;

@@ -15,10 +15,9 @@ struct FresnelLink {
   const OpticalConstants* surface;
   double f0;
   const FittableFamily* family;  ///< null: Schlick's formula itself
-  std::string_view
-      published;  ///< the id of the number that names a published curve; empty where it was refitted
+  std::string_view published;    ///< the id of the number that names a published curve; empty for a refit
   std::vector<double> parameters;
-  Status status;                  ///< of a refit; a published curve is what it is
+  Status status;                  ///< of a refit; not used for a published curve
   ReflectanceError from_schlick;  ///< of F, against Schlick's formula with the surface's f0
   ReflectanceError from_exact;
 };

@@ -21,7 +21,7 @@ std::optional<double> fitted(FitCache& fits, double exponent, const Metric& metr
 }
 
 /// The largest effect over the exponents of the published number; other parameters stay as fitted. Numbers
-/// that agree to the ten digits that a report shows have no effect: what is left of them is rounding.
+/// that agree to the ten digits of a report have no effect: their difference is rounding.
 Effect effect_of_replacing(FitCache& fits, const Published& published, const Metric& metric,
                            double computed) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
@@ -115,7 +115,7 @@ std::optional<ExponentRange> where_it_holds(FitCache& fits, const Published& pub
 
 namespace {
 
-/// The other metrics, and the record's convention, that a published number is held against.
+/// The other metrics, and the record's convention, against which a published number is judged.
 std::vector<Alternative> alternatives(FitCache& fits, const Published& published, const Metric& metric) {
   std::vector<Alternative> others;
   const auto add = [&](const Metric& other) {
@@ -230,7 +230,7 @@ std::optional<ApproachLaw<double>> law_through(FitCache& fits, const Metric& met
 std::optional<ApproachLaw<double>> extrapolate(FitCache& fits, const Metric& metric, std::size_t parameter) {
   const auto law = law_through(fits, metric, parameter, 0), further = law_through(fits, metric, parameter, 1);
   if (!law || !further) return std::nullopt;
-  // Where there is a limit both are right to the 1e-12 that terms in 1/k^3 leave, and the rounding of x.
+  // If there is a limit, both are right to 1e-12, the size of terms in 1/k^3 and of the rounding of x.
   const bool is_limit = std::abs(further->limit - law->limit) < 1e-10 * std::abs(law->limit);
   return is_limit ? law : std::nullopt;
 }

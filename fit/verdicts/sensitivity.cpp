@@ -13,7 +13,7 @@
 namespace shadefit {
 namespace {
 
-/// As many as tell all doubles apart.
+/// Enough to distinguish all doubles.
 constexpr int digits_that_tell_apart = 17;
 
 /// A value rounded to so many significant digits.
@@ -47,7 +47,7 @@ class Objective {
     return family_.objective(setting_, metric_, parameters);
   }
 
-  /// The least objective with one parameter held; not a number where that fit fails.
+  /// The least objective with one parameter held; NaN if that fit fails.
   double profile(std::size_t parameter, double value) const {
     if (family_.parameters.size() == 1) return at({value});
     Metric metric = metric_;
@@ -85,8 +85,8 @@ std::string shortest(const Objective& objective, std::vector<double> parameters,
   return to_text(value);
 }
 
-/// All constants that were fitted, rounded to as few digits as keep the objective below a limit; those that
-/// are given stay.
+/// All constants that were fitted, rounded to the fewest digits that keep the objective below a limit. Given
+/// constants stay.
 std::optional<CommonDigits> common(const Objective& objective, const Fit& fit, double limit) {
   for (int digits = 1; digits <= digits_that_tell_apart; ++digits) {
     CommonDigits found{digits, {}, 0};
@@ -101,8 +101,8 @@ std::optional<CommonDigits> common(const Objective& objective, const Fit& fit, d
   return std::nullopt;
 }
 
-/// Where, going from the fitted constant in a direction, the profile of the objective reaches a limit. Empty
-/// where it has not within a hundred times the constant, and where a fit on the way fails.
+/// The place where the profile of the objective reaches a limit, in one direction from the fitted constant.
+/// Empty if it does not within a hundred times the constant, or if a fit on the way fails.
 std::optional<double> profile_end(const Objective& objective, std::size_t i, double value, double direction,
                                   double limit) {
   const double scale = value != 0 ? std::abs(value) : 1;
@@ -111,7 +111,7 @@ std::optional<double> profile_end(const Objective& objective, std::size_t i, dou
     const double found = objective.profile(i, value + direction * step) - limit;
     if (std::isfinite(found)) return found;
     has_failed = true;
-    return limit;  // any number above 0: the search is given up
+    return limit;  // any number above 0 ends the search
   };
   double inside = 0, excess_inside = objective.at_optimum() - limit;
   double outside = 1e-4 * scale, excess_outside = excess(outside);
@@ -164,7 +164,7 @@ Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint) {
     checkpoint();
     const double value = fit.parameters[i];
     const std::string_view name = objective.family().parameters[i];
-    if (is_held(fit, name)) continue;  // what is given has no sensitivity of its own
+    if (is_held(fit, name)) continue;  // a given constant has no sensitivity
     result.parameters.push_back({name, value, shortest(objective, fit.parameters, i, noticeable_limit),
                                  shortest(objective, fit.parameters, i, slight_limit),
                                  profile_end(objective, i, value, -1, noticeable_limit),

@@ -8,33 +8,33 @@
 #include "fit/fit.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// How well the constants of a fit have to be known, and how they depend on what was asked for. A
-/// deterministic approximation has no covariance: its honest uncertainty is how far a constant may move
-/// before the objective, the rms or the largest error, is noticeably worse.
+/// The digits of a fit's constants that matter, and the dependence of the constants on measure and domain. A
+/// deterministic approximation has no covariance. Its uncertainty is the distance that a constant may move
+/// before the objective (the rms or the largest error) is noticeably worse.
 namespace shadefit {
 
-/// What a worsening of the objective by one part in a hundred, or in a thousand, leaves to a constant.
+/// The freedom of a constant if the objective may be worse by one part in a hundred, or in a thousand.
 inline constexpr double noticeable = 0.01, slight = 0.001;
 
 struct ParameterSensitivity {
   std::string_view parameter;
   double value;
-  /// The decimals with the fewest significant digits that worsen the objective by less than `noticeable` and
-  /// `slight`, the other constants as fitted.
+  /// The shortest decimals that worsen the objective by less than `noticeable` and `slight`, with the other
+  /// constants as fitted.
   std::string noticeable_digits, slight_digits;
-  /// The profile interval: within it, the other constants fitted anew, the objective is worse by less than
-  /// `noticeable`. Empty where it goes on beyond a hundred times the constant, or where a fit there fails.
+  /// The profile interval: inside it the objective is worse by less than `noticeable`, with the other
+  /// constants fitted again. Empty if it extends beyond a hundred times the constant, or if a fit fails.
   std::optional<double> lower, upper;
 };
 
-/// All constants of a fit with so many significant digits.
+/// All constants of a fit, rounded to the same number of digits.
 struct CommonDigits {
   int digits;
   std::vector<std::string> parameters;
   double objective;
 };
 
-/// A fit under a contract that differs in one thing.
+/// A fit whose metric differs in one point.
 struct OtherContract {
   Metric metric;
   Fit fit;
@@ -47,9 +47,9 @@ struct Sensitivity {
   std::vector<OtherContract> contracts = {};
 };
 
-/// Of a fit that converged and that no constraints bind but given parameters: constants that are rounded meet
-/// no other. The contracts: the fit's own, then other measures where the norm has one, then domains that
-/// leave a tenth of the cosines out at one end or both.
+/// The sensitivity of a converged fit. Given parameters are the only constraints that are possible, because
+/// rounded constants do not meet others. The metrics: the fit's own, then other measures if the norm has one,
+/// then domains without a tenth of the cosines at one end or both.
 Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

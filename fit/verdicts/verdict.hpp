@@ -5,12 +5,12 @@
 #include <string>
 #include <string_view>
 
-/// Whether a published number is right: decided by its printed digits, never typed in.
+/// The verdict on a published number. It is computed from the printed digits, never typed.
 namespace shadefit {
 
 enum class Verdict { confirmed, rounding, other_objective, conditional, refuted };
 
-/// All of them, each further from `confirmed` than the one before.
+/// All verdicts, from `confirmed` to the worst.
 inline constexpr std::array all_verdicts{Verdict::confirmed, Verdict::rounding, Verdict::other_objective,
                                          Verdict::conditional, Verdict::refuted};
 
@@ -30,15 +30,16 @@ constexpr std::string_view name(Verdict verdict) {
   return "unknown";
 }
 
-/// How many units of its last printed digit a printed number is from the computed one, rounded half away from
-/// zero to the same digits: 0 where all printed digits are right. `printed` is plain decimal, like
+/// The difference of a printed number and the computed one, in units of the last printed digit. The computed
+/// number is rounded to the same digits, half away from zero: 0 means that all printed digits are right.
+/// `printed` is plain decimal, like
 /// "-5.55473".
 long units_off(std::string_view printed, double computed);
 
 /// One unit in the last printed digit: 0.001 for "0.788".
 double last_unit(std::string_view printed);
 
-/// A number that a published one can be held against, and the metric or convention that it comes from.
+/// A computed number for a published one, and its metric or convention.
 struct Alternative {
   std::string objective;
   double value;
@@ -46,12 +47,13 @@ struct Alternative {
 
 struct Judgement {
   Verdict verdict;
-  std::string objective;  ///< under which the printed digits come out, or come closest; empty for `refuted`
-  double value;           ///< computed under that objective; for `refuted` under the first
+  std::string
+      objective;  ///< the objective that gives the printed digits, or the closest; empty for `refuted`
+  double value;   ///< computed under that objective; for `refuted` under the first
 };
 
-/// Judges a printed number against the value computed under one objective, then under the others in their
-/// order: `confirmed` if it has all printed digits, `rounding` if only the last one is off by one,
+/// Compares a printed number with the value under one objective, then under the others in their order:
+/// `confirmed` if it has all printed digits, `rounding` if only the last one is off by one,
 /// `other-objective` if one of the others has all of them, else `refuted`.
 Judgement judge(std::string_view printed, const Alternative& computed, std::span<const Alternative> others);
 
