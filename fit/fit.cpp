@@ -23,7 +23,7 @@ constexpr bool is_fresnel_family() {
   };
 }
 
-/// The error of parameters with a pole in the domain: no search that samples finds it. Empty for others.
+/// The infinite error at a pole in the domain, which sampling would miss. Empty without a pole.
 template <class F>
 std::optional<Extremum> pole_of([[maybe_unused]] const F& family, [[maybe_unused]] const Domain& domain,
                                 [[maybe_unused]] std::span<const double> parameters) {
@@ -34,7 +34,7 @@ std::optional<Extremum> pole_of([[maybe_unused]] const F& family, [[maybe_unused
   return std::nullopt;
 }
 
-/// Extrema are places in c whatever the measure, so they are looked for in the cosine.
+/// The places of extrema do not depend on the measure, so the search is in the cosine.
 template <class F>
 Extremum max_abs_error(const Setting& setting, const Domain& domain, std::span<const double> parameters) {
   const auto family = make_family<F>(setting);
@@ -84,7 +84,8 @@ bool is_plain(const Metric& metric) {
          metric.constraints.held.empty();
 }
 
-/// Upper and lower end of the places that count under a metric; empty where its error has a meaning nowhere.
+/// The upper and lower end of the places that count under a metric; empty if its error has no meaning
+/// anywhere.
 template <class F>
 std::optional<std::pair<Cosine<double>, Cosine<double>>> ends_under(const F& family, const Metric& metric) {
   if (metric.error == Error::relative) return relative_ends(family, metric.domain);
@@ -101,10 +102,9 @@ double objective(const Setting& setting, const Metric& metric, std::span<const d
   return objective_at(family, metric, ends->first, ends->second, parameter_array<F>(parameters));
 }
 
-/// The answer where the form, its free parameters 0, is its target at every place of a search, in value and
-/// slope: all of a domain of total reflection has the target 1 = exp2(0). A parameter that is 0 has no
-/// relative digits, and an error that is 0 no alternation: the solvers find neither. Empty in general, after
-/// one evaluation.
+/// The answer if the form with all free parameters 0 equals its target, in value and slope, at every place of
+/// a search: a domain of total reflection has the target 1 = exp2(0). The solvers cannot find it: a parameter
+/// 0 has no relative digits, and an error 0 has no alternation. Usually empty, after one evaluation.
 template <class F>
 std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
   using Jet = SearchedFunction::Jet;
@@ -120,7 +120,7 @@ std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
       const auto sample = family.sample(panel.at(s).cosine);
       const double slope = family.error(family.sample(panel.at(Jet(s, 0)).cosine), q).v[0];
       const double form = family.form(sample, p);
-      // On a panel without a length nothing has a slope; a form that has underflowed is not its target.
+      // A panel without length has no slope. A form that has underflowed does not equal its target.
       return panel.total() > 0 && family.error(sample, p) == 0 && slope == 0 && std::isnormal(form) &&
              form <= constraints.at_most.value_or(form) && form >= constraints.at_least.value_or(form);
     });
@@ -145,7 +145,7 @@ Solution solve(const F& family, const Metric& metric) {
   return solve_under(family, metric, ends->first, ends->second);
 }
 
-/// Why a solution is rejected: its parameters or its errors contradict what it says. Empty where it holds.
+/// Why a solution is rejected: its parameters or its errors contradict its status. Empty if they do not.
 template <class F>
 std::string contradiction_in(const F& family, const Fit& fit) {
   if (pole_of(family, fit.metric.domain, fit.parameters)) return "the form has a pole in the domain";
@@ -250,8 +250,8 @@ constexpr FittableFamily entry{
 }  // namespace
 
 std::string contradiction_of(double rms_error, double largest_error) {
-  constexpr double rounding = 1e-15;  // a few units of a double at 1, which forms and targets do not exceed
-  // The search calls errors equal that differ by less.
+  constexpr double rounding = 1e-15;  // a few ulps at 1, the largest value of forms and targets
+  // Errors that differ by less count as equal in the search.
   if (rms_error <= largest_error * (1 + equal_extrema) + rounding) return "";
   return "the rms error " + to_text(rms_error) + " exceeds the largest error found, " +
          to_text(largest_error) + ": one of them is wrong";

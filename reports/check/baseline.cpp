@@ -66,7 +66,7 @@ std::string plain_effect(const std::string& before, const std::string& after) {
   return fmt::format("relative change {:.2g}", (*new_value - *old_value) / std::abs(*old_value));
 }
 
-/// The effect on the curve of a parameter that reads `before` in the baseline.
+/// The effect on the curve if a parameter is `before`, as in the baseline.
 std::optional<std::string> curve_effect(const FitRow& origin, const std::string& before) {
   const auto value = parse_number(before);
   if (origin.report == nullptr || origin.report->fit.status != Status::converged || !value)
@@ -109,7 +109,7 @@ CsvTable as_csv(const Table& table, const std::string& name) {
   return parse_csv(write_csv(table, Precision::report), name);
 }
 
-/// The table of a baseline's file, which has to have these columns.
+/// The table of a file of the baseline, which must have these columns.
 CsvTable parse_with_columns(const std::string& content, const std::string& path,
                             const std::vector<std::string>& columns) {
   CsvTable table = parse_csv(content, path);
@@ -132,7 +132,7 @@ struct NamedTable {
   Table table;
 };
 
-/// The tables that are compared without knowledge of their contents.
+/// The tables that are compared as text.
 std::vector<NamedTable> plain_tables(const Results& results) {
   return {{normalisation_file, normalisation_table(results.normalisations)},
           {reflectance_file, reflectance_table(results.reflectances)},

@@ -39,10 +39,10 @@ std::vector<Drift> compare(const Baseline& baseline, const Results& results);
 /// UserError as `compare` does.
 std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>& now);
 
-/// How many cells such tables have.
+/// The number of cells of such tables.
 std::size_t count_cells(const std::vector<File>& files);
 
-/// How many cells the tables of the results have.
+/// The number of cells of the tables of the results.
 std::size_t count_cells(const Results& results);
 
 }  // namespace shadefit

@@ -88,7 +88,7 @@ ShaderFunction exponent_of_gloss(const Scene& scene, const Plan& plan) {
 }
 
 /// Limits the cosine to at least the smallest normal number if a power may be 0, because 0 times log2(0) =
-/// -infinity would be NaN. Nothing is lost: `seen_light` is as small.
+/// -infinity would be NaN. This changes nothing visible: `seen_light` is as small.
 Symbolic above_zero(const Plan& plan, const Symbolic& c) {
   const bool has_power_of_zero =
       std::any_of(plan.materials.begin(), plan.materials.end(),

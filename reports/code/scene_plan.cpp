@@ -137,7 +137,7 @@ std::string plan_markdown(const Scene& scene, const Plan& plan) {
 
 std::string plan_json(const Scene& scene, const Plan& plan) {
   Json terms = Json::array(), materials = Json::array();
-  // A texture has up to 256, and each takes a hundred bytes here: those of a city are left out.
+  // A texture has up to 256, each a hundred bytes here: a large scene leaves them out.
   constexpr std::size_t most_powers = 1'000'000;
   const std::size_t all_powers =
       std::accumulate(scene.materials.begin(), scene.materials.end(), std::size_t{0},

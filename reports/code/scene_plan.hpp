@@ -9,10 +9,10 @@
 /// The plan of a scene as text, Markdown, CSV and JSON.
 namespace shadefit {
 
-/// `term,verdict,form,error,reason`, a row a term: what `scene.csv` holds.
+/// `term,verdict,form,error,reason`, a row for each term: `scene.csv`.
 Table decisions_table(const scene::Plan& plan);
 
-/// `material,lobe,power,largest,cutoff,reason`, a row a material.
+/// `material,lobe,power,largest,cutoff,reason`, a row for each material.
 Table materials_table(const scene::Scene& scene, const scene::Plan& plan);
 
 /// The plan on a terminal.

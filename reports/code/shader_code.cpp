@@ -23,7 +23,7 @@ using Kind = Symbolic::Kind;
 struct Dialect {
   std::string_view name;
   std::string_view prologue = {};       ///< before the first function, a line or more; or empty
-  std::string_view prologue_half = {};  ///< the same where the arithmetic is half
+  std::string_view prologue_half = {};  ///< the same for arithmetic in half
   std::string_view type;
   std::string_view half = {};                      ///< the type of half; empty if there is none
   std::string_view suffix = {}, half_suffix = {};  ///< of literals
@@ -98,8 +98,8 @@ Symbolic multiplied(const Symbolic& x, int n) {
   return n % 2 == 0 ? even : even * x;
 }
 
-/// exp(n x) as exp2((n/ln 2) x), n a number: processors have exp2, and the factor is precomputed. Any other
-/// exp is left to the compiler.
+/// exp(n x) as exp2((n/ln 2) x), where n is a number: processors have exp2, and the factor is precomputed.
+/// The compiler handles any other exp.
 std::optional<Symbolic> exp_by_exp2_of_product(const Symbolic& e) {
   if (e.kind() != Kind::function || e.name() != "exp" || e.part(0).kind() != Kind::multiply)
     return std::nullopt;
@@ -140,8 +140,8 @@ class Body {
     return decimal + (is_whole ? ".0" : "") + std::string(is_half() ? dialect_.half_suffix : dialect_.suffix);
   }
 
-  /// The text of an expression, in parentheses unless it is at least that tight. For a reused expression, the
-  /// name of the variable that holds it.
+  /// The text of an expression, in parentheses unless its precedence is at least that high. For a reused
+  /// expression, the name of the variable that holds it.
   std::string text(const Symbolic& e, Tightness least) {
     if (e.parts().empty()) {
       if (!is_number(e)) return e.name();
@@ -177,7 +177,7 @@ class Body {
         return {sum(e), Tightness::sum};
       case Kind::multiply:
       case Kind::divide: {
-        // the left part first, so that its lines come first
+        // the left part first, because its lines come first
         const std::string left = text(e.part(0), Tightness::product);
         const char* sign = e.kind() == Kind::multiply ? " * " : " / ";
         return {left + sign + text(e.part(1), Tightness::sign), Tightness::product};

@@ -43,7 +43,7 @@ struct ShaderFunction {
 /// rounded once to the format and written as the shortest decimal that reads back. A whole power becomes
 /// multiplications in the order of `power`. exp of a number times an expression becomes exp2.
 ///
-/// Evaluated in float, operation by operation, it is bit for bit what the code computes, where that is
+/// Evaluated in float, operation by operation, it equals the result of the code bit for bit, if the code is
 /// compiled without contraction and calls the same exp2.
 Symbolic as_generated(const Symbolic& expression, ShaderPrecision precision);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array contender_looks{Look::first, Look::second, Look::third, Look::fourth};
 
-/// The first published curves, and behind them the best that beats one.
+/// The first published curves, then the best curve that beats one.
 std::vector<const Contender*> shown_contenders(const Comparison& comparison) {
   std::vector<const Contender*> shown;
   const Contender* best = nullptr;
@@ -29,7 +29,7 @@ std::vector<const Contender*> shown_contenders(const Comparison& comparison) {
   return shown;
 }
 
-/// The error of a contender at a cosine: of a lobe or a weight f, or, on a surface, of F = f0 + (1 - f0) f.
+/// The error of a contender at a cosine: of a lobe, of a weight f, or on a surface of F = f0 + (1 - f0) f.
 double error_at(const Comparison& comparison, const Contender& contender, const Cosine<double>& at) {
   const Surface& surface = comparison.setting.surface;
   const double scale = surface.is_named() ? 1 - normal_reflectance<double>(surface) : 1;

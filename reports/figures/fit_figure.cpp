@@ -19,7 +19,7 @@ constexpr std::string_view file_name = "fit";
 constexpr int panel_height = 260;
 constexpr std::array parameter_looks{Look::first, Look::second, Look::third, Look::fourth};
 
-/// The error that the fit makes small.
+/// The error that the fit minimises.
 double error_of(const Fit& fit, const CurvePoint& point) {
   return fit.metric.error == Error::relative ? point.relative_error.value_or(NAN) : point.error;
 }
@@ -31,7 +31,7 @@ Domain shown_domain(const Fit& fit) {
   return {faint > 0.5 ? std::max(domain.lower, std::min(faint, domain.upper)) : domain.lower, domain.upper};
 }
 
-/// Whether the level and the contacts are those of the error that is drawn: a weight would scale them.
+/// Whether the level and the contacts belong to the drawn error: a weight would scale them.
 bool has_level(const Fit& fit) {
   return fit.level && fit.metric.weight.empty();
 }
@@ -119,7 +119,7 @@ Table sweep_table(const std::vector<const Fit*>& fits, const FittableFamily& fam
 Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& family) {
   const auto [least, most] = std::minmax_element(
       fits.begin(), fits.end(), [](const Fit* a, const Fit* b) { return *a->exponent < *b->exponent; });
-  // Over more than a decade, equal steps of the logarithm show both ends.
+  // Over more than a decade, a logarithmic axis shows both ends.
   const std::string scale = *(*most)->exponent > 10 * *(*least)->exponent ? "set logscale x\n" : "";
   Panel parameters{.title = gnuplot_unmarked(to_text(family.form())),
                    .y_label = "parameter",

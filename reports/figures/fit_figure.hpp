@@ -7,7 +7,7 @@ namespace shadefit {
 
 /// The figure of a fit: the target and the form above, the error below, with the level of a minimax fit and
 /// the places where the error touches it. Of a sweep: the parameters above, the errors below, over the
-/// exponent. Draws what converged; without such a fit, throws UserError.
+/// exponent. Only converged fits are drawn. Throws UserError if there is none.
 Figure fit_figure(const Refit& refit);
 
 }  // namespace shadefit

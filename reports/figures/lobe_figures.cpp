@@ -114,7 +114,7 @@ std::vector<Curve> curves_of(const std::vector<Approximation>& approximations, c
   return curves;
 }
 
-/// The rows of one fit over the angle, as far as its lobe is visible.
+/// The rows of one fit over the angle, over the angles where its lobe is visible.
 Panel panel_over_angle(const Fit& fit, std::vector<Curve> curves, const std::string& settings) {
   return {.settings = fmt::format("set xrange [0:{}]\n", last_angle(fit)) + settings,
           .abscissa = "angle",
@@ -130,7 +130,7 @@ struct PanelRow {
   std::vector<Level> levels;
 };
 
-/// Exponents, called by `letter`, stand above the columns.
+/// The exponents, with the name `letter`, stand above the columns.
 std::vector<Panel> panels_of(const std::vector<PanelRow>& rows, const std::vector<const Fit*>& fits,
                              const std::string& letter) {
   std::vector<Panel> panels;
@@ -146,8 +146,8 @@ std::vector<Panel> panels_of(const std::vector<PanelRow>& rows, const std::vecto
   return panels;
 }
 
-/// Absolute errors above, relative ones below. Beyond 100 % an error is only large: in a blunt lobe's tail it
-/// grows to thousands.
+/// Absolute errors above, relative ones below. The axis ends at 100 %: in the tail of a blunt lobe a relative
+/// error grows to thousands of percent.
 std::vector<Panel> error_panels(const std::vector<const Fit*>& fits,
                                 const std::vector<Approximation>& approximations, const std::string& letter) {
   const std::vector<Level> zero{{"0", ""}};
@@ -213,7 +213,7 @@ Figure offset_figure(const Refit& refit) {
                  .curves = measure_curves(),
                  .levels = {level}};
   };
-  // The small range is the one that the mean was taken over, and a little more; the next fit is at k = 25.
+  // The small range is slightly more than that of the published mean; the next fit is at k = 25.
   Panel small = panel("set xrange [0:26]\n", {mean, mean + ", the mean"});
   small.y_label = "best offset x";
   const Panel whole =
@@ -272,7 +272,7 @@ Figure factor_error_figure(const std::vector<const Fit*>& fits) {
 }  // namespace
 
 std::vector<Figure> gaussian_figures(const Refit& refit) {
-  // Low, medium and high: the lowest that a lobe is used at, the end of the published mean, a gloss.
+  // Low, medium and high: the lowest in use, the end of the published mean, a glossy surface.
   const auto fits = fits_at(refit, {2, 15, 100});
   std::vector<Figure> figures;
   if (!fits.empty()) figures = {gaussian_lobe_figure(fits), gaussian_error_figure(fits)};

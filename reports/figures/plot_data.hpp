@@ -11,10 +11,10 @@
 /// Helpers for the tables behind figures.
 namespace shadefit {
 
-/// Six digits: more than any picture shows, fewer than rounding reaches.
+/// Six digits: more than a picture shows, and free of rounding.
 Cell plotted(double value);
 
-/// Equal steps from one end to the other: enough for a curve that looks smooth across a page.
+/// Equal steps from one end to the other, enough for a curve that looks smooth on a page.
 inline constexpr int plot_steps = 200;
 
 /// The cosine of an angle in degrees, 0 to 90, both it and its distance from 1 to full precision.

@@ -12,7 +12,7 @@
 namespace shadefit {
 namespace {
 
-/// Pixels: what GitHub shows of a README, and room for tics, labels, titles and rows of the legend.
+/// Pixels: the width that GitHub shows, and the space for tics, labels, titles and rows of the legend.
 constexpr int picture_width = 900;
 /// CSS: 96 pixels an inch. The fonts and lines of a PDF and a PNG are scaled to look as those of the SVG do.
 constexpr double centimetres_a_pixel = 2.54 / 96;
@@ -31,7 +31,7 @@ constexpr std::string_view styles =
     "set style line 8 lc rgb '#707070' lw 1.2 dt (6,4)\n"
     "set style line 9 lc rgb '#DDDDDD' lw 1\n";
 
-/// Every label once, in the order of its first curve.
+/// Each label once, in the order of its first curve.
 std::vector<Curve> legend_of(const Plot& plot) {
   std::vector<Curve> legend;
   for (const Panel& panel : plot.panels) {

@@ -6,31 +6,31 @@
 
 #include "reports/table/table.hpp"
 
-/// From a description of panels and curves to a script for gnuplot. All figures share one style: a white
+/// Writes a script for gnuplot from a description of panels and curves. All figures share one style: a white
 /// ground, a light grid, one legend below, colours that colour-blind readers can tell apart.
 namespace shadefit {
 
-/// How a line looks; its number is that of gnuplot's line style in the script.
+/// The look of a line; its number is the line style in the script.
 enum class Look {
   target = 1,  ///< a broad grey line, so that curves on top of it stay visible
   first,
   second,
   third,
   fourth,
-  thin_target,  ///< the target of another figure, where it is itself compared
+  thin_target,  ///< the target of another figure, if it is one of the compared curves
 };
 
 /// One column of the data over the panel's abscissa. Labels are gnuplot's enhanced text: x^2, x_{min}.
 struct Curve {
   std::string column;
-  std::string label;  ///< curves of several panels that share a label share its place in the legend
+  std::string label;  ///< curves with the same label share one entry in the legend
   Look look;
   bool in_percent = false;
-  bool has_points = false;  ///< marks the rows: for curves that are known at few places
-  bool is_joined = true;    ///< by a line; else it is points alone
+  bool has_points = false;  ///< for curves that are known at few places
+  bool is_joined = true;    ///< by a line; else only points
 };
 
-/// A horizontal line that the curves are to be compared with, labelled at its right end.
+/// A horizontal line for comparison, with a label at its right end.
 struct Level {
   std::string value;
   std::string label;
@@ -39,7 +39,7 @@ struct Level {
 struct Panel {
   std::string title = "";
   std::string x_label = "", y_label = "";
-  std::string settings = "";  ///< gnuplot's commands for this panel alone, each with its line end
+  std::string settings = "";  ///< gnuplot's commands for this panel, each with its line end
   std::string top_tics = "";  ///< a second axis on top: gnuplot's list of tics, "'a' 0, 'b' 1"; empty: none
   std::string abscissa;       ///< a column
   std::string where = "";     ///< the condition on a row, in gnuplot's words; empty: all rows

@@ -33,7 +33,7 @@ std::vector<Figure> make_figures(const Results& results) {
     std::move(more.begin(), more.end(), std::back_inserter(figures));
   };
   if (const Refit* refit = find_refit(results, sg_offset)) add(gaussian_figures(*refit));
-  // The figures compare all Fresnel forms and need no fit: they close the last Fresnel section there is.
+  // The figures compare all Fresnel forms and need no fit. They stand at the end of the last Fresnel section.
   const Refit* one_term = find_refit(results, fresnel_one_term_family);
   const Refit* quadratic = find_refit(results, fresnel_quadratic_family);
   if (const Refit* last = quadratic != nullptr ? quadratic : one_term) {

@@ -13,7 +13,7 @@ inline constexpr const char* digest_field = "digest";
 unsigned crc_of(std::string_view bytes);
 
 /// The CRC-32 of a file's fields but the digest, compact and in their order, in hexadecimal.
-/// It is for accidents: a changed digit, a lost line.
+/// It finds accidents: a changed digit, a lost line.
 std::string digest_of(nlohmann::ordered_json json);
 
 }  // namespace shadefit

@@ -112,7 +112,7 @@ struct SpawnSettings {
   SpawnSettings& operator=(const SpawnSettings&) = delete;
 };
 
-/// What a plot of that name writes, and what it is drawn by.
+/// The picture of a plot, and its script.
 std::string picture_file(const std::string& name) {
   return name.ends_with(".png") || name.ends_with(".pdf") ? name : name + ".svg";
 }
@@ -126,7 +126,7 @@ class Drawing {
   Drawing(const fs::path& gnuplot, const fs::path& directory, const std::string& name)
       : name_(name),
         place_(directory / picture_file(name)),
-        // A script chooses the format by the ending.
+        // The script chooses the format by the ending of the name.
         partial_(directory / fmt::format(".partial-{}-{}", ::getpid(), picture_file(name))),
         transcript_(directory),
         error_(transcript_.error()) {
@@ -159,8 +159,9 @@ class Drawing {
     posix_spawn_file_actions_adddup2(actions, transcript_.descriptor(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(actions, transcript_.descriptor(), STDERR_FILENO);
     posix_spawn_file_actions_addchdir_np(actions, directory.c_str());
-    // A file that may not grow further ends gnuplot, which would not notice: we ignore that signal and
-    // SIGPIPE ourselves. And it is to end at once where we hold an interruption back until a checkpoint.
+    // gnuplot shall end if its file reaches the size limit: it would not notice otherwise. We ignore that
+    // signal and SIGPIPE, and gnuplot would inherit that. It shall also end at once on an interruption, which
+    // we hold back until a checkpoint.
     sigset_t defaults, none;
     sigemptyset(&none);
     sigemptyset(&defaults);
@@ -217,7 +218,7 @@ class Drawing {
     process_ = 0;
   }
 
-  /// Short beside the 10 to 40 ms that a picture takes, long beside the microseconds of a look.
+  /// Short compared with the 10 to 40 ms of a picture, long compared with the microseconds of a test.
   static constexpr std::chrono::milliseconds pause{2};
   static void sleep_for_a_pause() {
     const std::timespec time{0, std::chrono::nanoseconds(pause).count()};

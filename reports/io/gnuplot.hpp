@@ -15,22 +15,22 @@ namespace shadefit {
 /// The program `gnuplot` of the PATH, or nothing.
 std::optional<std::filesystem::path> find_gnuplot();
 
-/// A plot that could not be drawn, and the first thing that gnuplot said of it.
+/// A plot that could not be drawn, and gnuplot's first message.
 struct FailedPlot {
   std::string name;
   std::string complaint;
 };
 
-/// How long gnuplot may take for one picture: each of ours takes less than 0.1 s, so that even a busy machine
-/// a hundred times slower draws it, while one that hangs does not hold a run up for ever.
+/// How long gnuplot may take for one picture: ours take less than 0.1 s. So even a machine that is a hundred
+/// times slower draws them, and a gnuplot that hangs does not stop a run for ever.
 inline constexpr std::chrono::seconds longest_drawing{60};
 
 /// Runs NAME.gnuplot of each name in `directory`, two at a time; each writes NAME.svg (a name that ends with
-/// .png or .pdf is that of the picture: "scene.png" is drawn by scene.gnuplot), first beside its place, and
-/// renames it once it is whole. Returns the plots that failed, gnuplot's words as it put them: of those there
-/// is no NAME.svg in `directory` then, neither a part nor an older one. (Where results go, older pictures are
-/// for `write_files` to remove.) The checkpoint is called before each and again and again while gnuplot
-/// works; when it throws, and when a picture takes `longest`, gnuplot is ended.
+/// .png or .pdf is that of the picture: "scene.png" is drawn by scene.gnuplot), under another name first, and
+/// renames it when it is complete. Returns the plots that failed, with gnuplot's message. For these there is
+/// no NAME.svg in `directory`, neither a part nor an older one. (`write_files` removes older pictures from
+/// the directory of results.) The checkpoint is called before each picture and repeatedly while gnuplot
+/// works. If it throws, or a picture takes `longest`, gnuplot is ended.
 std::vector<FailedPlot> draw_plots(const std::filesystem::path& gnuplot,
                                    const std::filesystem::path& directory,
                                    const std::vector<std::string>& names,

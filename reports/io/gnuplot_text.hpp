@@ -6,8 +6,8 @@
 /// Texts in a script for gnuplot.
 namespace shadefit {
 
-/// A text as gnuplot's expression for it. In single quotes nothing has a meaning but the quote, and gnuplot
-/// 5.4 misreads two of them at the start or in the middle: so a quote stands in a string of its own.
+/// A text as gnuplot's expression for it. In single quotes only the quote is special. gnuplot 5.4 misreads
+/// two quotes at the start or in the middle, so each quote becomes a separate string.
 inline std::string gnuplot_quoted(std::string_view text) {
   std::string quoted = "'";
   for (const char letter : text) {
@@ -20,7 +20,7 @@ inline std::string gnuplot_quoted(std::string_view text) {
   return quoted + "'";
 }
 
-/// A text that gnuplot's enhanced text shows as it is.
+/// A text that gnuplot's enhanced text shows unchanged.
 inline std::string gnuplot_unmarked(std::string_view text) {
   constexpr std::string_view markup = R"(\^_{}@&~)";
   std::string unmarked;

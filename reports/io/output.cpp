@@ -30,7 +30,8 @@ inline std::string words_of(int error) {
   throw UserError(fmt::format("cannot {} {}: {}", act, quoted_path(place), words));
 }
 
-/// A directory, created with those above it that were missing; unless they are kept, those are removed again.
+/// A directory, created together with missing directories above it. Unless they are kept, they are removed
+/// again.
 class Directory {
  public:
   explicit Directory(const fs::path& directory) {
@@ -51,7 +52,7 @@ class Directory {
 
  private:
   void remove() const {
-    std::error_code ignored;  // directories with files of others stay
+    std::error_code ignored;  // directories with foreign files stay
     for (const fs::path& part : created_) fs::remove(part, ignored);
   }
 
@@ -79,8 +80,8 @@ class Lock {
   int descriptor_;
 };
 
-/// A new directory inside another, so that what is written there can be renamed to its place. Nobody else has
-/// its name: no file of others is in the way. Removed at the end, unless something of others is in it.
+/// A new directory inside another, so that what is written there can be renamed to its place. Its name is
+/// unique, so no foreign file is in the way. Removed at the end, unless it contains a foreign file.
 class Workshop {
  public:
   explicit Workshop(const fs::path& directory) {
@@ -125,7 +126,7 @@ class FileChange {
     const int write_error = errno;
     struct stat old {};
     if (::stat(place_.c_str(), &old) == 0 && S_ISREG(old.st_mode)) {
-      // Only root may give a file away. The mode comes last: a new owner would take some of it back.
+      // Only root may change an owner. The mode comes last, because a new owner clears some of its bits.
       if (::fchown(::fileno(stream), old.st_uid, old.st_gid) != 0) errno = 0;
       ::fchmod(::fileno(stream), old.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
     }
@@ -151,8 +152,8 @@ class FileChange {
  private:
   const char* act() const { return fresh_.empty() ? "remove" : "write"; }
 
-  /// Gives the old file a second name, so that its place is never empty; where the file system has none to
-  /// give, its only one.
+  /// Gives the old file a second name, so that its place is never empty. If the file system has no second
+  /// names, renames it.
   void keep_old() {
     std::error_code error;
     const auto status = fs::symlink_status(place_, error);
@@ -167,7 +168,7 @@ class FileChange {
     std::error_code error;
     if (has_kept_) {
       fs::rename(kept_, place_, error);
-      // of two names of one file, rename leaves both; an old file that cannot go back stays where it is
+      // rename keeps two names of one file; an old file that cannot go back stays at `kept`
       has_kept_ = !error;
     } else if (is_put_) {
       fs::remove(place_, error);
@@ -220,7 +221,7 @@ Output::~Output() = default;
 void Output::prepare(const std::vector<File>& files, const std::vector<File>& obsolete, Foreign foreign,
                      const Checkpoint& checkpoint) {
   Parts& parts = *parts_;
-  // A place in the working directory is named as it was asked for, without "./".
+  // The name of a place in the working directory is shown as given, without "./".
   const auto place_of = [&](const File& file) {
     return parts.directory == "." ? fs::path(file.name) : parts.directory / file.name;
   };

@@ -18,13 +18,13 @@
 
 namespace shadefit {
 
-/// The fields of a JSON file that shadefit wrote, or of an object in one. Every function throws UserError
-/// where a field breaks its rule: one line that names the file, the field and the rule. Refers to the JSON.
+/// The fields of a JSON file that shadefit wrote, or of an object in one. Every function throws UserError if
+/// a field breaks its rule, with one line that names the file, the field and the rule. Refers to the JSON.
 class OwnFields {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// `file` begins every message: "certificate 'a.json'".
+  /// Every message begins with `file`: "certificate 'a.json'".
   OwnFields(const Json& json, std::string file) : json_(json), file_(std::move(file)) {}
 
   [[noreturn]] void fail(std::string_view key, std::string_view rule) const {

@@ -59,8 +59,8 @@ std::string_view first_line(std::string_view text) {
   return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
 
-/// What every version of a file begins with. The first line of JSON is a bracket: its first two fields,
-/// without the value of the second.
+/// The beginning of a file in every version: its first line. For JSON, whose first line is a bracket, its
+/// first two fields without the value of the second.
 std::string_view beginning_of(std::string_view text) {
   if (!text.starts_with('{')) return first_line(text);
   const std::size_t second = text.find(':', text.find(':') + 1);  // npos + 1 is 0
@@ -102,8 +102,7 @@ bool is_own(const fs::path& path, const File& file) {
   const bool is_sealed_kind =
       file.name.ends_with(".gnuplot") || file.name.ends_with(".svg") || file.name.ends_with(".pdf");
   const bool is_picture = file.name.ends_with(".png");
-  // What is recognised by its beginning needs no more of it; our pictures are far smaller than a file that
-  // would take long to read.
+  // The beginning is enough for most files, and our pictures are small: larger files are not read.
   constexpr std::size_t enough = 4096, largest = std::size_t{1} << 26;
   if ((is_sealed_kind || is_picture) && fs::file_size(path, error) > largest) return false;
   std::ifstream in(path, std::ios::binary);

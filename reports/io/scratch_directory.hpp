@@ -15,7 +15,7 @@
 namespace shadefit {
 
 /// The directory of temporary files as std::filesystem::temp_directory_path finds it: the first of the
-/// variables below that is set, else /tmp. Throws UserError naming the variable where that is no directory.
+/// variables below that is set, else /tmp. Throws UserError naming the variable if that is not a directory.
 inline std::filesystem::path temporary_directory() {
   for (const char* variable : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
     const char* value = std::getenv(variable);
@@ -28,10 +28,10 @@ inline std::filesystem::path temporary_directory() {
   return "/tmp";
 }
 
-/// A directory of this run's own among the temporary files, removed with all that it holds.
+/// A temporary directory of this run, removed with its contents.
 class ScratchDirectory {
  public:
-  /// Throws UserError where there can be none.
+  /// Throws UserError if it cannot be created.
   ScratchDirectory() {
     std::string name = (temporary_directory() / "shadefit-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr)

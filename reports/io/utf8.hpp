@@ -20,8 +20,8 @@ struct CodePoint {
   char32_t value = 0;
 };
 
-/// The code point that `text` begins with. Its length is 0 where `text` is empty or begins with none: a byte
-/// out of place, a sequence that is cut off or longer than needed, a surrogate, a value above U+10FFFF.
+/// The first code point of `text`. Its length is 0 if `text` is empty or does not begin with a code point: a
+/// byte out of place, a sequence that is cut off or longer than needed, a surrogate, a value above U+10FFFF.
 inline CodePoint first_code_point(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   // The first byte of a longer sequence begins with as many ones as the sequence has bytes.
@@ -39,8 +39,8 @@ inline CodePoint first_code_point(std::string_view text) {
   return {length, value};
 }
 
-/// Whether a code point could forge a line on a terminal: control characters (C0, DEL, C1), what ends a line
-/// (U+2028, U+2029), Unicode's Bidi_Control (PropList.txt), and what has no width or no shape (the format
+/// Whether a code point could forge a line on a terminal: control characters (C0, DEL, C1), ends of lines
+/// (U+2028, U+2029), Unicode's Bidi_Control (PropList.txt), and characters without width or shape (the format
 /// characters of DerivedCoreProperties.txt's Default_Ignorable_Code_Point, and U+FFF9 to U+FFFB).
 inline bool is_unshown(char32_t point) {
   constexpr std::pair<char32_t, char32_t> ranges[] = {
@@ -52,8 +52,8 @@ inline bool is_unshown(char32_t point) {
                      [&](const auto& range) { return point >= range.first && point <= range.second; });
 }
 
-/// The pieces of a text that a terminal can show: code points, and as \xNN each byte of a code point that
-/// `is_unshown`, or of what is not UTF-8.
+/// The pieces of a text that a terminal can show: code points, and \xNN for each byte of a code point that
+/// `is_unshown`, and for each byte that is not UTF-8.
 inline std::vector<std::string> printable_pieces(std::string_view text) {
   std::vector<std::string> pieces;
   while (!text.empty()) {
@@ -73,8 +73,8 @@ inline std::string printable(std::string_view text) {
   return fmt::format("{}", fmt::join(printable_pieces(text), ""));
 }
 
-/// One line that a terminal can show, the middle of a very long text left out. It is left out before anything
-/// is escaped: a text of a user's file may be of any size.
+/// One line that a terminal can show, the middle of a very long text left out. It is left out before
+/// escaping, because a user's text may have any size.
 inline std::string one_line(std::string_view text) {
   constexpr std::size_t longest = 600, half = longest / 2;
   constexpr std::size_t most_bytes = 4;  // of a piece, so that as many hold at least half of the pieces
@@ -82,7 +82,7 @@ inline std::string one_line(std::string_view text) {
   const auto head = printable_pieces(is_long ? text.substr(0, half * most_bytes) : text);
   if (!is_long && head.size() <= longest) return fmt::format("{}", fmt::join(head, ""));
   std::string_view end = text.substr(is_long ? text.size() - half * most_bytes : 0);
-  // Not from the middle of a code point on, which has at most three bytes more.
+  // Not from the middle of a code point, which has at most three more bytes.
   for (int i = 0; i < 3 && is_long && first_code_point(end).length == 0; ++i) end.remove_prefix(1);
   const auto tail = printable_pieces(end);
   const auto first = head.begin(), last = tail.end();

@@ -7,14 +7,14 @@
 /// The alternation of a minimax fit, in words.
 namespace shadefit {
 
-/// 1 or -1 where the error is at the level on that side; 0 where the point is that of a constraint.
+/// 1 or -1 if the error is at the level on that side; 0 for the point of a constraint.
 int sign_of_error(const AlternationPoint& point, const Constraints& constraints);
 
-/// "level", or the constraint that the form is at: "form <= 1", "form = target".
+/// "level", or the active constraint: "form <= 1", "form = target".
 std::string what_holds(const AlternationPoint& point, const Constraints& constraints);
 
-/// A line with the level and the places of the alternation, and one for each constraint that the optimum sits
-/// on; empty for a fit without an alternation.
+/// A line with the level and the places of the alternation, and one for each active constraint; empty for a
+/// fit without an alternation.
 std::string alternation_text(const Fit& fit);
 
 }  // namespace shadefit

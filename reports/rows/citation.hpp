@@ -15,7 +15,7 @@ std::string author_and_year(const Source& source);
 /// "author year, title, place"
 std::string citation(const Source& source);
 
-/// Where the source is on the web: its own address, or its place, where that is one. Empty: not known.
+/// The web address of the source: its `address`, or its place if that is an address. Empty: not known.
 std::string address_of(const Source& source);
 
 /// "Lagarde 2012" as a Markdown link to its address, if there is one.
@@ -27,7 +27,7 @@ std::string bibtex(const Source& source);
 /// The BibTeX entry of shadefit itself. CITATION.cff says the same.
 std::string bibtex_of_shadefit(std::string_view version);
 
-/// The ids of claims, published constants and the families of these.
+/// The ids of claims, of published constants, and of their families.
 std::vector<std::string> cited_ids();
 
 /// The sources of such an id, each once.

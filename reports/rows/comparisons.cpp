@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = Contender::Kind;
 
-/// "a = -5.55473, b = -6.98316": as printed, of fits to ten digits or so that they read back.
+/// "a = -5.55473, b = -6.98316": published ones as printed, fitted ones with ten digits or all.
 std::string constants_text(const Contender& contender, Precision precision, int most_digits = all_digits) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < contender.parameters.size(); ++i) {
@@ -22,7 +22,7 @@ std::string constants_text(const Contender& contender, Precision precision, int 
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// The lower bound, which is the error at a place: its digits do not depend on the course of the proof.
+/// The lower bound, which is the error at a place: its digits do not depend on the steps of the proof.
 Cell shown_error(const Contender& contender, int digits) {
   return Number{contender.max_abs_error.lower, digits};
 }
@@ -43,8 +43,8 @@ std::string beaten(const Contender& contender, const char* separator) {
   return fmt::format("{}", fmt::join(contender.beats, separator));
 }
 
-/// "fresnel-quadratic-a", "schlick", "target", "fresnel-cubic minimax absolute error": a curve where programs
-/// read it.
+/// "fresnel-quadratic-a", "schlick", "target", "fresnel-cubic minimax absolute error": the name of a curve
+/// for programs.
 std::string curve_id(const Contender& contender) {
   if (contender.kind == Kind::published) return std::string(contender.published);
   if (contender.kind == Kind::target) return "target";

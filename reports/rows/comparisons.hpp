@@ -14,8 +14,8 @@ namespace shadefit {
 /// "(1 - c)^5", "exact dielectric n = 1.5", "c^k at k = 5".
 std::string target_of(const Comparison& comparison);
 
-/// One row a curve, for a terminal or a page. Errors have six digits, of which the proof leaves the last one
-/// open by a unit; no number but a published one has more than `most_digits`.
+/// One row for each curve, for a terminal or a page. Errors have six digits, proven to one unit of the last.
+/// Only published numbers may have more than `most_digits`.
 Table comparison_table(const Comparison& comparison, int most_digits = all_digits);
 
 /// The same in short: four digits.
@@ -25,19 +25,20 @@ Table short_comparison_table(const Comparison& comparison);
 /// constants read back as they are; else as in `short_comparison_table`.
 Table comparisons_table(const std::vector<Comparison>& comparisons, Precision precision);
 
-/// One object a target, both bounds of each error.
+/// One object for each target, with both bounds of each error.
 nlohmann::ordered_json write_comparison_json(const Comparison& comparison);
 
-/// One row a published curve: its constants rounded to half and the best of half, with their errors there.
+/// One row for each published curve: its constants rounded to half and the best constants in half, with their
+/// errors in half.
 Table half_table(const std::vector<CurveInHalf>& curves);
 
-/// The same, one object a curve; `reason` where there is nothing to compare.
+/// The same, one object for each curve; `reason` if there is nothing to compare.
 nlohmann::ordered_json write_half_json(const std::vector<CurveInHalf>& curves);
 
-/// A line for each curve whose bounds are wider than they should be.
+/// A line for each curve whose bounds are wider than requested.
 std::string not_reached_lines(const Comparison& comparison);
 
-/// A line for each fit that did not converge and so has no row.
+/// A line for each fit without a row, because it did not converge.
 std::string left_out_lines(const Comparison& comparison);
 
 }  // namespace shadefit

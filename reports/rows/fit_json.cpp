@@ -25,7 +25,7 @@ Json constraints_json(const Constraints& constraints) {
           {"at_least", optional_json(constraints.at_least)}};
 }
 
-/// `f0` is what a Fresnel form's relative error is of; null for others.
+/// `f0` of the relative error of a Fresnel form; null for others.
 Json objective_json(const Metric& metric, const std::optional<double>& f0) {
   const bool is_minimax = metric.norm == Norm::minimax;
   return {{"measure", name(metric.measure)},
@@ -38,7 +38,7 @@ Json objective_json(const Metric& metric, const std::optional<double>& f0) {
           {"domain", domain_json(metric.domain)}};
 }
 
-/// Where the error is at the level, or the form at a constraint: from the peak down.
+/// The places where the error is at its level or a constraint is active, from the peak down.
 Json alternation_json(const Fit& fit) {
   Json points = Json::array();
   for (const AlternationPoint& point : fit.alternation) {
@@ -67,7 +67,7 @@ Json assessment_json(const Assessment& assessment) {
           {"holds_for", range_json(assessment.holds_for)}};
 }
 
-/// The numbers that fits of a family are judged by: the first published for each parameter.
+/// The numbers that are compared with the fits of a family: the first published for each parameter.
 std::vector<const Assessment*> principal(const FittableFamily& family, const FitReport& report) {
   std::vector<const Assessment*> found;
   for (const std::string_view parameter : family.parameters) {

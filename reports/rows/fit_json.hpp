@@ -6,10 +6,10 @@
 
 #include "fit/verdicts/refit.hpp"
 
-/// Fits as JSON, every number to its shortest round trip.
+/// Fits as JSON. Every number is the shortest decimal that reads back.
 namespace shadefit {
 
-/// The version of the objects below; it rises when a field changes its meaning, not when one is added.
+/// The version of the objects below; it grows when a field changes its meaning, not when one is added.
 inline constexpr int fit_json_schema = 1;
 
 /// The number, or null.
@@ -28,11 +28,11 @@ inline std::string json_text_of_each(const nlohmann::ordered_json& array) {
 }
 
 /// One fit. `published` maps parameters to the first number published for each, or is null; `verdict` is the
-/// worst of theirs; `assessments` lists every published number. Where the fit did not converge the numbers
-/// are null.
+/// worst verdict on them; `assessments` lists every published number. If the fit did not converge, the
+/// numbers are null.
 nlohmann::ordered_json write_fit_json(const FittableFamily& family, const FitReport& report);
 
-/// A mean or limit of fits: the same fields, those without a meaning null.
+/// A mean or limit of fits: the same fields, null if they have no meaning.
 nlohmann::ordered_json write_derived_json(const Assessment& assessment);
 
 }  // namespace shadefit

@@ -16,7 +16,7 @@ Cell all_of(double value) {
   return Number{value, all_digits};
 }
 
-/// The smallest and the largest cosine at which the largest error may lie.
+/// The range of cosines that contains the place of the largest error.
 Domain places_in(const Certificate& certificate) {
   return {cosines_of(certificate.places.front()).lower, cosines_of(certificate.places.back()).upper};
 }

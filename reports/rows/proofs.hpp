@@ -11,37 +11,36 @@
 #include "fit/verdicts/refit.hpp"
 #include "reports/table/table.hpp"
 
-/// The proofs of forms and fits, as rows and as JSON. Bounds are doubles rounded outward; their decimals read
-/// back as these.
+/// The proofs of forms and fits, as rows and as JSON. Bounds are doubles, rounded outward. Their decimals
+/// read back exactly.
 namespace shadefit {
 
-/// What is proven of a fit.
+/// The proofs of a fit.
 struct FitProof {
-  std::optional<Certified> max_abs_error;  ///< empty where the fit did not converge
+  std::optional<Certified> max_abs_error;  ///< empty if the fit did not converge
   StationaryPoint stationary;
 };
 
-/// Proves what `fit --certify` shows, the error to `usual_width`.
+/// The proofs of `fit --certify`, with the error to `usual_width`.
 FitProof prove_fit(const Fit& fit, const Checkpoint& checkpoint);
 
-/// One row a fit.
+/// One row for each fit.
 Table proofs_table(const Refit& refit, const std::vector<FitProof>& proofs);
 
 /// Appends to the JSON of a fit: `certified_max_abs_error`, the `.._at` it may be, `curve`,
 /// `stationary_point`.
 void add_proof_json(nlohmann::ordered_json& fit_json, const FittableFamily& family, const FitProof& proof);
 
-/// A line for each fit whose bounds are wider than they should be.
+/// A line for each fit whose bounds are wider than requested.
 std::string not_reached_lines(const Refit& refit, const std::vector<FitProof>& proofs);
 
-/// A form with given constants and what is proven of it; `from` says whose they are: given, published,
-/// fitted.
+/// A form with constants and its proofs; `from` is their origin: given, published or fitted.
 struct CertifiedForm {
   Certified certified;
   std::string_view from;
 };
 
-/// One row a form, all of one family.
+/// One row for each form of a family.
 Table certificates_table(const FittableFamily& family, const std::vector<CertifiedForm>& forms);
 
 /// A form's bounds, without the boxes of its certificate.

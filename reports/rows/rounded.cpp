@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The first published value of each parameter; empty where one has none.
+/// The first published value of each parameter; empty if one has none.
 std::vector<double> published_values(const FitReport& report) {
   std::vector<double> values;
   for (const std::string_view parameter : find_family(report.fit.family->id)->parameters) {
@@ -52,7 +52,7 @@ std::string_view short_name(Error error) {
   return error == Error::relative ? "rel" : "abs";
 }
 
-/// A bound to 6 digits, rounded up: what is printed is one too.
+/// A bound with 6 digits, rounded up, so that the printed number is a bound too.
 Cell at_most(double bound) {
   constexpr int digits = 6;
   if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
@@ -153,7 +153,7 @@ Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {
 
 std::string rounded_text(const std::vector<RoundedFit>& fits) {
   std::string text;
-  std::vector<std::string> said;  // each sentence once, whatever the sweep
+  std::vector<std::string> said;  // each sentence once per sweep
   const auto say = [&](const std::string& sentence) {
     if (std::find(said.begin(), said.end(), sentence) != said.end()) return;
     said.push_back(sentence);

@@ -12,18 +12,19 @@
 /// Rounded constants, as rows and as JSON.
 namespace shadefit {
 
-/// A fit's rounded constants, or why there are none: it did not converge, or the format cannot hold it.
+/// The rounded constants of a fit, or why there are none: the fit did not converge, or the format cannot hold
+/// it.
 struct RoundedFit {
   std::optional<Rounded> rounded = std::nullopt;
   std::string reason = {};
 };
 
-/// Rounds a fit and, where each of its parameters has one, the published values. Throws UserError where the
-/// format cannot hold them.
+/// Rounds a fit, and the published values if each parameter has one. Throws UserError if the format cannot
+/// hold them.
 RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint);
 
-/// Rounds every fit; `next` is called before each. `is_record`: the exponents are the record's own, nobody
-/// asked for each; one that the format cannot hold is then left out.
+/// Rounds every fit; `next` is called before each. `is_record`: the exponents are the record's own, and an
+/// exponent that the format cannot hold is left out.
 std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
                                       const Checkpoint& next, const Checkpoint& checkpoint);
 
@@ -31,10 +32,11 @@ std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& fo
 /// rounded.
 Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits);
 
-/// What the table's errors are, and among which constants the best were looked for: lines for the console.
+/// Lines for the console: the meaning of the table's errors, and the constants among which the best were
+/// searched.
 std::string rounded_text(const std::vector<RoundedFit>& fits);
 
-/// Appends `rounded` to the JSON of a fit: null where there is none, `rounded_reason` says why.
+/// Appends `rounded` to the JSON of a fit: null if there is none; then `rounded_reason` says why.
 void add_rounded_json(nlohmann::ordered_json& fit_json, const FittableFamily& family, const RoundedFit& fit);
 
 }  // namespace shadefit

@@ -6,10 +6,10 @@
 #include "fit/verdicts/sensitivity.hpp"
 #include "reports/table/writers.hpp"
 
-/// How many digits of a fit's constants matter, in tables and as JSON.
+/// The digits of a fit's constants that matter, as tables and as JSON.
 namespace shadefit {
 
-/// For a terminal: digits and intervals of each constant, all constants together, other contracts.
+/// For a terminal: digits and intervals of each constant, all constants together, other metrics.
 std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity, const Terminal& terminal = {});
 
 /// The same as an object, for the `sensitivity` of a fit's JSON.

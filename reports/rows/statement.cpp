@@ -15,7 +15,7 @@ std::string decimal_of(const std::string& text) {
   return exact ? fmt::format("{}", *exact) : text;
 }
 
-/// A formula of the family with exponent and parameters put in; c stays.
+/// A formula of the family with values for exponent and parameters; c stays.
 std::string with_constants(const Symbolic& formula, const Subject& subject) {
   const auto value_of = [&](const std::string& variable) {
     for (const auto& [name, text] : subject.parameters) {

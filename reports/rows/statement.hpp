@@ -6,10 +6,10 @@
 
 namespace shadefit {
 
-/// What a certificate states, for a reader: a line each for the form and the target with their constants put
-/// in, the exponent, the surface, how the error is measured, the domain, the bounds and where the largest
-/// error is, and what is proven of the form. Doubles as their shortest decimals. The certificate's subject
-/// has no `fault_of`.
+/// The statement of a certificate in words, one line each: the form and the target with their constants, the
+/// exponent, the surface, the kind of error, the domain, the bounds and the place of the largest error, and
+/// the proven properties of the form. Doubles are shortest decimals. The subject of the certificate must have
+/// no `fault_of`.
 std::string statement_of(const Certificate& certificate);
 
 }  // namespace shadefit

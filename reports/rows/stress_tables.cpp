@@ -11,10 +11,10 @@
 namespace shadefit {
 namespace {
 
-/// Below this, the error of a naive form depends on the rounding of the library.
+/// Below this, the error of a naive form depends on rounding in the library.
 constexpr double least_told = 16;
 
-/// "2^24": the power of two that is not exceeded.
+/// "2^24": the smallest power of two that is not exceeded.
 std::string power_of_two_above(double ulps) {
   int exponent = 0;
   const double mantissa = std::frexp(ulps, &exponent);
@@ -39,7 +39,7 @@ const std::string& first_wrong(const FormTrial& trial) {
   return trial.first_bad.empty() ? trial.first_broken : trial.first_bad;
 }
 
-/// How bad a row is: results that are none first, then the error.
+/// The order of rows, by unusable results first, then by error.
 auto badness(const FormTrial& trial) {
   return std::pair(trial.nan + trial.infinite + trial.negative + trial.above.value_or(0), trial.worst_ulps);
 }

@@ -11,8 +11,7 @@
 namespace shadefit {
 namespace {
 
-/// The published number, what the fit gives, their difference and the verdict; empty where nothing was
-/// published.
+/// The published number, its difference from the fit, and the verdict; empty if nothing was published.
 struct PublishedCells {
   Cell published, deviation, verdict, max_abs_error, source;
 };
@@ -51,7 +50,7 @@ void append(std::vector<Cell>& row, std::initializer_list<Cell> cells) {
   row.insert(row.end(), cells);
 }
 
-/// "least-squares", and what else of the objective is not usual: "minimax, relative error, b = -7".
+/// "least-squares", and the unusual parts of the objective: "minimax, relative error, b = -7".
 std::string norm_text(const Metric& metric) {
   std::string text(name(metric.norm));
   if (metric.error != Error::absolute) text += fmt::format(", {} error", name(metric.error));
@@ -198,7 +197,7 @@ Table summary_table(const Results& results) {
         add(assessment, static_cast<long>(report.fit.digits));
     }
   }
-  // The integrals are a part of what a claim of the same id says.
+  // The integrals belong to the claim with the same id.
   const auto judged = [&](const Normalisation& record, Verdict of_integrals) {
     for (const JudgedClaim& claim : results.claims) {
       if (claim.claim->id == record.id) return claim.finding.verdict.value_or(of_integrals);

@@ -5,11 +5,10 @@
 #include "fit/run/results.hpp"
 #include "reports/table/table.hpp"
 
-/// From results to rows: the tables whose columns others rely on.
+/// Results as rows: the tables with stable columns.
 namespace shadefit {
 
-/// Where a row of fits.csv comes from, so that a drift of a parameter can be turned into a drift of its
-/// curve.
+/// The origin of a row of fits.csv: it turns a change of a parameter into a change of its curve.
 struct FitRow {
   const Refit* refit;
   const FitReport* report;  ///< null for a mean or limit of fits
@@ -18,11 +17,12 @@ struct FitRow {
 
 struct FitsTable {
   Table table;
-  std::vector<FitRow> origins;  ///< one a row; they point into the results
+  std::vector<FitRow> origins;  ///< one for each row; they point into the results
 };
 
 /// One row per fit, parameter and published number: fits.csv. Parameters that are means or limits of fits are
-/// named `x_mean`, `x_limit`. A fit that did not converge has empty cells and its status for a verdict.
+/// named `x_mean`, `x_limit`. A fit that did not converge has empty cells, and its status in place of a
+/// verdict.
 FitsTable fits_table(const std::vector<Refit>& refits);
 
 /// One row per fit, parameters to their last bit: the overview for the console.
@@ -34,7 +34,7 @@ Table normalisation_table(const std::vector<NormalisationCheck>& checks);
 /// Every published number and its verdict: the summary of the report and of the console.
 Table summary_table(const Results& results);
 
-/// What a fit approximates: the family's target, of which surface, or the exact reflectance of that.
+/// The target of a fit: the family's target, its surface, or the exact reflectance of the surface.
 std::string target_of(const Fit& fit);
 std::string target_of(const FittableFamily& family, const Surface& surface);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Contender::Kind;
 
-/// The curve of least error among those that beat a published one, or null.
+/// The curve with the least error that beats a published one, or null.
 const Contender* best_against(const Comparison& comparison, std::string_view published) {
   const Contender* best = nullptr;
   for (const Contender& contender : comparison.contenders) {

@@ -5,7 +5,7 @@
 
 #include "fit/better/better.hpp"
 
-/// The part of the report that says what would be better at the same cost.
+/// The part of the report on better constants and forms at the same cost.
 namespace shadefit {
 
 /// A table for each target, and the published curves that no alternative beats.

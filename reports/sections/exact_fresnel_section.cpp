@@ -25,14 +25,14 @@ std::string parameters_text(const FresnelLink& link) {
   return text;
 }
 
-/// "fresnel-quadratic-a", "fresnel-quadratic refitted", "schlick": a curve in a table that programs read.
+/// "fresnel-quadratic-a", "fresnel-quadratic refitted", "schlick": the name of a curve for programs.
 std::string curve_id(const FresnelLink& link) {
   if (link.family == nullptr) return "schlick";
   return link.published.empty() ? std::string(link.family->info.id) + " refitted"
                                 : std::string(link.published);
 }
 
-/// And for people.
+/// The name for people.
 std::string curve_text(const FresnelLink& link) {
   if (link.family == nullptr) return "Schlick's formula";
   const std::string form = fmt::format("`{}`", to_text(link.family->form()));
@@ -60,7 +60,7 @@ Cell percent(double value) {
   return Number{100 * value, 3};
 }
 
-/// Absolute, relative and in codes, or nothing where there is no curve.
+/// The absolute error, the relative error and the codes; nothing without a curve.
 std::vector<Cell> error_cells(const FresnelLink& link, const ReflectanceError& errors) {
   if (link.status != Status::converged) return {{}, {}, {}};
   return {error(errors.absolute.magnitude), percent(errors.relative.magnitude), error(errors.srgb_codes)};

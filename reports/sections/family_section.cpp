@@ -49,7 +49,7 @@ std::string statement_text(const Published& published) {
              : fmt::format("the best {} at k = {}", published.parameter, published.exponents);
 }
 
-/// Where a number published without its exponent is right, under each measure.
+/// The exponents for which a number published without its exponent is right, under each measure.
 std::string somewhere_sentence(const std::vector<const Assessment*>& found) {
   std::string out = fmt::format(" Verdict: **{}**.", name(found.front()->judgement.verdict));
   for (const Assessment* a : found) {
@@ -64,7 +64,7 @@ std::string somewhere_sentence(const std::vector<const Assessment*>& found) {
   return out;
 }
 
-/// One published number in plain words: what it says, what comes out under each measure, and what follows.
+/// One published number in words: its statement, the result under each measure, and the verdict.
 std::string published_paragraph(const Refit& refit, const Published& published) {
   const auto found = assessments_of(refit, published);
   if (found.empty()) return "";
@@ -106,8 +106,8 @@ const Published* published_mean(const Refit& refit) {
   return found == refit.numbers.end() ? nullptr : *found;
 }
 
-/// One row per exponent: the best parameter under each measure, the errors under the first one, and what the
-/// published mean costs there.
+/// One row per exponent: the best parameter under each measure, the errors under the first one, and the
+/// errors of the published mean.
 Table sweep_overview(const Refit& refit) {
   const std::string parameter(refit.family->parameters[0]);
   const Published* mean = published_mean(refit);
@@ -154,7 +154,7 @@ Table single_overview(const Refit& refit) {
   return table;
 }
 
-/// Mistyped copies in circulation, and what each does to the curve.
+/// Mistyped copies in circulation, and their effect on the curve.
 std::string variants_section(const Refit& refit) {
   Table table{{"constant", "printed", "found as", "seen in", "effect"}, {}};
   const auto& family = *refit.family;
@@ -182,7 +182,7 @@ std::optional<ApproachLaw<double>> derived_law(const Refit& refit, Measure measu
   return std::nullopt;
 }
 
-/// The derived law of approach beside what the fits extrapolate to, where a published number is a limit.
+/// If a published number is a limit: the derived law and the extrapolation of the fits.
 std::string law_section(const Refit& refit) {
   if (std::none_of(refit.numbers.begin(), refit.numbers.end(),
                    [](const Published* p) { return p->statement == Statement::limit_of_fits; }))
@@ -236,7 +236,7 @@ std::string single_words(const Refit& refit) {
       fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
 }
 
-/// The two formulas as text and as mathematics, and what a shader executes for each.
+/// The two formulas as text and as mathematics, and the operations of a shader for each.
 Table formulas_table(const FittableFamily& family) {
   Table table{{"", "formula", "typeset", "operations"}, {}};
   const auto add = [&](const std::string& name, const Symbolic& formula) {

@@ -6,11 +6,11 @@
 #include "fit/verdicts/refit.hpp"
 #include "reports/figures/figure.hpp"
 
-/// The part of the report that tells of one family.
+/// The part of the report on one family.
 namespace shadefit {
 
-/// Its formulas, the published numbers and their verdicts, the best parameters and their errors, how they
-/// approach their limit, those of the `figures` that are the family's, and mistyped copies in circulation.
+/// Its formulas, the published numbers and their verdicts, the best parameters and their errors, their limit,
+/// the `figures` of the family, and mistyped copies in circulation.
 std::string family_section(const Refit& refit, const std::vector<Figure>& figures);
 
 }  // namespace shadefit

@@ -14,22 +14,22 @@ namespace shadefit {
 /// "a = -5.55473, b = -6.98316"; "-" for a claim without a number.
 std::string printed_text(const Claim& claim);
 
-/// The verdict's name; "not-converged" where the evidence is weaker than what is printed.
+/// The verdict's name; "not-converged" if the evidence is weaker than the printed digits.
 std::string verdict_text(const Finding& finding);
 
 /// One row per claim: claims.csv.
 Table claims_table(const std::vector<JudgedClaim>& claims);
 
-/// What a table for people shows of them: claim, printed, computed, verdict.
+/// The table for people: claim, printed, computed, verdict.
 Table claims_overview(const std::vector<JudgedClaim>& claims);
 
-/// Every record, with its verdict where claims are judged: `shadefit list`.
+/// Every record, with its verdict if claims are judged: `shadefit list`.
 Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts);
 
 /// The same without statements, each source as "author year".
 Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts);
 
-/// Adds a row for each form of comparison, which no source names, to one of these two tables without
+/// Adds a row for each form that only compares, which has no source, to one of these two tables without
 /// verdicts.
 void add_forms_of_comparison(Table& list);
 
@@ -37,7 +37,7 @@ void add_forms_of_comparison(Table& list);
 std::string verdict_counts(const std::vector<JudgedClaim>& claims);
 
 /// A section for each topic: a table of verdicts, and each claim's evidence and effect, with a link to its
-/// figure where that is among the `figures`.
+/// figure if that is among the `figures`.
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures);
 
 /// One claim in full: record, derivation, evidence, effect, plot. Lines have at most 106 letters, and fit the

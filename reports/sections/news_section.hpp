@@ -5,10 +5,10 @@
 
 #include "fit/ledger/ledger.hpp"
 
-/// What a reader does not know yet: the claims that do not hold, or only in part.
+/// The news of the report: the claims that do not hold, or only in part.
 namespace shadefit {
 
-/// The refuted and the conditional claims: what was stated, what was found, and what that does to a picture.
+/// The refuted and the conditional claims: the statement, the evidence, and the effect on a picture.
 std::string news_section(const std::vector<JudgedClaim>& claims);
 
 /// The claims with a verdict, in the order of the ledger.

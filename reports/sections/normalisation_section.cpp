@@ -17,7 +17,7 @@ bool is_checked(const Results& results, const Normalisation& record) {
                      [&](const auto& check) { return check.record->id == record.id; });
 }
 
-/// What the cheap stand-in for an exact constant costs; empty where it was not checked.
+/// The error of the cheap constant; empty if it was not checked.
 std::string stand_in_words(const Results& results) {
   const Normalisation& record = BlinnPhongCheapLobe::record;
   if (!is_checked(results, record)) return "";
@@ -35,7 +35,7 @@ std::string stand_in_words(const Results& results) {
       exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));
 }
 
-/// What the constant of the microfacet BRDF rests on; empty where it was not checked.
+/// The assumptions of the microfacet BRDF's constant; empty if it was not checked.
 std::string microfacet_words(const Results& results) {
   const Normalisation& record = MicrofacetLobe::record;
   if (!is_checked(results, record)) return "";

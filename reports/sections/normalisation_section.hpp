@@ -7,8 +7,7 @@
 /// The part of the report on normalisation constants.
 namespace shadefit {
 
-/// Each constant against 1 over its integral; the ratio of the cheap stand-in to the exact constant over the
-/// exponent.
+/// Each constant and 1 over its integral; the ratio of the cheap to the exact constant over the exponent.
 std::string normalisation_section(const Results& results);
 
 }  // namespace shadefit

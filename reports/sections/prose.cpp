@@ -11,7 +11,7 @@ namespace {
 /// Longer lines are hard to read in a difference between two reports.
 constexpr std::size_t longest_line = 400;
 
-/// The parts of a text that end in `end` and a space. Where `end` is doubled, it ends none.
+/// The parts of a text that end with `end` and a space. A double `end` does not end a part.
 std::vector<std::string> parts_of(std::string_view text, char end) {
   std::vector<std::string> found;
   const std::string stop{end, ' '};
@@ -28,7 +28,7 @@ std::vector<std::string> parts_of(std::string_view text, char end) {
   return found;
 }
 
-/// The text without its first letters of a kind, and how many they are.
+/// The text without its leading `letter`s, and their number.
 std::size_t leading(std::string_view text, char letter) {
   return std::min(text.find_first_not_of(letter), text.size());
 }

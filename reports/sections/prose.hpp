@@ -10,12 +10,11 @@ namespace shadefit {
 /// The sentences of a text. A full stop and a space end one; the two points of ".. " do not.
 std::vector<std::string> sentences_of(std::string_view text);
 
-/// A Markdown text with each sentence on a line of its own, so that no line is long: lines of lists keep
-/// their indentation, tables and headings stay as they are. A sentence over 400 letters is also broken at its
-/// semicolons.
+/// A Markdown text with one sentence per line. Lists keep their indentation; tables and headings are
+/// unchanged. A sentence over 400 letters is also broken at its semicolons.
 std::string with_short_lines(std::string_view markdown);
 
-/// The anchor that GitHub makes of a heading: "Exact Fresnel (`a`)" gives "exact-fresnel-a".
+/// GitHub's anchor of a heading: "Exact Fresnel (`a`)" gives "exact-fresnel-a".
 std::string anchor(std::string_view heading);
 
 /// A list of links to the headings of a Markdown text, of the second and third level.

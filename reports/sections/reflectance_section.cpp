@@ -9,7 +9,7 @@
 namespace shadefit {
 namespace {
 
-/// An angle in degrees: an extremum is known to half the digits of a double, so these mean something.
+/// An angle in degrees. An extremum has half the digits of a double, so all of these are right.
 Cell angle(double degrees) {
   return Number{degrees, 6};
 }
@@ -76,7 +76,8 @@ std::string exponents_text(const Curves& curves) {
   return out;
 }
 
-/// What a constant does to energy, from its curves. Peaks that are equal within rounding are named together.
+/// The effect of a constant on energy, from its curves. Peaks that are equal within rounding are listed
+/// together.
 std::string energy_sentence(const Normalisation& record, const Curves& curves) {
   double largest = 0;
   for (const auto* curve : curves) largest = std::max(largest, curve->largest_with_cosine.value);

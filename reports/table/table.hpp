@@ -7,17 +7,16 @@
 
 #include "approx/cosine.hpp"
 
-/// The result record: one table, several writers.
+/// A table of results. Several writers print it.
 namespace shadefit {
 
-/// A number and the significant digits of it that mean something. A checked report never shows rounding
-/// noise.
+/// A number and its meaningful significant digits. A checked report never shows rounding noise.
 struct Number {
   double value;
   int digits;
 };
 
-/// For `Number::digits`: as many as the shortest decimal needs to read back as the same double.
+/// For `Number::digits`: the shortest decimal that reads back as the same double.
 inline constexpr int all_digits = 17;
 
 /// Nothing, a word or sentence, a whole number, or a number.
@@ -38,16 +37,16 @@ std::string text(const Cell& cell, Precision precision);
 
 Cell word(std::string_view text);
 
-/// The table, no number with more than `most` digits.
+/// The table with at most `most` digits of each number.
 Table with_digits(Table table, int most);
 
 /// 10 digits: a converged parameter, or an error that was computed without cancellation.
 Number converged(double value);
 
-/// The cosine of a place: 6 digits, or as many more as leave three of 1 - c, where sharp lobes have theirs.
+/// The cosine of a place: 6 digits, or more near 1, where sharp lobes are, so that 1 - c has three digits.
 Cell place(const Cosine<double>& at);
 
-/// A difference of `minuend` minus something, to the decimals that the ten digits of the minuend reach.
+/// A difference, rounded to the last of the ten digits of its minuend.
 Cell difference(double value, double minuend);
 
 /// `value` where it is at least `floor`, else 0: below its floor a difference is rounding.

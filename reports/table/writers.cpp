@@ -31,7 +31,7 @@ Texts texts(const Table& table, Precision precision) {
   return rows;
 }
 
-/// Code points, which is what a terminal shows one cell for in the texts of this project.
+/// The number of code points: in this project's texts each takes one cell of a terminal.
 std::size_t width(const std::string& s) {
   return static_cast<std::size_t>(
       std::count_if(s.begin(), s.end(), [](char c) { return (c & 0xC0) != 0x80; }));
@@ -47,7 +47,7 @@ std::vector<std::size_t> widths(const Table& table, const Texts& rows, std::size
   return result;
 }
 
-/// Whether a column holds no text, for each: looked at once a table, not once a row.
+/// For each column, whether it has no text.
 std::vector<bool> numeric_columns(const Table& table) {
   std::vector<bool> are_numeric(table.columns.size(), true);
   for (const auto& row : table.rows) {
@@ -89,7 +89,7 @@ std::vector<std::string> in_words(std::vector<std::string> titles) {
   return titles;
 }
 
-/// A character as LaTeX has to be told it; the font's own encoding has no <, > and | in its text.
+/// A character as LaTeX needs it. The default font encoding lacks <, > and | in text.
 std::string latex_character(char c) {
   constexpr std::array<std::pair<char, std::string_view>, 6> named{{{'\\', "\\textbackslash{}"},
                                                                     {'~', "\\textasciitilde{}"},
@@ -153,7 +153,7 @@ std::optional<std::string> latex_mathematics(const std::string& s) {
 
 std::string latex_cell(const std::string& s) {
   if (const auto mathematics = latex_mathematics(s)) return *mathematics;
-  // At the start of a row LaTeX takes [..] and * for arguments of the row before it.
+  // At the start of a row, LaTeX reads [..] and * as arguments of the row before.
   std::string out = s.starts_with('[') || s.starts_with('*') ? "{}" : "";
   for (const char c : s) out += latex_character(c);
   return out;
@@ -165,13 +165,13 @@ std::string latex_line(const std::vector<std::string>& cells) {
   return line + " \\\\\n";
 }
 
-/// A column as a terminal shows it.
+/// A column on a terminal.
 struct ConsoleColumn {
   std::size_t index;  ///< in the table
   std::string title;
   bool is_numeric;
   std::size_t width;
-  std::size_t least;  ///< to which its cells can be folded
+  std::size_t least;  ///< width to which its cells can be folded
 };
 
 std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows) {
@@ -191,7 +191,7 @@ std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows
   return columns;
 }
 
-/// The column that goes next; `columns.end()` where all have to stay.
+/// The next column to drop; `columns.end()` if all must stay.
 std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& columns) {
   constexpr std::array<std::string_view, 6> details{"digits", "status",    "at c",
                                                     "under",  "published", "rms error"};
@@ -206,7 +206,7 @@ std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& colu
   return columns.end();
 }
 
-/// Drops columns and narrows others until all fit, as far as they can. The titles of those that were dropped.
+/// Drops and narrows columns until all fit, as far as possible. Returns the titles of the dropped ones.
 std::vector<std::string> fit_columns(std::vector<ConsoleColumn>& columns, std::size_t room) {
   const auto total = [&](std::size_t ConsoleColumn::*of) {
     std::size_t sum = 2 * (columns.size() - 1);

@@ -22,31 +22,30 @@ std::string write_markdown(const Table& table, Precision precision);
 /// read as a command is escaped, and other UTF-8 left as it is.
 std::string write_latex(const Table& table, Precision precision);
 
-/// The same as a report shows it: titles in words, the digits that each number declares, and an empty line
-/// behind.
+/// The same for a report: titles in words, report precision, and an empty line at the end.
 std::string markdown_block(Table table);
 
-/// What a text is printed on.
+/// The device of a text.
 struct Terminal {
   std::size_t width = 0;  ///< in letters; 0: a pipe or a file, without a limit
   bool has_colour = false;
 };
 
-/// Aligned columns, two spaces apart; a control character is escaped. A table that is wider than the terminal
-/// first drops columns, which a last line names: details such as the digits first, then from the right; the
-/// first column and the verdict stay. Then cells of text are folded onto several lines. No value is cut.
+/// Aligned columns, two spaces apart. Control characters are escaped. If the table is wider than the
+/// terminal, columns are dropped, and a last line names them: details such as the digits first, then columns
+/// from the right; the first column and the verdict stay. Then cells of text are folded. No value is cut.
 std::string write_console(const Table& table, Precision precision, const Terminal& terminal = {});
 
-/// The text with the verdicts in it coloured, where the terminal has colours: green what agrees, magenta what
-/// agrees in part, red what does not. These three can be read on a light and on a dark background.
+/// The text with the verdicts in it coloured, if the terminal has colours: green for agreement, magenta for
+/// agreement in part, red for refuted. All three are readable on light and dark backgrounds.
 std::string with_coloured_verdicts(std::string text, const Terminal& terminal);
 
-/// The words of a text in lines of at most `width` letters; "a = 1" is one word. A longer word has a line of
-/// its own.
+/// The words of a text in lines of at most `width` letters; "a = 1" is one word. A longer word gets its own
+/// line.
 std::vector<std::string> folded(std::string_view text, std::size_t width);
 
-/// An array of objects, column to value; an empty cell is null. Numbers are numbers, to their shortest round
-/// trip.
+/// An array of objects with the columns as keys; an empty cell is null. Numbers are shortest decimals that
+/// read back.
 nlohmann::ordered_json write_json(const Table& table);
 
 }  // namespace shadefit
