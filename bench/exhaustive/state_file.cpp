@@ -45,7 +45,7 @@ std::uint32_t place_of(const OwnFields& fields, const char* key) {
   return pattern_of(fields, fields.inner(key).field("bits"), key);
 }
 
-/// What would be rounded is refused where the state is compared with what is written of it.
+/// A number that would be rounded is refused by the comparison of the state with its own text.
 float float_of(const OwnFields& fields, const Json& json, const char* key) {
   const double value = fields.number_of(json, key);
   if (std::abs(value) > std::numeric_limits<float>::max()) fields.fail(key, "is too large for a float");

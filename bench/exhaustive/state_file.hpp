@@ -13,7 +13,7 @@
 /// `digest` is that of certificates.
 namespace shadefit::bench {
 
-/// The version of the file; it rises when a field changes its meaning.
+/// The version of the file; it grows when a field changes its meaning.
 inline constexpr int sweep_schema = 1;
 
 /// The size limit of a file; written files have 2 KB.
@@ -22,9 +22,9 @@ inline constexpr std::uintmax_t most_state_bytes = 1U << 16;
 /// The text of a file.
 std::string state_text(const Sweep& sweep);
 
-/// Reads one back; `name` is for messages. Throws UserError, a line, for a text that `parse_own_json`
-/// refuses, is no such state, of another version, lacks a field, has another digest than its fields, or is
-/// not what `state_text` writes of what it says.
+/// Reads a text back; `name` is for messages. Throws UserError with one line if `parse_own_json` refuses the
+/// text, if it is not a state or has another version, if a field is missing, if the digest is wrong, or if
+/// `state_text` would write its content differently.
 Sweep parse_state(const std::string& text, const std::string& name);
 
 /// Writes a state like `write_files`: after an error the old file is unchanged.

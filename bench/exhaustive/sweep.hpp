@@ -56,7 +56,7 @@ inline constexpr std::uint32_t usual_batch = 1U << 22;
 void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
            std::uint32_t batch = usual_batch);
 
-/// A sweep as it was read, and where: the name is for messages.
+/// A sweep with the name of its file, for messages.
 struct NamedSweep {
   std::string name;
   Sweep sweep;

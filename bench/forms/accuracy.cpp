@@ -19,10 +19,10 @@
 namespace shadefit::forms {
 namespace {
 
-/// A multiple of what any kernel does at once.
+/// A multiple of the block of every kernel.
 constexpr std::size_t block = 64;
 
-/// What forms are asked for.
+/// The inputs of the forms.
 struct Grid {
   std::array<std::vector<double>, 3> in;  ///< cosines, or normals
   std::vector<std::uint8_t> codes;
@@ -35,18 +35,18 @@ struct Grid {
     in[2].push_back(z);
     codes.push_back(code);
   }
-  /// To whole blocks, with the last place again.
+  /// Fills the last block with copies of the last place.
   void fill() {
     while (size() % block != 0) add(in[0].back(), in[1].back(), in[2].back(), codes.back());
   }
 };
 
-/// 4097 cosines, which a float holds, and what lies next to the ends.
+/// 4097 cosines that are floats, and the neighbours of the ends.
 Grid grid_of(const Target& target) {
   Grid grid;
   if (target.arguments == Arguments::normal_to_lights) {
     constexpr std::size_t normals = 1024;
-    // beyond the lights' own directions
+    // besides the lights' own directions
     constexpr std::size_t first = most_lights;
     for (std::size_t i = 0; i < normals; ++i) {
       const auto n = spread_direction(first + i);
@@ -89,7 +89,7 @@ double widened(Eigen::half x) {
   return static_cast<double>(static_cast<float>(x));
 }
 
-/// The places in an arithmetic, the target there and what a form makes of them.
+/// The places in an arithmetic, with the target and the results of a form.
 template <class R>
 class Places {
  public:
@@ -179,7 +179,7 @@ Errors errors_of(const Places<R>& places, const std::vector<double>& results, co
   return errors;
 }
 
-/// The first cells of a row, and what is proven.
+/// The first cells of a row, and the proven bounds.
 struct Row {
   const FormEntry& form;
   const Constants& constants;
@@ -244,8 +244,7 @@ class Accuracy {
 
   void append_row(const Row& row, std::string_view arithmetic, int degree, const Errors& errors,
                   bool is_of_lights) {
-    // A sampled error of computed values is the same everywhere to any digit; these say what one wants to
-    // know.
+    // Sampled errors are the same on every machine to all digits; these are enough for a reader.
     constexpr int digits = 6, few = 3, of_bounds = 4;
     const auto number = [](double value, int shown) { return Cell(Number{value, shown}); };
     const auto bound = [](double value) {

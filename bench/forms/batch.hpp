@@ -50,7 +50,7 @@ struct Scalar<xsimd::batch<R, A>> {
   static T of(R value) { return T::broadcast(value); }
 };
 
-/// As of one float or double: see there.
+/// As for one float or double: see there.
 template <class R, class A>
 struct ExponentBits<xsimd::batch<R, A>> {
   using Range = ExponentLimits<R>;
@@ -72,11 +72,11 @@ struct ExponentBits<xsimd::batch<R, A>> {
 
 #ifdef __AVX512DQ__
 
-/// AVX-512 rounds to a whole number and multiplies by a power of two in one instruction each, and these need
-/// no bounds: beyond its exponents the format's own infinity, subnormals and zero come out. The rest of an
-/// infinite x, infinity - infinity, is not a number, but times 2 to an infinite power even that is infinity
-/// or 0: so VSCALEFPS has it. (Source: Intel 64 and IA-32 Architectures Software Developer's Manual, volume
-/// 2, "VSCALEFPS", special cases.) What is not a number stays so.
+/// AVX-512 has an instruction for rounding to a whole number and one for multiplying by a power of two. They
+/// need no bounds: beyond the exponents of the format the result is infinity, subnormal or zero. The rest of
+/// an infinite x is infinity - infinity = NaN, but VSCALEFPS returns infinity or 0 for NaN times 2 to an
+/// infinite power. (Source: Intel 64 and IA-32 Architectures Software Developer's Manual, volume
+/// 2, "VSCALEFPS", special cases.) NaN stays NaN.
 template <>
 struct ExponentBits<xsimd::batch<float, xsimd::avx512bw>> {
   using T = xsimd::batch<float, xsimd::avx512bw>;

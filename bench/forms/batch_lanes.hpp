@@ -13,7 +13,7 @@
 /// The registers of a kernel.
 namespace shadefit::forms {
 
-/// Codes as the numbers of a register, four of them as SSE2 has it: by two steps that put zeros between them.
+/// Codes as the numbers of a register. Four codes, for SSE2, need two steps that put zeros between them.
 template <class B>
 B four_codes(const std::uint8_t* at) {
   std::uint32_t packed;

@@ -18,7 +18,7 @@ NamedNumber printed_number(std::string_view name, std::string_view decimal) {
   return {std::string(name), std::string(decimal), constant<double>(decimal)};
 }
 
-/// A fitted number to the ten digits that are the same on every machine: what is computed from it is so too.
+/// A fitted number rounded to the ten digits that are the same on every machine, so that results are too.
 NamedNumber computed_number(std::string_view name, double value) {
   char digits[32];
   const char* end =
@@ -32,7 +32,7 @@ const FittableFamily& family_of(std::string_view id) {
   return *family;
 }
 
-/// What was printed for a family, each set of numbers once.
+/// The published constants of a family, each set of numbers once.
 std::vector<Constants> published_of(const FittableFamily& family) {
   std::vector<Constants> all;
   for (const Published* number : numbers_of(family.info)) {
@@ -57,8 +57,8 @@ std::vector<std::pair<std::string, Metric>> objectives() {
   return all;
 }
 
-/// The published constants of a family and the best ones. A fit that does not exist is left out: the least
-/// largest relative error of a lobe's form, say, where it is not attained.
+/// The published constants of a family and the best ones. A fit without an answer is left out, for example if
+/// the minimax relative error of a lobe's form is not attained.
 std::vector<Constants> constants_of(std::string_view id) {
   const FittableFamily& family = family_of(id);
   std::vector<Constants> all = published_of(family);
@@ -73,7 +73,7 @@ std::vector<Constants> constants_of(std::string_view id) {
   return all;
 }
 
-/// The pair that is best with the cheapest exp2 in place of an exact one.
+/// The best pair for the cheapest polynomial in the place of exp2.
 void append_pair_for_exp2(std::vector<Constants>& all) {
   const std::string degree = std::to_string(least_exp2_degree);
   const PairForExp2 pair = fit_pair_for_exp2(least_exp2_degree);
@@ -89,7 +89,7 @@ void append_conventions(std::vector<Constants>& all) {
   all.push_back({"one", "the concentration of a von Mises-Fisher density", {printed_number("x", "1")}});
 }
 
-/// Those of a form's constants that tell what it can do, for another form of the same curve.
+/// The constants of a form that another form of the same curve uses too.
 std::vector<Constants> telling(const std::vector<Constants>& all) {
   std::vector<Constants> some;
   for (const Constants& constants : all) {
@@ -200,13 +200,13 @@ void append_lights(Catalogue& all, std::string_view id, std::size_t lights,
 }  // namespace
 
 std::array<double, 3> spread_direction(std::size_t i) {
-  // The first two coordinates of the sequence with the plastic number, whose cube is itself and 1: an even
-  // spread of points of a square.
+  // The first two coordinates of the sequence with the plastic number, whose cube is itself and 1: points
+  // that are spread evenly over a square.
   constexpr double first = 0.7548776662466927, second = 0.5698402909980532;
   const auto fraction = [](double x) { return x - static_cast<double>(static_cast<long>(x)); };
   const auto n = static_cast<double>(i + 1);
   const double u = 2 * fraction(n * first) - 1, v = 2 * fraction(n * second) - 1;
-  // The square of (u, v), drawn in so that it lies within the unit disc, projected on to the hemisphere.
+  // The square of (u, v), shrunk to lie within the unit disc, then projected onto the hemisphere.
   constexpr double within = 0.7;
   const double p = within * u, q = within * v, square = p * p + q * q;
   return {2 * p / (1 + square), 2 * q / (1 + square), (1 - square) / (1 + square)};

@@ -10,8 +10,8 @@
 /// those fitted here under each objective.
 namespace shadefit::forms {
 
-/// A number with its name and as it is printed: of a fit, ten digits, which all machines agree on; the value
-/// is theirs.
+/// A number with its name and its text: ten digits for a fit, the same on every machine. The value is that of
+/// the text.
 struct NamedNumber {
   std::string name;
   std::string printed;

@@ -81,8 +81,8 @@ class FormErrors {
 
   Bounds own() const { return {own_.lower, own_.upper}; }
 
-  /// max |form - curve| with a polynomial in place of the exp2, for float or for double, from above. Where
-  /// the polynomial is next to exact, by the largest of each; else of the form with it, as it stands.
+  /// max |form - curve| with a polynomial in place of the exp2, for float or for double, from above. If the
+  /// polynomial is nearly exact, by the sum of both bounds; else by a proof of the form with the polynomial.
   double upper_with(int degree) const {
     constexpr double upwards = 1 + 0x1p-50;  // safety factor, larger than the rounding
     const double apart = (own_.upper + bound_of(degree) * largest_form_) * upwards;

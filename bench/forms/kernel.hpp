@@ -27,7 +27,7 @@ struct Arrays {
 template <class Real>
 using Kernel = void (*)(const Arrays<Real>&, std::span<const Real> parameters);
 
-/// A form, its exp2, and where the machine has to have what for it.
+/// A form, its exp2, and the register width that it needs.
 struct CompiledForm {
   std::string_view form;  ///< the id of a form of the catalogue (bench/forms/catalogue.hpp), or "copy"
   int exp2_degree = 0;    ///< of the polynomial in its exp2; 0: the library's, or none

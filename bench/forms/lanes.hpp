@@ -6,7 +6,7 @@
 
 #include "approx/exp2_polynomial.hpp"
 
-/// How a kernel reads and writes its scalar: one number of an array, or a full register.
+/// The access of a kernel to its scalar: one number of an array, or a full register.
 namespace shadefit::forms {
 
 /// - `Real`: what the arrays hold; `Inner`: the scalar without a polynomial's exp2; `size`: numbers in one;

@@ -53,7 +53,7 @@ void over_elements(const Arrays<typename Lanes<S>::Real>& arrays,
   }
 }
 
-/// The lights' constants, one number each, that the loop spreads over a register where it needs them.
+/// The lights' constants, one number each. The loop broadcasts them to a register.
 template <class Form, class S>
 class Lights {
  public:

@@ -17,21 +17,21 @@
 namespace shadefit::forms {
 namespace {
 
-/// Where it is enough to tell one lobe's error from another's.
+/// The relative width of bounds that distinguishes the errors of two lobes.
 constexpr double rough_width = 0.02;
-/// k and x, their sum, ln 2 and the quotient: what of a constant may be rounded before it is used.
+/// The roundings of a constant before its use: k, x, their sum, ln 2 and the quotient.
 constexpr double roundings_of_constants = 5;
 
-/// Of an 8-bit gloss.
+/// For an 8-bit gloss.
 constexpr int codes = 256;
 
 /// The error of the lobe with a gloss per element, over all codes.
 ///
-/// Its exp2 serves twice. Off by delta, relative, it makes D (1 + delta) of D = exp2(d g + m), and off by
-/// delta' the result 1 + delta' times as large: (1 + delta') exp((k + x')(c - 1)), with
-/// x' = ln 2 D (1 + delta) + x - k. That falls with delta and rises with delta': where both are within a
-/// bound its error lies between those at two corners. These are only looked at for lobes that may err most,
-/// the widest.
+/// exp2 is used twice. A relative error delta turns D = exp2(d g + m) into D (1 + delta). A relative error
+/// delta' multiplies the result by 1 + delta': (1 + delta') exp((k + x')(c - 1)), with x' = ln 2 D (1 +
+/// delta) + x - k. This falls with delta and rises with delta'. If both are within a bound, the error lies
+/// between the errors at two corners. The corners are computed only for the widest lobes, which may have the
+/// largest error.
 class GlossErrors {
  public:
   GlossErrors(const Target& target, const Constants& constants) : offset_(number(constants.numbers, 1)) {
@@ -47,8 +47,9 @@ class GlossErrors {
 
   Bounds own() const { return largest_at({{0, 0}}, 0); }
 
-  /// Beside its own error a lobe has at most (1 + bound) exp(t bound) - 1 times exp(-t), t the exponent it
-  /// has fallen by: t exp(-t) is 1/e at most, and of the rest a hundredth is more than enough.
+  /// The polynomial adds at most ((1 + bound) exp(t bound) - 1) exp(-t) to the own error of a lobe, where t
+  /// is the exponent by which the lobe has fallen. t exp(-t) is at most 1/e, and a hundredth more covers the
+  /// rest.
   double upper_with(int degree) const {
     const double relative = bound_of(degree);
     constexpr double more_than_both = 1.01 * (1 + 0.37);
@@ -56,10 +57,10 @@ class GlossErrors {
   }
 
  private:
-  /// Of a code.
+  /// For a code.
   struct Lobe {
     Interval exponent, base_two;
-    double own_upper = 0;  ///< its own error is no larger
+    double own_upper = 0;  ///< bound of its own error
   };
   /// delta and delta'
   struct Corner {
@@ -70,9 +71,9 @@ class GlossErrors {
     return constant<Interval>(numbers.at(i).printed);
   }
 
-  /// The largest error of a lobe where the polynomial is off by a corner.
+  /// The largest error of a lobe if the polynomial is off by a corner.
   Bounds largest_of(const Lobe& lobe, const Corner& corner, double width) const {
-    // |c^k - c^k'| <= |k - k'|/(e k'), the largest of -c^k log c being 1/(e k)
+    // |c^k - c^k'| <= |k - k'|/(e k'), because the largest value of -c^k log c is 1/(e k)
     const double exponent = lower_end(lobe.exponent);
     const double beside = (upper_end(lobe.exponent) - exponent) / exponent;
     const Interval power = ln2<Interval>() * lobe.base_two * (Interval(1) + Interval(corner.of_power));
@@ -83,7 +84,8 @@ class GlossErrors {
     return {largest.lower - beside, largest.upper + beside};
   }
 
-  /// Of all lobes but those whose own error and `more` is less than what another's has been found to be.
+  /// The largest over all lobes. A lobe is skipped if its own error plus `more` is below an error that was
+  /// already found.
   Bounds largest_at(const std::vector<Corner>& corners, double more) const {
     Bounds worst{0, 0};
     for (const Lobe& lobe : lobes_) {
@@ -103,8 +105,8 @@ class GlossErrors {
   std::vector<Lobe> lobes_;
 };
 
-/// Half an ulp is 2^-24 of a number at most: three of them hold what Horner's rule of any degree rounds, see
-/// `Exp2Bounds::rounding`, and exp2 of the library is better.
+/// Half an ulp is 2^-24 of a number at most: three of them bound the rounding of Horner's rule of any degree,
+/// see `Exp2Bounds::rounding`. exp2 of the library is better.
 constexpr double rounding_of_exp2 = 3 * 0x1p-24;
 
 Rounding rounding_with_polynomial() {
@@ -125,18 +127,18 @@ std::array<RunningError, N> rounded_constants(const std::array<Interval, N>& con
   return rounded;
 }
 
-/// What a polynomial in place of an exact exp2 adds to rounding, as a factor. Where the form is proven as it
-/// stands, a rounded exponent changes the result by the polynomial's derivative: that of degree 2 has 1.0143
-/// times the derivative of exp2 where it is most, the others less. Where bounds are added, it is that of
-/// exp2, and then all of it 1 + bound times as large, once or, of a decoded gloss, twice: 1.004.
+/// The factor by which a polynomial, in the place of an exact exp2, increases rounding errors. If the form
+/// with the polynomial is proven as a whole, a rounded exponent changes the result by the polynomial's
+/// derivative: at most 1.0143 times the derivative of exp2 for degree 2, less for the others. If bounds are
+/// added, it is the derivative of exp2, times 1 + bound once, or twice for a decoded gloss: 1.004.
 constexpr double rounding_by_polynomial = 1.02;
 
-/// A bound of what rounding adds to a form, and of that in relation to the form.
+/// A bound of the rounding error of a form, absolute and relative to the form.
 struct AddedByRounding {
   double absolute = 0, relative = 0;
 };
 
-/// Of `evaluate`, a form of one cosine. It has no need to be near: on so many boxes the values of a form are
+/// For `evaluate`, a form of one cosine. A rough bound is enough: on these boxes the values of a form are
 /// known to some percent.
 template <class Evaluate>
 AddedByRounding rounding_on(int boxes_a_side, const Rounding& rounding, const Evaluate& evaluate) {
@@ -153,9 +155,9 @@ AddedByRounding rounding_on(int boxes_a_side, const Rounding& rounding, const Ev
   return bound;
 }
 
-/// A proof of a form with a polynomial takes both sides of a jump where exponents are off by less than
-/// `ExponentBits<Interval>::overlap`, which changes a result by ln 2 times that: what rounding adds has to be
-/// less.
+/// A proof of a form with a polynomial includes both sides of a jump if exponents are off by less than
+/// `ExponentBits<Interval>::overlap`. That changes a result by ln 2 times the overlap: the rounding error
+/// must be less.
 template <class Form>
 double float_rounding_of(const std::array<Interval, Form::parameters>& parameters) {
   const Rounding rounding = rounding_with_polynomial();
@@ -168,13 +170,13 @@ double float_rounding_of(const std::array<Interval, Form::parameters>& parameter
   return rounding_by_polynomial * added.absolute;
 }
 
-/// Over all codes. A rounded A, off by r in relation to itself, moves exp2(A c - A) by r t exp(-t) to first
-/// order, t the exponent it has fallen by, which is r/e at most; the rest is that of the form with that A. It
-/// is most at the peak of the narrowest lobe, which needs no narrow boxes.
+/// Over all codes. A relative rounding error r of A changes exp2(A c - A) by r t exp(-t) to first order,
+/// where t is the exponent by which the lobe has fallen: at most r/e. The rest is the rounding of the form
+/// with that A. It is largest at the peak of the narrowest lobe, and needs no narrow boxes.
 double float_rounding_of_gloss(const std::array<Interval, GlossGaussian::parameters>& parameters) {
   const Rounding rounding = rounding_with_polynomial();
   const auto p = rounded_constants(GlossGaussian::prepared<Interval>(parameters), rounding);
-  constexpr double falling = 0.37;  // 1/e, and what the second order may add
+  constexpr double falling = 0.37;  // 1/e, and more for the second order
   double bound = 0;
   for (int code = 0; code < codes; ++code) {
     const RunningError base_two = GlossGaussian::base_two(RunningError{Interval(code), 0, &rounding}, p);
@@ -227,8 +229,8 @@ Pairing paired_gloss(const Target& target, const Constants& constants, const Che
   return pairing;
 }
 
-/// Of N lights wherever they are: N times the lobe, which N lights in one direction attain. Behind the
-/// horizon the target is 0 and the form less than at c = 0, where it is next to nothing.
+/// For N lights in any directions: N times the bound of the lobe, which N lights in one direction attain.
+/// Below the horizon the target is 0, and the form is less than at c = 0, where it is nearly 0.
 Pairing paired_lights(const Target& target, const Constants& constants, const Checkpoint& checkpoint) {
   constexpr std::size_t power = 1, axes = 3;
   const auto lights = static_cast<double>((target.parameters.size() - power) / axes);

@@ -18,11 +18,11 @@ inline constexpr double allowed_addition = 0.01;
 /// [0, 1], over all 256 codes of a gloss, and over all places of the lights.
 struct Pairing {
   double own_lower = 0, own_upper = 0;  ///< with an exact exp2: proven bounds
-  int degree = 0;                       ///< of the cheapest polynomial that is accurate enough; 0: none is
-  /// By degree, with that polynomial in place of the exp2, for float or for double, in exact arithmetic:
-  /// proven not to be exceeded. Of a form of the cosine it is that of the whole as it stands, both sides of
-  /// each jump taken; of a decoded gloss, where two results of the polynomial meet, that of their bounds. At
-  /// 0, with an exact exp2.
+  int degree = 0;  ///< of the cheapest polynomial that is accurate enough; 0 if there is none
+  /// By degree: the proven bound with that polynomial in the place of exp2, for float or for double, in exact
+  /// arithmetic. For a form of the cosine, the form with the polynomial is proven as a whole, with both sides
+  /// of each jump. For a decoded gloss, which uses the polynomial twice, bounds are combined. At 0: with an
+  /// exact exp2.
   std::array<double, largest_exp2_degree + 1> totals{};
   /// A proven bound of the rounding if everything, including the polynomial, is computed in float. Empty for
   /// lights: there the cosine is a product of rounded vectors, which changes the target as much as the form.

@@ -1,9 +1,9 @@
-// The tasks of bench/peers/run by every tool that is there, in one run: see bench/README.md, "Beside others".
+// Runs the tasks of bench/peers/run with every available tool: see bench/README.md, "Beside others".
 //
 //   side_by_side --out FILE --references DIR --rounds N --seconds S TOOL=PROGRAM..
 //
-// A PROGRAM may have arguments, by spaces; the tool named shadefit is ours, and its word after `:` is the
-// command whose process is timed. Exit code 0; 1 where a verdict does not hold; 2 for bad usage.
+// A PROGRAM may have arguments, separated by spaces. The tool named shadefit is ours; the word after `:` is
+// the command whose process is timed. Exit code 0; 1 if a verdict does not hold; 2 for bad usage.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +35,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 struct Tool {
   std::string name;
   std::vector<std::string> program;
-  std::string command;  ///< of the tool that is ours
+  std::string command;  ///< of our tool
   std::string version = {};
 };
 
@@ -47,7 +47,7 @@ Tool tool_of(const std::string& text) {
   return {text.substr(0, equals), split(parts.at(0), ' '), parts.size() > 1 ? parts[1] : ""};
 }
 
-/// A row yet without times, and the two programs that it stands for.
+/// A row without times so far, and its two programs.
 struct TaskRun {
   Row row;
   std::vector<std::string> task_program, process;
@@ -88,8 +88,8 @@ void keep_least(std::optional<double>& least, double seconds) {
   if (!least || seconds < *least) least = seconds;
 }
 
-/// Takes what a task program said: its time, the digits of its worst number, its notes. A number that it owes
-/// and did not give counts as wrong; a program that gives none at all, as a proof does, has no digits.
+/// Reads the output of a task program: its time, the digits of its worst number, its notes. A missing number
+/// counts as wrong. A program without any number, such as a proof, has no digits.
 void take(Row& row, const std::string& output, const Task& task) {
   std::map<std::string, double> found;
   row.notes.clear();
@@ -151,7 +151,7 @@ Options parse(const std::vector<std::string>& arguments) {
   return options;
 }
 
-/// What a line of a file of the system says after its colon, or the first words of a file without one.
+/// The text after the colon of a line in a system file, or the first words of a file without a colon.
 std::string said_in(const std::string& path, const std::string& label) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
@@ -173,8 +173,8 @@ int compare(Options options) {
     for (TaskRun& task_run : task_runs(tool)) by_tool.push_back(std::move(task_run));
   }
   const std::string load_before = load();
-  // Neighbours in time are what will be compared: all tools at one task, then the next task, round after
-  // round.
+  // Results that are compared are measured close together: all tools at one task, then the next task, round
+  // after round.
   for (int round = 1; round <= options.rounds; ++round) {
     for (const Task& task : all) {
       std::fprintf(stderr, "\rround %d of %d, %s   ", round, options.rounds, task.id.c_str());

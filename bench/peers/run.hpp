@@ -5,11 +5,11 @@
 
 namespace shadefit::side_by_side {
 
-/// A process that has come to its end.
+/// A finished process.
 struct Finished {
   bool is_well = false;  ///< exit code 0
   double seconds = 0;    ///< from its start to its end, by the clock
-  std::string output;    ///< its standard output; its standard error is thrown away
+  std::string output;    ///< its standard output; its standard error is discarded
 };
 
 /// Runs a program, found by PATH, to its end.

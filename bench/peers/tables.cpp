@@ -7,7 +7,7 @@
 namespace shadefit::side_by_side {
 namespace {
 
-/// Three digits with the unit that suits them.
+/// Three digits with a suitable unit.
 std::string time(const std::optional<double>& seconds) {
   if (!seconds) return "";
   struct Unit {
@@ -38,7 +38,7 @@ std::string notes(const Row& row) {
   return text;
 }
 
-/// A peer beside ours: who, its time, digits and how many times ours it took.
+/// A peer in a sentence: name, time, digits, and the ratio to our time.
 std::string beside(const Row* peer, const Row* ours) {
   if (peer == nullptr) return "|||";
   const double ratio = ours == nullptr ? 0 : *peer->seconds / *ours->seconds;

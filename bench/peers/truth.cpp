@@ -26,8 +26,8 @@ std::vector<std::vector<std::string>> rows_of(const std::filesystem::path& path)
   return rows;
 }
 
-/// Of the references in a file the rows whose first cells are `constant`, any name, one of the exponents and
-/// `kind`; what else says of which fit they are has to be `rest`.
+/// The rows of a file of references with `constant`, any name, one of the exponents and `kind` in the first
+/// cells, and `rest` in the other cells that identify a fit.
 Truth read(const std::filesystem::path& path, const std::string& constant, const std::string& kind,
            const std::string& rest, const std::vector<std::string>& exponents) {
   Truth truth;
@@ -48,8 +48,8 @@ std::string text(const Decimal50& value) {
   return value.str(50);
 }
 
-/// The largest |error| of the published pair: the root of the slope of the error near the place that every
-/// tool finds, by Newton. One step more or less of it changes no digit shown.
+/// The largest |error| of the published pair: a root of the error's slope, by Newton from the place that
+/// every tool finds. One more step changes no shown digit.
 std::string largest_error() {
   const Decimal50 a("-5.55473"), b("-6.98316"), ln2 = Scalar<Decimal50>::ln2();
   Decimal50 c("0.055");

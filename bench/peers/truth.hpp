@@ -7,20 +7,20 @@
 
 namespace shadefit::side_by_side {
 
-/// The right answer of a task: each number's name and exponent, as `a -` or `x 3`, and its decimal text of 24
-/// to 50 digits.
+/// The right answer of a task: for each number its name and exponent, such as `a -` or `x 3`, and its decimal
+/// text with 24 to 50 digits.
 using Truth = std::map<std::string, std::string>;
 
-/// The name of a number among those of a task. An exponent is text of any notation, `-` or nothing for none:
-/// 1e6 and 1000000 are one.
+/// The name of a number of a task. An exponent is text in any notation, and `-` or nothing without an
+/// exponent: 1e6 and 1000000 are equal.
 std::string answer_name(const std::string& parameter, const std::string& exponent);
 
-/// What a task is.
+/// The description of a task.
 struct Task {
   std::string id, title;
-  bool is_fit = false;     ///< ours has to be ten times as fast there
-  std::string start = {};  ///< where the others' fits begin
-  std::string why = {};    ///< where an exact peer is not ten times slower: the reason
+  bool is_fit = false;     ///< ours must be ten times as fast
+  std::string start = {};  ///< the start of the others' fits
+  std::string why = {};    ///< the reason, if an exact peer is not ten times slower
   Truth truth;
 };
 
@@ -29,8 +29,8 @@ struct Task {
 /// digits.
 std::vector<Task> tasks(const std::filesystem::path& references);
 
-/// Correct digits: -log10 of the relative error, from 0 to 40; 0 for what is no finite number. Worked out in
-/// 50 digits, since the difference of two doubles says nothing beyond the fifteenth.
+/// Correct digits: -log10 of the relative error, from 0 to 40; 0 for a number that is not finite. Computed in
+/// 50 digits, because the difference of two doubles has no meaning beyond the fifteenth.
 double correct_digits(const std::string& answer, const std::string& truth);
 
 }  // namespace shadefit::side_by_side

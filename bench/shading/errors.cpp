@@ -10,7 +10,7 @@
 namespace shadefit::shade {
 namespace {
 
-/// A tile's pixels under one of its lights: what kernels sum up, one at a time.
+/// The pixels of a tile under one of its lights.
 template <class Real>
 Block<Real> under_one_light(const Block<Real>& block, std::size_t tile, std::size_t light,
                             const std::array<Real*, 3>& out) {
@@ -24,10 +24,10 @@ Block<Real> under_one_light(const Block<Real>& block, std::size_t tile, std::siz
           .out = out};
 }
 
-/// What the reference shows of a tile.
+/// The reference's result for a tile.
 struct Truth {
   std::array<std::array<double, tile_pixels>, 3> linear, codes;
-  bool is_grey = true;  ///< the channels are equal, and one of them stands for all
+  bool is_grey = true;  ///< the channels are equal, and one is enough
 };
 
 Truth truth_of(const Results<double>& results) {
@@ -42,10 +42,10 @@ Truth truth_of(const Results<double>& results) {
   return truth;
 }
 
-/// Sums of what is averaged in the end.
+/// The sums for the means.
 class Sums {
  public:
-  /// `is_grey`: the first channel of the results stands for all.
+  /// `is_grey`: only the first channel of the results is used.
   void add(const Truth& truth, const Results<float>& results, bool is_grey) {
     const std::size_t channels = truth.is_grey && is_grey ? 1 : 3;
     for (std::size_t i = 0; i < channels; ++i) {
@@ -66,7 +66,7 @@ class Sums {
   void add(double truth, double truth_code, double shown, double weight) {
     count_ += weight;
     if (shown == truth) return;
-    // What is not a number is as wrong as can be; the largest of errors would pass over it.
+    // NaN counts as the largest error; a comparison of errors would miss it.
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const bool is_number = !std::isnan(shown);
     const double error = is_number ? std::abs(shown - truth) : infinity;
@@ -77,7 +77,7 @@ class Sums {
     errors_.mean_codes += weight * codes;
   }
 
-  Errors errors_;  ///< the means not yet divided
+  Errors errors_;  ///< the means before the division
   double count_ = 0;
 };
 

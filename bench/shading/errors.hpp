@@ -7,20 +7,20 @@
 #include "fit/support/checkpoint.hpp"
 #include "scene/plan/shown_scale.hpp"
 
-/// How wrong the ways are: each sample's light alone against the reference.
+/// The errors of the ways: each sample under one light, against the reference.
 namespace shadefit::shade {
 
 /// Over all samples and channels.
 struct Errors {
   double most = 0, mean = 0;              ///< in linear values
-  double most_codes = 0, mean_codes = 0;  ///< in sRGB codes of 8 bits, not rounded
+  double most_codes = 0, mean_codes = 0;  ///< in 8-bit sRGB codes, not rounded
 
   double most_on(scene::ShownScale scale) const {
     return scale == scene::ShownScale::linear ? most : most_codes;
   }
 };
 
-/// Of each way.
+/// The errors of each way.
 std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& reference,
                               std::span<const FloatWay> ways, const Checkpoint& checkpoint = keep_going);
 

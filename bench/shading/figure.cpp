@@ -18,7 +18,7 @@ namespace {
 /// reports/figures/plot_script.cpp.
 constexpr bench::Pixel drawn_area{798, 420};
 
-/// From a low to a high end, logarithmic, with a share of the whole left free around what is drawn.
+/// A logarithmic axis, with a free share at both ends.
 struct LogarithmicAxis {
   double low, high;
   double share(double value) const { return std::log(value / low) / std::log(high / low); }
@@ -33,7 +33,7 @@ LogarithmicAxis axis_of(const std::vector<double>& values, double free_below, do
 struct Point {
   const MeasuredWay* way;
   double error;
-  std::string name;  ///< empty where a neighbour's stands for it
+  std::string name;  ///< empty if it has the name of a neighbour
 };
 
 /// A tolerance of the sweep as a fraction of white.
@@ -41,7 +41,7 @@ std::string fraction(double tolerance) {
   return fmt::format("1/{}", std::lround(1 / tolerance));
 }
 
-/// Plans of one form and error, in a row, have one name: "1/512 to 1/4096".
+/// Consecutive plans with one form and error have one name: "1/512 to 1/4096".
 std::vector<Point> points_of(const Measurement& m) {
   std::vector<Point> points;
   const auto& sweep = m.sweep;
@@ -71,7 +71,7 @@ std::vector<Point> points_of(const Measurement& m) {
 
 std::string name_commands(const std::vector<Point>& points, const LogarithmicAxis& time,
                           const LogarithmicAxis& error) {
-  // Those with a name first: `place_labels` names these and keeps off the others.
+  // Marks with a name first: `place_labels` names these and avoids the others.
   std::vector<Point> ordered = points;
   std::stable_partition(ordered.begin(), ordered.end(), [](const Point& p) { return !p.name.empty(); });
   std::vector<bench::Pixel> pixels;
@@ -109,7 +109,7 @@ std::string reference_commands(double ns) {
       ns);
 }
 
-/// 1, 2 and 5 of each decade, where decades alone are too few.
+/// 1, 2 and 5 of each decade, if decades are too few.
 std::string time_tics(const LogarithmicAxis& time) {
   constexpr double few_decades = 2.5;
   if (std::log10(time.high / time.low) > few_decades) return "";
@@ -145,7 +145,7 @@ Figure shade_figure(const Measurement& m) {
     times.push_back(point.way->ns);
     errors.push_back(point.error);
   }
-  if (errors.empty()) errors.push_back(1);  // no error at all: the axes are drawn around nothing
+  if (errors.empty()) errors.push_back(1);  // without any error the axes still need a range
   const LogarithmicAxis time = axis_of(times, 0.06, 0.1), error = axis_of(errors, 0.1, 0.1);
   const std::string unit = m.scale == scene::ShownScale::linear ? "linear values" : "sRGB codes of 8 bits";
   const Panel panel{

@@ -24,15 +24,14 @@ Vector to_eye(const Vector& point) {
   return normalised({-point[0], -point[1], eye_distance - point[2]});
 }
 
-/// A tile is a square of so many pixels a side, of a sphere that is `sphere_pixels` wide: a large one on a
-/// screen of today, where neighbours are alike.
+/// A tile is a square of pixels of a sphere that is `sphere_pixels` wide: large on a screen, so that
+/// neighbours are similar.
 constexpr int tile_side = 8, sphere_pixels = 256;
 static_assert(tile_side * tile_side == tile_pixels);
 
 using TileNormals = std::array<Vector, tile_pixels>;
 
-/// The normals of a tile around a place of the disc that the sphere looks like; nothing where a pixel is not
-/// seen.
+/// The normals of a tile around a place of the sphere's disc; nothing if a pixel is not visible.
 std::optional<TileNormals> normals_around(double x, double y) {
   TileNormals normals;
   for (int row = 0; row < tile_side; ++row) {

@@ -6,7 +6,7 @@
 
 #include "bench/shading/kernels/kernel.hpp"
 
-/// What is looked at: a sphere seen from nearby, lit from all sides of the viewer.
+/// The geometry: a sphere seen from nearby, lit from all directions on the viewer's side.
 namespace shadefit::shade {
 
 /// The cosines of one sample.
@@ -14,15 +14,16 @@ struct Sample {
   double n_dot_h, l_dot_h, n_dot_l;
 };
 
-/// Of a point of the unit sphere around the origin, seen from (0, 0, `eye_distance`), and a light in a
-/// direction.
+/// For a point of the unit sphere around the origin, seen from (0, 0, `eye_distance`), and the direction of a
+/// light.
 Sample sample_of(const std::array<double, 3>& normal, const std::array<double, 3>& light);
 
-/// Radii from the sphere's middle to the eye: so near that the view, and with it l.h, varies as in a room.
+/// Radii from the sphere's middle to the eye: near enough that the view direction, and so l.h, varies as in a
+/// room.
 inline constexpr double eye_distance = 4;
 
-/// The cosines of a block's samples, as `Block` has them: each a float, in float and in double, so that all
-/// ways see the same.
+/// The cosines of a block's samples, in the layout of `Block`: each is a float, stored as float and as
+/// double, so that all ways get the same inputs.
 class Cosines {
  public:
   /// Room for tiles under so many lights each.
@@ -32,7 +33,7 @@ class Cosines {
   std::size_t lights() const { return lights_; }
   void set(std::size_t tile, std::size_t light, std::size_t pixel, const Sample& sample);
 
-  /// A block of them all, without powers or results.
+  /// A block of all tiles, without powers or results.
   template <class Real>
   Block<Real> block() const;
 
@@ -47,8 +48,7 @@ Block<float> Cosines::block() const;
 template <>
 Block<double> Cosines::block() const;
 
-/// Lit and visible tiles of the sphere, spread evenly over it and the same in every run: so many of blocks of
-/// so many tiles.
+/// Blocks of lit and visible tiles, spread evenly over the sphere, the same in every run.
 std::vector<Cosines> sphere_blocks(std::size_t blocks, std::size_t tiles, std::size_t lights);
 
 }  // namespace shadefit::shade

@@ -10,13 +10,12 @@
 namespace shadefit::shade {
 namespace {
 
-/// Codes of white: a tolerance on their scale is one of 255.
+/// The code of white: a tolerance in codes is relative to 255.
 double white(scene::ShownScale scale) {
   return scene::on_scale(scale, 1);
 }
 
-/// What one light may be off by. A plan that says itself that it cannot keep the tolerance has promised its
-/// own error.
+/// The allowed error of one light. A plan that cannot keep the tolerance promises its own error.
 double allowed_of(const scene::Plan& plan) {
   return std::max(plan.wanted.tolerance, plan.error) / plan.wanted.lights;
 }
@@ -36,7 +35,7 @@ std::vector<scene::Plan> plans_of_sweep(const scene::Scene& scene, const scene::
   return plans;
 }
 
-/// One after the other, the whole workload by each way.
+/// The whole workload by each way, one after the other.
 class Timed {
  public:
   Timed(const Workload& workload, std::span<const FloatWay> ways, std::size_t samples)
@@ -45,7 +44,7 @@ class Timed {
       work_.push_back({.once = [this, &way] { shade(way); }, .elements = std::max<std::size_t>(1, samples)});
   }
 
-  /// ns a sample: the median of the rounds, of this thread's own time.
+  /// ns per sample: the median of the rounds, in processor time of this thread.
   std::vector<double> times(const bench::Plan& timing, const std::function<void(double)>& between) const {
     std::vector<double> times;
     for (const bench::Samples& samples : bench::time_interleaved(work_, timing, bench::now, between))

@@ -31,7 +31,7 @@ Symbolic decoded_power() {
   return blinn_phong_exponent(variable("alpha"));
 }
 
-/// The lobe of a plan; constants that are a material's are variables.
+/// The lobe of a plan; constants of a material are variables.
 Symbolic planned_lobe(const PlannedMaterial& m) {
   const Symbolic c = variable("c"), offset = variable("x");
   std::vector<Symbolic> slopes;

@@ -17,12 +17,12 @@
 namespace shadefit::shade {
 namespace {
 
-/// Pixels: of a sphere, of its place in a row, of what stands left of the rows and below them.
+/// Pixels: a sphere, its place in a row, the space left of the rows and below them.
 constexpr int diameter = 116, cell = 132, left_of_rows = 136, below_rows = 52, above_rows = 10;
-/// A picture of few spheres is still wide enough for its words.
+/// The least width, so that a picture with few spheres has room for its words.
 constexpr int least_cells = 3;
 
-/// Of the display: grey, neither dark nor bright.
+/// The background: grey, neither dark nor bright.
 constexpr double ground_code = 118;
 
 using Colour = std::array<double, 3>;
@@ -30,12 +30,12 @@ using Colour = std::array<double, 3>;
 /// From the upper left, before the spheres.
 constexpr std::array<double, 3> key_light{-0.5, 0.6, 0.6244997998398398};
 
-/// Where a pixel of a sphere lies, from -1 to 1; rows run downwards.
+/// The position of a pixel on a sphere, from -1 to 1; rows run downwards.
 double coordinate(int pixel) {
   return (2 * pixel + 1) / static_cast<double>(diameter) - 1;
 }
 
-/// How much of a pixel its sphere covers: all or nothing but for a pixel's width around the edge.
+/// The share of a pixel that its sphere covers: 0 or 1 except at the edge.
 double coverage(double x, double y) {
   return std::clamp((1 - std::hypot(x, y)) * diameter / 2 + 0.5, 0.0, 1.0);
 }
@@ -46,7 +46,7 @@ Cosines cosines_of_sphere() {
   Cosines cosines((pixels + tile_pixels - 1) / tile_pixels, 1);
   for (std::size_t i = 0; i < pixels; ++i) {
     double x = coordinate(static_cast<int>(i % diameter)), y = -coordinate(static_cast<int>(i / diameter));
-    // What lies beyond the edge is as the edge is: some of it is blended with the ground.
+    // A place beyond the edge gets the colour of the edge, because some of it is blended with the background.
     constexpr double edge = 0.999;
     const double length = std::hypot(x, y), inwards = length > edge ? edge / length : 1;
     x *= inwards;
@@ -57,7 +57,7 @@ Cosines cosines_of_sphere() {
   return cosines;
 }
 
-/// What two ways show of a sphere, in sRGB codes, pixel by pixel.
+/// A sphere by two ways, in sRGB codes, pixel by pixel.
 struct ShownSphere {
   std::vector<Colour> reference, planned;
 };
@@ -143,8 +143,8 @@ std::vector<Colour> difference(const ShownSphere& sphere, double factor) {
   return colours;
 }
 
-/// The largest power of two, at most 4096, by which next to all differences stay on the display: what is
-/// beyond is a few pixels at an edge.
+/// The largest factor, a power of two up to 4096, with which nearly all differences stay in the range of the
+/// display: only a few pixels at an edge exceed it.
 int amplification(const std::vector<ShownSphere>& spheres) {
   std::vector<double> all;
   for (const ShownSphere& sphere : spheres) {
@@ -163,7 +163,7 @@ int amplification(const std::vector<ShownSphere>& spheres) {
   return factor;
 }
 
-/// As much of a name as stands below a sphere.
+/// The part of a name that fits below a sphere.
 std::string shortened(const std::string& name) {
   constexpr std::size_t most = 15;
   std::string result;
@@ -172,7 +172,7 @@ std::string shortened(const std::string& name) {
   return pieces.size() > most ? result + ".." : result;
 }
 
-/// Without an exponent of ten where a power is one that anybody uses.
+/// Usual powers are printed without an exponent of ten.
 std::string power_text(double power) {
   constexpr double few_digits = 1000, usual = 1e6;
   return power < few_digits || power > usual ? decimal(power, 3) : fmt::format("{:.0f}", power);
@@ -185,8 +185,8 @@ std::string label(const std::string& text, int x, int y, const char* place) {
 
 std::string script_of(const scene::Scene& scene, const std::vector<Sphere>& spheres, int width, int height,
                       int factor) {
-  // From the middle of the first pixel to that of the last: so gnuplot draws each as it is, but for those at
-  // the border, which it blends with the same grey.
+  // From the middle of the first pixel to the middle of the last: then gnuplot draws each pixel unchanged. It
+  // blends pixels at the border with the same grey.
   std::string script = fmt::format(
       "# A scene's materials: reference, planned, difference\n"
       "if (!exists('output')) output = 'scene.png'\n"
@@ -212,7 +212,7 @@ std::string script_of(const scene::Scene& scene, const std::vector<Sphere>& sphe
                       width, height);
 }
 
-/// The power of which so much of the texels is below.
+/// The power below which this share of the texels lies.
 double quantile_of(const std::vector<scene::PowerShare>& powers, double share) {
   double below = 0;
   for (const scene::PowerShare& some : powers) {
@@ -232,10 +232,10 @@ std::vector<Sphere> spheres_of(const scene::Scene& scene, const scene::Plan& pla
   };
   add([&](std::size_t i) { return plan.materials[i].has_lobe; });
   add([&](std::size_t i) { return !plan.materials[i].has_lobe && !is_black(scene.materials[i]); });
-  // A black sphere says nothing, unless there is no other.
+  // A black sphere is shown only if there is no other.
   if (order.empty()) add([](std::size_t) { return true; });
   order.resize(std::min(order.size(), most_spheres));
-  // What the materials leave of the row is for the powers of textured ones.
+  // The rest of the row shows the powers of textured materials.
   const auto is_textured = [&](std::size_t i) { return scene.materials[i].is_power_textured(); };
   const auto textured = static_cast<std::size_t>(std::count_if(order.begin(), order.end(), is_textured));
   const std::size_t more = textured == 0 ? 0 : (most_spheres - order.size()) / textured;

@@ -6,14 +6,14 @@
 #include "bench/shading/ways.hpp"
 #include "reports/io/files.hpp"
 
-/// A scene's materials as spheres: by the reference, as planned, and what lies between.
+/// A scene's materials as spheres: by the reference, as planned, and the difference.
 namespace shadefit::shade {
 
 /// The most spheres of a row.
 inline constexpr std::size_t most_spheres = 11;
 
-/// What one sphere is of: materials with a lobe first, then those that are left out but not black; a textured
-/// one by quantiles of its powers.
+/// The subject of a sphere: materials with a lobe first, then skipped ones that are not black; a textured
+/// material by quantiles of its powers.
 struct Sphere {
   std::size_t material;
   double power;

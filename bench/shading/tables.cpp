@@ -10,7 +10,7 @@
 namespace shadefit::shade {
 namespace {
 
-/// Times repeat to a per cent or so, and of errors nobody reads more.
+/// Times are repeatable to about a percent, and errors need no more digits.
 constexpr int shown_digits = 3;
 
 Cell shown(double value) {
@@ -42,7 +42,7 @@ std::string percent(double share) {
   return fmt::format("{} %", decimal(100 * share, shown_digits));
 }
 
-/// How many times as fast: a whole number, or one decimal of a small one.
+/// A ratio of times: a whole number, or one decimal for small ones.
 std::string ratio(double value) {
   constexpr double rounds_to_ten = 9.95;
   return value < rounds_to_ten ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
@@ -69,7 +69,7 @@ std::string verdict_line(const Measurement& m) {
 std::string skipped_line(const Measurement& m) {
   if (m.skipped.by_materials == 1) return "";
   const double terms = m.skipped.by_terms;
-  // slopes and three channels may cost more than the power that they stand for
+  // slopes and three channels may cost more than the power
   const std::string by_terms =
       terms < 0 ? percent(-terms) + " dearer than" : percent(terms) + " cheaper than";
   return fmt::format(
@@ -78,7 +78,7 @@ std::string skipped_line(const Measurement& m) {
       percent(m.skipped.by_materials), percent(m.skipped.by_culling), by_terms);
 }
 
-/// Of the plan and what it is held against.
+/// The plan and the ways that it is compared with.
 std::array<const MeasuredWay*, 4> compared(const Measurement& m) {
   return {&m.reference, &m.published, &m.published_culled, &m.planned};
 }

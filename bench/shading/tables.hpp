@@ -11,13 +11,13 @@
 namespace shadefit::shade {
 
 /// `way,tolerance,form,ns_per_sample,max_error,mean_error,max_codes,mean_codes`: the ways, then the
-/// sweep. What `shade.csv` holds.
+/// sweep. The columns of `shade.csv`.
 Table shade_table(const Measurement& measurement);
 
-/// The ways and what they say, on a terminal.
+/// The ways and a summary, on a terminal.
 std::string shade_text(const Measurement& measurement, const Terminal& terminal = {});
 
-/// A line for each plan that is not within what it promises.
+/// A line for each plan that exceeds its promise.
 std::string broken_lines(const Measurement& measurement);
 
 /// "shade": error against time of the plans for all tolerances and of the published constants, both

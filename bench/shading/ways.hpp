@@ -22,17 +22,17 @@ class ReferenceWay {
   std::vector<FullMaterial<double>> materials_;
 };
 
-/// Whether a material reflects nothing, or nothing of it is shaded: every way asks that before it starts.
+/// Whether a material is black or not shaded. Every way tests this first.
 bool is_black(const scene::Material& material);
 
-/// A way in float: with all terms of the materials that are not black, or as a plan has it.
+/// A way in float: all terms for the materials that are not black, or a plan.
 class FloatWay {
  public:
   FloatWay(const scene::Scene& scene, FullKernel<float> kernel);
   FloatWay(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels);
 
-  /// Returns how many samples were culled. A material without a lobe writes nothing; one whose plan has one
-  /// channel, the first alone.
+  /// Returns the number of culled samples. A material without a lobe writes nothing; a plan with one channel
+  /// writes only the first.
   std::size_t shade(const Block<float>& block, std::size_t material) const;
 
   bool has_lobe(std::size_t material) const;
@@ -48,8 +48,7 @@ class FloatWay {
   bool is_coloured_ = true;
 };
 
-/// The plan with the published constant of the Gaussian for its lobe: what these are worth in the same
-/// kernel.
+/// The plan with the published Gaussian as its lobe, to compare the constants in the same kernel.
 scene::Plan with_published_lobe(scene::Plan plan);
 
 }  // namespace shadefit::shade

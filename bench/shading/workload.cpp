@@ -5,14 +5,15 @@
 namespace shadefit::shade {
 namespace {
 
-/// Cosines of a block: 12 KiB of floats, which with their results and the same in double stay in the caches
-/// of one core.
+/// The cosines of a block: 12 KiB of floats. With their results, and the same in double, they stay in the
+/// caches of one core.
 constexpr std::size_t samples_of_block = 1024;
 
 /// Blocks of different places and lights.
 constexpr std::size_t blocks_of_sphere = 16;
 
-/// Visits of all materials together, as long as each has one for a quarter of the blocks.
+/// The visits of all materials together, unless each material then has less than one for a quarter of the
+/// blocks.
 constexpr std::size_t wanted_visits = 256;
 
 /// The power below which a share of the texels lies.
@@ -25,7 +26,8 @@ double power_at_share(const std::vector<scene::PowerShare>& powers, double share
   return powers.back().power;
 }
 
-/// A tile of each of so many equal shares, in an order in which neighbours differ: steps of the golden ratio.
+/// One tile for each of these equal shares. The order has steps of the golden ratio, so that neighbours
+/// differ.
 double share_of_tile(std::size_t tile, std::size_t tiles) {
   constexpr double golden = 0.6180339887498949;
   const double at = 0.5 + static_cast<double>(tile) * golden;

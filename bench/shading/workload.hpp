@@ -9,24 +9,24 @@
 #include "bench/shading/shaded_scene.hpp"
 #include "scene/materials/material.hpp"
 
-/// What is shaded, the same in every run: tiles of a sphere, in each of the scene's materials.
+/// The shaded samples, the same in every run: tiles of a sphere in each of the scene's materials.
 namespace shadefit::shade {
 
 /// One block in one material.
 struct Visit {
   std::size_t material;  ///< of the scene's
   std::size_t block;
-  /// The roughness of each pixel where it is a texture, tile by tile, else empty: a float, in both formats.
+  /// The roughness of each pixel of a texture, tile by tile; else empty. A float, in both formats.
   std::vector<float> alpha;
   std::vector<double> wide_alpha;
 };
 
-/// Every material has as many visits as another. Within a tile the power is one, as a texture that is seen
-/// magnified has it; the tiles of a material take its powers by their shares.
+/// Every material has the same number of visits. A tile has one power, like a magnified texture; the tiles of
+/// a material have its powers in proportion to their shares.
 class Workload {
  public:
-  /// Under `lights` lights, of which `most_lights` are shaded at most. Of more than `most_materials` so many,
-  /// evenly chosen.
+  /// Under `lights` lights, at most `most_lights` of which are shaded. Of more than `most_materials`
+  /// materials, that many are chosen evenly.
   Workload(const scene::Scene& scene, int lights);
 
   const std::vector<Visit>& visits() const { return visits_; }
@@ -35,7 +35,7 @@ class Workload {
   std::size_t tiles() const { return tiles_; }
   std::size_t lights() const { return lights_; }
 
-  /// What a visit reads, without results.
+  /// The inputs of a visit.
   template <class Real>
   Block<Real> block(const Visit& visit) const;
 
@@ -52,7 +52,7 @@ Block<float> Workload::block(const Visit& visit) const;
 template <>
 Block<double> Workload::block(const Visit& visit) const;
 
-/// Where results of a visit go.
+/// The results of a visit.
 template <class Real>
 class Results {
  public:

@@ -9,7 +9,7 @@ void register_fits();
 /// Minimax fits of the Fresnel pair.
 void register_minimax();
 
-/// What a run is made of, one by one: sampling, searches for the largest error, integrals.
+/// The parts of a run: sampling, searches for the largest error, integrals.
 void register_parts();
 
 /// The ledger, and each of its claims.

@@ -20,7 +20,7 @@ void register_claim(const Claim& claim) {
   })->Unit(benchmark::kMillisecond);
 }
 
-/// All claims one after another; the label names the one that took longest, `longest_ms` how long.
+/// All claims one after another; the label names the slowest, `longest_ms` is its time.
 void measure_ledger(benchmark::State& state) {
   using Clock = std::chrono::steady_clock;
   double longest = 0;

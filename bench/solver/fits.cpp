@@ -14,7 +14,7 @@
 namespace shadefit::bench {
 namespace {
 
-/// What the fits of one pass came to.
+/// The results of one pass.
 struct Tally {
   int fits = 0;
   int digits = most_digits;  ///< of the worst
@@ -28,8 +28,8 @@ struct Tally {
   }
 };
 
-/// Times one pass over all problems of a tuple of vectors; each has a `solve`. A fast wrong answer shows in
-/// the counter `digits`, one that says of itself that it is none fails the benchmark.
+/// Times one pass over all problems of a tuple of vectors; each has a `solve`. The counter `digits` shows a
+/// fast wrong answer. A fit that did not converge fails the benchmark.
 template <class Problems>
 void measure(benchmark::State& state, const Problems& problems) {
   Tally tally;
@@ -55,8 +55,8 @@ auto sampled(const std::vector<Problem<F>>& problems) {
   return result;
 }
 
-/// Each twice: `ready`, with the nodes and samples made outside the timed part, as the figures of other
-/// solvers are usually stated, and `from-nothing`.
+/// Each twice: `ready`, with the nodes and samples made outside the timed part, as is usual for other
+/// solvers, and `from-nothing`.
 template <class... F>
 void register_both(const std::string& name, const std::vector<Problem<F>>&... problems) {
   benchmark::RegisterBenchmark(("fit/" + name + "/ready").c_str(), [ready = std::tuple(sampled(problems)...)](

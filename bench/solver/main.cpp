@@ -8,8 +8,8 @@
 
 namespace {
 
-/// Google Benchmark prints a failed benchmark and goes on, and its own main says nothing of it at the end.
-/// This reporter hands everything on and remembers whether one failed.
+/// Google Benchmark prints a failed benchmark and goes on; its exit code does not tell. This reporter
+/// forwards everything and remembers whether one failed.
 class RememberingReporter : public benchmark::BenchmarkReporter {
  public:
   bool has_failed() const { return has_failed_; }
@@ -28,7 +28,7 @@ class RememberingReporter : public benchmark::BenchmarkReporter {
 
 }  // namespace
 
-/// Exit code: 0; 1 where a benchmark failed, or none was named by the filter; 1 for an unknown argument.
+/// Exit code: 0; 1 if a benchmark failed, if the filter matches none, or for an unknown argument.
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;

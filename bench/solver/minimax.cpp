@@ -7,13 +7,12 @@
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/solve/under.hpp"
 
-// Not beside the least-squares benchmarks: in one translation unit gcc inlines less of either, and the pair's
+// Apart from the least-squares benchmarks: in one translation unit gcc inlines less, and the pair's
 // least-squares fit takes 12.7 us instead of 7.8.
 namespace shadefit::bench {
 namespace {
 
-/// The pair by its largest error, from nothing: the places of the search sampled, a start by Ceres, the
-/// exchange, the polish.
+/// The pair by its largest error, from nothing: sampling, a start by Ceres, the exchange, the polish.
 void register_pair(Error error) {
   const Under<FresnelQuadratic, 2> pair{.family = {}, .error_kind = error};
   const Metric metric{.norm = Norm::minimax, .error = error};

@@ -15,7 +15,7 @@
 namespace shadefit::bench {
 namespace {
 
-/// Times `part`, which gives a value that is used by nobody.
+/// Times `part`, whose result is not used.
 template <class Part>
 void register_part(const std::string& name, const Part& part) {
   benchmark::RegisterBenchmark(("part/" + name).c_str(), [part](benchmark::State& state) {
@@ -33,7 +33,7 @@ void register_sampling(const F& family) {
                 [family] { return LeastSquares<F>(family, Metric{}); });
 }
 
-/// The search for the largest absolute error of a fit, found beforehand.
+/// The search for the largest absolute error of a given fit.
 void register_search(const FittableFamily& family, const Setting& setting) {
   const Fit fit = family.fit(setting, Metric{});
   register_part("largest-error/" + std::string(family.info.id), [family, setting, fit] {
@@ -57,7 +57,7 @@ void register_parts() {
   const auto register_point = [](const std::string& name, ReflectedLobe lobe) {
     const View view(60);
     register_part("reflectance/" + name, [lobe, view] {
-      // A view and an exponent of the table, and two digits less than is promised, as the table asks it.
+      // A view and an exponent of the table, with the tolerance of the table.
       constexpr double alpha = 64, tolerance = reflectance_tolerance / 100;
       return std::pair(reflect_by_circles(lobe, alpha, view, tolerance),
                        reflect_by_longitude(lobe, alpha, view, tolerance));

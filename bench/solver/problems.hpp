@@ -8,7 +8,7 @@
 #include "fit/quadrature/metric.hpp"
 #include "fit/support/sweep.hpp"
 
-/// What the benchmarks fit.
+/// The fits of the benchmarks.
 namespace shadefit::bench {
 
 template <class F>
@@ -20,7 +20,7 @@ struct Problem {
   auto solve() const { return solve_least_squares(family, metric); }
 };
 
-/// A family under each measure, at each exponent of a sweep; once a measure where it has no exponent.
+/// A family under each measure, at each exponent of a sweep; once per measure if it has no exponent.
 template <class F>
 std::vector<Problem<F>> problems(std::span<const Measure> measures, std::string_view sweep = F::info.sweep) {
   std::vector<Problem<F>> result;

@@ -46,9 +46,9 @@ struct Usage {
   double peak_mb;  ///< the largest resident set, in 10^6 bytes
 };
 
-/// Runs the built command to its end, its standard output thrown away; empty where it failed. Linux counts
-/// what this process holds at the moment of the start into the peak of its child: it is an upper bound, and
-/// exact where, as here, the child outgrows its parent.
+/// Runs the built command to its end and discards its standard output; empty if it failed. Linux includes the
+/// memory of this process at the start in the peak of its child. So the peak is an upper bound, and exact if
+/// the child becomes larger than its parent, as here.
 std::optional<Usage> run_command(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), SHADEFIT_COMMAND);
   std::vector<char*> argv;
@@ -71,7 +71,7 @@ std::optional<Usage> run_command(std::vector<std::string> arguments) {
   return Usage{time.count(), static_cast<double>(usage.ru_maxrss) * 1024 / 1e6};
 }
 
-/// Each time into a directory of its own, so that every run writes all of its files anew.
+/// Each run gets a new directory, so that it writes all of its files.
 void measure_run(benchmark::State& state) {
   double peak = 0;
   for (auto _ : state) {
@@ -87,7 +87,7 @@ void measure_run(benchmark::State& state) {
   state.counters["peak_MB"] = peak;
 }
 
-/// What every process costs: the same command with nothing to do.
+/// The cost of a process: the same command with nothing to do.
 void measure_start(benchmark::State& state) {
   for (auto _ : state) {
     const auto usage = run_command({"--version"});

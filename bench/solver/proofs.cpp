@@ -16,7 +16,7 @@ Subject published_pair() {
   return {.family = "fresnel-quadratic", .parameters = {{"a", "-5.55473"}, {"b", "-6.98316"}}};
 }
 
-/// Bounds so near to each other; the counter `boxes` is what the proof took.
+/// Bounds with this relative width. The counter `boxes` is the size of the proof.
 void register_width(const std::string& name, const Subject& subject, double width) {
   benchmark::RegisterBenchmark(("certify/" + name).c_str(), [subject, width](benchmark::State& state) {
     Certified made;

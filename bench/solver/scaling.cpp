@@ -15,21 +15,21 @@
 namespace shadefit::bench {
 namespace {
 
-/// Of `count` exponents, evenly on a logarithmic scale within 0.1 .. 1e6, the one in place `i`. Made as it is
-/// needed: a list of them would be what memory grows by.
+/// Of `count` exponents, evenly on a logarithmic scale within 0.1 .. 1e6, the one in place `i`. Computed on
+/// demand: a list would take memory in proportion to `count`.
 double exponent(long i, long count) {
   return std::pow(10, -1 + 7 * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
 }
 
-/// What is kept of fits, however many.
+/// The kept results of all fits.
 struct Reduced {
   double sum = 0;  ///< of the parameters
   int digits = most_digits;
   bool have_all_converged = true;
 };
 
-/// Every `stride`-th exponent from `first` on: small and large ones cost differently, and so each thread has
-/// some of all.
+/// Every `stride`-th exponent from `first` on: so that each thread has small and large ones, whose costs
+/// differ.
 Reduced fit_share(long first, long stride, long count) {
   Reduced reduced;
   for (long i = first; i < count; i += stride) {
@@ -41,7 +41,7 @@ Reduced fit_share(long first, long stride, long count) {
   return reduced;
 }
 
-/// Fits share nothing, so threads need nothing but their own exponents.
+/// Fits share nothing: each thread has its own exponents.
 Reduced fit_all(long count, long threads) {
   std::vector<Reduced> parts(static_cast<std::size_t>(threads));
   std::vector<std::thread> others;
@@ -61,8 +61,8 @@ Reduced fit_all(long count, long threads) {
   return all;
 }
 
-/// A line of what Linux says of this process, in 10^6 bytes: VmRSS is resident now, VmHWM was at most since
-/// the last `forget_peak`. 0 where there is no such line.
+/// A line of Linux's status of this process, in 10^6 bytes: VmRSS is the current resident set, VmHWM its
+/// maximum since the last `forget_peak`. 0 without such a line.
 double resident_mb(std::string_view label) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {

@@ -3,17 +3,17 @@
 #include <cstddef>
 #include <string>
 
-/// Where times were taken.
+/// The machine of the times.
 namespace shadefit::bench {
 
 struct Machine {
-  std::string cpu;         ///< its name as the system tells it, "unknown" where it does not
-  std::string compiler;    ///< that this program was compiled with
-  unsigned threads;        ///< that the machine runs at once
-  std::size_t last_cache;  ///< bytes; 0 where the system does not tell
+  std::string cpu;         ///< its name by the system, or "unknown"
+  std::string compiler;    ///< of this program
+  unsigned threads;        ///< that the machine runs in parallel
+  std::size_t last_cache;  ///< bytes; 0 if unknown
 };
 
-/// The value of the first line "model name : ..." of what /proc/cpuinfo holds; "unknown" where none is.
+/// The value of the first line "model name : ..." of the text of /proc/cpuinfo, or "unknown".
 std::string cpu_name(const std::string& cpuinfo);
 
 Machine this_machine();

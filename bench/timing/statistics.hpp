@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-/// What a list of samples says: its middle, and how far half of it lies apart.
+/// The median and the spread of samples.
 namespace shadefit::bench {
 
 struct Spread {
@@ -16,8 +16,8 @@ struct Spread {
   double width() const { return upper_quartile - lower_quartile; }
 };
 
-/// The value below which a share of the samples lies, between two of them by a straight line: the first one
-/// at share 0, the last at 1. The samples are sorted, and not none.
+/// The quantile of sorted samples, linear between two of them: the first at share 0, the last at 1. There is
+/// at least one sample.
 inline double quantile(const std::vector<double>& sorted, double share) {
   const double rank = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(rank);
@@ -25,7 +25,7 @@ inline double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (rank - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-/// Median and quartiles of one sample or more. Throws std::invalid_argument for none.
+/// Median and quartiles of at least one sample. Throws std::invalid_argument for none.
 inline Spread spread_of(std::vector<double> samples) {
   if (samples.empty()) throw std::invalid_argument("no samples have no median");
   std::sort(samples.begin(), samples.end());

@@ -33,10 +33,10 @@ long calls_that_take(const Work& work, double seconds, const Clock& clock) {
 
 namespace {
 
-/// One visit: a warm call or a few, then the timed ones.
+/// One visit: a few warm calls, then the timed ones.
 void sample(const Work& work, Samples& samples, const Clock& clock) {
-  // An eighth of a visit brings data and branches back, and a core that slows down for wide registers does
-  // so.
+  // An eighth of a visit restores caches and branch prediction. A core that slows down for wide registers
+  // does so within it.
   for (long i = 0; work.is_warm && i < samples.calls / 8 + 1; ++i) work.once();
   const Instant before = clock();
   for (long i = 0; i < samples.calls; ++i) work.once();
@@ -51,7 +51,7 @@ void sample(const Work& work, Samples& samples, const Clock& clock) {
 std::vector<Samples> time_interleaved(std::span<const Work> work, const Plan& plan, const Clock& clock,
                                       const std::function<void(double)>& between) {
   std::vector<Samples> all(work.size());
-  // Finding how often to call takes about as long as two rounds.
+  // The calibration takes about as long as two rounds.
   const double steps = static_cast<double>(work.size()) * (plan.rounds + 2);
   double done = 0;
   for (std::size_t i = 0; i < work.size(); ++i, done += 2) {

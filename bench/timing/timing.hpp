@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-/// How long work takes, when many pieces of work are to be compared.
+/// Times many pieces of work for a comparison.
 ///
-/// A machine drifts: its clock rate, its caches, its other guests. So pieces of work are not timed one after
-/// the other but in rounds, each of which visits every piece once; what drifts hits all alike. A piece is
-/// repeated within a visit for so long that the grain of the clock does not count.
+/// A machine drifts: its clock rate, its caches, its other guests. So pieces of work are timed in rounds,
+/// each of which visits every piece once: a drift affects all. Within a visit, a piece is repeated until the
+/// resolution of the clock does not matter.
 namespace shadefit::bench {
 
-/// A moment, in seconds from whatever the clock counts from.
+/// A moment, in seconds since the clock's origin.
 struct Instant {
   double real;  ///< by a steady clock
   double cpu;   ///< processor time of this thread
@@ -23,39 +23,39 @@ using Clock = std::function<Instant()>;
 /// The steady clock and the thread's processor time.
 Instant now();
 
-/// Results that nobody reads are not left out: to the compiler, somebody reads all of the memory here.
+/// Keeps the compiler from removing unused results: for the compiler, this reads all of the memory.
 inline void keep(const void* memory) {
   asm volatile("" : : "r"(memory) : "memory");
 }
 
-/// Something that is timed.
+/// A timed piece of work.
 struct Work {
   std::function<void()> once;
-  std::size_t elements;  ///< that one call works on
-  bool is_warm = true;   ///< is called before each visit, untimed, so that its data are in the cache
+  std::size_t elements;  ///< of one call
+  bool is_warm = true;   ///< each visit begins with untimed calls, so that its data are in the cache
 };
 
 struct Plan {
   int rounds;      ///< each visits every piece of work once
-  double seconds;  ///< that a visit should take at least
+  double seconds;  ///< the least time of a visit
 };
 
-/// What came of one piece of work.
+/// The times of one piece of work.
 struct Samples {
   long calls = 0;            ///< within a visit
-  std::vector<double> real;  ///< ns per element, a number a round
+  std::vector<double> real;  ///< ns per element, one number per round
   std::vector<double> cpu;
 };
 
 /// The places of `count` pieces of work in the order in which a round visits them: every other round
-/// backwards, so that nobody always comes after the same one.
+/// backwards, so that the predecessor of a piece varies.
 std::vector<std::size_t> visits(int round, std::size_t count);
 
-/// How many calls take `seconds` at least by that clock: doubled until they do, at most 2^30.
+/// The number of calls that take at least `seconds` by that clock: doubled until they do, at most 2^30.
 long calls_that_take(const Work& work, double seconds, const Clock& clock);
 
-/// Times all of the work. `between` is told the share that is done, from 0 to 1, between visits; it may end
-/// the whole by throwing.
+/// Times all of the work. Between visits, `between` gets the finished share, from 0 to 1. It may end the work
+/// by throwing.
 std::vector<Samples> time_interleaved(std::span<const Work> work, const Plan& plan, const Clock& clock,
                                       const std::function<void(double)>& between);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t line = 64, page = 4096, large_page = 2 * 1024 * 1024;
 
-/// Inputs and outputs that a target has of each element.
+/// The number of inputs and outputs of a target per element.
 std::size_t arrays_of(forms::Arguments arguments) {
   return arguments == forms::Arguments::normal_to_lights ? 4 : 2;
 }
@@ -35,13 +35,13 @@ void Array<Real>::Free::operator()(void* memory) const {
 
 template <class Real>
 Array<Real>::Array(std::size_t size, std::size_t offset) : size_(size) {
-  // Long arrays lie in large pages where the system has some: a walk through its tables is not what is timed,
-  // and small ones take seconds to make.
+  // Long arrays use large pages if the system has them: page-table walks would distort the times, and small
+  // pages take seconds to allocate.
   const std::size_t needed = size * sizeof(Real) + page, unit = needed >= large_page ? large_page : page;
   const std::size_t bytes = (needed + unit - 1) / unit * unit;
   memory_.reset(std::aligned_alloc(unit, bytes));
   if (memory_ == nullptr) throw std::bad_alloc();
-  if (unit == large_page) ::madvise(memory_.get(), bytes, MADV_HUGEPAGE);  // it is but advice
+  if (unit == large_page) ::madvise(memory_.get(), bytes, MADV_HUGEPAGE);  // only advice
   data_ = reinterpret_cast<Real*>(static_cast<unsigned char*>(memory_.get()) + offset % page / line * line);
 }
 
@@ -49,7 +49,7 @@ template <class Real>
 Workload<Real>::Workload(const forms::Target& target, std::size_t size) : out_(size, 5 * page / 8) {
   const bool has_normals = target.arguments == forms::Arguments::normal_to_lights;
   for (std::size_t i = 0; i + 1 < arrays_of(target.arguments); ++i) in_.emplace_back(size, i * page / 8);
-  // Steps of the golden ratio: any stretch of them is spread evenly, and none is in order.
+  // Steps of the golden ratio: every part of them is spread evenly, and none is sorted.
   constexpr double golden = 0.6180339887498949;
   double share = golden / 2;
   for (std::size_t i = 0; i < size; ++i) {
@@ -63,7 +63,7 @@ Workload<Real>::Workload(const forms::Target& target, std::size_t size) : out_(s
     if (share >= 1) share -= 1;
   }
   if (target.arguments == forms::Arguments::cosine_and_code) {
-    // 151 has no divisor with 256: all codes, in no order.
+    // 151 and 256 have no common divisor: all codes occur, unsorted.
     for (std::size_t i = 0; i < size; ++i) codes_.push_back(static_cast<std::uint8_t>(i * 151));
   }
   std::fill_n(out_.data(), size, Real{0});

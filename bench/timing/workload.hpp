@@ -8,27 +8,28 @@
 #include "bench/forms/catalogue.hpp"
 #include "bench/forms/kernel.hpp"
 
-/// The arrays that kernels are timed on: the same in every run.
+/// The arrays of timed kernels, the same in every run.
 namespace shadefit::bench {
 
-/// Bytes that all arrays of a target take in the first cache together: half of the smallest that x86-64
-/// processors of the last decade have, 32 KiB, so that nothing else has to leave it.
+/// The bytes of all arrays of a target in the first cache: half of 32 KiB, the smallest cache of x86-64
+/// processors of the last decade, so that other data fit too.
 inline constexpr std::size_t first_cache_bytes = 16 * 1024;
 
-/// Elements of one call in memory, from one place of long arrays to the next: few, so that a slow form does
-/// not take seconds; the calls of a visit go on where the one before ended.
+/// The elements of one call in memory: few, so that a slow form does not take seconds. Each call of a visit
+/// starts at the end of the one before.
 inline constexpr std::size_t memory_slice = 8192;
 
-/// Bytes of an array of cosines in memory: as many as the last cache has, at least 32 MiB and at most 256
-/// MiB. What is read and written before a place is met again is twice that at least. Of normals, half of it
-/// an axis.
+/// The bytes of an array of cosines in memory: the size of the last cache, at least 32 MiB and at most 256
+/// MiB. At least twice as much is read and written before a place is visited again. For normals, half of it
+/// per axis.
 std::size_t memory_bytes(std::size_t last_cache);
 
 /// The elements of a target's arrays that fit into the first cache together, a multiple of 64.
 std::size_t first_cache_elements(forms::Arguments arguments, std::size_t bytes_of_number);
 
-/// Memory, not yet written, that begins at a line of the cache, `offset` bytes after a page: arrays that are
-/// read and written together should not begin at equal places of their pages, where loads wait for stores.
+/// Memory, not yet written, that begins at a cache line, `offset` bytes after the begin of a page: arrays
+/// that are read and written together should have different offsets in their pages, otherwise loads wait for
+/// stores.
 template <class Real>
 class Array {
  public:
@@ -46,7 +47,7 @@ class Array {
   std::size_t size_;
 };
 
-/// Arrays of `size` elements for whatever a target reads, spread evenly over its cosines, its codes, or the
+/// Arrays of `size` elements for the inputs of a target, spread evenly over its cosines, its codes, or the
 /// directions of a hemisphere.
 template <class Real>
 class Workload {

@@ -5,11 +5,11 @@
 namespace shadefit::bench {
 namespace {
 
-/// A form that takes no longer than so many copies waits for its data, not for its sums: the copy itself
+/// A form that takes at most this many copies is limited by its data, not by its arithmetic: the copy itself
 /// varies by that much with the place of its arrays.
 constexpr double as_fast_as_a_copy = 1.25;
 
-/// The library's function in the widest registers, the precision of `timed`: what a programmer writes first.
+/// The library's function in the widest registers, the precision of `timed`: the obvious code.
 const TimedForm* wide_reference(const Trade& trade, const TimedForm& timed) {
   const TimedForm* widest = nullptr;
   for (const TimedForm& other : trade.forms) {

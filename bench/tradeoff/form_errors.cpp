@@ -14,7 +14,7 @@ std::size_t find_column(const Table& table, const std::string& name) {
   return static_cast<std::size_t>(column - table.columns.begin());
 }
 
-/// The degree that a cell names; 0 for the library's functions and for forms without an exp2.
+/// The degree in a cell; 0 for the library's functions and for forms without exp2.
 int degree_of(const std::string& text) {
   int degree = 0;
   std::from_chars(text.data(), text.data() + text.size(), degree);

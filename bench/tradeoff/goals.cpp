@@ -9,7 +9,7 @@ namespace {
 
 using Condition = std::function<bool(const TimedForm&)>;
 
-/// The fastest of the rows in float and the first cache that are so, or null.
+/// The fastest row in float and in the first cache that satisfies a condition, or null.
 const TimedForm* fastest(const Trade& trade, const std::string& target, const Condition& is_wanted) {
   const TimedForm* best = nullptr;
   for (const TimedForm& row : trade.forms) {
@@ -31,7 +31,7 @@ Condition is_simd(const Condition& also) {
   return [=](const TimedForm& row) { return row.width != forms::Width::scalar && also(row); };
 }
 
-/// The error of a form with an exact exp2, by the published constants where there are some.
+/// The error of a form with an exact exp2, with the published constants if there are any.
 std::optional<double> error_with_exact_exp2(const Trade& trade, const std::string& target,
                                             const std::string& form, const std::string& constants) {
   const TimedForm* row = fastest(trade, target, [&](const TimedForm& other) {
@@ -40,7 +40,7 @@ std::optional<double> error_with_exact_exp2(const Trade& trade, const std::strin
   return row != nullptr ? row->max_abs_error : std::nullopt;
 }
 
-/// The form with a polynomial for its exp2 whose error is at most so much.
+/// The form with a polynomial for exp2 whose error is at most this.
 Condition is_fitted(const std::string& form, const std::optional<double>& error) {
   return [=](const TimedForm& row) {
     return row.form == form && row.exp2_degree > 0 && error && row.max_abs_error &&
@@ -58,7 +58,7 @@ std::string by(const TimedForm* row) {
   return row == nullptr ? "" : fmt::format(", by `{}` in {}", row->label, forms::name(row->width));
 }
 
-/// A form that may add a hundredth to its own error by its exp2.
+/// A form whose exp2 may add a hundredth to its own error.
 constexpr double pairing = 1.01;
 
 std::optional<double> paired(const std::optional<double>& error) {

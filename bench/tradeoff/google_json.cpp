@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What an iteration is there: compare.py prints times as whole numbers.
+/// The elements of an iteration, because compare.py prints times as whole numbers.
 constexpr int elements_an_iteration = 1000;
 
 double mean_of(const std::vector<double>& values) {
@@ -29,7 +29,7 @@ double deviation_of(const std::vector<double>& values) {
   return std::sqrt(squares / static_cast<double>(values.size() - 1));
 }
 
-/// What rows of a benchmark have in common.
+/// The common fields of the rows of a benchmark.
 Json row(const std::string& name, const std::string& suffix, std::size_t family, const char* type,
          std::size_t repetitions) {
   return {{"name", name + suffix},
@@ -108,7 +108,7 @@ std::string google_json(const Trade& trade, const Occasion& occasion) {
   for (const TimedForm& floor : trade.copies) add_rows(rows, floor, family++);
   const TimedForm* last = nullptr;
   for (const TimedForm& timed : trade.forms) {
-    // Rows of other constants have the same times.
+    // Rows with other constants have the same times.
     const bool is_new = last == nullptr || !is_same_kernel(*last, timed) || last->place != timed.place;
     if (is_new) add_rows(rows, timed, family++);
     last = &timed;

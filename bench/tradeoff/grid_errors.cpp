@@ -6,11 +6,11 @@
 namespace shadefit::bench {
 namespace {
 
-/// Places of a grid: a multiple of 64. The largest error of a form of a few extrema is met to a millionth of
-/// it.
+/// Places of a grid: a multiple of 64. For a form with few extrema, the largest error is found to a millionth
+/// of it.
 constexpr std::size_t grid_places = 16384;
 
-/// What the errors of a target are taken at, in float, which is exact in double.
+/// The places for the errors of a target, floats that are exact in double.
 struct Grid {
   std::vector<float> in[3];
   std::vector<std::uint8_t> codes;

@@ -34,7 +34,7 @@ double outside(const Box& box, const Pixel& size) {
   return (box.right - box.left) * (box.bottom - box.top) - overlap(box, all);
 }
 
-/// Where a text may stand around its point: the sides first, then circles farther and farther off.
+/// The possible places of a text around its point: the sides first, then larger and larger circles.
 std::vector<Label> candidates(const Pixel& point, double width) {
   std::vector<Label> places;
   for (const double distance : {9.0, 24.0, 42.0, 62.0, 84.0, 108.0, 134.0, 162.0, 192.0, 224.0}) {

@@ -28,13 +28,13 @@ std::vector<forms::CompiledForm> compiled_for(forms::Width width) {
 
 namespace {
 
-/// A kernel that is timed, before its constants: what its rows have in common.
+/// A timed kernel, without its constants: the common part of its rows.
 struct Timed {
   TimedForm row;
   const forms::FormEntry* form;  ///< null: the copy
 };
 
-/// Long arrays, and where the next call goes on.
+/// Long arrays, and the start of the next call.
 template <class Real>
 struct Memory {
   Workload<Real> arrays;
@@ -47,9 +47,8 @@ struct Memory {
   }
 };
 
-/// The arrays of all targets of a precision, made where they are first needed. Targets that read the same
-/// share them; those in memory, of which there should be few, are of cosines in [0, 1] with codes beside
-/// them, or of normals.
+/// The arrays of all targets of a precision, made when they are first needed. Targets with the same inputs
+/// share them. Long arrays, of which there should be few, hold cosines in [0, 1] and codes, or normals.
 template <class Real>
 class Workloads {
  public:
@@ -105,7 +104,7 @@ Work work_of(forms::Kernel<Real> kernel, const forms::Target& target, std::vecto
           memory_slice, false};
 }
 
-/// What is to be timed, in the order of the catalogue.
+/// The timed work, in the order of the catalogue.
 class Programme {
  public:
   Programme(const forms::Catalogue& catalogue, const Wanted& wanted, std::size_t last_cache)

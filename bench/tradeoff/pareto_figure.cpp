@@ -27,7 +27,7 @@ struct Axis {
   double at(double share) const { return low * std::pow(high / low, share); }
 };
 
-/// Round some numbers, with a share of the whole left free at either end.
+/// An axis for these numbers, with a free share at both ends.
 Axis axis_around(const std::vector<double>& values, double free_below, double free_above) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const double decades = std::max(std::log10(*high / *low), 0.5);
@@ -115,7 +115,7 @@ std::string mark_name(const TimedForm& timed) {
   return timed.is_reference ? fmt::format("{} ({})", timed.form, forms::name(timed.width)) : full_id(timed);
 }
 
-/// Points in a row along the line that joins others, for names to keep off.
+/// Points along the line that joins the front: names avoid them.
 void add_line(std::vector<Pixel>& points, const Pixel& from, const Pixel& to) {
   constexpr double step = 8;
   const int steps = static_cast<int>(std::hypot(to.x - from.x, to.y - from.y) / step);
@@ -125,7 +125,7 @@ void add_line(std::vector<Pixel>& points, const Pixel& from, const Pixel& to) {
   }
 }
 
-/// gnuplot's commands for a name: the text, and a line to its point where it stands off.
+/// gnuplot's commands for a name: the text, and a line to its point if it is far away.
 std::string label_command(const Label& label, const std::string& name, const Pixel& point, bool is_on_front) {
   const Pixel& at = label.middle_left;
   std::string commands = fmt::format(
@@ -161,8 +161,8 @@ std::string label_commands(const Drawn& drawn, const Axis& time, const Axis& err
   return commands;
 }
 
-/// A formula in gnuplot's markup: whatever is raised stands in braces, so that "c^(2^k) x" keeps its
-/// exponents and its spaces.
+/// A formula in gnuplot's markup. Exponents get braces, so that "c^(2^k) x" keeps its exponents and its
+/// spaces.
 std::string raised(std::string_view text) {
   std::string marked;
   while (!text.empty()) {
@@ -214,7 +214,7 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
           {.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true},
           {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
           {.column = "reference", .label = "by the C library", .look = Look::fourth, .is_joined = false}}};
-  // A legend names what there is.
+  // The legend names only series with data.
   const Table data = data_of(drawn);
   std::erase_if(panel.curves, [&](const Curve& curve) {
     const auto column =

@@ -18,7 +18,7 @@ std::string bench_report(const Trade& trade, const std::vector<Figure>& figures,
 /// The figures of all targets that have one.
 std::vector<Figure> bench_figures(const Trade& trade);
 
-/// bench.md, bench.csv, and accuracy.csv where there is a table for it.
+/// bench.md, bench.csv, and accuracy.csv if there is a table for it.
 std::vector<File> bench_files(const Trade& trade, const std::optional<Table>& accuracy,
                               const std::vector<Figure>& figures);
 

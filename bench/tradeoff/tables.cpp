@@ -3,7 +3,7 @@
 namespace shadefit::bench {
 namespace {
 
-/// Times repeat to a per cent or so: three digits.
+/// Times are repeatable to about a percent: three digits.
 Cell measured(double value) {
   return Number{value, 3};
 }

@@ -83,7 +83,7 @@ void relate(Trade& trade);
 /// with the data in the first cache.
 std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target);
 
-/// Those of them on the front of time and error, the fastest first.
+/// The forms among them on the front of time and error, the fastest first.
 std::vector<TimedForm> front_of_target(const Trade& trade, const std::string& target);
 
 }  // namespace shadefit::bench

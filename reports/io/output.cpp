@@ -102,7 +102,7 @@ class Workshop {
   fs::path path_;
 };
 
-/// Writes or removes the file at one place. The old file is restored unless the change is finished.
+/// Writes or removes one file. The old file is restored unless the change is finished.
 class FileChange {
  public:
   /// `fresh` is the new file, empty where the place is to be empty; the old one is kept as `kept`.

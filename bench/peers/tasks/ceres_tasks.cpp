@@ -1,6 +1,5 @@
-// The least-squares tasks of bench/peers/run with Ceres: as its tutorial shows it, a block of automatic
-// derivatives for each of 1001 samples, and, listed beside, Ceres and TinySolver on Gauss-Legendre nodes of
-// ours.
+// The least-squares tasks of bench/peers/run with Ceres. As in its tutorial: a block of automatic derivatives
+// for each of 1001 samples. Also listed: Ceres and TinySolver on our Gauss-Legendre nodes.
 #include <ceres/ceres.h>
 #include <ceres/tiny_solver.h>
 #include <ceres/tiny_solver_autodiff_function.h>
@@ -148,7 +147,7 @@ bool is_tight(Solver solver) {
   return solver == Solver::tutorial_tight || solver == Solver::nodes_tight || solver == Solver::tiny_tight;
 }
 
-/// One fit. The nodes in a scaled variable are given where the tutorial has samples of another.
+/// One fit. Our nodes take the place of the tutorial's samples.
 template <class Form, class Target>
 std::array<double, Form::size> on_nodes(std::array<double, Form::size> start, double exponent, double end,
                                         bool by_sine, const Target& target, Solver solver, Answer& answer) {
@@ -228,7 +227,7 @@ Answer blinns(Solver solver) {
 
 int main(int argc, char** argv) {
   google::InitGoogleLogging(argv[0]);
-  FLAGS_minloglevel = 3;  // what Ceres warns of is in the answers
+  FLAGS_minloglevel = 3;  // the answers contain the warnings of Ceres
   const std::vector<double> sweep{3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, large{100, 1e3, 1e4, 1e6};
   struct Way {
     Solver solver;

@@ -1,4 +1,4 @@
-// The tasks of bench/peers/run with the GNU Scientific Library, as its manual shows its parts: nonlinear
+// The tasks of bench/peers/run with the GNU Scientific Library, by the examples of its manual: nonlinear
 // least squares on samples, minimisers, quadrature, roots.
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_errno.h>

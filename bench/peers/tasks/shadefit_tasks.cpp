@@ -1,6 +1,5 @@
-// The tasks of bench/peers/run with the library of shadefit, in the process: least squares. The others stand
-// in shadefit_other_tasks.cpp: in one translation unit gcc inlines less of either (see
-// bench/solver/minimax.cpp).
+// The tasks of bench/peers/run with the library of shadefit, in the process: least squares. The others are in
+// shadefit_other_tasks.cpp: in one translation unit gcc inlines less (see bench/solver/minimax.cpp).
 #include "bench/peers/tasks/shadefit_tasks.hpp"
 
 #include <string>
@@ -25,8 +24,8 @@ void add(Answer& answer, const Optimum& optimum, double exponent) {
     answer.add(std::string(F::parameters[i]), optimum.parameters[i], exponent);
 }
 
-/// A family uniform in the cosine at each exponent, from nothing, and with its nodes and samples made outside
-/// the timed part.
+/// A family uniform in the cosine at each exponent, from nothing, and with nodes and samples made outside the
+/// timed part.
 template <class F>
 void append(std::vector<Variant>& variants, const std::string& task, const std::vector<F>& families,
             const std::vector<double>& exponents, const std::string& command) {

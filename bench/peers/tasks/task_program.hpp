@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-/// What the C++ programs of bench/peers/run share: variants of tasks by name, timed and answered in lines.
-/// The same protocol in every language:
+/// The common part of the C++ programs of bench/peers/run: named variants of tasks, timed, with answers as
+/// lines. The protocol is the same in every language:
 ///
 ///   PROGRAM --list                  version TEXT, then a line a variant: TASK <tab> VARIANT <tab>
 ///   judged|listed
@@ -18,13 +18,13 @@
 ///   PROGRAM TASK VARIANT SECONDS    does the task once and prints `value NAME EXPONENT NUMBER` (`-` for no
 ///                                   exponent) and `note TEXT`; with SECONDS > 0 repeats it for so long,
 ///                                   three times at least, and prints `seconds` of the quickest
-/// `expert` is judged as well: a way that wants a derivation by hand or nodes of one's own.
+/// `expert` is judged too: a method that needs a derivation by hand or own nodes.
 namespace peer_tasks {
 
 struct Answer {
   struct Value {
     std::string name;
-    double exponent;  ///< 0 where there is none
+    double exponent;  ///< 0 if there is none
     double value;
   };
   std::vector<Value> values;
@@ -33,7 +33,7 @@ struct Answer {
   void add(const std::string& name, double value, double exponent = 0) {
     values.push_back({name, exponent, value});
   }
-  /// A note once, however many fits it holds for.
+  /// A note is printed once for all its fits.
   void remark(const std::string& text) {
     if (std::find(notes.begin(), notes.end(), text) == notes.end()) notes.push_back(text);
   }
@@ -45,7 +45,7 @@ struct Variant {
   std::string task, name;
   Standing standing;
   std::function<Answer()> run;
-  std::string command = {};  ///< empty where the program itself is the process
+  std::string command = {};  ///< empty if the program itself is the process
 };
 
 inline double seconds_of(const std::function<Answer()>& run) {
@@ -65,7 +65,7 @@ inline void print(const Answer& answer) {
   for (const std::string& note : answer.notes) std::printf("note %s\n", note.c_str());
 }
 
-/// The main function of such a program. Exit code 2 for a task that it does not know.
+/// The main function of such a program. Exit code 2 for an unknown task.
 inline int run_program(int argc, char** argv, const std::string& version,
                        const std::vector<Variant>& variants) {
   if (argc == 2 && argv[1] == std::string("--list")) {

@@ -11,10 +11,10 @@
 #include "approx/scalar.hpp"
 #include "approx/shading.hpp"
 
-/// The two ways that know nothing of a scene: every term for every material, as one shader for all has it.
+/// The two ways without a plan: every term for every material, as in one shader for all.
 namespace shadefit::shade {
 
-/// The published constants, each a type to say at compile time which is meant.
+/// The published constants, each as a type, so that the choice is at compile time.
 struct PublishedOffset {
   static constexpr const Published& record = sg_offset_published[0];
 };
@@ -28,8 +28,7 @@ static_assert(PublishedOffset::record.id == "sg-offset-mean");
 static_assert(PublishedFresnelA::record.id == "fresnel-quadratic-a");
 static_assert(PublishedFresnelB::record.id == "fresnel-quadratic-b");
 
-/// A published constant in the scalar T; one that computes in machine numbers has it from the compiler, as
-/// `exp2_coefficient` does.
+/// A published constant in the scalar T; machine numbers get it from the compiler, as in `exp2_coefficient`.
 template <class P, class T>
 T published_constant() {
   constexpr std::string_view printed = P::record.printed;
@@ -43,10 +42,10 @@ T published_constant() {
   }
 }
 
-/// What of a power is computed before its lights are.
+/// The part of a power's computation that is shared by its lights.
 template <class T>
 struct PreparedPower {
-  T lobe;           ///< what the lobe takes
+  T lobe;           ///< the lobe's argument
   T normalisation;  ///< (n + 2)/8
 };
 
@@ -66,7 +65,8 @@ struct ReferenceForms {
   }
 };
 
-/// The post's: a spherical Gaussian by exp2 with its mean offset, exp2 of a quadratic for Schlick's weight.
+/// The forms of the post: a Spherical Gaussian by exp2 with the mean offset, and exp2 of a quadratic for
+/// Schlick's weight.
 struct PublishedForms {
   template <class T>
   static PreparedPower<T> prepared(const T& power) {

@@ -2,10 +2,10 @@
 
 #include "bench/shading/kernels/kernel.hpp"
 
-/// Where the kernels of each width are.
+/// The kernels of each width.
 namespace shadefit::shade {
 
-/// Each in a unit of its own, compiled with its instructions.
+/// Each is in its own unit, compiled with its instructions.
 struct KernelUnits {
   static const Kernels sse2, avx2, avx512;
 };

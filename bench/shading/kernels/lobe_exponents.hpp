@@ -10,8 +10,8 @@
 #include "bench/forms/lanes.hpp"
 #include "bench/shading/kernels/kernel.hpp"
 
-/// The exponents of a plan's lobes, exp2 of which is the lobe: a type each, made once of a material in the
-/// scalar S. Called with n.h where the power is the material's, else with n as well.
+/// The exponents of a plan's lobes; exp2 of an exponent is the lobe. One type for each form, made once per
+/// material in the scalar S. Called with n.h if the power belongs to the material, else with n too.
 namespace shadefit::shade {
 
 /// A c - A.
@@ -29,7 +29,7 @@ class FusedExponent {
   S slope_, offset_;
 };
 
-/// y (s1 + y (s2 + ..)), y = c - 1, of so many slopes.
+/// y (s1 + y (s2 + ..)), y = c - 1, with that many slopes.
 template <class S, std::size_t count>
 class SlopedExponent {
  public:
@@ -44,8 +44,8 @@ class SlopedExponent {
   S offset_;
 };
 
-/// n log2(c), of a c that is at least the smallest normal float: log2(0) times a power of 0 is no number, and
-/// of any other the n.l beside it is as small.
+/// n log2(c), with c at least the smallest normal float: log2(0) times a power of 0 would be NaN. For other
+/// powers it changes nothing, because n.l is as small.
 template <class S>
 class LogarithmExponent {
  public:

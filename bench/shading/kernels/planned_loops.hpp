@@ -11,23 +11,23 @@
 #include "bench/shading/kernels/kernel.hpp"
 #include "bench/shading/kernels/lobe_exponents.hpp"
 
-/// The loops of the planned way: the registers that a light may matter to, then the exponents of their lobes,
-/// then their values, each for several tiles at a time. What is culled is left out between the loops, so that
-/// no branch within them waits for a pixel.
+/// The loops of the planned way. The first selects the registers that a light can affect, the second computes
+/// the exponents of their lobes, the third their values, each for several tiles. Culled registers are removed
+/// between the loops, so that no loop has a branch that depends on a pixel.
 namespace shadefit::shade {
 
-/// Samples that are in work at a time: what the first cache has room for beside their cosines.
+/// The samples of one pass: they fit into the first cache together with their cosines.
 inline constexpr std::size_t most_in_work = 1024;
 static_assert(most_in_work >= tile_pixels * most_lights);
 
-/// What is in work, from some tile of a block on. Indices are from that tile's begin.
+/// The data of one pass, which begins at a tile of a block. Indices count from that tile.
 template <class S>
 struct Work {
   static constexpr std::size_t most = most_in_work / forms::Lanes<S>::size;
   std::size_t tiles;
-  std::size_t count;                                         ///< of registers that are kept
-  std::uint16_t samples[most], pixels[most];                 ///< where each begins
-  float exponents[most_in_work];                             ///< of each that is kept, or its lobe
+  std::size_t count;                                         ///< of kept registers
+  std::uint16_t samples[most], pixels[most];                 ///< the begin of each
+  float exponents[most_in_work];                             ///< of each kept register, or its lobe
   float powers[most_in_work], normalisations[most_in_work];  ///< of each pixel
 };
 
@@ -59,8 +59,8 @@ void decode_powers(Work<S>& work, const float* alpha) {
   }
 }
 
-/// The exponents of what is kept; where the power is the pixel's, only registers in which any is above the
-/// least stay.
+/// The exponents of the kept registers. If the power belongs to the pixel, only registers with an exponent
+/// above the least are kept.
 template <class S, class Exponent>
 void find_exponents(Work<S>& work, const float* n_dot_h, const PlannedMaterial& m) {
   using L = forms::Lanes<S>;
@@ -84,7 +84,7 @@ void find_exponents(Work<S>& work, const float* n_dot_h, const PlannedMaterial& 
   work.count = count;
 }
 
-/// c^whole by repeated squaring, the multiplications of `power` in their order, each for all that is kept.
+/// c^whole by repeated squaring, the multiplications of `power` in their order, each for all kept registers.
 template <class S>
 void multiply_lobes(Work<S>& work, const float* n_dot_h, int whole) {
   using L = forms::Lanes<S>;
@@ -133,7 +133,7 @@ void find_lobes(Work<S>& work, const float* n_dot_h, const PlannedMaterial& m) {
   }
 }
 
-/// Adds what is kept to its pixels. Degree 0: there is a lobe already.
+/// Adds the kept registers to their pixels. Degree 0: the lobe is already computed.
 template <class S, int degree, bool is_power_of_pixel, bool has_fresnel, std::size_t channels>
 void add_shown(const Work<S>& work, const Block<float>& block, const PlannedMaterial& m) {
   using L = forms::Lanes<S>;
@@ -150,7 +150,7 @@ void add_shown(const Work<S>& work, const Block<float>& block, const PlannedMate
     const std::size_t sample = work.samples[k], pixel = work.pixels[k];
     S lobe = L::load(work.exponents + k * L::size);
     if constexpr (degree > 0) lobe = exp2_polynomial<Exp2Choice<degree, float>>(lobe);
-    // Where the power is the material's, its normalisation is within F0 and F90.
+    // If the power belongs to the material, F0 and F90 include the normalisation.
     if constexpr (is_power_of_pixel) lobe = L::load(work.normalisations + pixel) * lobe;
     const S light = seen_light(L::load(n_dot_l + sample), L::load(n_dot_h + sample));
     S weight = integer<S>(0);
