@@ -10,7 +10,8 @@
 namespace shadefit {
 namespace {
 
-/// What multiplying every linear grey by that ratio does; white first, as a ratio is the same for all.
+/// The effect of multiplying every linear grey by that ratio; white first, because the ratio is the same for
+/// all.
 Effect effect_on_greys(double ratio) {
   Effect effect;
   for (int i = 255; i >= 1; --i) {
@@ -23,7 +24,7 @@ Effect effect_on_greys(double ratio) {
 }  // namespace
 
 Verdict worst(std::span<const Verdict> parts) {
-  // The enumerators stand in the order of their distance from `confirmed`.
+  // The enumerators are ordered from `confirmed` to the worst.
   return *std::max_element(parts.begin(), parts.end());
 }
 
@@ -58,7 +59,7 @@ double codes_of_factor(double ratio) {
 std::string effect_of_factor(double printed, double exact, std::string_view lead) {
   if (printed == exact) return "none";
   const double ratio = printed / exact;
-  // of a ratio to 1 there is nothing to add
+  // nothing to add for a ratio to 1
   const std::string itself =
       exact == 1 ? "" : fmt::format(" (itself off by {:.2g})", std::abs(printed - exact));
   return sentence(effect_on_greys(ratio), "a linear grey",

@@ -7,7 +7,7 @@
 
 #include "fit/scalars/half.hpp"
 
-/// The floating-point formats that a record names.
+/// The floating-point formats of records, by name.
 namespace shadefit {
 
 /// `call.template operator()<T>()` for the format of that name: half, float or double. Throws
@@ -20,7 +20,7 @@ auto in_format(std::string_view name, const Call& call) {
   throw std::invalid_argument("no format '" + std::string(name) + "'");
 }
 
-/// A number of any of them as a double, exactly.
+/// A number of any of these formats as a double, exactly.
 template <class T>
 double widened(T x) {
   return static_cast<double>(x);

@@ -14,7 +14,7 @@ namespace shadefit {
 
 namespace {
 
-/// How that claim is computed, or null.
+/// The function that computes the claim, or null.
 Evaluate evaluator_of(const Claim& claim) {
   const std::array topics{
       lobe_evaluators(),          gloss_evaluators(),

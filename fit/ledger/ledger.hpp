@@ -9,7 +9,7 @@
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/refit.hpp"
 
-/// The ledger computed: a finding for each claim.
+/// Computes the ledger: a finding for each claim.
 namespace shadefit {
 
 struct JudgedClaim {
@@ -18,11 +18,10 @@ struct JudgedClaim {
   Finding finding;
 };
 
-/// Computes one claim; what needs fits takes them from `fits`. Throws std::logic_error where nothing computes
-/// a claim of that id.
+/// Computes one claim; fits come from `fits`. Throws std::logic_error for an unknown claim.
 Finding evaluate(const Claim& claim, Fits& fits);
 
-/// Computes every claim that is wanted, in the order of the ledger. The checkpoint is called before each.
+/// Computes the wanted claims, in the order of the ledger. The checkpoint is called before each.
 std::vector<JudgedClaim> judge_claims(const std::function<bool(std::string_view id)>& is_wanted, Fits& fits,
                                       const Checkpoint& checkpoint = keep_going);
 

@@ -23,7 +23,7 @@ inline std::vector<std::string> items_of(std::string_view text, char separator =
   }
 }
 
-/// The same as numbers. Throws std::invalid_argument where an item is none.
+/// The same as numbers. Throws std::invalid_argument if an item is not a number.
 inline std::vector<double> numbers_of(std::string_view text, char separator = ',') {
   std::vector<double> numbers;
   for (const std::string& item : items_of(text, separator)) numbers.push_back(number_of(item));

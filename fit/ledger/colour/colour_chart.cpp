@@ -17,7 +17,7 @@
 namespace shadefit {
 namespace {
 
-/// The record's conventions, the one that codes are stored in first.
+/// The record's conventions; the convention of stored codes comes first.
 std::vector<TransferFunction> conventions_of(const Claim& claim) {
   std::vector<TransferFunction> conventions{transfer_function(claim.inputs.at("convention"))};
   for (TransferFunction& other : transfer_functions(claim.inputs.at("other conventions")))
@@ -54,7 +54,7 @@ Judgement judge_under(const std::vector<TransferFunction>& conventions, std::str
   return judge(printed, alternatives.front(), std::span(alternatives).subspan(1));
 }
 
-/// What one linear value in the place of another, at a code, does to a picture.
+/// The effect of replacing one linear value by another, at a code.
 std::string effect_of_linear(double used, double right, double code) {
   Effect effect;
   effect.show(right, used, {{"code ", code}});
@@ -65,8 +65,8 @@ struct Range {
   double from, to;
 };
 
-/// The exponents for which (code/255)^exponent rounds to `printed`: those of the ends of what rounds to it.
-/// Empty (from > to) where code/255 is 1 and printed is not.
+/// The exponents for which (code/255)^exponent rounds to `printed`: those of the interval that rounds to it.
+/// Empty (from > to) if code/255 is 1 and printed is not.
 Range exponents_that_give(std::string_view printed, double code) {
   constexpr double any = std::numeric_limits<double>::infinity();
   const double log_encoded = std::log(code / 255);
@@ -81,7 +81,7 @@ std::string exponents_sentence(const Range& range) {
                      range.to);
 }
 
-/// The names of the conventions under which every printed number has all its digits.
+/// The names of the conventions under which all printed digits are right.
 std::string conventions_that_give_all(const std::vector<TransferFunction>& conventions, const Claim& claim,
                                       const std::vector<double>& codes) {
   std::vector<std::string> names;
@@ -154,7 +154,7 @@ Finding chart_range_given_twice(const Claim& claim) {
 
 namespace {
 
-/// Whether the common values lie within the decoded codes: under the first convention, under another, or in
+/// Whether the common values are within the decoded codes: under the first convention, under another, or in
 /// part.
 Finding holds_common(const std::vector<TransferFunction>& conventions, std::string_view material,
                      const std::vector<double>& codes, const std::vector<double>& common) {
@@ -179,7 +179,7 @@ Finding holds_common(const std::vector<TransferFunction>& conventions, std::stri
                           : holds_elsewhere  ? Verdict::other_objective
                           : overlaps(stored) ? Verdict::conditional
                                              : Verdict::refuted;
-  Effect effect;  // of keeping a common value within the chart
+  Effect effect;  // of clamping a common value to the chart
   for (const double value : common)
     effect.show(value, std::clamp(value, own.from, std::max(own.from, own.to)), {{"linear ", value}});
   return {verdict, fmt::format("{:.7g} .. {:.7g}", own.from, own.to),

@@ -24,14 +24,13 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// The matrix of the record without its x: the entry that the others leave over, or none where they leave
-/// several.
+/// The value of x in the record's matrix: the only missing entry; nothing if several are missing.
 std::optional<double> entry_left_over(std::string_view matrix) {
   const auto missing = missing_from(dither_matrix(matrix, std::numeric_limits<double>::quiet_NaN()));
   return missing.size() == 1 ? std::optional(missing.front()) : std::nullopt;
 }
 
-/// How many entries are those of Bayer's matrix of that size.
+/// The number of entries that equal those of Bayer's matrix of that size.
 long entries_of_bayer(const std::vector<double>& entries) {
   const auto size = static_cast<int>(std::lround(std::sqrt(static_cast<double>(entries.size()))));
   long same = 0;
@@ -43,7 +42,7 @@ long entries_of_bayer(const std::vector<double>& entries) {
   return same;
 }
 
-/// What an entry in the place of another does to the matrix: its offsets are shares of a step.
+/// The effect of a wrong entry on the matrix: its offsets are shares of a step.
 std::string effect_of_entry(std::string_view matrix, double x, double wanted) {
   const std::vector<double> printed = dither_matrix(matrix, x), corrected = dither_matrix(matrix, wanted);
   const auto size = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(printed.size()))));
@@ -80,7 +79,7 @@ Finding bayer(const Claim& claim) {
       effect_of_entry(matrix, x, *wanted)};
 }
 
-/// The rms of single pixels, each with its own offset, over all of them.
+/// The rms over all pixels, each with its own offset.
 double rms_before_blur(double steps, const std::vector<double>& offsets) {
   double squares = 0;
   for (const double offset : offsets) squares += power(march_rms_at_offset(steps, offset), 2);
@@ -95,7 +94,7 @@ struct March {
   Verdict verdict = Verdict::confirmed;
 };
 
-/// Whether the errors of plain marches fall along the printed step counts.
+/// Whether the errors of plain marches decrease for the printed step counts.
 March plain_marches(const std::vector<double>& counts) {
   std::vector<std::string> parts;
   March march;
@@ -139,7 +138,7 @@ March dithered_march(const std::vector<double>& offsets, double dithered, double
   return march;
 }
 
-/// What the largest error of a march does to a half-lit ray of strength 1.
+/// The effect of a march's largest error on a half-lit ray of strength 1.
 std::string effect_of_march(double largest, std::string_view what, const std::string& lead) {
   Effect effect;
   effect.show(0.5, 0.5 + largest, {{"lit share ", 0.5}});
@@ -173,13 +172,13 @@ Finding march_steps(const Claim& claim) {
                  effect_of_march(corrected.largest, "it", fmt::format("the same with {}", corrected_x))})};
 }
 
-/// The sum of weights at which white loses so many codes.
+/// The sum of weights at which white loses that many codes.
 double weight_that_loses(double codes, double epsilon) {
   const double kept = srgb_decode((255 - codes) / 255);
   return epsilon * kept / (1 - kept);
 }
 
-/// What epsilon does to white whose taps have that sum of weights: one that is 0 leaves black.
+/// The effect of epsilon on white if the taps have that sum of weights: with sum 0 it is black.
 std::string effect_on_white(double weight, double epsilon, const std::string& lead) {
   Effect effect;
   effect.show(1, guarded_mean(weight, weight, epsilon), {{"W = ", weight}});

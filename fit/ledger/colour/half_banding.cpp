@@ -19,15 +19,15 @@
 namespace shadefit {
 namespace {
 
-/// What rounding each operation to half makes of a form of c^k.
+/// A form of c^k with each operation rounded to half.
 using Rounded = HalfResult (*)(const HalfResult& cos_theta, const HalfResult& exponent);
 
 struct RoundedForm {
   std::string_view name;
   Rounded curve;
-  bool is_published;  ///< one of the two that the claim speaks of
-  /// How many roundings the exponent of its exp2 goes through with a float cosine, each relative to the
-  /// exponent itself; 0: one of them is relative to something larger.
+  bool is_published;  ///< one of the two forms of the claim
+  /// The roundings of the exponent of its exp2 with a float cosine, each relative to the exponent; 0: one of
+  /// them is relative to something larger.
   int relative_roundings;
 };
 
@@ -41,14 +41,14 @@ constexpr std::array rounded_forms{
                 [](const HalfResult& c, const HalfResult& k) {
                   return gaussian_lobe_base_two_of_difference(c, base_two_power(k));
                 },
-                false, 2}};  // of c - 1 and of the product; that of A makes another smooth lobe
+                false, 2}};  // of c - 1 and of the product; rounding A only gives another smooth lobe
 
-/// A curve of a float or half cosine at one power, sampled as the inputs say.
+/// A curve of a float or half cosine at one power, sampled by the inputs.
 struct Highlight {
   double exponent;
   bool half_cosine;
   int samples;       ///< of a float cosine
-  double least = 0;  ///< jumps up to this, in codes, are not looked into
+  double least = 0;  ///< jumps up to this, in codes, are not examined
 };
 
 template <class Curve>
@@ -66,8 +66,8 @@ Banding banding_of(const RoundedForm& form, const Highlight& highlight) {
   return banding_of([&](double c) { return static_cast<double>(form.curve(HalfResult(c), k)); }, highlight);
 }
 
-/// The largest step, in 8-bit sRGB codes, that roundings can put into a smooth highlight of peak 1 and of any
-/// power up to `last`, where those of the exponent t of 2^-t are relative to it. With u = 2^-11 each value is
+/// The largest step, in 8-bit sRGB codes, that roundings can cause in a smooth highlight of peak 1 and of any
+/// power up to `last`, if roundings of the exponent t of 2^-t are relative to t. With u = 2^-11 each value is
 /// within 2^-t e^(+-r), r = ((1+u)^n - 1) t ln 2 + u, of the exact one, and a step is at most one such
 /// interval. Subnormal halves add 2^-25 to the result, and `last` times that to t. Searched over the value.
 double largest_step_of_roundings(int roundings, double last) {
@@ -80,13 +80,13 @@ double largest_step_of_roundings(int roundings, double last) {
   });
 }
 
-/// Whether those roundings prove that a form with a float cosine bands at no power up to `last`.
+/// Whether these roundings prove that a form with a float cosine never bands for powers up to `last`.
 bool never_bands(const RoundedForm& form, double visible, double last) {
   return form.relative_roundings > 0 && largest_step_of_roundings(form.relative_roundings, last) <= visible;
 }
 
-/// The first whole power up to `last` that bands, each one tried from 1 on. Empty where none does: proved by
-/// the roundings where that can be.
+/// The first whole power up to `last` that bands, found by trying each from 1 on. Empty if none does; proven
+/// by the roundings if possible.
 std::optional<int> first_banding_power(const RoundedForm& form, Highlight highlight, double visible,
                                        double last) {
   if (!highlight.half_cosine && never_bands(form, visible, last)) return std::nullopt;
@@ -98,8 +98,8 @@ std::optional<int> first_banding_power(const RoundedForm& form, Highlight highli
   return std::nullopt;
 }
 
-/// What rounding does to c^k at that power. A half cosine stands for all that round to it, up to half a step
-/// of the halves in [0.5, 1] on either side.
+/// The effect of rounding on c^k at that power. A half cosine represents all cosines that round to it: half a
+/// step of the halves in [0.5, 1] on both sides.
 Effect effect_of_rounding(const RoundedForm& form, const Highlight& highlight) {
   const HalfResult k = HalfResult::rounded(highlight.exponent);
   Effect effect;
@@ -118,7 +118,7 @@ Effect effect_of_rounding(const RoundedForm& form, const Highlight& highlight) {
   return effect;
 }
 
-/// A case of the claim: how many of the published forms band at the power, how many at the low one.
+/// A case of the claim: the number of published forms that band at the power, and at the low power.
 struct BandingCase {
   std::size_t bands = 0, low_bands = 0, forms = 0;
   Effect effect;  ///< of the published forms at the power

@@ -4,14 +4,14 @@
 #include <string_view>
 #include <vector>
 
-/// How a code of an 8-bit texture is read as linear light, by name: what the records on colour charts are
-/// judged under.
+/// Named conversions of a code of an 8-bit texture to linear light. The records on colour charts are judged
+/// under these.
 namespace shadefit {
 
 struct TransferFunction {
   std::string name;    ///< as the record writes it
   double gamma = 0;    ///< the exponent of a power; 0: the sRGB function
-  double codes = 255;  ///< what a code is divided by
+  double codes = 255;  ///< the divisor of a code
 
   double linear(double code) const;  ///< of a code in [0, codes]
   double code(double linear) const;  ///< as a real number, of linear light in [0, 1]

@@ -22,7 +22,7 @@
 namespace shadefit {
 namespace {
 
-/// "zero in half and float, not in double", each list only where it has members.
+/// "zero in half and float, not in double", without empty lists.
 std::string split_list(const std::vector<std::string>& yes, std::string_view word,
                        const std::vector<std::string>& no, std::string_view other) {
   std::string out;
@@ -32,12 +32,12 @@ std::string split_list(const std::vector<std::string>& yes, std::string_view wor
   return out;
 }
 
-/// What a format makes of exp(-k).
+/// The values of exp(-k) in a format.
 struct Underflow {
   bool power_is_zero;     ///< 0^k == 0
   bool gaussian_is_zero;  ///< exp(k 0 - k) == 0
   double last;            ///< the largest power of the format with exp(-k) > 0
-  double last_normal;     ///< and with exp(-k) normal: where subnormals are flushed to zero
+  double last_normal;     ///< the same with exp(-k) normal, for machines that flush subnormals to zero
 };
 
 Underflow underflow_in(std::string_view format, double power) {
@@ -73,7 +73,7 @@ Finding gaussian_at_zero(const Claim& claim) {
   }
   const Decimal50 exact = gaussian_lobe(Decimal50(0), Decimal50(power), Decimal50(0));
   const double magnitude = static_cast<double>(log10(exact));
-  // Exactly it holds whatever the power: the formats decide between `confirmed` and `conditional`.
+  // In exact arithmetic it holds for every power: the formats decide between `confirmed` and `conditional`.
   const Verdict verdict = power_is_zero && exact > 0
                               ? verdict_of_cases(1 + nonzero.size(), 1 + formats.size())
                               : Verdict::refuted;
@@ -92,14 +92,14 @@ Finding gaussian_at_zero(const Claim& claim) {
       effect == "none" ? none_because(fmt::format("{} is below the least positive double", value)) : effect};
 }
 
-/// How exp2(log2(0) b) fares in a format.
+/// The results of exp2(log2(0) b) in a format.
 double power_of_zero(std::string_view format, std::string_view exponent) {
   return in_format(format,
                    [&]<class T>() { return widened(power_by_exp2(integer<T>(0), constant<T>(exponent))); });
 }
 
-/// "b = 0 and 1e-09 (in half alone)", of the exponents for which `is_so` in some format; how many cases those
-/// are goes into `cases`.
+/// "b = 0 and 1e-09 (in half alone)", the exponents for which `is_so` is true in some format; `cases` gets
+/// their number.
 template <class Predicate>
 std::string exponents_that(const std::vector<std::string>& exponents, const std::vector<std::string>& formats,
                            const Predicate& is_so, std::size_t& cases) {
@@ -116,13 +116,14 @@ std::string exponents_that(const std::vector<std::string>& exponents, const std:
   return found.empty() ? "no b" : fmt::format("b = {}", enumerated(found));
 }
 
-/// What a render target of fixed point stores: NaN becomes 0. Source: Microsoft, Direct3D 11.3 Functional
+/// The stored value in a fixed-point render target: NaN becomes 0. Source: Microsoft, Direct3D 11.3
+/// Functional
 /// Specification, 3.2.3.6, "FLOAT -> UNORM".
 double as_stored(double value) {
   return std::isnan(value) ? 0 : value;
 }
 
-/// What exp2(log2(0) b) for 0^b stores, over all exponents and formats.
+/// The effect of exp2(log2(0) b) in the place of 0^b on stored values, over all exponents and formats.
 Effect effect_of_power_of_zero(const std::vector<std::string>& exponents,
                                const std::vector<std::string>& formats) {
   Effect effect;
@@ -136,7 +137,7 @@ Effect effect_of_power_of_zero(const std::vector<std::string>& exponents,
   return effect;
 }
 
-/// Where the sharpness A = k/ln 2 overflows a format, and what becomes of the Gaussian then.
+/// The overflow of the sharpness A = k/ln 2 in a format, and the Gaussian beyond it.
 struct Overflow {
   double last_power;              ///< the largest power of the format whose sharpness is finite
   bool is_nan = true;             ///< beyond it exp2(A c - A) is NaN at c = 0, 0.5 and 1

@@ -20,8 +20,7 @@
 namespace shadefit {
 namespace {
 
-/// The instructions that a source names, as in "SUB LOG2 MUL EXP2". Throws std::invalid_argument for one that
-/// is not known.
+/// The instructions of a text such as "SUB LOG2 MUL EXP2". Throws std::invalid_argument for an unknown one.
 Operations instructions_of(std::string_view text) {
   struct Named {
     std::string_view name;
@@ -42,12 +41,12 @@ Operations instructions_of(std::string_view text) {
   return found;
 }
 
-/// What is printed of a form: how many instructions, and which.
+/// The printed instructions of a form: their number and their names.
 struct PrintedCount {
   double total;
   Operations instructions;
 
-  /// The i-th of a claim, whose printed quantities are a number and a list by turns.
+  /// The i-th form of a claim: its printed quantities are a number and a list, in turn.
   static PrintedCount of(const Claim& claim, std::size_t i) {
     return {number_of(claim.printed[2 * i].value), instructions_of(claim.printed[2 * i + 1].value)};
   }
@@ -67,7 +66,7 @@ std::string with_total(const Operations& count) {
   return fmt::format("{} ({})", to_text(count), count.total());
 }
 
-/// ". Compilers emit .. for pow (..)", or nothing where none of the forms was compiled.
+/// ". Compilers emit .. for pow (..)", or nothing if no form was compiled.
 std::string compiled_text(const std::vector<std::string_view>& forms) {
   std::vector<std::string> words;
   const auto pair = [](int alu, int transcendental) { return fmt::format("{}+{}", alu, transcendental); };
@@ -85,7 +84,7 @@ std::string compiled_text(const std::vector<std::string_view>& forms) {
       enumerated(words), nvidia_compiler, amd_compiler);
 }
 
-/// What a wrong count means: "1 instruction more than printed".
+/// A wrong count in words: "1 instruction more than printed".
 std::string effect_of_count(double printed, int counted_total) {
   const double difference = counted_total - printed;
   if (difference == 0) return "the number is right, but the instructions differ";
@@ -93,7 +92,7 @@ std::string effect_of_count(double printed, int counted_total) {
                      difference > 0 ? " more" : " fewer");
 }
 
-/// The parts of a finding, joined as they come. A count changes no picture: what it means is the reason of a
+/// The parts of a finding, joined in order. A count changes no picture, so its meaning is the reason of a
 /// "none".
 struct Parts {
   std::vector<Verdict> verdicts;
@@ -115,7 +114,7 @@ struct Parts {
   }
 };
 
-/// Each printed count is that of the form which the input of the same place names.
+/// Each printed count belongs to the form that the input at the same place names.
 Finding count_forms(const Claim& claim) {
   Parts parts;
   std::vector<std::string_view> forms;
@@ -138,8 +137,8 @@ struct Convention {
   Operations count;
 };
 
-/// `confirmed` where the formula as written has the printed instructions, `other-objective` where it has them
-/// under one of the conventions; a count has no last digit to be off by one.
+/// `confirmed` if the formula as written has the printed instructions, `other-objective` if it has them under
+/// a convention. `rounding` does not apply to a count.
 Verdict judge_count(const PrintedCount& printed, const Operations& as_written,
                     std::span<const Convention> conventions) {
   if (printed.is(as_written)) return Verdict::confirmed;

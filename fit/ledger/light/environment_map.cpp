@@ -25,7 +25,7 @@ Finding evaluate_lambert(const Claim& claim) {
     const double last_level = std::log2(width);
     found = power_of_solid_angle(mean_texel_solid_angle(width, last_level));
     gap = std::max(gap, std::abs(found - printed));
-    // the second way: the face itself, by the closed form of a texel
+    // the second method: the face itself, by the closed form of a texel
     apart = std::max(apart, std::abs(found - power_of_solid_angle(texel_solid_angle(-1.0, -1.0, 2.0))));
   }
   const double width = widths.front();
@@ -46,7 +46,7 @@ Finding evaluate_lambert(const Claim& claim) {
               : effect_of_power(printed, found, fmt::format("c^{:.3g} for c^{:.3g}", found, printed))};
 }
 
-/// A way to read "unblurred", and the power from which on it holds.
+/// A meaning of "unblurred", and the power from which on it holds.
 std::vector<Alternative> readings_of_unblurred(const Claim& claim) {
   const double width = given(claim, "width"), size = 2 / width;
   const auto power_that_covers = [](double solid_angle) { return power_of_solid_angle(solid_angle); };
@@ -73,7 +73,7 @@ Finding evaluate_mean_power(const Claim& claim) {
     words.push_back(fmt::format("{:.6g} for {}", reading.value, reading.objective));
     reading.value /= unit;
   }
-  // The source names no criterion, so each reading is a convention that the digits may come from.
+  // The source names no criterion, so each meaning is a convention that may give the digits.
   const Judgement closest = judge(leading, readings.front(), std::span(readings).subspan(1));
   const double s = number_of(printed);
   std::string evidence =

@@ -21,14 +21,14 @@
 namespace shadefit {
 namespace {
 
-/// Truth is in 50 digits; two ways to it agree to this, relative to values of the order of one.
+/// The truth has 50 digits. Two methods agree to this, for values of the order of one.
 constexpr double truths_agree = 1e-45;
 
 double rounded(const Decimal50& x) {
   return x.convert_to<double>();
 }
 
-/// The numbers from `from` to `to` in `steps` equal steps that a claim is given.
+/// The inputs of a claim: numbers from `from` to `to` in `steps` equal steps.
 template <class T>
 std::vector<T> places(const Claim& claim) {
   const auto from = constant<T>(claim.inputs.at("from")), to = constant<T>(claim.inputs.at("to"));
@@ -38,7 +38,7 @@ std::vector<T> places(const Claim& claim) {
   return result;
 }
 
-/// The powers of the glosses that a claim is given.
+/// The powers of the glosses of a claim.
 std::vector<double> powers(const Claim& claim) {
   std::vector<double> result;
   for (const double gloss : places<double>(claim))
@@ -58,7 +58,7 @@ std::string glosses(const Claim& claim) {
                      claim.inputs.at("from"), claim.inputs.at("to"), all.front(), all.back());
 }
 
-/// What decoding to M with the printed constant does to exp2(M c - M), at the gloss where it is most.
+/// The effect of decoding M with the printed constant on exp2(M c - M), at the worst gloss.
 std::string effect_on_lobe(const Claim& claim, double ratio) {
   Effect most;
   for (const double exponent : powers(claim)) {
@@ -93,7 +93,7 @@ Finding log2_constant(const Claim& claim) {
           effect_on_lobe(claim, rounded(ratio))};
 }
 
-/// What a printed factor does to the normalisation, at the gloss where it is most.
+/// The effect of a printed factor on the normalisation, at the worst gloss.
 std::string effect_on_normalisation(const Claim& claim, double factor, double constant_term) {
   const auto printed = [&](double exponent) {
     return base_two_normalisation(base_two_power(exponent), factor, constant_term);
@@ -202,7 +202,7 @@ Finding normalised_mad(const Claim& claim) {
       effect_on_normalisation(claim, number_of(printed), rounded(constant_term))};
 }
 
-/// What c = exp(log(c)) becomes with it.
+/// The value of exp(log(c)) with it.
 Effect effect_of_misprinted_log() {
   Effect effect;
   effect.show(1, exp(misprinted_log_by_log2(1.0)), at_cosine({1, 0}));

@@ -25,8 +25,8 @@ std::string number(long count) {
   return std::to_string(count);
 }
 
-/// Which places of the printed series a computed one agrees with; a place that only one of them has counts as
-/// wrong.
+/// The places where a computed series agrees with the printed one. A place that only one of them has counts
+/// as wrong.
 struct Places {
   long right = 0;
   long wrong = 0;
@@ -34,7 +34,7 @@ struct Places {
   double wanted = 0;  ///< the printed one there
 };
 
-/// Powers of two are exact up to the last bits of exp2: a printed one is met within 1e-12 of itself.
+/// Powers of two are exact up to the last bits of exp2: they must agree with printed ones to 1e-12.
 Places compare_with_printed(const Quantities& printed, const std::vector<double>& powers) {
   Places places;
   for (std::size_t i = 0; i < std::max(printed.size(), powers.size()); ++i) {
@@ -52,7 +52,7 @@ Places compare_with_printed(const Quantities& printed, const std::vector<double>
   return places;
 }
 
-/// What the series does at the place where it is furthest off.
+/// The effect of the series at its worst place.
 std::string effect_of(const Places& places, std::string_view maker) {
   if (places.wrong == 0) return "none";
   if (places.wanted == 0) return none_because("the series have different lengths");
@@ -64,8 +64,7 @@ std::string effect_of(const Places& places, std::string_view maker) {
                   maker, counted(places.wrong, "level"), places.worst, found, places.wanted));
 }
 
-/// The powers for which the levels of a chain are made. `is_whole_quotient`: level / (levels - 1) as the
-/// integers of C divide.
+/// The powers of the levels of a chain. `is_whole_quotient`: level / (levels - 1) with C's integer division.
 std::vector<double> gloss_chain(int levels, double octaves, double first_octave, bool is_whole_quotient) {
   if (levels < 2) throw std::invalid_argument("a chain has at least two levels");
   std::vector<double> powers;
@@ -77,21 +76,21 @@ std::vector<double> gloss_chain(int levels, double octaves, double first_octave,
   return powers;
 }
 
-/// What a shader finds in a prefiltered chain for each code of a stored gloss.
+/// The powers that a shader finds in a prefiltered chain, for each code of a stored gloss.
 struct Selection {
   double worst_ratio = 1;  ///< power found over power wanted, furthest from 1
   double wanted = 0;       ///< there
   int worst_code = 0;      ///< there
-  std::vector<int> found;  ///< the codes whose power is found within the steps of the gloss that count
+  std::vector<int> found;  ///< the codes whose power is found within the allowed steps of the gloss
 };
 
-/// Whether the codes say more than the two ends of the gloss, which any count finds: the first level is that
-/// of g = 1 and the last one that of g = 0.
+/// Whether more codes agree than the two ends of the gloss. The ends agree for any count: the first level has
+/// g = 1, the last has g = 0.
 bool has_more_than_the_ends(const std::vector<int>& codes, int last_code) {
   return std::any_of(codes.begin(), codes.end(), [&](int code) { return code != 0 && code != last_code; });
 }
 
-/// `count`: what the shader multiplies 1 - g by.
+/// `count`: the shader's factor of 1 - g.
 Selection select_levels(const Claim& claim, double count) {
   const double levels = given(claim, "levels");
   const double octaves = given(claim, "octaves");

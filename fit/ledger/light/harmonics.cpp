@@ -43,8 +43,8 @@ Integral product_by_gauss_kronrod(int i, int j) {
   return {whole.value, whole.error + 2 * inner_error};
 }
 
-/// The same by equal steps in the azimuth, which are exact for the products' angles up to 2 phi, and
-/// tanh-sinh in z. That rule never settles on an integral that is 0: it is given one that is not.
+/// The same by equal steps in the azimuth, which are exact for angles up to 2 phi, and tanh-sinh in z. That
+/// rule never settles on an integral of 0, so 1 is added to it.
 Integral product_by_steps(int i, int j) {
   constexpr int steps = 8;
   const auto ring = [&](double z) {
@@ -59,7 +59,7 @@ Integral product_by_steps(int i, int j) {
   return {shifted.value - 2, shifted.error};
 }
 
-/// The ten integrals of products: the norms, and how far the others are from 0.
+/// The ten integrals of products: the norms, and the largest of the others, which should be 0.
 struct Orthogonality {
   std::array<double, 4> norm{};
   double coupling = 0;  ///< the largest between two different functions
@@ -134,13 +134,13 @@ Finding evaluate_memory(const Claim& claim) {
                           : "")};
 }
 
-/// What the first bands keep of the clamped cosine.
+/// The part of the clamped cosine in its first bands.
 struct Kept {
   double energy = 0;          ///< share of the squared norm
-  double peak = 0;            ///< value that faces the light, where the original has 1
-  std::vector<double> peaks;  ///< what each band adds to that
+  double peak = 0;            ///< value towards the light, where the original is 1
+  std::vector<double> peaks;  ///< the sums up to each band
 
-  /// What is left of max(cos theta, 0).
+  /// The projection of max(cos theta, 0).
   double at(double cos_theta) const {
     double sum = 0;
     for (std::size_t band = 0; band < peaks.size(); ++band)
@@ -149,7 +149,7 @@ struct Kept {
   }
 };
 
-/// What keeping those bands does to a white surface, at every degree from the light.
+/// The effect of keeping only those bands on a white surface, at every degree from the light.
 std::string effect_of_keeping(const Kept& kept, std::string_view coefficients) {
   Effect effect;
   for (int degrees = 0; degrees <= 180; ++degrees) {
@@ -167,7 +167,7 @@ Kept keep_bands(int bands, Agreement& agreement) {
   for (int band = 0; band < bands; ++band) {
     const double moment = clamped_cosine_moment<double>(band);
     const auto integrand = [band](double c) { return c * legendre_polynomial(band, c); };
-    // An odd moment beyond the first is 0: compared are moments shifted by 1.
+    // An odd moment beyond the first is 0, so moments plus 1 are compared.
     const auto shifted = [](Integral integral) { return Integral{integral.value + 1, integral.error}; };
     agreement.compare(moment + 1,
                       shifted(gauss_kronrod(integrand, 0, 1, harmonic_tolerance, harmonic_tolerance)),
@@ -179,7 +179,8 @@ Kept keep_bands(int bands, Agreement& agreement) {
   return kept;
 }
 
-/// A number as the fraction of the smallest denominator up to 4096 that is it to 1e-12; else as a decimal.
+/// A number as the fraction with the smallest denominator up to 4096 that equals it to 1e-12; else as a
+/// decimal.
 std::string as_fraction(double value) {
   for (int denominator = 1; denominator <= 4096; ++denominator) {
     const double numerator = std::round(value * denominator);
@@ -189,14 +190,14 @@ std::string as_fraction(double value) {
   return decimal(value, 6);
 }
 
-/// The fewest bands from which on the value that faces the light stays within one 8-bit sRGB code of the
-/// original, of those up to `most`; 0 if none.
+/// The number of bands from which on the value towards the light is within one 8-bit sRGB code of the
+/// original, for up to `most` bands; 0 if there is none.
 int bands_within_a_code(int most) {
   int enough = 0;
   double peak = 0;
   for (int band = 0; band < most; ++band) {
     peak += peak_of_band(band, clamped_cosine_moment<double>(band));
-    // above 1 the code is clamped, but the light is not: an excess counts as its mirror image
+    // above 1 the code is clamped but the light is not: an excess counts like the same deficit
     const bool is_within = srgb_code(1.0) - srgb_code(1 - std::abs(peak - 1)) <= 1;
     if (!is_within) enough = 0;
     if (is_within && enough == 0) enough = band + 1;

@@ -19,7 +19,7 @@
 namespace shadefit {
 namespace {
 
-/// Asked of every rule: two digits below the strictest tolerance of the claims.
+/// The tolerance of every rule: two digits below the strictest tolerance of the claims.
 constexpr double rule_tolerance = 1e-14;
 constexpr double whole_turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
@@ -46,7 +46,7 @@ std::string lost_caps() {
       widened(lost) / degree, widened(cap_solid_angle_near_axis(lost)));
 }
 
-/// What half precision makes of the form, at every half-angle that is a half from 2^-6, a degree, to pi.
+/// The form in half precision, at every half-angle that is a half from 2^-6 (about a degree) to pi.
 std::string effect_of_cap() {
   Effect effect;
   for (std::uint16_t bits = 9 << 10;; ++bits) {
@@ -89,7 +89,7 @@ Integral integrated_texel(double x, double y, double size) {
   return {whole.value, whole.error + inner_error * size};
 }
 
-/// The closed form beside the rule.
+/// The closed form and the rule.
 double compare_texel(double x, double y, double size, Agreement& agreement) {
   const double closed_form = texel_solid_angle(x, y, size);
   const Integral rule = integrated_texel(x, y, size);
@@ -97,15 +97,15 @@ double compare_texel(double x, double y, double size, Agreement& agreement) {
   return closed_form;
 }
 
-/// What it means that a texel covers `ratio` of the mean one, for the power whose lobe covers a mean texel.
+/// The effect on the power whose lobe covers a mean texel, if a texel covers `ratio` of the mean one.
 std::string effect_of_texel(double mean, double ratio, const std::string& where) {
   const double wanted = power_of_solid_angle(mean);
   return effect_of_power(wanted, power_of_solid_angle(ratio * mean),
                          fmt::format("{} the power of the texel instead of {:.4g}", where, wanted));
 }
 
-/// The level at which a mean texel covers what the lobe covers, by bisection: a texel doubles its edge with
-/// each level.
+/// The level at which a mean texel covers the lobe's solid angle, by bisection: the edge of a texel doubles
+/// with each level.
 double solved_level(double width, double exponent) {
   double low = -64, high = 64;
   for (int i = 0; i < 60; ++i) {
@@ -156,7 +156,7 @@ Finding evaluate_texel(const Claim& claim) {
   const double mean = mean_texel_solid_angle(width, given(claim, "level"));
   Agreement agreement, of_face;
   const double corner = compare_texel(1 - size, 1 - size, size, agreement) / mean;
-  // One that touches the centre; of a face that is one texel, that texel.
+  // A texel at the centre; if the face is one texel, that texel.
   const double centre = compare_texel(edge < 2 ? -1 : 0, edge < 2 ? -1 : 0, size, agreement) / mean;
   const Integral face = integrated_texel(-1, -1, 2);
   of_face.compare(mean * edge * edge, face, {texel_solid_angle(-1.0, -1.0, 2.0), face.error});

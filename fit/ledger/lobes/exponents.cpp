@@ -27,7 +27,7 @@ std::vector<ExponentInterval> where_not_negative(const std::function<double(doub
     const double right = *next, at_right = margin(right);
     const bool was = at_left >= 0, is = at_right >= 0;
     if (was != is) {
-      // 34 bits: ten digits, more than are printed. Fifty steps bound what takes about eight.
+      // 34 bits: ten digits, more than are printed. Eight steps are usual, fifty the limit.
       std::uintmax_t steps = 50;
       const auto root =
           boost::math::tools::toms748_solve(at_log, std::log(left), std::log(right), at_left, at_right,

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Where something said of a lobe holds: for which specular exponents.
+/// The specular exponents for which a statement on a lobe holds.
 namespace shadefit {
 
 /// The exponents of a closed interval.
@@ -15,9 +15,9 @@ struct ExponentInterval {
 /// `from`, 2 from, 4 from, .. and `to`; 0 < from < to.
 std::vector<double> doubling_exponents(double from, double to);
 
-/// Where margin(k) >= 0, among the rising `exponents` and what lies between them: sign changes between
-/// neighbours are refined to a root, in log k; two within one gap are missed, so the exponents have to be as
-/// close as the function asks for. An end of an interval that is no root is the first or last exponent.
+/// The intervals with margin(k) >= 0 over the rising `exponents`. Sign changes between neighbours are refined
+/// to a root, in log k. Two changes within one gap are missed, so the exponents must be close enough for the
+/// function. An end of an interval that is not a root is the first or last exponent.
 std::vector<ExponentInterval> where_not_negative(const std::function<double(double exponent)>& margin,
                                                  const std::vector<double>& exponents);
 
@@ -27,8 +27,8 @@ bool covers(const std::vector<ExponentInterval>& intervals, double from, double 
 /// An exponent in a sentence: 4 digits, and whole thousands as they are.
 std::string exponent_text(double exponent);
 
-/// "from k = 13.87 on", "up to k = 8.067", "for k from 1 to 2", by "and" where there are several; "for every
-/// k" and "for no k" of the `exponents` looked at.
+/// "from k = 13.87 on", "up to k = 8.067", "for k from 1 to 2", joined by "and"; "for every k" and "for no k"
+/// of the `exponents`.
 std::string sentence(const std::vector<ExponentInterval>& intervals, const std::vector<double>& exponents);
 
 }  // namespace shadefit

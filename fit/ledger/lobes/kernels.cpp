@@ -58,7 +58,7 @@ double time_of(double sharpness, double exponent) {
   return 1 / (2 * exponent * sharpness);
 }
 
-/// The heat kernel at the nodes of a rule: the polynomials, which do not know the parameter, are computed
+/// The heat kernel at the nodes of a rule: the polynomials do not depend on the parameter, and are computed
 /// once.
 class HeatValues {
  public:
@@ -104,7 +104,7 @@ Kernel heat_kernel(double exponent, double sharpness) {
   };
 }
 
-/// Fits sharpnesses between these, in units of the exponent: the best of all kernels lie well inside.
+/// The range of fitted sharpnesses, in units of the exponent: the best of all kernels lie well inside.
 constexpr double least_sharpness = 0.25, largest_sharpness = 8;
 
 LobeCandidate fit_candidate(const LobeRule& rule, std::string_view name, const Kernel& kernel) {
@@ -124,14 +124,14 @@ constexpr std::string_view spherical_gaussian = "the spherical Gaussian";
 constexpr std::string_view printed_gauss = "the printed Gauss-Weierstrass";
 constexpr std::string_view heat = "Gauss-Weierstrass on the sphere";
 
-/// What of the printed Gaussian is squared: the angle, or the chord from the axis to the direction.
+/// The squared quantity of the printed Gaussian: the angle, or the chord from the axis to the direction.
 double abscissa(std::string_view reading, const Place& place) {
   if (reading == "angle") return place.angle;
   if (reading == "chord") return std::sqrt(2 * place.one_minus_cos);
   throw std::invalid_argument(fmt::format("x is read as angle or chord, not as {}", reading));
 }
 
-/// The formula of a kernel of the record, but for the heat kernel, which is a series.
+/// The formula of a kernel of the record; not for the heat kernel, which is a series.
 Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
   if (name == spherical_gaussian)
     return [=](const Place& p, double s) { return gaussian_lobe_near_peak(p.one_minus_cos, k * s, 0.0); };
@@ -152,7 +152,7 @@ LobeCandidate candidate(const LobeRule& rule, std::string_view name, std::string
   return {name, fit.rms, fit.parameter, heat_kernel(rule.exponent(), fit.parameter)};
 }
 
-/// Each at its best; the spherical Gaussian first.
+/// Each with its best parameter; the Spherical Gaussian first.
 std::vector<LobeCandidate> candidates(const LobeRule& rule, std::string_view names,
                                       std::string_view reading) {
   std::vector<LobeCandidate> all{candidate(rule, spherical_gaussian, reading)};
@@ -175,12 +175,11 @@ bool rules_agree(const LobeRule& rule, const std::vector<LobeCandidate>& all) {
   });
 }
 
-/// What each exponent has: its candidates, and who is best.
+/// The candidates of an exponent, and the best.
 struct Contest {
   double exponent;
   std::vector<LobeCandidate> candidates;
-  /// Of those that take part the one with the least squared error; of equal ones, to the tolerance of the
-  /// rules, the first.
+  /// The participant with the least squared error; of equal ones, to the tolerance of the rules, the first.
   template <class TakesPart>
   const LobeCandidate& winner_among(const TakesPart& takes_part) const {
     double least = std::numeric_limits<double>::infinity();
@@ -192,7 +191,7 @@ struct Contest {
   const LobeCandidate& winner() const {
     return winner_among([](const LobeCandidate&) { return true; });
   }
-  /// That kernel at its best, or null where it does not take part.
+  /// That kernel with its best parameter, or null if it does not take part.
   const LobeCandidate* find(std::string_view name) const {
     const auto found = std::find_if(candidates.begin(), candidates.end(),
                                     [&](const LobeCandidate& c) { return c.name == name; });
@@ -200,8 +199,8 @@ struct Contest {
   }
 };
 
-/// Whether the integrals are known well enough to say who wins: what another has more than the winner is more
-/// than the rules leave open, or as good as nothing.
+/// Whether the integrals are accurate enough to name the winner: the difference to every other kernel is
+/// larger than the errors of the rules, or negligible.
 bool is_sure(const LobeRule& rule, const Contest& contest) {
   const double least = contest.winner().square();
   return rules_agree(rule, contest.candidates) &&
@@ -211,7 +210,7 @@ bool is_sure(const LobeRule& rule, const Contest& contest) {
          });
 }
 
-/// "3, 4 and 5" of those exponents at which that kernel wins; empty where it never does.
+/// "3, 4 and 5" the exponents at which that kernel wins; empty if it never does.
 std::string exponents_won(const std::vector<Contest>& contests, std::string_view name) {
   std::vector<std::string> words;
   for (const Contest& contest : contests) {
@@ -220,7 +219,7 @@ std::string exponents_won(const std::vector<Contest>& contests, std::string_view
   return words.size() == contests.size() ? "all of them" : enumerated(words);
 }
 
-/// What a shader executes, counted from the formulas; c and the parameters are given.
+/// The instructions of a shader, counted from the formulas; c and the parameters are given.
 std::string costs() {
   const auto variable = [](const char* name) { return Symbolic::variable(name); };
   const Symbolic c = variable("c"), s = variable("s"), y = integer<Symbolic>(1) - c;
@@ -262,7 +261,7 @@ std::string errors_in_words(const std::vector<Contest>& contests, const std::vec
   return text;
 }
 
-/// What a candidate in the place of the lobe does, looked for at a thousand angles and both ends.
+/// The effect of a candidate in the place of the lobe, at a thousand angles and both ends.
 Effect effect_of(const LobeCandidate& candidate, double exponent) {
   constexpr int steps = 1000;
   Effect effect;
@@ -290,7 +289,8 @@ bool needs_more_than_the_cosine(std::string_view name, std::string_view reading)
   return name == heat || (name == printed_gauss && reading == "angle");
 }
 
-/// At how many exponents the spherical Gaussian has the smallest error of those that need the cosine alone.
+/// The number of exponents at which the Spherical Gaussian has the smallest error of the kernels that need
+/// only the cosine.
 long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view reading) {
   const auto takes_part = [&](const LobeCandidate& c) {
     return !needs_more_than_the_cosine(c.name, reading);
@@ -300,7 +300,7 @@ long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view r
   });
 }
 
-/// What its first rival has of the spherical Gaussian's error at the last exponent.
+/// The error of the first rival relative to the Spherical Gaussian's, at the last exponent.
 std::string ratio_in_words(const Contest& last, std::string_view reading) {
   const LobeCandidate& rival = last.candidates.at(1);
   std::string text = fmt::format("{} has {:.4g} of the error of the spherical Gaussian at k = {:.6g}",

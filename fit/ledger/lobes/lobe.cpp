@@ -17,7 +17,7 @@
 namespace shadefit {
 namespace {
 
-/// The exponents of a claim that is given their first and last.
+/// The exponents of a claim, between its first and last.
 std::vector<double> exponents_from_to(const Claim& claim) {
   return doubling_exponents(given(claim, "from"), given(claim, "to"));
 }
@@ -27,7 +27,7 @@ std::string looked_at(const std::vector<double>& exponents) {
   return fmt::format("over k = {} to {}", exponent_text(exponents.front()), exponent_text(exponents.back()));
 }
 
-/// A part of a claim that speaks of a range: it holds there, or only elsewhere, or nowhere.
+/// A part of a claim on a range: it holds there, or only elsewhere, or nowhere.
 Verdict verdict_of_range(bool holds, const std::vector<ExponentInterval>& where) {
   return holds ? Verdict::confirmed : where.empty() ? Verdict::refuted : Verdict::conditional;
 }
@@ -67,7 +67,7 @@ Finding offset_bounds(const Claim& claim) {
   return finding;
 }
 
-/// What is said of the best offset at whole powers: up to one of them it is bad, at the next it is not.
+/// The statement on the best offset at whole powers: up to one of them it is bad, at the next it is not.
 struct BadPowers {
   bool holds;
   std::vector<ExponentInterval> where;  ///< the least-squares fit is bad
@@ -86,7 +86,7 @@ BadPowers bad_powers(double bad, int last, const std::vector<double>& exponents)
   for (int whole = 1; whole <= last + 1; ++whole) {
     const double error = error_of_best_offset(whole), smallest = smallest_lobe_error(whole).error;
     const bool is_meant_bad = whole <= last;
-    // bad for every x: even for the one whose largest error is smallest
+    // bad for every x, even for the minimax offset
     result.holds = result.holds && (is_meant_bad ? smallest > bad : error <= bad);
     const std::string at = fmt::format(" at {}{}", whole == 1 ? "k = " : "", whole);
     fitted.push_back(fmt::format("{:.3g}{}", error, at));
@@ -135,11 +135,11 @@ Finding plain_accurate(const Claim& claim) {
       sentence(effect_of_gaussian(above, offset), "the curve", fmt::format("at k = {:.4g} the form", above))};
 }
 
-/// A crossing near the peak, and what is gained between it and the peak.
+/// A crossing near the peak, and the gain between it and the peak.
 struct PeakSide {
   double exponent;
   Cosine<double> crossing;
-  bool holds;             ///< the plain form is the closer one from there to the peak, and not below
+  bool holds;             ///< the plain form is closer from there to the peak, and not below
   Effect plain, shifted;  ///< of the two forms on the peak's side
 };
 
@@ -208,7 +208,7 @@ Finding plain_peak(const Claim& claim) {
            sentence(most.shifted, "the curve", fmt::format("with x = {:.4g} it", offset))})};
 }
 
-/// How far two offsets are apart over the exponents.
+/// The largest difference of two offsets over the exponents.
 struct OffsetGap {
   double low, high;
   std::vector<ExponentInterval> is_subtle, is_a_code;
@@ -216,7 +216,7 @@ struct OffsetGap {
 
   OffsetGap(double offset, double other, double subtle, const std::vector<double>& exponents)
       : low(std::min(offset, other)), high(std::max(offset, other)), is_known(true) {
-    // "below": the threshold itself is not in it, a matter of one point
+    // "below" excludes the threshold itself, one point
     is_subtle = where_not_negative([&](double k) { return subtle - at(k); }, exponents);
     is_a_code =
         where_not_negative([&](double k) { return 1 - largest_offset_codes(k, low, high); }, exponents);

@@ -15,7 +15,7 @@
 namespace shadefit {
 namespace {
 
-/// Where to look for an extremum: all of the cosine, scaled to the lobe.
+/// The substitution for an extremum: all cosines, scaled to the lobe.
 Substitution places(double exponent) {
   return {Metric{}, SgOffset{{exponent}}.shape()};
 }

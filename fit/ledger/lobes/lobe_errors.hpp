@@ -6,7 +6,7 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/quadrature/metric.hpp"
 
-/// How far the spherical Gaussian exp((k+x)(c-1)) is from c^k, and from itself at another offset.
+/// The error of the Spherical Gaussian exp((k+x)(c-1)) against c^k, and its difference from another offset.
 namespace shadefit {
 
 /// The largest |exp((k+x)(c-1)) - c^k| over c in [0, 1], k > 0.
@@ -20,31 +20,30 @@ double largest_lobe_codes(double exponent, double offset);
 Extremum largest_offset_difference(double exponent, double offset, double other);
 double largest_offset_codes(double exponent, double offset, double other);
 
-/// The least-squares offset under a measure, over the whole domain; empty where the fit does not converge.
+/// The least-squares offset under a measure, over the whole domain; empty if the fit does not converge.
 std::optional<double> best_offset(double exponent, Measure measure = Measure::cosine);
 
-/// The offset in [0, 2] whose largest error is smallest, and that error: what no x undercuts. As x grows the
-/// Gaussian falls everywhere, so what it exceeds c^k by shrinks and what it lacks grows: they are equal
-/// there.
+/// The minimax offset in [0, 2], and its error. As x grows, the Gaussian falls everywhere: its largest excess
+/// over c^k shrinks and its largest deficit grows. At the optimum they are equal.
 struct SmallestLobeError {
   double offset, error;
 };
 SmallestLobeError smallest_lobe_error(double exponent);
 
 /// The place in (0, 1) where the plain Gaussian is as far from c^k as the one with this offset; nearer to the
-/// peak the plain one is the closer. Empty for an offset that is not above 0: there is none.
+/// peak the plain one is closer. Empty if the offset is not above 0.
 std::optional<Cosine<double>> peak_crossing(double exponent, double offset);
 
 /// |exp((k+x)(c-1)) - c^k| at a place.
 double lobe_error_at(const Cosine<double>& c, double exponent, double offset);
 
-/// Shows an effect what using the Gaussian for c^k does at a place.
+/// Adds the change from c^k to the Gaussian, at a place, to an effect.
 void show_gaussian(Effect& effect, const Cosine<double>& c, double exponent, double offset);
 
-/// What using the Gaussian for c^k does to a picture.
+/// The effect of using the Gaussian for c^k.
 Effect effect_of_gaussian(double exponent, double offset);
 
-/// What using one offset for another does to it.
+/// The effect of using one offset for another.
 Effect effect_of_offset(double exponent, double from, double to);
 
 }  // namespace shadefit

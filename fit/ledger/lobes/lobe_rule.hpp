@@ -92,8 +92,8 @@ struct KernelFit {
   double rms;
 };
 
-/// Minimises the square over p between `low` and `high`: the best of nine places even in log p, refined
-/// between its neighbours to half the digits of p, which is all that a minimum has; the rms has them all.
+/// Minimises the square over p between `low` and `high`: the best of nine places, even in log p, refined
+/// between its neighbours. p gets half the digits of a double, as in every minimum; the rms gets all.
 /// `values(p)` gives the kernel at the rule's nodes.
 template <class Values>
 KernelFit fit_kernel(const LobeRule& rule, const Values& values, double low, double high) {

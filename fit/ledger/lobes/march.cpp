@@ -46,7 +46,7 @@ MarchError march_error(std::vector<double> places) {
   const auto cube = [](double t) { return t * t * t; };
   MarchError error;
   double squares = 0, left = 0;
-  // From `left` to `right` k places lie below the edge: the error is k/n - e.
+  // For an edge between `left` and `right`, k places lie below it: the error is k/n - e.
   const auto piece = [&](double k, double right) {
     const double at_left = k / n - left, at_right = k / n - right;
     squares += (cube(at_left) - cube(at_right)) / 3;

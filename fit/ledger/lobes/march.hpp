@@ -10,7 +10,7 @@ namespace shadefit {
 /// Throws std::invalid_argument unless it is square, its size a power of two, with one letter x.
 std::vector<double> dither_matrix(std::string_view text, double x);
 
-/// What of 0/n .. (n-1)/n, n the number of entries, is not among them.
+/// The numbers of 0/n .. (n-1)/n, n the number of entries, that are missing.
 std::vector<double> missing_from(const std::vector<double>& entries);
 
 /// Errors of the estimated lit share of a ray, over a shadow edge uniform along it; light of strength 1.
@@ -20,9 +20,8 @@ struct MarchError {
   double rms_by_warnock = 0;  ///< the same rms by another formula
 };
 
-/// The error of the mean of samples at these places in [0, 1), in any order, the ray lit from 0 to the edge
-/// e:
-/// #{s < e}/N - e. Between two places it is a straight line, so each piece of its square has an integral.
+/// The error of the mean of samples at these places in [0, 1), in any order, with the ray lit from 0 to the
+/// edge e: #{s < e}/N - e. Between two places it is linear in e, so the integral of its square is exact.
 ///
 /// Warnock's formula for the same (1972, "Computational investigations of low-discrepancy point sets"):
 ///   1/3 - (1/N) sum (1 - s^2) + (1/N^2) sum sum (1 - max(s, s')).

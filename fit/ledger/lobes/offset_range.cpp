@@ -39,7 +39,7 @@ std::optional<OffsetRange> offset_range(Measure measure, const std::vector<doubl
       static_cast<std::size_t>(std::min_element(offsets.begin(), offsets.end()) - offsets.begin());
   const auto best =
       static_cast<std::size_t>(std::max_element(offsets.begin(), offsets.end()) - offsets.begin());
-  // A maximum has half the digits of its place, and the largest x all of its own.
+  // The place of a maximum has half the digits, the largest x has all.
   std::uintmax_t steps = 30;
   const auto peak = boost::math::tools::brent_find_minima(
       [&](double log_exponent) { return -best_offset(std::exp(log_exponent), measure).value_or(0); },

@@ -44,7 +44,7 @@ struct Angles {
   double blinn;  ///< between n and h
 };
 
-/// Straight from the vectors r = 2 (n.l) n - l and h ~ l + v.
+/// Computed from the vectors r = 2 (n.l) n - l and h ~ l + v.
 Angles angles_of(const Vector& light, const Vector& view) {
   const Vector reflected{-light[0], -light[1], light[2]};
   const Vector half{light[0] + view[0], light[1] + view[1], light[2] + view[2]};
@@ -74,8 +74,8 @@ FactorRange factor_in_plane(double step) {
   return range;
 }
 
-/// The largest value of a function of the light over the hemisphere; the view lies at azimuth 0, and what is
-/// on either side of its plane mirrors the other.
+/// The largest value of a function of the light over the hemisphere; the view is at azimuth 0, and the two
+/// sides of its plane are mirror images.
 template <class F>
 double largest_over_lights(const F& f) {
   return largest_sampled([&](double s) {
@@ -83,16 +83,16 @@ double largest_over_lights(const F& f) {
   });
 }
 
-/// cos^rho of an angle, 0 beyond the right angle.
+/// cos^rho of an angle, 0 beyond 90 degrees.
 double lobe_of_angle(double angle, double exponent) {
   return power_lobe(positive_part(std::cos(angle)), exponent);
 }
 
-/// What a view makes of the factor.
+/// The factor at a view.
 struct AtView {
   double angle;          ///< from the normal, in degrees
   double across;         ///< phong/blinn at the peak, across the plane
-  double excess;         ///< the largest 2 blinn - phong, searched, in degrees
+  double excess;         ///< the largest 2 blinn - phong, by search, in degrees
   double lawful_excess;  ///< and by `sine_of_half_excess`
   double lobe;           ///< the largest difference of cos^rho(phong) from cos^rho(2 blinn)
 };
@@ -100,8 +100,8 @@ struct AtView {
 AtView look_from(double view_angle, double exponent) {
   const double from_normal = radians(view_angle);
   const Vector view = direction(from_normal, 0), mirrored = direction(from_normal, pi<double>());
-  // A light this far off the mirror direction, at right angles to its plane: near enough to the peak for six
-  // digits (the next term is of the second order), far enough for the roundings of an angle.
+  // The distance of a light from the mirror direction, perpendicular to the plane: near enough to the peak
+  // for six digits (the next term is of the second order), far enough for the rounding of angles.
   constexpr double off = 1e-5;
   const Angles near_peak =
       angles_of({mirrored[0] * std::cos(off), std::sin(off), mirrored[2] * std::cos(off)}, view);
@@ -117,7 +117,7 @@ AtView look_from(double view_angle, double exponent) {
           })};
 }
 
-/// What the lobe of twice the Blinn angle does in the place of Phong's, seen from one angle: over lights at
+/// The effect of the lobe of twice the Blinn angle in the place of Phong's, for one view: over lights at
 /// every degree from the normal and around it, on one side of the plane of the view.
 Effect effect_seen_from(double view_angle, double exponent) {
   constexpr int step = 1;
@@ -142,13 +142,12 @@ std::string listed(const std::vector<AtView>& views, const F& value, int digits)
   return enumerated(words);
 }
 
-/// An angle of some ten roundings, and a quotient of two.
+/// About ten roundings of an angle, and a quotient of two.
 constexpr double angle_tolerance = 1e-12;
-/// A maximum that is searched down to half the digits of its place, in degrees; and the second-order term of
-/// `off`.
+/// A maximum whose place has half the digits, in degrees; and the second-order term of `off`.
 constexpr double search_tolerance = 1e-6;
 
-/// Whether what was searched at a view follows its laws.
+/// Whether the search at a view agrees with the laws.
 bool follows_the_laws(const AtView& at) {
   return std::abs(at.excess - at.lawful_excess) <= search_tolerance &&
          std::abs(at.across - angle_ratio_across(std::cos(radians(at.angle)))) <= search_tolerance;

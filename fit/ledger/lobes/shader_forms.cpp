@@ -74,7 +74,7 @@ Symbolic whole_term(const Symbolic& weight) {
 }
 
 Symbolic mip_level_of_known_width(bool is_successor_given) {
-  const auto width = integer<Symbolic>(128);  // any number: what is known before costs nothing
+  const auto width = integer<Symbolic>(128);  // any number: constants cost nothing
   return is_successor_given ? mip_level_of_successor(width, v("s1")) : mip_level_of_power(width, v("s"));
 }
 

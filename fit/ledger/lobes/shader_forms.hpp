@@ -9,9 +9,9 @@
 /// scalar.
 namespace shadefit {
 
-/// What the form of that name computes, with the variables that a shader has at hand: a cosine c, a power k
-/// or s, a sharpness A, a gloss g. A form of lights has a result for each. Throws std::invalid_argument for a
-/// name that is none.
+/// The results of the form of that name, in the variables of a shader: a cosine c, a power k or s, a
+/// sharpness A, a gloss g. A form of lights has one result per light. Throws std::invalid_argument for an
+/// unknown name.
 std::vector<Symbolic> shader_form(std::string_view name, int lights = 1);
 
 }  // namespace shadefit

@@ -19,8 +19,8 @@
 namespace shadefit {
 namespace {
 
-/// What both rules, their estimates and the cut have to leave of an integral that is 1; absolute. They agree
-/// to 1e-14.
+/// The bound on the error of an integral that is 1, absolute: both rules, their estimates and the cut-off
+/// tail. The rules agree to 1e-14.
 constexpr double integral_tolerance = 1e-12;
 
 /// The integral of the density over the sphere: 2 pi dy over y = 1 - c in [0, 2], in t = k y.
