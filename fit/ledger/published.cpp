@@ -15,7 +15,7 @@
 namespace shadefit {
 namespace {
 
-/// The record with the claim's printed number and exponents, which a test may change.
+/// The record with the printed number and the exponents of the claim, which a test may change.
 Published as_claimed(Published record, const Claim& claim, std::string_view printed) {
   record.printed = printed;
   for (const Quantity& input : claim.inputs) {
@@ -50,8 +50,8 @@ std::string what_is_computed(const Published& published) {
   throw std::logic_error("a statement without words");
 }
 
-/// Of a number that was printed without its exponent: what it does in the place of the best one, at the worst
-/// exponents of the family's sweep.
+/// For a number that was printed without its exponent: the effect of using it instead of the best, at the
+/// worst exponents of the family's sweep.
 std::string effect_elsewhere(FitCache& fits, const Published& published, const Metric& metric) {
   const std::size_t parameter = parameter_index(fits.family(), published.parameter);
   Effect worst;
@@ -80,7 +80,7 @@ Finding evaluate_part(FitCache& fits, const Published& published, const Domain& 
                     " at k = {:.3g} under the cosine measure, and rounds to it from k = {:.3g} to {:.3g}",
                     range->exactly, range->from, range->to)
               : " at no exponent of the sweep";
-    // of a number without its exponent the computed thing is where it is right
+    // for a number without its exponent, the computed text names the exponents where it is right
     finding.computed = range ? fmt::format("the best from k = {:.3g} to {:.3g}", range->from, range->to)
                              : "the best at no k";
     finding.effect = effect_elsewhere(fits, published, assessment->metric);

@@ -6,8 +6,8 @@
 /// Claims about the constants of fitted families.
 namespace shadefit {
 
-/// Judges the printed numbers of a claim as those of its published constants: by fits on the domain of the
-/// inputs `from` and `to`, over the exponents of the input `exponents` where the claim has one.
+/// Judges the printed numbers of a claim like its published constants: by fits on the domain of the inputs
+/// `from` and `to`, over the input `exponents` if the claim has one.
 Finding evaluate_published(const Claim& claim, Fits& fits);
 
 }  // namespace shadefit

@@ -4,7 +4,7 @@
 
 #include "fit/ledger/finding.hpp"
 
-/// How the claims of each topic are computed: one function a topic, one file behind each.
+/// The functions that compute the claims: one function and one file for each topic.
 namespace shadefit {
 
 std::span<const Evaluator> lobe_evaluators();

@@ -7,11 +7,11 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/support/decimal.hpp"
 
-/// On which part something holds.
+/// The ranges in which a condition holds.
 namespace shadefit {
 
-/// The ranges of s in [0, 1] on which f is negative. Sampled: changes of its sign are looked for between the
-/// `search_points` and both ends, and halved down to a double; two within one cell are not seen.
+/// The ranges of s in [0, 1] on which f is negative. Sampled: changes of its sign between the `search_points`
+/// and both ends are refined by bisection; two changes within one cell are missed.
 template <class F>
 std::vector<std::pair<double, double>> where_negative(const F& f) {
   const auto is_inside = [&](double s) { return f(s) < 0; };

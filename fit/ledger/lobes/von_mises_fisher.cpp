@@ -81,7 +81,7 @@ double concentration_of_error(double share) {
   return -std::log(share) / 2;
 }
 
-/// The relative error that shifts no colour by more than one 8-bit sRGB code.
+/// The largest relative error that shifts no colour by more than one 8-bit sRGB code.
 double share_of_one_code() {
   double low = 0, high = 1;
   for (int i = 0; i < 53; ++i) {
@@ -94,15 +94,15 @@ double share_of_one_code() {
 Finding sharp_density(const Claim& claim) {
   const double k = number_of(claim.printed[0].value), about = given(claim, "about");
   const double law = von_mises_fisher_sharp_error(k);
-  double apart = 0;  // of the two densities' ratio from the law
+  double apart = 0;  // the difference of the two densities' ratio from the law
   for (const double y : parse_sweep(claim.inputs.at("y"))) {
     const double ratio = von_mises_fisher_sharp(y, k) / von_mises_fisher(1 - y, k);
     apart = std::max(apart, std::abs(ratio - 1 - law));
   }
-  // Two exponentials and a handful of products, each rounded: some ten epsilons.
+  // Two exponentials and a few products, each rounded: about ten epsilons.
   constexpr double rounding = 1e-14;
   const double from = concentration_of_error(about), from_code = concentration_of_error(share_of_one_code());
-  // At the printed k the error is largest of all k that the claim speaks of.
+  // Of all k of the claim, the error is largest at the printed k.
   const double least = concentration_of_error(given(claim, "no longer about"));
   const Verdict verdict = k >= from    ? Verdict::confirmed
                           : k >= least ? Verdict::conditional

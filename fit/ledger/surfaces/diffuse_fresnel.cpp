@@ -15,12 +15,12 @@
 namespace shadefit {
 namespace {
 
-/// Quadrature is asked for this, relative; sums of a few parts of size 1 are then good to 1e-12.
+/// The relative tolerance of quadrature: sums of a few parts of size 1 are then accurate to 1e-12.
 constexpr double mean_tolerance = 1e-14;
 constexpr double mean_rounding = 1e-12;
 
-/// The mean over the hemisphere of f(F), F Schlick's at each direction, weighted by the cosine: the integral
-/// of f 2c dc by Gauss-Kronrod, the difference to tanh-sinh as its error.
+/// The mean over the hemisphere of f(F), with Schlick's F at each direction, weighted by the cosine: the
+/// integral of f 2c dc by Gauss-Kronrod, the difference to tanh-sinh as its error.
 template <class F>
 Integral hemisphere_mean(const F& f, double f0) {
   const auto integrand = [&](double c) { return f(schlick_reflectance(f0, schlick_weight(c))) * 2 * c; };
@@ -48,8 +48,9 @@ Sum sum_of(const Factor& factor_of, double albedo, double f0) {
   return {at_normal, at_grazing, sky.value, std::max(error, sky.error)};
 }
 
-/// The smallest cosine from which on up to 1 the sum is at most 1; above 1: none. Linear in F, it is 1 at one
-/// weight w of Schlick's between normal (w = 0) and grazing (w = 1), and c = 1 - w^(1/5).
+/// The smallest cosine such that the sum is at most 1 from there to c = 1; above 1 if there is none. The sum
+/// is linear in F, so it is 1 at one weight w of Schlick's formula between normal (w = 0) and grazing (w =
+/// 1), and c = 1 - w^(1/5).
 double from_cosine(const Sum& sum) {
   if (sum.at_normal > 1 + mean_rounding) return 2;
   if (sum.at_grazing <= 1 + mean_rounding) return 0;
@@ -65,7 +66,7 @@ DiffuseUnderFresnel both_ways(double albedo, double f0) {
       sum_of([&](double out, double in) { return Factor::factor(in, out, f0); }, albedo, f0);
   return {std::max(from_light.at_normal, towards_view.at_normal),
           std::max(from_light.at_grazing, towards_view.at_grazing),
-          from_light.under_sky,  // the same light, added up in another order
+          from_light.under_sky,  // the same light, summed in another order
           std::max(from_light.error, towards_view.error),
           std::max(from_cosine(from_light), from_cosine(towards_view))};
 }
@@ -84,7 +85,7 @@ std::string part_sentence(std::string_view factor, const DiffuseUnderFresnel& fo
       factor, found.at_normal, found.at_grazing, where_it_holds(found), found.under_sky);
 }
 
-/// What the stand-in does to a picture, by what both send back under a uniform sky.
+/// The effect of the stand-in, by the reflected light of both under a uniform sky.
 std::string effect_under_sky(const Claim& claim, double factor, double stand_in) {
   return effect_of_factor(stand_in, factor,
                           fmt::format("under a uniform sky {} instead of {}", claim.inputs.at("stand-in"),

@@ -4,17 +4,17 @@
 
 #include "fit/ledger/finding.hpp"
 
-/// The light that a Lambertian term under a mirror-like Fresnel reflection sends back together with it.
+/// The total reflected light of a Lambertian term and a mirror-like Fresnel reflection above it.
 namespace shadefit {
 
-/// What one way of attenuating the Lambertian term does to the sum of both, over all directions of the light
-/// and, light and view exchanged, of the view; the larger sum of the two.
+/// The sum of both for one way of attenuating the Lambertian term, over all directions of the light, and over
+/// all directions of the view with light and view exchanged; the larger of the two.
 struct DiffuseUnderFresnel {
   double at_normal = 0;   ///< the sum at normal incidence
-  double at_grazing = 0;  ///< and at grazing incidence: between them it is monotone
+  double at_grazing = 0;  ///< and at grazing incidence; between them it is monotonic
   double under_sky = 0;   ///< the mean under a uniform sky, weighted by the cosine
-  double error = 0;       ///< how far the two quadrature rules of these are apart, at most
-  /// The sum is at most 1 for cosines from here to 1; above 1: at none.
+  double error = 0;       ///< the largest difference of the two quadrature rules
+  /// The sum is at most 1 for cosines from here to 1; above 1 if for none.
   double from_cosine = 0;
 };
 

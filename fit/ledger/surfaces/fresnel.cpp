@@ -32,7 +32,7 @@ auto quadratic(double a, double b) {
   return [=]<class T>(const T& c) { return fresnel_quadratic(c, lift<T>(a), lift<T>(b)); };
 }
 
-/// F of a form less F of (1-c)^5, over the latter.
+/// (F of a form - F of (1-c)^5) / (F of (1-c)^5).
 template <class Form>
 auto relative_error(const Form& form, double f0) {
   return [=]<class T>(const T& c) {
@@ -55,7 +55,7 @@ double largest_code_shift(const Form& form, double f0) {
   });
 }
 
-/// What a form in the place of (1-c)^5 does to F.
+/// The effect of a form in the place of (1-c)^5 on F.
 template <class Form>
 Effect effect_on_reflectance(const Form& form, double f0) {
   const auto reflectance = [f0](const auto& weight) {
@@ -67,14 +67,14 @@ Effect effect_on_reflectance(const Form& form, double f0) {
   return effect_between(reflectance(exact), reflectance(form), Substitution({}, {}));
 }
 
-/// What a weight that should be 0 at normal incidence does there.
+/// The effect of a weight at normal incidence, where it should be 0.
 std::string effect_at_normal(double weight, double f0) {
   Effect effect;
   effect.show(f0, schlick_reflectance(f0, weight), at_cosine({1, 0}));
   return sentence(effect, fmt::format("F of f0 = {:.3g}", f0), "at normal incidence it");
 }
 
-/// The closed form beside the fit.
+/// The closed form and the fit.
 Finding sharpness_of_offset(const Claim& claim) {
   const double closed = one_term_sharpness(given(claim, "x"));
   const Verdict verdict = judge(claim.printed[0].value, {"", closed}, {}).verdict;
@@ -116,10 +116,10 @@ Finding quadratic_at_one(const Claim& claim) {
       effect_at_normal(value, f0)};
 }
 
-/// Both rules have to give the integrals below within this of each other, by their estimates too; absolute.
+/// The absolute bound on the difference of both rules and on their estimates, for the integrals below.
 constexpr double rms_tolerance = 1e-10;
 
-/// How far a form is from (1-c)^5, in the readings of "worse".
+/// The errors of a form against (1-c)^5, for each meaning of "worse".
 struct Distance {
   std::array<double, measures.size()> rms{};
   double uncertainty = 0;  ///< of the rms values, absolute: both rules' estimates and their difference
@@ -127,7 +127,8 @@ struct Distance {
   Extremum relative;
 };
 
-/// sqrt(integral of w e^2 / integral of w) over the angle, w of the measure, by one of the two rules.
+/// sqrt(integral of w e^2 / integral of w) over the angle, where w is the weight of the measure, by one of
+/// the two rules.
 template <class Error>
 std::array<double, 2> rms_and_error(const Error& error, Measure measure) {
   const auto weight = [&](double theta) {
@@ -142,7 +143,7 @@ std::array<double, 2> rms_and_error(const Error& error, Measure measure) {
   const Integral one = gauss_kronrod(square, 0, end, 1e-12), other = tanh_sinh(square, 0, end, 1e-12);
   const double total = gauss_kronrod(weight, 0, end, 1e-12).value;
   const double rms = std::sqrt(one.value / total);
-  // d sqrt(I) = dI / (2 sqrt(I)); an error that is nowhere but rounding has none to speak of
+  // d sqrt(I) = dI / (2 sqrt(I)); if the error is only rounding, so is the estimate
   const double doubt = one.error + other.error + std::abs(one.value - other.value);
   return {rms, rms > 0 ? doubt / total / (2 * rms) : std::sqrt(doubt / total)};
 }
@@ -170,12 +171,13 @@ std::string sentence_of(const Distance& d) {
   return enumerated(parts);
 }
 
-/// In how many of its readings, and in the first of all, one is further away than the other.
+/// The number of meanings in which one form is further away than the other, and whether the first is among
+/// them.
 struct Comparison {
   int worse = 0;
   int readings = 0;
   bool is_worse_in_first = false;
-  bool is_sure = true;  ///< the integrals are known well enough to be told apart
+  bool is_sure = true;  ///< the integrals are accurate enough to be compared
 };
 
 Comparison compare(const Distance& one, const Distance& other) {
@@ -291,7 +293,7 @@ HalfExcess excess_in_half(int steps) {
 Finding roughness_range(const Claim& claim) {
   const int steps = static_cast<int>(std::lround(given(claim, "steps")));
   const double highest = schlick_weight(given(claim, "from")), lowest = schlick_weight(given(claim, "to"));
-  double outside = 0;  // how far F leaves its range
+  double outside = 0;  // the distance of F from its range
   Effect effect;
   int pairs = 0, flat = 0;
   for (int i = 0; i <= steps; ++i) {
@@ -306,7 +308,7 @@ Finding roughness_range(const Claim& claim) {
       }
     }
   }
-  // Three operations on numbers of at most 1, each rounded by half an epsilon at most.
+  // Three operations on numbers of at most 1, each rounded by at most half an epsilon.
   const double rounding = 1.5 * std::numeric_limits<double>::epsilon();
   const bool stays = outside <= rounding;
   const HalfExcess half = excess_in_half(steps);

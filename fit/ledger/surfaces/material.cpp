@@ -19,11 +19,11 @@ namespace {
 struct Census {
   long above_one = 0;         ///< pairs whose albedo + F0, added up, is above 1
   long beyond_brightest = 0;  ///< pairs whose colour is above the closed form's brightest
-  int first_colour = -1;      ///< the darkest colour code among the first; -1: none
+  int first_colour = -1;      ///< the darkest colour code of these pairs; -1: none
 };
 
 Census census_of(double dielectric_f0, int codes) {
-  // Sums of three numbers of size 1: what exceeds 1 by a few roundings is 1.
+  // Sums of three numbers of size 1: a sum that exceeds 1 by a few roundings is 1.
   constexpr double one = 1 + 1e-12;
   Census census;
   for (int i = 0; i < codes; ++i) {
@@ -41,7 +41,7 @@ Census census_of(double dielectric_f0, int codes) {
   return census;
 }
 
-/// What a clamp of the base colour to the brightest that keeps the sum at most 1 does to a dielectric.
+/// The effect on a dielectric of clamping the base colour to the brightest with a sum of at most 1.
 std::string effect_of_clamp(double dielectric_f0, int codes) {
   const double brightest = std::max(0.0, brightest_base_colour(dielectric_f0, 0.0));
   Effect effect;
@@ -81,7 +81,7 @@ struct Channels {
   std::string sentence;  ///< "albedo 3, specular 3, roughness 1"
 };
 
-/// Of a list of maps, each with its number of channels behind its name.
+/// From a list of maps, each with its number of channels after its name.
 Channels channels_of(std::string_view maps) {
   Channels channels{0, std::string(maps)};
   for (const std::string_view map : items_of(maps))

@@ -21,8 +21,8 @@
 namespace shadefit {
 namespace {
 
-/// What the integrals are asked for, and what is promised of them: two digits of room, as the estimates of
-/// the rules are cautious. Searches, whose places are printed to four digits, ask for less.
+/// The tolerance of the integrals, and the promised error, two digits larger because the estimates of the
+/// rules are cautious. Searches, whose places are printed to four digits, need less.
 constexpr double microfacet_tolerance = 1e-13;
 constexpr double promised = 1e-11;
 constexpr double place_tolerance = 1e-9;
@@ -47,7 +47,7 @@ struct Widths {
   }
 };
 
-/// A number that the integrals should give, and how far from it the worst of them is.
+/// The largest difference of integrals from their expected value.
 struct Furthest {
   double relative = 0;  ///< the largest |integral / expected - 1|
   double integral = 0;  ///< there
@@ -62,7 +62,7 @@ void consider(Furthest& worst, const Furthest& one) {
   worst.error = error;
 }
 
-/// `confirmed` where all integrals agree to what is promised, empty where they are not known that well.
+/// `confirmed` if all integrals agree to the promised error, empty if they are not that accurate.
 std::optional<Verdict> judged(const Furthest& distance) {
   if (!(distance.error <= promised)) return std::nullopt;
   return verdict_of(distance.relative <= promised);
@@ -139,7 +139,7 @@ Finding gtr1_normalised(const Claim& claim) {
   return finding;
 }
 
-/// A distribution with the masking that it is given.
+/// A distribution with the masking of a claim.
 struct Pair {
   Distribution distribution;
   Masking masking;
@@ -184,7 +184,7 @@ std::string views_in_words(const std::vector<double>& angles) {
                      counted(static_cast<long>(angles.size()), "view angle"), angles.front(), angles.back());
 }
 
-/// What a masking does to a surface with F = 1 that should reflect all of the light.
+/// The effect of a masking on a surface with F = 1, which should reflect all of the light.
 std::string effect_of_masking(const Furthest& worst, std::string_view distribution) {
   return effect_of_factor(
       worst.integral, 1,
@@ -209,8 +209,9 @@ Finding masked_by_its_own(const Claim& claim) {
           holds ? "none" : effect_of_masking(worst, claim.inputs.at("distribution"))};
 }
 
-/// Up to where f stays at most 0 on a list of places with f's values there: the last place if it always does,
-/// else a root of f between the two where it changes; nothing where it is above 0 at the first.
+/// The end of the range in which f is at most 0, from a list of places and values: the last place if it
+/// always is, else a root of f between the two places where the sign changes; nothing if f is above 0 at the
+/// first place.
 std::optional<double> holds_up_to(const std::function<double(double)>& f, const std::vector<double>& places,
                                   const std::vector<double>& values) {
   const auto above = std::find_if(values.begin(), values.end(), [](double value) { return value > 0; });
@@ -223,7 +224,8 @@ std::optional<double> holds_up_to(const std::function<double(double)>& f, const 
   return (root.first + root.second) / 2;
 }
 
-/// Where a loan is within `allowed`: at every view up to a roughness, and at every roughness up to a view.
+/// The range in which a borrowed masking is within `allowed`: up to a roughness for every view, and up to a
+/// view for every roughness.
 struct LoanRange {
   std::optional<double> roughness;
   std::optional<double> view_angle;
@@ -274,7 +276,7 @@ std::string at_flattest_view(const MaskingTable& table) {
   return enumerated(ratios);
 }
 
-/// One loan: its verdict, how wrong it gets and where it is good enough.
+/// One borrowed masking: its verdict, its largest error and the range in which it is good enough.
 Finding loan(std::string_view distribution, const Claim& claim) {
   const Widths widths(claim);
   const auto angles = angles_of(claim);

@@ -68,14 +68,14 @@ std::string at_exponent(double value, std::optional<double> exponent) {
   return fmt::format("{:.10g}{}", value, exponent ? fmt::format(" at a = {:.6g}", *exponent) : "");
 }
 
-/// What a constant is measured in, as a number and as it is written.
+/// The unit of a constant, as a number and as text.
 struct Unit {
   double value = 1;
   std::string text = {};
 };
 
-/// A printed constant against 1 over the integral of its lobe, times a unit. Throws std::domain_error where
-/// the formula has no finite value.
+/// A printed constant and 1 over the integral of its lobe, times a unit. Throws std::domain_error if the
+/// formula has no finite value.
 Finding against_integrals(const Claim& claim, const PrintedConstant& printed, const Unit& unit = {}) {
   const auto exponents = exponents_of(claim);
   const auto checks = check_normalisation(record_of(claim), exponents);
@@ -121,7 +121,7 @@ Finding constant_alone(const Claim& claim) {
   return against_integrals(claim, PrintedConstant(claim.printed[0].value));
 }
 
-/// Every view angle of the claim, behind the one along the normal.
+/// The view along the normal, then every view angle of the claim.
 std::vector<double> views_of(const Claim& claim) {
   std::vector<double> angles = parse_sweep(claim.inputs.at("view angles"));
   std::sort(angles.begin(), angles.end());
@@ -174,7 +174,7 @@ Largest lowest_of(const std::vector<ReflectanceCurve>& curves) {
                                       curve->points.back().view_angle)};
 }
 
-/// A constant that is stated at v = n, and followed to every other view.
+/// A constant that is stated for v = n, at every other view.
 Finding constant_at_every_view(const Claim& claim) {
   const PrintedConstant printed(claim.printed[0].value);
   Finding finding = against_integrals(claim, printed);
@@ -200,7 +200,7 @@ Finding constant_at_every_view(const Claim& claim) {
   return finding;
 }
 
-/// The stand-in over the exact constant, less 1, as a function of the power of two that alpha is.
+/// (stand-in / exact constant) - 1, as a function of log2(alpha).
 class CheapRatio {
  public:
   explicit CheapRatio(const PrintedConstant& printed) : printed_(printed) {}
@@ -227,7 +227,8 @@ double root_of(const std::function<double(double)>& f, double left, double right
   return (root.first + root.second) / 2;
 }
 
-/// Where on the grid the stand-in is furthest from the exact constant, refined to a root of the slope.
+/// The place where the stand-in is furthest from the exact constant: the worst of a grid, refined to a root
+/// of the slope.
 double furthest_place(const CheapRatio& ratio) {
   double place = grid_first;
   for (double x = grid_first; x <= grid_last; x += grid_step) {
@@ -239,7 +240,7 @@ double furthest_place(const CheapRatio& ratio) {
   return root_of([&](double x) { return ratio.slope(x); }, left, right);
 }
 
-/// From where on, beyond `start`, it stays within `allowed`; empty where it never does.
+/// The place beyond `start` from which on it stays within `allowed`; empty if there is none.
 std::optional<double> close_from(const CheapRatio& ratio, double start, double allowed) {
   const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
   for (double x = grid_last; x > start && excess(x) <= 0; x -= grid_step) {
@@ -249,7 +250,7 @@ std::optional<double> close_from(const CheapRatio& ratio, double start, double a
   return std::nullopt;
 }
 
-/// Up to where, before `end`, it stays within `allowed`; empty where it never does.
+/// The place before `end` up to which it stays within `allowed`; empty if there is none.
 std::optional<double> close_up_to(const CheapRatio& ratio, double end, double allowed) {
   const auto excess = [&](double x) { return ratio.distance(x) - allowed; };
   for (double x = grid_first; x < end && excess(x) <= 0; x += grid_step) {
@@ -269,7 +270,7 @@ std::string within_one_code(const CheapRatio& ratio, double place) {
                      ranges.empty() ? std::string("nowhere") : enumerated(ranges));
 }
 
-/// Where it creates energy: "7.5 % seen along the normal .."
+/// The views at which it creates energy: "7.5 % seen along the normal .."
 std::string energy_in_words(const std::vector<ReflectanceCurve>& curves) {
   std::vector<std::string> parts;
   for (const ReflectanceCurve& curve : curves) {
@@ -283,7 +284,7 @@ std::string energy_in_words(const std::vector<ReflectanceCurve>& curves) {
   return fmt::format("{}", fmt::join(parts, "; at "));
 }
 
-/// Whether the lower the power the closer it is: everywhere, up to its furthest place, or not even there.
+/// Whether it is closer for lower powers: everywhere, up to its worst place, or not at all.
 Verdict closest_at_low_powers(const CheapRatio& ratio, double furthest) {
   for (double x = grid_first; x + grid_step <= furthest; x += grid_step) {
     if (ratio.distance(x) > ratio.distance(x + grid_step)) return Verdict::refuted;
@@ -344,7 +345,7 @@ Finding microfacet_constant(const Claim& claim) {
           plain.effect == "none" ? in_unit.effect : plain.effect};
 }
 
-/// What a detour costs in half precision: "none", or what it moves.
+/// The effect of a detour in half precision, or "none".
 std::string effect_in_half(const std::function<Eigen::half(Eigen::half)>& left,
                            const std::function<Eigen::half(Eigen::half)>& right) {
   int moved = 0;

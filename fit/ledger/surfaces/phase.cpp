@@ -17,14 +17,14 @@
 namespace shadefit {
 namespace {
 
-/// How far the rules may be from the closed form and from each other: they are asked for 1e-13, and sums of
-/// some hundred ordinates, each with a few roundings, stay within ten times that.
+/// The allowed difference of the rules from the closed form and from each other: their tolerance is 1e-13,
+/// and sums of about a hundred ordinates, each with a few roundings, stay within ten times that.
 constexpr double phase_agreement = 1e-12;
 
-/// The integral over the sphere by two rules, each in its own variable; in the error also what they are
-/// apart. Over the angle it is the form as printed, at g with its sign, in long double, where 1 + g^2 - 2 g c
-/// keeps 13 digits for |g| = 0.999; from the peak on it is the robust form of |g|, the sphere turned over for
-/// a negative g.
+/// The integral over the sphere by two rules, each in its own variable; the error includes their difference.
+/// Over the angle: the printed form, with the sign of g, in long double, where 1 + g^2 - 2 g c keeps 13
+/// digits for |g| = 0.999. From the peak on: the robust form of |g|, with the sphere turned over for a
+/// negative g.
 Integral over_the_sphere(double signed_g) {
   if (!(std::abs(signed_g) < 1)) throw std::invalid_argument("g has to lie between -1 and 1, both excluded");
   const double around = 2 * pi<double>();
@@ -35,7 +35,7 @@ Integral over_the_sphere(double signed_g) {
   };
   const Integral by_angle = tanh_sinh(in_angle, 0, pi<double>(), 1e-13);
   const double g = std::abs(signed_g);
-  if (g == 0) return by_angle;  // nothing to stretch
+  if (g == 0) return by_angle;  // no peak
   // 1-c = width (e^s - 1): from the peak on, the base grows by e every unit of s.
   const double width = (1 - g) * (1 - g) / (2 * g);
   const auto stretched = [&](double s) {
@@ -45,7 +45,7 @@ Integral over_the_sphere(double signed_g) {
   return {by_stretch.value, std::max(by_stretch.error, std::abs(by_stretch.value - by_angle.value))};
 }
 
-/// What single precision makes of the printed form at every other degree, the peak scaled to 1.
+/// The printed form in single precision at every other degree, with the peak scaled to 1.
 Effect effect_in_single(float g) {
   const auto exact = static_cast<double>(g);
   const double peak = henyey_greenstein_near_peak(0.0, exact);
@@ -81,7 +81,7 @@ Finding phase_normalisation(const Claim& claim) {
   const auto single = static_cast<float>(sharpest);
   const double off = error_at_peak(henyey_greenstein(1.0F, single), single);
   const double robust = error_at_peak(henyey_greenstein_near_peak(0.0F, single), single);
-  constexpr double roundings = 6e-7;  // ten of a float, as many as the form has operations
+  constexpr double roundings = 6e-7;  // ten roundings of a float, one for each operation of the form
   return {
       apart <= phase_agreement ? worst(verdicts) : std::nullopt, decimal(closed, 10),
       fmt::format(
