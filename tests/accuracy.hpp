@@ -11,8 +11,8 @@
 /// The ruler of the tests.
 namespace shadefit::testing {
 
-/// Whether `computed` is within a relative tolerance of the 50-digit `expected`; a failure says where (x) and
-/// how far. The expected value is wider than any computed one by its type.
+/// Whether `computed` is within a relative tolerance of the 50-digit `expected`; a failure names the place
+/// (x) and the distance. The type of the expected value is wider than any computed one.
 inline ::testing::AssertionResult is_close(const std::string& x, const Decimal50& expected,
                                            const Decimal50& computed, double tolerance) {
   const Decimal50 error = expected == 0 ? Decimal50(abs(computed)) : Decimal50(abs(computed / expected - 1));

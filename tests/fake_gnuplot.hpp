@@ -7,7 +7,7 @@
 
 #include "tests/temporary_directory.hpp"
 
-/// Stands in for gnuplot, so that the tests need none and can make it fail.
+/// A replacement of gnuplot, so that tests need no gnuplot and can make it fail.
 namespace shadefit::testing {
 
 /// An environment variable, put back at the end of its scope.

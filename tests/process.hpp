@@ -31,8 +31,7 @@ inline std::string read_all(int descriptor) {
 }
 
 /// Runs the built command; `prepare` runs in the child before it, with its standard streams in place, and may
-/// change them. What is read of standard output and standard error are pipes' contents; the latter has to fit
-/// into one.
+/// change them. Standard output and standard error are read from pipes; the latter must fit into one.
 inline Finished run_process(std::vector<std::string> arguments, const std::function<void()>& prepare) {
   std::array<int, 2> out{}, err{};
   if (::pipe(out.data()) != 0 || ::pipe(err.data()) != 0) return {-1, "", "no pipe"};

@@ -6,7 +6,7 @@
 
 namespace shadefit::testing {
 
-/// What the UserError of `work` says; empty where it throws none.
+/// The message of `work`'s UserError; empty if it throws none.
 template <class Work>
 std::string refusal(const Work& work) {
   try {

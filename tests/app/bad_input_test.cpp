@@ -73,7 +73,8 @@ TEST(BadInput, Domains) {
   expect_refusal({"fit", "sg-offset", "--domain", "0:2"},
                  "--domain '0:2' leaves [0, 1]: A and B are cosines");
   expect_refusal({"fit", "sg-offset", "--domain=-1:1"}, "--domain '-1:1' leaves [0, 1]: A and B are cosines");
-  // The narrowest is one rule for every verb; what is as wide is an answer, or a fit that did not converge.
+  // Every verb has the same rule for the narrowest domain. A domain of that width gives an answer, or a fit
+  // that did not converge.
   const std::vector<std::vector<std::string>> verbs{
       {"fit"}, {"better"}, {"certify"}, {"emit", "--lang", "c"}};
   for (std::vector<std::string> call : verbs) {
@@ -200,8 +201,8 @@ TEST(BadInput, Constraints) {
   }
 }
 
-// A form that may not exceed its target meets it to the second order at c = 1: fewer places than parameters
-// + 1 hold the optimum.
+// A form that may not exceed its target touches it to the second order at c = 1: fewer places than parameters
+// + 1 determine the optimum.
 TEST(BadInput, AnOptimumWithoutAnAlternation) {
   const Outcome outcome =
       run_command_line({"fit", "fresnel-square", "--norm", "minimax", "--one-sided", "below", "--json"});
@@ -266,7 +267,7 @@ TEST(BadInput, Baselines) {
       << other.err;
 }
 
-// Each of these is one file of a baseline gone wrong; the other is the committed one.
+// In each case one file of the baseline is wrong; the other is the committed one.
 TEST(BadInput, BaselinesThatAreNoTables) {
   const std::string committed = SHADEFIT_SOURCE_DIR "/reports/baseline";
   const std::string fits = read_file(committed + "/fits.csv");
@@ -314,7 +315,7 @@ TEST(BadInput, WhatIsPrintedIsOneLineOfUtf8) {
       "31m");  // U+009B begins a terminal's command as ESC [ does
 }
 
-// Every number that is one is taken, however small; the fit then ends with a status, never with a start
+// Every positive number is accepted, however small. The fit then ends with a status, never with a start
 // value.
 TEST(BadInput, NumbersAtTheEdgeOfADouble) {
   expect_refusal({"fit", "sg-offset", "--domain", "0x10:1"},
@@ -344,7 +345,7 @@ TEST(BadInput, NumbersAtTheEdgeOfADouble) {
       expect_no_answer({id, "--domain", domain});
     expect_no_answer({"sg-offset", "--exponent", "5", "--domain", domain});
   }
-  // Two parameters cannot come from a domain as narrow as that.
+  // A domain that narrow cannot determine two parameters.
   for (const char* domain : {"0.5:0.5000000001", "0.9999999998:1"})
     expect_no_answer({"fresnel-quadratic", "--domain", domain});
   for (const char* ior : {"1.0000000000000002", "0.9999999999999999"})
@@ -353,7 +354,7 @@ TEST(BadInput, NumbersAtTheEdgeOfADouble) {
   expect_no_answer({"phong-blinn", "--exponent", "1e308"});
 }
 
-// One parameter can: there the form has to meet the target near c = 1/2, 2^(-A/2) = 2^-5.
+// It can determine one: the form must equal the target near c = 1/2, 2^(-A/2) = 2^-5.
 TEST(BadInput, TheNarrowestDomainHasAnAnswer) {
   const Outcome outcome =
       run_command_line({"fit", "fresnel-one-term", "--domain", "0.5:0.5000000001", "--json"});

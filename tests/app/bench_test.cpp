@@ -21,7 +21,7 @@ using testing::run_process;
 using testing::snapshot;
 using testing::TemporaryDirectory;
 
-/// A sweep of so few floats that it takes no time: 3000 around 1/2.
+/// A sweep of few floats: 3000 around 1/2.
 constexpr const char* few = "0x3efff000:0x3f000000";
 
 Outcome bench(std::vector<std::string> arguments, const Checkpoint& checkpoint = keep_going) {
@@ -36,7 +36,7 @@ std::string refusal(const std::vector<std::string>& arguments) {
   return outcome.err;
 }
 
-// One width of one target: what the whole is made of, in a second.
+// One width of one target takes a second.
 TEST(BenchCommand, WritesTimesReportAndPictureData) {
   const TemporaryDirectory directory;
   const std::string out = directory / "out";
@@ -133,7 +133,7 @@ TEST(ExhaustiveCommand, ShardsMergeToTheBytesOfTheWhole) {
   EXPECT_EQ(read_file(directory / "merged"), read_file(directory / "whole"));
   EXPECT_EQ(merged.out.substr(0, 60), run("whole", {}).out.substr(0, 60)) << "asked again, it is there";
 
-  // What is missing, doubled or foreign is refused, and nothing is written.
+  // Missing, double or foreign shards are refused, and nothing is written.
   const auto before = snapshot(directory.path());
   EXPECT_EQ(run("new", {"--merge", directory / "shard1", directory / "shard3"}).err,
             "shadefit: --merge: shard 2/3 is missing\n");
@@ -167,7 +167,7 @@ TEST(ExhaustiveCommand, AStateThatWasChangedOrCutOffIsRefusedAndLeftAlone) {
 
 TEST(ExhaustiveCommand, InterruptedItLeavesAStateThatTheSameCommandGoesOnFrom) {
   const TemporaryDirectory directory;
-  // Several batches of floats, on which a form of multiplications takes a moment.
+  // Several batches of floats; a form of multiplications takes a moment for them.
   const std::vector<std::string> command{"--exhaustive", "schlick", "--range", "0x3c000000:0x3e000000",
                                          "--state"};
   const auto with_state = [&](const std::string& state) {
@@ -213,7 +213,7 @@ TEST(ExhaustiveCommand, AFullDiskLeavesTheOldState) {
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(refused.err, "shadefit: cannot write '" + (directory / "state") + "': File too large\n");
   EXPECT_TRUE(snapshot(directory.path()).empty());
-  // One that was begun stays where it was.
+  // A file with a started sweep is unchanged.
   run_process(whole, [] { testing::leave_pending(SIGINT, SIG_DFL); });
   const auto before = snapshot(directory.path());
   ASSERT_EQ(before.size(), 1U);

@@ -33,7 +33,7 @@ nlohmann::json fit_json(std::vector<std::string> arguments) {
   return nlohmann::json::parse(outcome.out);
 }
 
-// What a user reads is what was computed: 14 digits, through the command and its JSON.
+// The user reads the computed digits: 14, through the command and its JSON.
 TEST(FitCommand, JsonHasFourteenDigitsOfEveryReference) {
   for (const auto& reference : testing::read_references()) {
     std::vector<std::string> arguments{reference.constant, "--measure", reference.measure, "--domain",
@@ -162,7 +162,7 @@ TEST(FitCommand, ExitsWithOneWhereItDidNotConverge) {
       outcome.err,
       "shadefit: sg-offset at exponent 1e+160 did not converge: not-converged: the square of the error is "
       "below the least double\n");
-  // What is no answer has no digits.
+  // A fit without an answer has no digits.
   const auto refused =
       nlohmann::json::parse(run_command_line({"fit", "sg-offset", "--exponent", "1e160", "--json"}).out);
   EXPECT_TRUE(refused["digits"].is_null());

@@ -10,7 +10,7 @@
 #include "tests/scene/samples.hpp"
 #include "tests/temporary_directory.hpp"
 
-/// Scenes that are made to cost: the command refuses them, or reads them, within little memory and time.
+/// Hostile scenes: the command refuses or reads them with little memory and time.
 namespace shadefit {
 namespace {
 
@@ -39,7 +39,7 @@ void limit_all() {
   ::setrlimit(RLIMIT_CPU, &time);
 }
 
-/// What is said of a file that is refused.
+/// The message for a refused file.
 std::string refusal_of(const std::string& file) {
   const auto finished = run_process({"scene", file}, limit_all);
   EXPECT_EQ(finished.exit_code, 2) << file;
@@ -67,7 +67,7 @@ TEST(HostileScene, DepthAndNumber) {
   EXPECT_NE(refusal_of(wide).find("wide.gltf"), std::string::npos);
 }
 
-// A chunk that goes on for two gigabytes, of which there is nothing; lengths that end nowhere.
+// A chunk that claims two missing gigabytes; lengths beyond the end.
 TEST(HostileScene, ChunksPastTheEnd) {
   const TemporaryDirectory directory;
   const std::string chunk = testing::word(0x7fffffff) + "JSON";
@@ -112,7 +112,7 @@ TEST(HostileScene, LongTexts) {
             1000U);
 }
 
-// Each with a texture and powers of its own: what materials have in common is kept once.
+// Each with its own texture and powers; common data of materials are stored once.
 TEST(HostileScene, ManyTexturedMaterials) {
   const TemporaryDirectory directory;
   std::string materials;

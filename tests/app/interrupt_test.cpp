@@ -32,7 +32,8 @@ class Interrupt : public ::testing::Test {
   }
   ~Interrupt() override { release(signals_); }
 
-  /// Raises `signal` at the n-th call, counted from 1, and then looks as the command's own checkpoint does.
+  /// Raises `signal` at the n-th call, counted from 1, and then tests for it like the command's own
+  /// checkpoint.
   Checkpoint raising(int signal, int n) const {
     return [look = interruptible(signals_), signal, n, calls = 0]() mutable {
       if (++calls == n) std::raise(signal);
@@ -114,9 +115,9 @@ TEST_F(Interrupt, ARunEndsAtAnyCheckpointWithNothingWritten) {
   directory.file("out/report.md", "# shadefit report\n\nan older one\n");
   const auto before = snapshot(directory.path());
   for (const auto& run : {plain, with_plots}) {
-    // How often a run looks while gnuplot works is not known: it goes on until one comes to its end. The
-    // boxes of the proofs are alike, and some of them do; the last places, where files are written, are all
-    // tried but under the sanitizers, where a run takes seconds.
+    // The number of checkpoints while gnuplot works is not known, so the test goes on until a run ends. Some
+    // boxes of the proofs are enough, because all are similar. The last checkpoints, where files are written,
+    // are all tried, except under the sanitizers, where a run takes seconds.
 #ifdef SHADEFIT_SANITIZE
     constexpr int last_step = 3;
 #else
@@ -150,21 +151,21 @@ TEST_F(Interrupt, ALongFitAndACheckEndToo) {
   }
 }
 
-// A proof may take seconds: it looks at each of its boxes.
+// A proof may take seconds: it has a checkpoint at each of its boxes.
 TEST_F(Interrupt, AProofEndsAtItsBoxes) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"certify", "fresnel-quadratic"},
                                                     {"emit", "fresnel-quadratic", "--lang", "c"},
                                                     {"better", "sg-offset", "--exponent", "5"},
                                                     {"fit", "fresnel-quadratic", "--certify"},
                                                     {"fit", "fresnel-quadratic", "--round", "float"}}) {
-    // Few enough that no command can have as many but by its boxes: families, fits and settings are fewer.
+    // Only boxes can give this many checkpoints: families, fits and settings are fewer.
     const Outcome outcome = run_command_line(arguments, raising(SIGTERM, 20));
     EXPECT_EQ(outcome.exit_code, 143) << arguments.front();
     EXPECT_EQ(outcome.out, "") << arguments.front();
   }
 }
 
-/// A pipe that nobody reads.
+/// A pipe without a reader.
 struct UnreadPipe {
   std::array<int, 2> ends{};
   UnreadPipe() { EXPECT_EQ(::pipe(ends.data()), 0); }

@@ -14,7 +14,7 @@
 #include "tests/process.hpp"
 #include "tests/temporary_directory.hpp"
 
-/// Files of others beside ours, and what is not a file.
+/// Foreign files beside ours, and places that are not files.
 namespace shadefit {
 namespace {
 
@@ -160,7 +160,7 @@ TEST(OthersFiles, WhereNobodyCanBeToldNothingIsWritten) {
     EXPECT_EQ(broken.err, "shadefit: cannot write standard output: Broken pipe\n");
     EXPECT_EQ(snapshot(directory.path()).size(), 0U);
   }
-  // A filter without files ends as filters do.
+  // A filter without files works like other filters.
   const auto filter = run_process({"list"}, break_pipe);
   EXPECT_EQ(filter.exit_code, -1);
   EXPECT_EQ(filter.err, "");
@@ -181,7 +181,7 @@ TEST(OthersFiles, TwoRunsIntoOneDirectory) {
   EXPECT_EQ(run_command_line(run).exit_code, 0);
 }
 
-// A baseline as an older version left it, without any mark.
+// A baseline of an older version, without marks.
 TEST(OthersFiles, TablesOfAnOlderVersionAreRenewed) {
   const TemporaryDirectory directory;
   fs::copy(SHADEFIT_SOURCE_DIR "/reports/baseline", directory / "baseline");

@@ -131,8 +131,8 @@ TEST(RunPlots, NoPlotsMeansNoneOfTheirFiles) {
   EXPECT_EQ(read_file(directory / "out/report.md").find("plots/"), std::string::npos);
 }
 
-// Where gnuplot is installed, as in our CI, it draws every script without a complaint; elsewhere it is
-// missed.
+// If gnuplot is installed, as in our CI, it draws every script without a message; else its absence is
+// reported.
 TEST(RunPlots, TheGnuplotOfThisMachineDrawsThemAll) {
   const TemporaryDirectory directory;
   const Outcome outcome = run_command_line({"run", "--out", directory / "out"});
@@ -142,7 +142,7 @@ TEST(RunPlots, TheGnuplotOfThisMachineDrawsThemAll) {
   EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
   EXPECT_EQ(plots_in(directory).size(), find_gnuplot() ? 21U : 14U);
   if (!find_gnuplot()) return;
-  // As the script tells: a copy draws a picture of its own, and the ending of a name decides what it is.
+  // As the script says: a copy draws its own picture, and the ending of the name decides the format.
   const std::string plots = directory / "out/plots";
   fs::copy_file(plots + "/fresnel.gnuplot", plots + "/mine.gnuplot");
   const auto drawn = snapshot(plots);

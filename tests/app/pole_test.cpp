@@ -57,7 +57,7 @@ TEST(Pole, GivenParametersWithOneAreRefused) {
                  "fresnel-rational with a = -2" + line + "[0, 1]");
   expect_refusal({"certify", "fresnel-rational", "--parameters", "a=-2", "--domain", "0:0.5"},
                  "fresnel-rational with a = -2" + line + "[0, 0.5]");
-  // less than -1 by what no double holds
+  // below -1 by less than a double can hold
   expect_refusal({"certify", "fresnel-rational", "--parameters", "a=-1.00000000000000000000001"},
                  "fresnel-rational with a = -1.00000000000000000000001" + line + "[0, 1]");
   expect_refusal({"emit", "fresnel-rational", "--lang", "c", "--parameters", "a=-1.5"},
@@ -105,7 +105,7 @@ TEST(Pole, NoConstantsAreRoundedToOne) {
   EXPECT_LT(rounded["boxes"], 10000);
 }
 
-// The best float is the one next to -1, and what rounds near its pole has no finite bound.
+// The best float is next to -1, and rounding near its pole has no finite bound.
 TEST(Bound, AnInfiniteOneOfRoundedConstantsIsNoProof) {
   const Outcome outcome =
       run_command_line({"fit", "fresnel-rational", "--target", "exact", "--ior", "0.97", "--round", "float"});

@@ -19,7 +19,7 @@ TEST(Process, AFullDiskLeavesOldFilesAndNothingHalfWritten) {
   directory.file("out/report.md", "# shadefit report\n\nold\n");
   directory.file("out/mine", "of the user\n");
   const auto before = snapshot(directory.path());
-  // Both directories: one that is there, one that would be new.
+  // Both kinds of directories: an existing and a new one.
   for (const std::string out : {"out", "new/er"}) {
     const auto finished =
         run_process({"run", "--no-plots", "--out", directory / out}, [] { testing::limit_file_size(1024); });
@@ -28,7 +28,7 @@ TEST(Process, AFullDiskLeavesOldFilesAndNothingHalfWritten) {
     EXPECT_EQ(finished.err, "shadefit: cannot write '" + (directory / out) + "/report.md': File too large\n");
     EXPECT_EQ(snapshot(directory.path()), before);
 
-    // Plots are drawn elsewhere first, where it is no less full.
+    // Plots are drawn in another place first, which is full too.
     const auto with_plots =
         run_process({"run", "--out", directory / out}, [] { testing::limit_file_size(1024); });
     EXPECT_EQ(with_plots.exit_code, 2);
@@ -67,7 +67,7 @@ TEST(Process, AnInterruptionEndsARunWithNothingWritten) {
   }
 }
 
-// One that comes after the last checkpoint, as of a command that has none: all is done but the printing.
+// A signal after the last checkpoint, or in a command without one: only the output is left.
 TEST(Process, AnInterruptionOfThePrintingIsTold) {
   for (const auto& [signal, exit_code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}, {SIGHUP, 129}}) {
     const auto finished =
@@ -79,11 +79,11 @@ TEST(Process, AnInterruptionOfThePrintingIsTold) {
 }
 
 #ifndef SHADEFIT_SANITIZE  // which takes address space of its own
-// A text of a file is shortened before it is escaped, which takes 32 bytes and more for each of its own.
+// A text is shortened before it is escaped, because escaping takes at least 32 bytes per byte.
 TEST(Process, ALongCellOfABaselineTakesLittleMemory) {
   const TemporaryDirectory directory;
   std::filesystem::copy(SHADEFIT_SOURCE_DIR "/reports/baseline", directory / "baseline");
-  // What is longer than a table may be is refused by its size alone.
+  // A file that is too large for a table is refused by its size.
   constexpr std::size_t size = 3U << 20;
   const std::string claims = directory.file("baseline/claims.csv", std::string(size, 'a') + "\n");
   const auto finished = run_process({"check", "--baseline", directory / "baseline"}, [] {
@@ -151,7 +151,7 @@ TEST(Process, AWorkingDirectoryThatIsGone) {
   EXPECT_TRUE(std::filesystem::exists(directory / "y/report.md"));
 }
 
-// As a script starts what it leaves in the background: Ctrl-C is not meant for it.
+// As a script starts a background process: Ctrl-C does not concern it.
 TEST(Process, AnIgnoredInterruptionDoesNot) {
   const TemporaryDirectory directory;
   const auto finished = run_process({"run", "--out", directory / "out", "--only", "norm-lambert"},

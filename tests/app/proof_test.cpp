@@ -51,7 +51,7 @@ TEST(Certify, WritesACertificateThatHolds) {
   EXPECT_NE(holds.out.find("holds: the largest absolute error of exp2((a c + b) c) is in [0.0037664127395"),
             std::string::npos)
       << holds.out;
-  // What holds, with the constants put in.
+  // The statement, with constants as numbers.
   EXPECT_NE(holds.out.find("\n  form     exp2(((-5.55473) c + (-6.98316)) c)\n  target   (1 - c)^5\n"
                            "  error    absolute: form - target\n  domain   c from 0 to 1\n"
                            "  largest  at least 0.0037664127395"),
@@ -62,7 +62,7 @@ TEST(Certify, WritesACertificateThatHolds) {
       << holds.out;
 }
 
-/// Exponent, surface and the kind of error are part of what holds.
+/// Exponent, surface and the kind of error are part of the statement.
 TEST(Verify, SaysWhatHolds) {
   const TemporaryDirectory directory;
   const std::string file = directory / "some.json";
@@ -106,13 +106,13 @@ TEST(Verify, RefusesWithTheReason) {
   const std::string file = directory / "pair.json";
   ASSERT_EQ(run_command_line({"certify", "fresnel-quadratic", "--out", file}).exit_code, 0);
   std::string text = read_file(file);
-  // A changed field, digest as it was: an accident.
+  // A changed field with the old digest: an accident.
   auto fields = nlohmann::ordered_json::parse(text);
   fields["parameters"]["a"] = "-5.55437";
   const Outcome changed = run_command_line({"verify", directory.file("changed.json", fields.dump(1))});
   EXPECT_EQ(changed.exit_code, 1);
   EXPECT_NE(changed.err.find("is refused: its digest is"), std::string::npos) << changed.err;
-  // A false bound under a digest of its own: the mathematics refuses it.
+  // A false bound with a new digest: the mathematics refuses it.
   Certificate certificate = read_certificate(text, file).certificate;
   certificate.upper = certificate.lower;
   certificate.lower *= 0.5;
@@ -137,7 +137,7 @@ TEST(Verify, RefusesWithTheReason) {
 
 TEST(Fit, CertifyAddsProofs) {
   const json fit = json_of({"fit", "fresnel-quadratic", "--certify"});
-  // The search in doubles rounds: below its last digits the proof knows better.
+  // The search in doubles rounds: the proof is more accurate below its last digits.
   EXPECT_LE(fit["certified_max_abs_error"][0], fit["max_abs_error"].get<double>() * (1 + 1e-13));
   EXPECT_GE(fit["certified_max_abs_error"][1], fit["max_abs_error"]);
   EXPECT_EQ(fit["stationary_point"]["unique"], true);

@@ -10,7 +10,7 @@
 
 namespace shadefit::testing {
 
-/// The command refuses what is the user's to mend: exit 2, that one line, nothing on standard output.
+/// The command refuses an error of the user: exit 2, that one line, nothing on standard output.
 inline void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
   const Outcome outcome = run_command_line(arguments);
   EXPECT_EQ(outcome.exit_code, 2) << line;

@@ -101,8 +101,7 @@ TEST(SceneCommand, NamesStayInTheirComment) {
   }
 }
 
-// A shell that is given the recorded line makes that call, whatever the file is called, and starts nothing
-// else.
+// A shell runs the recorded line as that call, for every name of the file, and starts nothing else.
 TEST(SceneCommand, TheRecordedCommandIsAShells) {
   const TemporaryDirectory directory;
   const std::string shadefit = directory.file("bin/shadefit", "#!/bin/sh\nprintf '%s\\n' \"$@\"\n");

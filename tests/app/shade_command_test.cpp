@@ -23,7 +23,7 @@ constexpr const char* black_and_shiny =
     "newmtl black\nNs 50\nKs 0 0 0\nillum 2\n"
     "newmtl shiny\nNs 20\nKs 0.5 0.4 0.3\nillum 2\n";
 
-/// A picture of either kind, as far as it is looked at.
+/// A picture of either kind: the tested part.
 constexpr const char* drawing = "echo '</svg> IEND' > \"$picture\"";
 
 TEST(ShadeCommand, ComparesFourWays) {
@@ -81,7 +81,7 @@ TEST(ShadeCommand, APictureThatFailsIsTold) {
   EXPECT_EQ(outcome.err, "shadefit: scene.png was not drawn: line 3: no\n");
 }
 
-// By the gnuplot of this machine, where there is one.
+// By the gnuplot of this machine, if there is one.
 TEST(ShadeCommand, NamesAreNoCommandsOfGnuplot) {
   const TemporaryDirectory directory;
   std::string materials;

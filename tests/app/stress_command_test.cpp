@@ -37,7 +37,7 @@ TEST(StressCommand, RefusesBadUsage) {
   expect_refusal({"stress", "--out", (directory.path() / "taken").string()}, "taken");
 }
 
-// Given up in the middle it writes nothing.
+// If it is interrupted, it writes nothing.
 TEST(StressCommand, StopsAtACheckpointAndWritesNothing) {
   const TemporaryDirectory directory;
   int calls = 0;

@@ -158,7 +158,7 @@ TEST(Help, EveryExampleRuns) {
       std::vector<std::string> words = words_of_line(line);
       words.erase(words.begin());
       EXPECT_EQ(words.front(), command);
-      // That takes half a minute: it is enough that it begins.
+      // That takes half a minute, so the test only starts it.
       const bool is_long = command == "stress";
       const Checkpoint checkpoint = is_long ? Checkpoint([] { throw Interrupted{SIGINT}; }) : keep_going;
       const Outcome outcome = run_command_line(words, checkpoint);
@@ -196,7 +196,7 @@ TEST(ExplainCommand, Json) {
   EXPECT_EQ(claim["figure"], "plots/offset.svg");
 }
 
-/// What a shell command prints, its complaints too.
+/// The output and the errors of a shell command.
 std::string shell_output(const std::string& line) {
   FILE* pipe = ::popen((line + " 2>&1").c_str(), "r");
   std::string text;
@@ -209,7 +209,7 @@ bool is_installed(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
 }
 
-/// A file with what the command prints for that shell.
+/// A file with the command's output for that shell.
 std::string completion_file(const TemporaryDirectory& directory, const std::string& shell) {
   const Outcome made = run_command_line({"--completion", shell});
   EXPECT_EQ(made.exit_code, 0) << made.err;

@@ -19,7 +19,7 @@
 #include "reports/io/files.hpp"
 #include "tests/temporary_directory.hpp"
 
-/// What the command says of a machine, a disk or a file that is not as it should be, and how soon.
+/// Messages on faults of the machine, the disk or a file, and that they come early.
 namespace shadefit {
 namespace {
 
@@ -51,7 +51,7 @@ TEST(Unforeseen, SaysWhoseErrorItIs) {
       "5\n");
 }
 
-// What it lacks or cannot read is known before anything is computed.
+// Missing or unreadable files are reported before anything is computed.
 TEST(CheckCommand, LooksAtAllOfTheBaselineFirst) {
   const TemporaryDirectory directory;
   const auto refused = [&](const std::string& line) {
@@ -71,7 +71,7 @@ TEST(CheckCommand, LooksAtAllOfTheBaselineFirst) {
   refused("'" + (directory / "slow/accuracy.csv") + "' line 2 opens a quote and never closes it");
 }
 
-// Each command that writes at its end tries first whether it could.
+// Each command that writes at its end tests first whether it can write.
 TEST(Outputs, AreTriedBeforeTheWork) {
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"stress", "--out", "/proc/x"},

@@ -19,7 +19,7 @@ TEST(Ruler, SeesOneTolerance) {
   EXPECT_FALSE(is_close("", 0, Decimal50("1e-12"), 1e-13));
 }
 
-// The robust rearrangements are the plain formulas, in 50 digits, over the domain and beyond the useful
+// The robust rearrangements equal the plain formulas in 50 digits, over the domain and beyond the useful
 // offsets.
 TEST(Lobe, RobustFormsAreThePlainOnes) {
   for (const char* k : {"0.1", "1", "5", "37.5", "2048"}) {
@@ -66,7 +66,7 @@ TEST(PhongBlinn, RobustFormsAreThePlainOnes) {
         EXPECT_TRUE(is_close(where, Decimal50(blinn), Decimal50(blinn_lobe(Y, K, X)), tolerance));
         EXPECT_TRUE(is_close(where, Decimal50(blinn), Decimal50(blinn_lobe_of_cosine(C, K, X)), tolerance));
         const Decimal100 base = exp(Decimal100(4 * variable)), change = (X - 4) * variable;
-        // right to the rounding of the base, beside which form and target may both be next to nothing
+        // right to the rounding of the base; form and target may both be nearly zero
         EXPECT_TRUE(is_close(where, Decimal50(1 + difference / base),
                              Decimal50(1 + lobe_error(base, change, expm1(ratio)) / base), tolerance));
         EXPECT_TRUE(is_close(where, Decimal50(difference / power_lobe(C, K)),
@@ -89,7 +89,7 @@ T offset_error(const T& cos_theta, const T& one_minus_cos, const T& exponent, co
                     -(offset * one_minus_cos), expm1(ratio));
 }
 
-// In double the robust error keeps its digits where the plain difference has lost log10(k) of them.
+// In double the robust error keeps its digits; the plain difference has lost log10(k) of them.
 TEST(Lobe, TheErrorKeepsItsDigitsAtTheSharpestLobes) {
   for (const double k : {1e2, 1e4, 1e6}) {
     for (const double t : {0.1, 0.5, 3.4, 20.0}) {
@@ -153,8 +153,7 @@ TEST(Dielectric, Landmarks) {
   const Decimal50 n("1.5"), brewster = 1 / sqrt(Decimal50(1 + n * n));
   const Decimal50 rs = (n * n - 1) / (n * n + 1);
   EXPECT_TRUE(is_close("Brewster", rs * rs / 2, dielectric_reflectance(brewster, n), 1e-45));
-  // beyond the critical angle, sin = n, everything is reflected; and F is the same along one ray from both
-  // sides
+  // beyond the critical angle, sin = n, everything is reflected; and F is equal from both sides along one ray
   EXPECT_EQ(dielectric_reflectance(0.5, 1 / 1.5), 1);
   EXPECT_EQ(dielectric_reflectance(0.0, 1 / 1.5), 1) << "grazing from inside, where the quotients are 0/0";
   const Decimal50 c("0.8"), inside = sqrt(Decimal50(1 - (1 - c * c) / (n * n)));

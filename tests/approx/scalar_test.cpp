@@ -36,8 +36,8 @@ using testing::end;
 using testing::Formula;
 using testing::is_close;
 
-/// Shows a visitor every formula of approx/. No tuple of them: a type of 150 parts is in every name that the
-/// compiler makes.
+/// Calls a visitor with every formula of approx/. Not a tuple: a type of 150 parts would be in every name
+/// that the compiler makes.
 template <class Visit>
 void every_formula(const Visit& visit) {
   testing::lobe_formulas(visit);
@@ -95,7 +95,7 @@ struct Scalars {
   using Table = std::tuple<std::vector<Computed<T>>...>;
   using Tested = ::testing::Types<T...>;
 };
-/// Those of which the values are numbers.
+/// The rows whose values are numbers.
 using Numbers = Scalars<float, double, long double, Eigen::half, HalfResult, Bfloat16Result, Decimal50, Jet1,
                         NestedJet, WideNestedJet>;
 using AllScalars = Scalars<float, double, long double, Eigen::half, HalfResult, Bfloat16Result, Decimal50,
@@ -106,9 +106,8 @@ void append(std::vector<Computed<T>>& all, const std::string& of, const T& value
   all.push_back({of, value, epsilons});
 }
 
-/// Every formula in every scalar at all of its arguments. What is expected of the values is said elsewhere,
-/// once a scalar: here every line is compiled for each formula, and what is within `each` for each scalar
-/// too.
+/// Every formula in every scalar at all of its arguments. The expectations stand in one place for each
+/// scalar, because every line here is compiled for each formula, and lines within `each` for each scalar too.
 AllScalars::Table computed_in_all() {
   AllScalars::Table all;
   every_formula([&](const auto& formula) {
@@ -179,7 +178,7 @@ struct ScalarNames {
 TYPED_TEST_SUITE(EveryScalar, Numbers::Tested, ScalarNames);
 
 TYPED_TEST(EveryScalar, KeepsItsTypeAndAgreesWithFiftyDigits) {
-  // Truth is the same formula in 100 digits; that the formula itself is right, other tests say.
+  // The truth is the same formula in 100 digits. Other tests show that the formula itself is right.
   const auto& computed = every_formula_in<TypeParam>();
   const auto& truth = every_formula_in<Decimal100>();
   ASSERT_EQ(computed.size(), truth.size());
@@ -191,7 +190,7 @@ TYPED_TEST(EveryScalar, KeepsItsTypeAndAgreesWithFiftyDigits) {
   }
 }
 
-// A formula that went through its own expression is the formula.
+// A formula equals its own expression.
 TEST(SymbolicScalar, EveryFormulaIsItsExpression) {
   const auto& expressions = every_formula_in<Symbolic>();
   const auto& truth = every_formula_in<Decimal100>();
@@ -213,7 +212,7 @@ TEST(IntervalScalar, EveryFormulaContainsTheTruth) {
   for (std::size_t i = 0; i < truth.size(); ++i) {
     const Interval& interval = computed[i].value;
     EXPECT_TRUE(contains(interval, truth[i].value)) << truth[i].of;
-    // and says something: 40 digits of relative width
+    // and it is narrow: a relative width of 40 digits
     EXPECT_LE(end(interval, true) - end(interval, false), abs(truth[i].value) * 1e-40) << truth[i].of;
   }
 }
@@ -229,8 +228,8 @@ TEST(DecimalText, IsConvertedPerScalarNotThroughDouble) {
 }
 
 TEST(Half, IsRoundedOnce) {
-  // Just above the tie between 1 and the next half: through float the excess is lost and the tie goes to
-  // even.
+  // Just above the tie between 1 and the next half: rounding through float loses the excess, and the tie goes
+  // to even.
   EXPECT_EQ(static_cast<float>(round_to_half(1 + 0x1p-11 + 0x1p-40)), 1 + 0x1p-10F);
   EXPECT_EQ(static_cast<float>(Eigen::half(static_cast<float>(1 + 0x1p-11 + 0x1p-40))), 1.0F);
   EXPECT_EQ(static_cast<float>(round_to_half(1 + 0x1p-11)), 1.0F) << "a tie goes to even";

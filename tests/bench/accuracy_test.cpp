@@ -34,7 +34,7 @@ double number(const std::vector<Cell>& row, const std::string& name) {
   return std::get<Number>(row.at(column(name))).value;
 }
 
-/// The one row that is meant.
+/// The row with these cells.
 const std::vector<Cell>& row(const std::string& form, const std::string& constants, const std::string& exp2,
                              const std::string& arithmetic) {
   const std::vector<Cell>* found = nullptr;
@@ -69,8 +69,8 @@ double allowed_rounding(const std::string& form) {
   return form == "gloss-sg" ? 5e-4 : 2e-5;
 }
 
-// What was sampled in float keeps what was proven: the total error and the rounding; and the proven bound is
-// not one of something else.
+// Samples in float are within the proven total error plus rounding, and near it, so the bound is not too
+// loose.
 void expect_what_is_proven() {
   std::map<std::string, int> proven, paired;
   for (const auto& row : table().rows) {
@@ -91,8 +91,8 @@ void expect_what_is_proven() {
     }
     const double rounding = number(row, "rounding_error");
     EXPECT_LE(error, total + rounding) << which;
-    // A gloss is decoded by exp2 too, and both of its results need not be at their worst together. Else the
-    // bound is that of the form as it stands, and what a grid of 4096 steps misses of a jump, 2.1 % at most.
+    // A gloss is decoded by exp2 too, and its two results need not be worst together. Otherwise the bound is
+    // that of the form with its polynomial, and a grid of 4096 steps misses at most 2.1 % at a jump.
     EXPECT_GE(error, (form == "gloss-sg" ? 0.6 : 0.97) * total - rounding) << which;
     EXPECT_LE(rounding, allowed_rounding(form)) << which;
   }
@@ -117,7 +117,7 @@ TEST(Pairing, TakesTheCheapest) {
   EXPECT_LE(fresnel->total(), 1.01 * fresnel->own_lower);
   // bounds are a thousandth above what they bound
   EXPECT_GT(fresnel->totals[3], 1.01 * 1.002 * fresnel->own_upper) << "degree 3 adds more than a hundredth";
-  // The pair that was fitted to the cheapest of all has use for no other.
+  // The pair that was fitted to the cheapest polynomial is paired with it.
   const Constants fitted{"", "", {{"a", "-5.404911418", 0}, {"b", "-7.032870633", 0}}};
   const auto cheapest = pair("schlick", "fresnel-quadratic", fitted);
   EXPECT_EQ(cheapest->degree, 2);

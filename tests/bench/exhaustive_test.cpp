@@ -66,7 +66,7 @@ FloatSubject schlick_with_faults() {
           }};
 }
 
-/// The same by one float after the other, as it would be written first.
+/// The same by a simple loop over the floats.
 FloatErrors by_hand(const FloatSubject& subject, const Stretch& stretch) {
   FloatErrors found;
   double largest = -1;
@@ -89,7 +89,7 @@ FloatErrors by_hand(const FloatSubject& subject, const Stretch& stretch) {
       found.max_abs_error = static_cast<float>(error);
       found.max_abs_error_at = at;
     }
-    // Steps as they are counted with fingers: by nextafter, where they are few.
+    // Steps counted by nextafter, if they are few.
     const float wanted = static_cast<float>(truth[0]);
     std::int64_t steps = 0;
     for (float x = out[0]; x != wanted && steps < 1000; ++steps) x = std::nextafter(x, wanted);
@@ -194,7 +194,7 @@ TEST(Sweep, IsTheSameInOneGoInShardsAndResumed) {
     } catch (int) {
       ++stops;
     }
-    // As it comes back from a file.
+    // As read back from a file.
     sweep = parse_state(state_text(sweep), "file");
   }
   EXPECT_EQ(stops, 10);
@@ -272,7 +272,7 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
   EXPECT_NE(refused(text.substr(0, 300)).find(": the JSON ends early"), std::string::npos);
   EXPECT_EQ(refused("hello"), "state file 'f', line 1, column 1: malformed JSON");
   EXPECT_EQ(refused("[1]"), "state file 'f': the field 'file' is missing");
-  // Somebody who makes the digest anew meets the rules of the fields.
+  // With a new digest, the rules of the fields still refuse it.
   const auto changed = [&](const char* key, const nlohmann::ordered_json& value) {
     auto json = nlohmann::ordered_json::parse(text);
     json[key] = value;
@@ -291,7 +291,7 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
   EXPECT_EQ(changed("whole", {"0x10", "0x20"}),
             "state file 'f': the field 'whole' is not the bit pattern of a float");
   EXPECT_EQ(changed("version", nullptr), "state file 'f': the field 'version' is not a text");
-  // What would be rounded, cut off, or overlooked.
+  // Texts that would be rounded, cut off, or overlooked.
   const auto not_so = [](const char* key) {
     return fmt::format("state file 'f': the field '{}' is unknown, or not as shadefit writes it", key);
   };

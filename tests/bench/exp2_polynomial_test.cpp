@@ -29,16 +29,16 @@ const std::vector<Exp2Bounds>& bounds() {
   return all;
 }
 
-/// What is proven of the polynomial and of its evaluation, relative.
+/// The proven relative bounds of the polynomial and of its evaluation.
 double proven(const Exp2Coefficients& polynomial) {
   for (const Exp2Bounds& bound : bounds()) {
-    // an error of what is off by an error: the product is next to nothing
+    // the product of two errors is negligible
     if (bound.polynomial == &polynomial) return bound.upper + bound.rounding * (1 + bound.upper);
   }
   return 0;
 }
 
-// The printed digits are those of the fit made again: of floats all that tell them apart, of doubles fifteen.
+// A new fit gives the printed digits: for floats all that distinguish them, for doubles fifteen.
 TEST(Exp2Fit, IsWhatIsPrinted) {
   for (int degree = least_exp2_degree; degree <= largest_exp2_degree; ++degree) {
     const Exp2Fit fit = fit_exp2(degree);
@@ -67,14 +67,14 @@ TEST(Exp2Fit, RefusesOtherDegrees) {
   EXPECT_THROW(fit_exp2(7), std::logic_error);
 }
 
-// The stated bounds are proven, and say no more than they have to: they are the proven ones, rounded up.
+// The stated bounds are the proven ones, rounded up.
 TEST(Exp2Proof, StatesItsBounds) {
   ASSERT_EQ(bounds().size(), 10U);
   for (const Exp2Bounds& bound : bounds()) {
     const auto stated = constant<double>(bound.polynomial->bound);
     EXPECT_LE(bound.upper, stated) << bound.format << " " << bound.polynomial->degree;
     EXPECT_GE(bound.lower * 1.0002, stated) << bound.format << " " << bound.polynomial->degree;
-    // three half ulps hold what Horner's rule rounds: forms are paired with that
+    // three half ulps bound the rounding of Horner's rule; the pairing of forms uses that
     const double half_ulp = bound.format == "float" ? 0x1p-24 : 0x1p-53;
     EXPECT_LE(bound.rounding, 3 * half_ulp);
     EXPECT_GE(bound.rounding, half_ulp);
@@ -99,7 +99,7 @@ TEST(Exp2Fit, IsTheBest) {
   }
 }
 
-// The compiler's reading of a coefficient is the library's.
+// The compiler reads a coefficient like the library.
 TEST(Exp2Polynomial, HasItsPrintedCoefficients) {
   for_each_degree<float>([]<class P>(P) {
     const auto here = exp2_coefficients<P, float>();
@@ -201,7 +201,7 @@ TEST(Exp2Polynomial, KeepsItsBoundAtEveryFloatOfABinade) {
     const auto from = std::bit_cast<std::uint32_t>(-1.0F), to = std::bit_cast<std::uint32_t>(-2.0F);
     const double found = worst<P>(from, to, every);
     EXPECT_LE(found, proven(P::record)) << "degree " << P::record.degree;
-    // and comes near it: the bound is not one of something else
+    // and comes near it: the bound is not too loose
     EXPECT_GE(found, 0.5 * constant<double>(P::record.bound));
   });
 }
@@ -283,7 +283,7 @@ TEST(Exp2Polynomial, EnclosesWhatARoundingCuts) {
     EXPECT_GE(upper_end(cut), exp2_polynomial<P>(x)) << x;
   }
   EXPECT_LT(upper_end(cut), 4);
-  // Two whole numbers, each with a part of its own: little more than the curve itself.
+  // Two whole numbers, each with its own part: little more than the curve itself.
   const Interval two = exp2_polynomial<P>(span_of(-0.75, 0.25));
   for (const double x : {-0.75, -0.625, -0.5, -0.25, 0.0, 0.25}) {
     EXPECT_LE(lower_end(two), exp2_polynomial<P>(x)) << x;
@@ -321,7 +321,7 @@ TEST(Exp2Polynomial, EnclosesBothSidesOfAJump) {
   }
 }
 
-// What rounding adds to a form is that of an exact exp2 and 2 %: bench/forms/pairing.cpp.
+// The rounding of a form is that with an exact exp2 plus 2 %: bench/forms/pairing.cpp.
 TEST(Exp2Polynomial, ChangesLittleFasterThanExp2) {
   for_each_degree<float>([]<class P>(P) {
     using Jet = ceres::Jet<Interval, 1>;

@@ -84,7 +84,7 @@ std::vector<CompiledForm> forms_of(Width width) {
   return {};
 }
 
-/// Whether a kernel's results are made by basic operations alone, each rounded the same everywhere.
+/// Whether a kernel uses only basic operations, which are rounded the same everywhere.
 bool is_basic(const FormEntry& form, const CompiledForm& compiled) {
   return form.function == Function::none || compiled.exp2_degree > 0;
 }
@@ -159,8 +159,8 @@ TEST(Kernels, OfSse2AreTheScalarOnes) {
   EXPECT_GT(compared, 60);
 }
 
-/// What fusing multiply and add, and other functions, may change of a form, in half ulps of the largest of
-/// its results: some sixty roundings, of the sums of 64 lights, of an exponent (the change of the result, t
+/// The allowed change by fused multiply-adds and by other functions, in half ulps of the largest result: some
+/// sixty roundings, of the sums of 64 lights, of an exponent (the change of the result, t
 /// exp(-t) of its relative change, is at most 0.37 of it) or of a difference near the peak of a phase
 /// function. In A c - A the product is near A and rounded to half its ulps: A ln 2 of the result's, which is
 /// 2048 at a gloss of 255.
@@ -203,11 +203,12 @@ TEST(Kernels, OfEveryWidthAreNearTheScalarOnes) {
   }
 }
 
-/// What rounding may add to the highlights, which has no proof: 16 lights' exponents, each a sum of four
+/// The allowed rounding of the highlights, for which there is no proof: 16 lights' exponents, each a sum of
+/// four
 /// products of at most A = 24, with some 11 roundings in each of two parts of that size.
 constexpr double rounding_of_lights = 16 * 24 * 22 * 0x1p-24;
 
-// On every width that the machine has the paired exp2 keeps what is proven of it.
+// On every width of the machine, the paired exp2 keeps its proven bound.
 TEST(Kernels, OfEveryWidthKeepWhatIsProven) {
   int kept = 0;
   for (const FormEntry& form : all().forms) {
@@ -247,8 +248,8 @@ std::vector<float> exp2_by_kernel(Width width, int degree, std::vector<float> x)
   return out;
 }
 
-// Every width ends at 0 and at infinity, keeps what is not a number, and is exact at whole numbers. Below the
-// least normal number it is somewhere between 0 and that.
+// Every width reaches 0 and infinity, keeps NaN, and is exact at whole numbers. Below the least normal number
+// its result is between 0 and that number.
 TEST(Kernels, KnowTheEndsOfExp2) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   for (const Width width : widths_here()) {
@@ -311,7 +312,7 @@ TEST(Catalogue, SpreadsDirections) {
   EXPECT_GT(least, 0.05);
 }
 
-// Schlick's phase function is a density, and the one by a root is Henyey and Greenstein's.
+// Schlick's phase function is a density, and the form with a square root is Henyey and Greenstein's.
 TEST(PhaseFunctions, AreDensities) {
   for (const double g : {-0.9, -0.3, 0.0, 0.5, 0.76}) {
     const double k = schlick_phase_parameter(g, 1.55, 0.55);

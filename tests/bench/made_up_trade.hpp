@@ -27,7 +27,7 @@ inline TimedForm made_up(std::string target, std::string form, int exp2_degree, 
   return timed;
 }
 
-/// A lobe with a cheap form under two polynomials, one that is beaten, and pow; and a target without a
+/// A lobe with a cheap form under two polynomials, a form that is beaten, and pow; and a target without a
 /// reference.
 inline Trade made_up_trade() {
   using forms::Width;

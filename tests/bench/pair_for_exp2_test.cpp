@@ -28,7 +28,7 @@ double sampled_level(double a, double b) {
   return largest;
 }
 
-// Another way to the same level: the formula itself on a grid, jumps and all. And no pair beside it is
+// Another method for the same level: the formula itself on a grid, with its jumps. And no pair near it is
 // better.
 TEST(PairForExp2, IsTheBest) {
   for_each_degree<float>([]<class P>(P) {

@@ -62,7 +62,7 @@ double lobe_of(const PlannedMaterial& m, double c, double n) {
   return m.is_power_of_pixel ? sloped_lobe(c, n + offset, slopes) : sloped_lobe(c, slopes);
 }
 
-/// What a plan shows of a pixel in a channel, its lights summed up, without culling.
+/// A plan's result for a pixel in a channel, summed over its lights, without culling.
 double shown_of(const PlannedMaterial& m, const Block<float>& block, std::size_t pixel, std::size_t channel) {
   double sum = 0;
   const std::size_t tile = pixel / tile_pixels, i = m.is_coloured ? channel : 0;
@@ -157,7 +157,7 @@ TEST(PlannedKernels, CullWhatIsBelowTheCutoffAndNothingElse) {
     EXPECT_GT(culled, 0U);
     EXPECT_LE(culled, below) << "a register goes as a whole";
     for (std::size_t pixel = 0; pixel < block.tiles * tile_pixels; ++pixel) {
-      // what is lost of each light is at most its value at the cut-off
+      // each light loses at most its value at the cut-off
       const double whole = shown_of(m, block, pixel, 0);
       const auto shown = static_cast<double>(scenery.results.channel(0)[pixel]);
       ASSERT_LE(shown, whole + float_rounding);

@@ -28,7 +28,7 @@ TEST(Shade, PlansKeepWhatTheyPromiseOnEveryWidth) {
       for (const Measurement& measured : all) {
         EXPECT_EQ(broken_lines(measured), "") << name << " by " << forms::name(measured.width);
         EXPECT_EQ(measured.sweep.size(), swept_tolerances.size());
-        // what is culled goes by registers, of whatever width; all else rounds alike
+        // culling depends on the width of the registers; everything else rounds the same
         EXPECT_NEAR(measured.planned.errors.most, all.front().planned.errors.most, measured.planned.allowed)
             << name;
         EXPECT_NEAR(measured.published.errors.most, all.front().published.errors.most, 1e-5) << name;

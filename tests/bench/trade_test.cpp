@@ -36,7 +36,7 @@ TEST(Spread, IsOfTheMiddleHalf) {
   EXPECT_THROW(spread_of({}), std::invalid_argument);
 }
 
-// One visit in ten was disturbed, by whatever: neither number moves much.
+// One visit of ten was disturbed: neither number moves much.
 TEST(Spread, OneSampleOfManyDecidesNothing) {
   const Spread spread = spread_of({1, 1, 1, 1, 1, 1, 1, 1, 1, 1000});
   EXPECT_EQ(spread.median, 1);
@@ -56,7 +56,7 @@ TEST(Front, HoldsWhatNoOtherBeats) {
 /// About a microsecond, of which sums are exact.
 constexpr double tick = 0x1p-20;
 
-/// A clock that moves by what was worked.
+/// A clock that moves with the work.
 struct Worked {
   double seconds = 0;
   Clock clock() {
@@ -84,7 +84,7 @@ TEST(Timing, RoundsAreInterleaved) {
   std::vector<double> shares;
   const auto samples = time_interleaved(all, {.rounds = 4, .seconds = 8 * tick}, worked.clock(),
                                         [&](double share) { shares.push_back(share); });
-  // Each is calibrated once; then a round there, and one back.
+  // Each is calibrated once; then one round forwards and one backwards.
   EXPECT_EQ(order, (std::vector<int>{0, 1, 2, 0, 1, 2, 1, 0, 1, 2, 1, 0}));
   ASSERT_EQ(samples.size(), 3U);
   EXPECT_EQ(samples[0].calls, 8);
@@ -187,7 +187,7 @@ TEST(Trade, AdviceNamesErrorFormTimeAndBound) {
           "\n- An error of 6e-08 allowed: pow in float (AVX2), 2 ns an element; the library's own functions; "
           "bound by its arithmetic (20 x a copy).\n"))
       << text;
-  // A form no slower than one and a quarter copies waits for its data.
+  // A form that takes at most 1.25 copies is limited by its data.
   Trade trade = made_up_trade();
   for (TimedForm& timed : trade.forms) timed.ns.median /= 2;
   relate(trade);

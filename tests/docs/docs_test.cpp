@@ -39,8 +39,8 @@ struct Printed {
   std::vector<std::string> lines;  ///< of standard output and standard error
 };
 
-/// What a reader sees who starts in the repository: a folder with ./run, the examples and the baseline. The
-/// commands of a page run in one such folder, one after the other, and none can change the repository.
+/// A folder like the repository for a reader: with ./run, the examples and the baseline. The commands of a
+/// page run in one such folder, one after the other, and cannot change the repository.
 class Checkout {
  public:
   Checkout() {
@@ -104,7 +104,7 @@ TEST(Docs, EveryCommandDoesWhatItsPageShows) {
       }
     }
   }
-  // Whoever adds a command that is not run changes this number, and so says that it is on purpose.
+  // The number of commands that are not run. A new one must be counted here on purpose.
   EXPECT_EQ(not_run.size(), 6U) << joined(not_run);
   EXPECT_GE(run, 40U);
 }
@@ -138,7 +138,7 @@ TEST(Docs, TheReadmeIsShortAndLinksEveryPage) {
     EXPECT_TRUE(page == "README.md" || readme.find("](" + page + ")") != std::string::npos) << page;
 }
 
-// The checks above can fail: each kind of broken example is told with its place, both texts side by side.
+// The checks above can fail: each kind of broken example is reported with its place and both texts.
 TEST(DocsExamples, ABrokenOneIsToldWithItsPlace) {
   const auto examples = testing::read_examples(testing::lines_of(
       "Text\n\n```console\n$ shadefit fit x   # exit 2\nunknown 'x'\n```\n\n    ./run list\n\n    shadefit check\n"));

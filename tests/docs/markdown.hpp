@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// What the tests read in a page of the documentation: commands, links and headings.
+/// Reads the commands, links and headings of a page of the documentation.
 namespace shadefit::testing {
 
 /// A command that a page shows, and what the page says about it.
@@ -107,7 +107,7 @@ inline std::vector<Example> read_examples(const std::vector<std::string>& page) 
   return examples;
 }
 
-/// Whether the shown lines stand for the printed ones. "..." at the end of a line stands for the rest of it,
+/// Whether the shown lines match the printed ones. "..." at the end of a line stands for the rest of it,
 /// alone on a line for any number of lines. Spaces at the end of a line do not count.
 inline bool stands_for(const std::vector<std::string>& shown, const std::vector<std::string>& printed,
                        std::size_t i = 0, std::size_t j = 0) {

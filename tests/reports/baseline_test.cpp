@@ -80,9 +80,9 @@ std::string mutated(const std::string& number) {
   return changed;
 }
 
-// A column at a time: each of its numbers changed has to be a drift of its own. A number that names its row,
-// such as an exponent, makes one row new and another one gone; it grows by a digit, so that no row takes the
-// name of another.
+// One column at a time: each changed number must be one drift. A number that names its row, such as an
+// exponent, makes one row new and another one missing. It gets one more digit, so that no row takes the name
+// of another.
 TEST(Baseline, EachNumberChangedIsCaught) {
   const Baseline original = committed();
   std::ptrdiff_t numbers = 0;

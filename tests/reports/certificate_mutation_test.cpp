@@ -31,7 +31,7 @@ std::string label(const Certificate& certificate) {
   return certificate.subject.family + " at " + to_text(certificate.subject.domain);
 }
 
-// What plain doubles say of a certificate: an oracle without boxes and without intervals.
+// An oracle for certificates in plain doubles, without boxes and intervals.
 
 double value_of(const std::string& text) {
   const auto exact = parse_hex(text);
@@ -78,8 +78,8 @@ std::vector<double> samples_of(const Certificate& certificate) {
 }
 
 /// The first statement of a certificate that is false beyond the rounding of doubles; empty where none is.
-/// What is true is not proven here: a looser bound, another end of a box within the domain, fewer statements
-/// and fewer bits leave a true certificate true, and nothing is found.
+/// It finds only false statements. A looser bound, another end of a box within the domain, fewer statements
+/// or fewer bits leave a certificate true.
 std::string falsehood(const Certificate& certificate) {
   const Subject& subject = certificate.subject;
   const Domain& domain = subject.domain;
@@ -225,7 +225,7 @@ std::string signed_text(Json json) {
   return json.dump();
 }
 
-/// Whatever is changed in a certificate and signed anew: it is refused, or nothing in it is false.
+/// Each changed certificate with a new digest is refused, or it is true.
 TEST(CertificateMutation, NoFalseStatementIsAccepted) {
   int refused = 0, accepted = 0;
   for (const Subject& subject : certified_subjects()) {
@@ -255,7 +255,7 @@ TEST(CertificateMutation, NoFalseStatementIsAccepted) {
   EXPECT_GT(refused, 5000);
 }
 
-/// Certificates that are false by far, in what a verifier has to compute.
+/// Certificates that are clearly false in the parts that a verifier computes.
 std::vector<Certificate> false_ones(const Certificate& truth) {
   std::vector<Certificate> candidates;
   const auto add = [&](const auto& falsify) { falsify(candidates.emplace_back(truth)); };
@@ -300,7 +300,7 @@ std::vector<std::string> second_verdicts(const TemporaryDirectory& directory,
   return lines;
 }
 
-/// A verifier in another language and another library, which parses the formulas' texts, says the same.
+/// A verifier in another language and library, which parses the formulas' texts, agrees.
 TEST(SecondVerifier, AgreesOnWhatHoldsAndOnWhatDoesNot) {
   const TemporaryDirectory directory;
   std::vector<std::string> names;

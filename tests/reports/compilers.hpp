@@ -10,7 +10,7 @@
 /// Compilers of generated code, run as programs.
 namespace shadefit::testing {
 
-/// Runs a tool; what it says stands in the file `said`.
+/// Runs a tool; its output is in the file `said`.
 inline bool runs(const std::string& command, const TemporaryDirectory& directory) {
   return std::system((command + " >'" + directory / "said" + "' 2>&1").c_str()) == 0;
 }

@@ -50,7 +50,7 @@ struct Case {
   std::vector<std::string> functions;  ///< and their arguments
 };
 
-/// One of everything that a plan may come to.
+/// One of each kind of plan.
 std::vector<Case> cases() {
   const auto of = [](std::vector<Material> materials) {
     Scene made;
@@ -117,7 +117,7 @@ TEST(SceneCode, OfASceneWithoutLobesIsAComment) {
   EXPECT_NE(code.find("\n// shadefit scene a.mtl --lang glsl\n"), std::string::npos) << code;
 }
 
-/// A call of each function, with numbers that a shader cannot know before.
+/// A call of each function, with numbers that are not constants.
 std::string calls(const std::vector<ShaderFunction>& functions, const std::string& type) {
   std::string sum = type + "(0)";
   for (const ShaderFunction& function : functions) {
@@ -234,7 +234,7 @@ TEST(SceneCode, ComputesTheBitsThatAreEvaluatedHere) {
   EXPECT_GE(programs, 8);
 }
 
-// The plan's promise, kept by its code: every material, every cosine, in float.
+// The code keeps the promise of its plan: every material, every cosine, in float.
 TEST(SceneCode, StaysWithinThePlan) {
   for (const Case& c : cases()) {
     const Plan plan = make_plan(c.scene, c.wanted);
@@ -361,7 +361,7 @@ TEST(SceneCode, IsANumberWhereAPowerMayBeZero) {
   EXPECT_EQ(value, 0);
 }
 
-// A half is 65504 at most: the plan is not kept then, and its code compiles all the same.
+// The largest half is 65504: the code does not keep the plan then, but it compiles.
 TEST(SceneCode, OfAPowerThatNoHalfIs) {
   Scene mirror;
   mirror.materials = {shiny("mirror", 1, {{1e9, 1}}, FresnelTerm::none)};

@@ -2,7 +2,7 @@
 
 namespace shadefit::testing {
 
-/// What a checkpoint of these tests throws: of no kind that the code under test could know.
+/// The exception of these tests' checkpoints, of a type that is unknown to the tested code.
 struct Stop {};
 
 }  // namespace shadefit::testing

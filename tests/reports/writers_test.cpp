@@ -23,7 +23,7 @@ const Table sample{{"id", "value", "note"},
                     {std::string("b|c"), Number{12, 10}, std::string("a \"quoted\", text")},
                     {std::string("d"), {}, {}}}};
 
-// A table may hold cells of a file that anybody wrote: none of them forges a line of ours.
+// A table may contain cells of a foreign file: none of them can forge a line of ours.
 TEST(Writers, ACellCannotForgeALineOnATerminal) {
   const Table table{{"a"}, {{std::string("x\ncheck passed\x1B[2J\xC2\x9B\xE2\x80\xAE\xE2\x80\xA8")}}};
   const std::string shown = write_console(table, Precision::report);
@@ -256,7 +256,7 @@ TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
        "## Exact Fresnel", "aluminium at 652.25 nm, n = 1.5724, k = 7.7354, f0 = 0.9054:",
        "`exp2((a c + b) c)`, refitted: a = -3103.676224, b = -19.75309694",
        "Under the angle measure the best value is the printed one at k = 6.6",
-       // one id, one verdict: that of the ledger, of which the integrals are a part
+       // one id, one verdict: the ledger's, which includes the integrals
        "| norm-blinn-phong-cheap | (a+8)/(8 pi)                     | 8 of 8 within 0.1      | conditional "}) {
     EXPECT_NE(report.find(part), std::string::npos) << part;
   }
@@ -298,8 +298,7 @@ TEST(Results, AFailedCheckIsSeen) {
             std::string::npos);
 }
 
-// A sweep has up to 100 000 rows. Where each row asks each other one whether its column holds words, that
-// takes minutes.
+// A sweep has up to 100 000 rows: a writer with quadratic time would take minutes.
 TEST(Writers, WriteAsManyRowsAsASweepHas) {
   constexpr std::size_t rows = 100000;
   const Table table{{"exponent", "x"}, std::vector<std::vector<Cell>>(rows, {Number{1, 6}, Number{2, 6}})};

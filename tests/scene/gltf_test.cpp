@@ -168,7 +168,7 @@ TEST(Gltf, OtherLobesAreRemarkedOn) {
                                 "X is left out"}));
 }
 
-// What shines through or by itself is no part of a light's specular term, and is no secret either.
+// Transmission and emission are not part of a light's specular term, but the notes name them.
 TEST(Gltf, WhatIsNotCountedIsRemarkedOn) {
   for (const std::string name :
        {"KHR_materials_anisotropy", "KHR_materials_diffuse_transmission", "KHR_materials_dispersion",
@@ -245,7 +245,7 @@ TEST(Gltf, OtherAnimatedFactorsTakeTheirWholeRangeToo) {
   EXPECT_EQ(gloss.power_texture, PowerTexture::gloss);
 }
 
-// A roughness of 0 is a power without an end; engines stop before it.
+// A roughness of 0 is an infinite power; engines have a floor above 0.
 TEST(Gltf, ASmallRoughnessIsTakenForTheLeast) {
   const std::string smooth = R"("pbrMetallicRoughness":{"roughnessFactor":0.01})";
   const double alpha = 0.0525 * 0.0525;

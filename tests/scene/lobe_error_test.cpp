@@ -19,7 +19,7 @@
 namespace shadefit::scene {
 namespace {
 
-/// What is shown of a light: clamped, and on the scale.
+/// The displayed value of a light: clamped, and on the scale.
 double shown_value(ShownScale scale, double linear) {
   const double clamped = std::min(1.0, linear);
   return scale == ShownScale::linear ? clamped : srgb_code(clamped);
@@ -247,7 +247,7 @@ TEST(ShownScale, ThereAndBack) {
   EXPECT_EQ(from_scale(ShownScale::codes, 1000), 1);
 }
 
-// Of all values up to one, those nearest to it are farthest apart, but for the kink of the encoding.
+// Of all values up to 1, neighbours near 1 are farthest apart, except at the kink of the encoding.
 TEST(ShownScale, ApartByARatio) {
   for (const double most : {0.002, 0.0032, 0.0035, 0.5, 1.0, 7.0}) {
     for (const double ratio : {1e-4, 0.01, 0.7}) {

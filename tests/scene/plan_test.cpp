@@ -89,8 +89,8 @@ Scene dull_scene() {
   return scene;
 }
 
-// 0.04 (n + 2)/8 is small, and a Gaussian is near enough; with the tolerance its form changes. What is not
-// needed is not fitted: each form that is asked for and fails costs its fit.
+// 0.04 (n + 2)/8 is small, and a Gaussian is near enough; with the tolerance its form changes. Unneeded forms
+// are not fitted: each rejected form costs its fit.
 TEST(Plan, TakesTheCheapestFormThatIsNearEnough) {
   struct Expected {
     double tolerance;
@@ -218,7 +218,7 @@ TEST(Plan, KeepsFresnelWhereItRises) {
   EXPECT_TRUE(make_plan(scene, {}).shading.is_coloured) << "ranges agree, the channels of a pixel need not";
 }
 
-// What a filter makes of two texels lies between them: of a mask from 0 to 1 every power.
+// A filter gives values between two texels: for a mask from 0 to 1 every power.
 TEST(Plan, OfFilteredTextures) {
   Scene scene;
   Material mask = wavefront("mask", 1, 0);
@@ -262,7 +262,7 @@ TEST(Plan, MultipliesOneWholePower) {
   EXPECT_EQ(make_plan(scene, {.tolerance = 1.0 / 64}).shading.lobe.kind, LobeKind::exponential);
 }
 
-// The error of the whole, by brute force: what is planned beside the shading as it is written.
+// The total error by brute force: the plan against the shading formula.
 TEST(Plan, KeepsItsPromise) {
   Scene scene;
   scene.materials = {wavefront("a", 0.04, 10.5), wavefront("b", 0.03, 33.25), wavefront("c", 0.9, 800)};

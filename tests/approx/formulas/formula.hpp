@@ -6,8 +6,7 @@
 #include "approx/reflectance.hpp"
 #include "approx/scalar.hpp"
 
-/// The table of formulas that is tested over every scalar: what a row is. A file of this folder for each
-/// topic.
+/// A row of the table of formulas, which are tested over every scalar. This folder has a file for each topic.
 namespace shadefit::testing {
 
 /// Rows of decimal texts.

@@ -3,8 +3,8 @@
 
 #include "approx/fresnel.hpp"
 
-/// Prints how far the published exp2 form of Schlick's weight is from it. Exits with 1 where that is not the
-/// largest error that the report states for the published pair, 0.003766.
+/// Prints the largest error of the published exp2 form of Schlick's weight. Exits with 1 if it is not
+/// 0.003766, as in the report.
 int main() {
   const float a = shadefit::constant<float>("-5.55473"), b = shadefit::constant<float>("-6.98316");
   float largest = 0;

@@ -45,8 +45,8 @@ const Contender& find(const Comparison& comparison, std::string_view family, std
   return *found;
 }
 
-// What the issue asks: of every published Fresnel constant a form whose proven error is smaller, at no more
-// operations. Bounds and operations are compared here, not taken from `beats`.
+// For every published Fresnel constant there is a form with a smaller proven error at no more operations.
+// Bounds and operations are compared here, not taken from `beats`.
 TEST(Better, EveryPublishedFresnelConstantIsBeatenAtItsCost) {
   for (const std::string_view id : {"fresnel-one-term", "fresnel-offset-one", "fresnel-quadratic-a"}) {
     const Contender& published = find(schlick_forms(), "", id);
@@ -113,7 +113,7 @@ TEST(Better, CountsWhatIsEmitted) {
     EXPECT_EQ(count("", "phong-blinn-gotanda"), "ADD, 2 MUL, LOG2, EXP2");
     EXPECT_EQ(count("", "the target itself"), "MUL, LOG2, EXP2");
   }
-  // What is known of a surface is known before, too.
+  // The constants of a surface are known in advance too.
   const Operations glass = find(glass_forms(), "", "the target itself").operations;
   EXPECT_EQ(glass,
             count_operations(dielectric_reflectance(Symbolic::variable("c"), Symbolic::number("1.5"))));
@@ -246,7 +246,7 @@ TEST(Better, OnlyMinimaxAndAPartOfTheDomain) {
   }
 }
 
-// With wrong peaks the proof takes longer and says the same.
+// With wrong peaks the proof takes longer, with the same result.
 TEST(ErrorBounds, DoNotRestOnThePeaks) {
   const Subject pair{"fresnel-quadratic", {{"a", "-5.55473"}, {"b", "-6.98316"}}};
   const double truth = 3.7664127395073188e-3;  // tests/app/proof_test.cpp

@@ -137,8 +137,8 @@ TEST(ExactFit, KeepsToWhatIsAsked) {
   EXPECT_GT(held.level.value(), 1e-4);
 }
 
-// Just above the critical cosine the target falls like a square root. What is called converged alternates
-// beyond rounding; the rest says why not.
+// Just above the critical cosine the target falls like a square root. A converged fit alternates beyond
+// rounding; the others say why they did not converge.
 TEST(ExactFit, NextToTheCriticalAngleNothingIsInvented) {
   const double critical = std::sqrt((1 - 0.853) * (1 + 0.853));
   for (const double beyond : {1e-16, 1e-14, 1e-12, 1e-9, 1e-6}) {

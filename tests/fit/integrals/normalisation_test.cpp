@@ -29,7 +29,7 @@ TEST(Normalisation, EveryConstantIsConfirmedAtEveryExponent) {
   EXPECT_EQ(checks, 1 + 7 * 8U);
 }
 
-// The integral in double against the constants written out again, in 50 digits.
+// The integral in double against independent formulas of the constants in 50 digits.
 TEST(Normalisation, IntegralsAreRightToTwelveDigits) {
   int matched = 0;
   const auto check = [&](std::string_view id, auto constant) {
@@ -68,7 +68,7 @@ TEST(Normalisation, VerdictOnBothSidesOfTheTolerance) {
   EXPECT_EQ(judge_normalisation(0, 1.01e-12, 0.1), std::nullopt);
 }
 
-// (a+8)(2^(-a/2)+a) / ((a+2)(a+4)), written out again.
+// (a+8)(2^(-a/2)+a) / ((a+2)(a+4)), independent of approx/.
 Decimal50 cheap_over_exact(const Decimal50& a) {
   return (a + 8) * (pow(Decimal50(2), -a / 2) + a) / ((a + 2) * (a + 4));
 }

@@ -98,7 +98,8 @@ TEST(LeastSquares, AnyPositiveExponentConvergesFarBeyondThePromise) {
 }
 
 TEST(LeastSquares, SaysSoWhenItFails) {
-  // At k = 1e160 the square of 1/k has no double: nothing can be fitted, and no start may pass for an answer.
+  // At k = 1e160 the square of 1/k underflows: nothing can be fitted, and no start value may count as an
+  // answer.
   const Fit fit = find_family("sg-offset")->fit(1e160, {});
   EXPECT_EQ(fit.status, Status::not_converged);
   EXPECT_EQ(fit.digits, 0);
@@ -189,8 +190,8 @@ TEST(LeastSquares, FitsTheExactDielectricFromInside) {
   }
 }
 
-// From the starts Levenberg and Marquardt's steps go down a long bent valley: two fifths of these did not
-// converge. Each is the best that another program found from sixty drawn starts.
+// From the starts, steps of Levenberg and Marquardt go down a long curved valley: two fifths of these did not
+// converge. Each expected value is the best that another program found from sixty random starts.
 TEST(LeastSquares, CubicsAndQuarticsFitEveryDielectric) {
   for (const Measure measure : measures) {
     for (const double ior :
@@ -258,7 +259,7 @@ TEST(LeastSquares, RelativeErrorsOfBluntLobes) {
   }
 }
 
-// Settings of every status: what did not converge says why, and nothing else does.
+// Settings of every status: only a fit that did not converge says why.
 TEST(LeastSquares, EveryFailureSaysWhy) {
   int failed = 0;
   for (const FittableFamily& family : fittable_families()) {
@@ -334,8 +335,8 @@ TEST(CorrectDigits, AreWholeAndCapped) {
   EXPECT_EQ(correct_digits(std::numeric_limits<long double>::quiet_NaN()), 0);
 }
 
-// Where the expected rule had not converged a second one would be asked, and its step counted: the choice
-// saves what it promises to save. Sums and steps are those of the fit itself, in long double at its answer.
+// If the expected rule had not converged, a second rule would be used, and its step counted: the choice saves
+// its time. Sums and steps are those of the fit itself, in long double at its answer.
 TEST(RuleChoice, TheFirstRuleSettlesLobes) {
   const auto leaves = [](const auto& family, const Metric& metric) {
     const auto optimum = solve_least_squares(family, metric);
@@ -377,7 +378,7 @@ TEST(RuleChoice, GrowsWithTheDeclineAndKnowsItsLimits) {
   EXPECT_EQ(size({}, {.concentration = 6, .end_power = 3, .joint = Shape::Joint{0.5}}), 26U);
 }
 
-// A wrong expectation costs time alone: the exponential is steeper than the shape says, the first rule's step
+// A wrong expectation only costs time: the exponential is steeper than the shape says, the first rule's step
 // is too large, and a larger one settles the fit all the same.
 struct Understated : SgOffset {
   Shape shape() const { return {.concentration = 1, .end_power = exponent}; }
@@ -393,7 +394,7 @@ TEST(RuleChoice, AWrongExpectationIsCaught) {
   EXPECT_NEAR(optimum.parameters[0] / expected.parameters[0], 1, promised);
 }
 
-// The correction takes from a step what the quadratic it belongs to is: along independent steps all of it.
+// The correction recovers a quadratic from steps: independent steps give all of it.
 TEST(Correct, FindsAHessianFromItsSteps) {
   const Eigen::Matrix2d truth{{3, 1}, {1, 2}};
   Eigen::Matrix2d hessian{{5, 0}, {0, 1}};
@@ -404,7 +405,7 @@ TEST(Correct, FindsAHessianFromItsSteps) {
   EXPECT_LT((hessian - truth).norm(), 1e-14) << "nothing is learnt from what was expected";
 }
 
-/// A family that no rule of ours integrates: |c - 1/3|^0.1 has its kink inside.
+/// A family that none of our rules can integrate: |c - 1/3|^0.1 has its kink inside.
 struct Kinked : SgOffset {
   static std::array<std::array<double, 1>, 3> starts() { return {{{0.1}, {0.5}, {1}}}; }
   template <class T, class P>
@@ -414,8 +415,8 @@ struct Kinked : SgOffset {
   }
 };
 
-// The best constant is the mean, (1/3^1.1 + (2/3)^1.1) / 1.1. Where the rules do not settle, `digits` says
-// how far they came, and not more.
+// The best constant is the mean, (1/3^1.1 + (2/3)^1.1) / 1.1. If the rules do not settle, `digits` is what
+// they reached, and not more.
 TEST(LeastSquares, DigitsDoNotOverstateWhereNoRuleSettles) {
   const auto optimum = solve_least_squares(Kinked{{{1}}}, Metric{});
   EXPECT_EQ(optimum.status, Status::not_converged);
@@ -424,7 +425,7 @@ TEST(LeastSquares, DigitsDoNotOverstateWhereNoRuleSettles) {
   const Decimal50 error = abs(Decimal50(optimum.parameters[0]) / truth - 1);
   EXPECT_LT(optimum.digits, 6);
   EXPECT_GT(optimum.digits, 0);
-  // two rules of which neither is right agree by chance to at most one digit more than either has
+  // two wrong rules agree by chance to at most one more digit than each has
   EXPECT_LE(error, pow(Decimal50(10), 1 - optimum.digits));
 }
 

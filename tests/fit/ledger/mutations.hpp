@@ -10,10 +10,10 @@
 #include "approx/records/claim.hpp"
 #include "fit/ledger/ledger.hpp"
 
-/// Nothing in a finding is typed in: what is printed and what is given decide it.
+/// Nothing in a finding is typed: the printed numbers and the inputs decide it.
 namespace shadefit {
 
-/// One claim alone, with fits of its own.
+/// One claim, with its own fits.
 inline Finding evaluate(const Claim& claim) {
   Fits fits;
   return evaluate(claim, fits);

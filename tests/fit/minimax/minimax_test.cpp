@@ -21,7 +21,7 @@ namespace {
 
 using testing::is_close;
 
-// The promise of issue 5.
+// The promised digits.
 constexpr double minimax_promise = 1e-13;
 
 Metric minimax(Error error = Error::absolute) {
@@ -56,7 +56,7 @@ TEST(Minimax, HasThirteenDigitsOfEveryReference) {
   }
 }
 
-// n + 1 places with one magnitude and signs in turn, and nothing above it.
+// n + 1 places with equal magnitude and alternating signs, and no larger error.
 TEST(Minimax, TheErrorAlternates) {
   for (const FittableFamily& family : fittable_families()) {
     for (const Error error : {Error::absolute, Error::relative}) {
@@ -110,7 +110,7 @@ TEST(Minimax, TheMeasureHasNoInfluence) {
   EXPECT_EQ(describe(minimax()), describe(angle));
 }
 
-// An exact end, and bounds that no optimum comes near, change nothing; a tight one is met with equality.
+// An exact end, and bounds far from the optimum, change nothing. An active bound is met with equality.
 TEST(Minimax, Constraints) {
   const FittableFamily& family = *find_family("fresnel-quadratic");
   const Fit free = family.fit({}, minimax());
@@ -243,7 +243,7 @@ struct Synthetic {
   static std::array<std::array<double, 2>, 3> starts() { return {{{0.1, 0.3}, {0.2, 0.3}, {0.1, 0.1}}}; }
 };
 
-/// Nothing at 0, 1/2 and 1, where the error of the best constant alternates: any p1 near 0 does.
+/// 0 at 0, 1/2 and 1, where the error of the best constant alternates: any p1 near 0 is as good.
 struct IdleWhereItCounts {
   template <class T>
   static T at(const T& c) {

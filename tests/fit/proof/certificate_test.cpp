@@ -62,7 +62,7 @@ TEST(Certificate, ARelativeErrorHasItsOwnDomain) {
   EXPECT_THROW(certify(subject, usual_width), UserError) << "the target is below 1/255 there";
 }
 
-/// Each single falsehood is refused, by the reason that names it.
+/// Each false statement is refused with its reason.
 TEST(Certificate, AFalseOneIsRefused) {
   const Certificate truth = certify(published_pair(), usual_width).certificate;
   const auto expect_refusal = [&](const std::function<void(Certificate&)>& falsify,
@@ -147,7 +147,7 @@ TEST(Certificate, ALobeHasNoSurface) {
   EXPECT_THROW(certify(subject, 0.1), UserError) << "the same rules hold for what is to be certified";
 }
 
-/// Proofs and checks look for signals between their boxes.
+/// Proofs and checks have checkpoints between their boxes.
 TEST(Certificate, WorkEndsWhereACheckpointSays) {
   struct Ended {};
   int calls = 0;
@@ -200,7 +200,7 @@ TEST(Certificate, HexadecimalTexts) {
   for (const char* text :
        {"", "0x", "1.8p-1", "0x1.8p-1x", "0xinf", "0xnan", "--0x1p+0", "-0x-1p+0", "0x1p+9999"})
     EXPECT_FALSE(parse_hex(text)) << text;
-  // One number has one text: these were rounded, or read as another spelling.
+  // One number has one text: these have too many digits or another spelling.
   for (const char* text : {"0x0.7ffffffffffffffffp+0", "0x1.00000000000001p+0", "0x1.80p-1", "0x3p-2",
                            "0x1.8p-01", "0X1.8p-1", "0x1.8P-1", "0x1.Ap+0", "0x1", "0x1p-9999"})
     EXPECT_FALSE(parse_hex(text)) << text;

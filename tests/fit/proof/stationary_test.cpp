@@ -20,9 +20,8 @@ void expect_proven(const Fit& fit) {
   const std::string which = std::string(fit.family->id) + " " + describe(fit.metric);
   ASSERT_TRUE(point.is_proven) << which << ": " << point.reason;
   EXPECT_TRUE(point.is_minimum) << which;
-  // 14 digits are what a fit says of itself. The forms of comparison have parameters that stand in for each
-  // other (four of them in fresnel-quartic), and what is enclosed of an integral leaves the proof one digit
-  // less.
+  // A fit claims 14 digits. The forms that only compare have correlated parameters (four in fresnel-quartic),
+  // and the enclosure of an integral costs the proof one digit.
   EXPECT_GE(point.digits, fit.family->is_comparison ? 13 : 14) << which;
   for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
     const auto [lower, upper] = point.lies_in[i];

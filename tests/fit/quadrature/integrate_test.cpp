@@ -40,8 +40,8 @@ TEST(BothRules, AgreeWithClosedFormsWithinTheirEstimates) {
       "1/(1+x^2)", [](double x) { return 1 / (1 + x * x); }, 0, 1, std::atan(1.0));
 }
 
-// Boost's own places of a narrow interval round onto its ends, which it asserts that they do not; of one of
-// denormals it throws.
+// In a narrow interval Boost's own places round onto its ends, and an assertion fails. In an interval of
+// denormals Boost throws.
 TEST(TanhSinh, OfANarrowIntervalStaysWithin) {
   for (const auto& [a, b] :
        {std::pair(0.5, std::nextafter(0.5, 1.0)), std::pair(0.0, 1e-320), std::pair(0.0, 5e-324),
@@ -58,7 +58,7 @@ TEST(TanhSinh, OfANarrowIntervalStaysWithin) {
   }
 }
 
-// What is negligible is not refined: sqrt on [0, 1] is halved down to 1e-12, and not at all where 1e-3 will
+// A negligible error is not refined: sqrt on [0, 1] is halved down to 1e-12, and not at all where 1e-3 will
 // do.
 TEST(GaussKronrod, RefinesNoFurtherThanAsked) {
   int calls = 0;

@@ -44,7 +44,7 @@ double error_in_half(const F& family, const std::array<double, F::parameters.siz
   return worst;
 }
 
-// Done when: half constants that beat the rounded published ones.
+// Constants in half that beat the rounded published ones.
 TEST(Rounding, HalfConstantsBeatTheRoundedPublishedOnes) {
   struct Case {
     std::string_view family;
@@ -106,7 +106,7 @@ TEST(Rounding, SearchOfABoxIsBruteForce) {
   }
 }
 
-// A bound of a box is at most the error of every point in it, whatever trials have come together.
+// The bound of a box is at most the error of every point in it, for every set of trials.
 TEST(Rounding, BoundsOfBoxesHold) {
   const SgOffset family{{10}};
   NarrowProblem<SgOffset, Bfloat16Format> problem(family, Error::absolute, {});
@@ -247,7 +247,7 @@ void expect_bound_of_float(const F& family, const std::array<float, F::parameter
   EXPECT_LT(error_on(gpu_float_rounding), 12 * bound);
 }
 
-// A bound counts every rounding at its worst at once, and the subtraction c - 1, which is mostly exact.
+// A bound assumes the worst of every rounding, also of the subtraction c - 1, which is mostly exact.
 TEST(RunningError, BoundsWhatFloatsShow) {
   expect_bound_of_float(FresnelQuadratic{}, {-5.55473F, -6.98316F}, 4);
   expect_bound_of_float(FresnelOneTerm{}, {8.35F}, 3);
@@ -280,7 +280,7 @@ TEST(Rounding, FloatConstantsBeatThePublishedOnes) {
     EXPECT_GE(c.max_error, *c.real_error + *c.rounding_error);
     EXPECT_LT(*c.rounding_error, 1e-7);
     EXPECT_GT(*c.gpu_bound, c.max_error);
-    // nothing that is seen exceeds the bound, and the bound is near
+    // no sample exceeds the bound, and the bound is near
     double seen = 0;
     for (int i = 0; i <= 100000; ++i) {
       const auto x = static_cast<float>(i) / 100000.0F;
@@ -293,7 +293,7 @@ TEST(Rounding, FloatConstantsBeatThePublishedOnes) {
   }
 }
 
-// In one dimension the neighbours decide: all three within a step of the best by their own extrema.
+// In one dimension the neighbours decide: the errors of all three by their own extrema.
 TEST(Rounding, DecimalsAreTheBestOfTheirNeighbours) {
   for (const int digits : {1, 2, 3, 6}) {
     const Rounded rounded =
@@ -325,7 +325,7 @@ TEST(Rounding, GivenParametersStay) {
   EXPECT_EQ(rounded.best.max_error, best);
 }
 
-// Three parameters: the neighbourhood is searched, and more cannot be said.
+// Three parameters: only the neighbourhood is searched.
 TEST(Rounding, OfManyParametersTheNeighbourhood) {
   const Rounded rounded = round_fit(fit_of("fresnel-cubic"), half_format, {});
   EXPECT_EQ(rounded.searched, "the constants within 16 steps of the format");

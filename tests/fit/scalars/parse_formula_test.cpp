@@ -171,7 +171,7 @@ std::string sum_of(std::size_t terms) {
   return text;
 }
 
-// What walks a formula calls itself for each part, so that length and depth have an end.
+// Functions on formulas are recursive, so length and depth have limits.
 TEST(ParseFormula, LengthAndDepthHaveAnEnd) {
   const auto refusal = [](const std::string& text) -> std::string {
     try {
@@ -189,7 +189,7 @@ TEST(ParseFormula, LengthAndDepthHaveAnEnd) {
   EXPECT_EQ(refusal(std::string(longest_formula, ' ') + "a"),
             "the formula is 1001 characters long: at most 1000");
   EXPECT_EQ(refusal(sum_of(30000)), "the formula is 60001 characters long: at most 1000");
-  // Every way to nest: none gets deeper than what is refused allows.
+  // Every way to nest: none gets deeper than the limit.
   const auto nested = [](const std::string& before, const std::string& after, std::size_t times) {
     std::string text = "a";
     for (std::size_t i = 0; i < times; ++i) text = before + text + after;

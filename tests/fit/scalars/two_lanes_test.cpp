@@ -19,7 +19,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A function of the vocabulary in both arithmetics, where it is looked at, and its bound in ulps.
+/// A function of the vocabulary in both arithmetics, its test range, and its bound in ulps.
 struct Function {
   std::string name;
   std::function<TwoLanes(const TwoLanes&)> in_lanes;
@@ -66,7 +66,7 @@ TEST(TwoLanes, FunctionsAreThoseOfFiftyDigits) {
   }
 }
 
-// A lane knows nothing of the other: exchanged arguments give exchanged results.
+// The lanes are independent: exchanged arguments give exchanged results.
 TEST(TwoLanes, LanesAreApart) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   for (const double a : {-800.0, -1.5, 0.0, 0.25, 3.0, 900.0, infinity, std::nan("")}) {
@@ -90,7 +90,7 @@ TEST(TwoLanes, BeyondTheFormat) {
   EXPECT_EQ(exp2(TwoLanes(-2000, 2000))[1], infinity);
   EXPECT_EQ(expm1(TwoLanes(-1000, 0))[0], -1);
   EXPECT_EQ(expm1(TwoLanes(-1000, 0))[1], 0);
-  // a solver that steps there has to see that it is no number to go on with
+  // a solver that steps there must see the NaN
   EXPECT_FALSE(std::isfinite(expm1(TwoLanes(0, 1000))[1]));
   for (const TwoLanes& y :
        {exp(TwoLanes(std::nan(""), 0)), exp2(TwoLanes(std::nan(""), 0)), expm1(TwoLanes(std::nan(""), 0))}) {

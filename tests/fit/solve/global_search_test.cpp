@@ -1,10 +1,10 @@
-// Fits of random settings, each held against a global search for something better.
+// Fits with random settings, each compared with a global search.
 //
 // Every family is fitted in 50 settings: target, surface, domain, measure, norm, error and exponent are drawn
 // from a fixed seed. SHADEFIT_SEARCH_SETTINGS=500 in the environment makes it 500 and prints how the fits
 // ended.
 //
-// The search shares nothing with the library but the names: tests/fit/solve/global_search.hpp.
+// The search shares only names with the library: tests/fit/solve/global_search.hpp.
 #include "tests/fit/solve/global_search.hpp"
 
 #include <gtest/gtest.h>

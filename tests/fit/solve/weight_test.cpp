@@ -24,7 +24,7 @@ TEST(Weight, IsAFormulaOfTheCosine) {
   EXPECT_THROW(Weight("1 + k"), std::invalid_argument);
 }
 
-// What vanishes at single places is a weight.
+// A formula that is zero at single places can be a weight.
 TEST(Weight, MayBeZeroAtSinglePlaces) {
   for (const char* text : {"1 + 4 c", "c", "1 - c", "c^2", "sqrt(1 - c*c)", "(c - 0.5)^2", "(c - 0.3)^2",
                            "1 - 2 c + c*c", "max(c, 0.1)", "max(c - 0.5, 0.5 - c)", "sqrt((c - 0.5)^2)",

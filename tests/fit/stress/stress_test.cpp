@@ -162,7 +162,7 @@ TEST(Stress, EveryStatedBoundIsKept) {
   EXPECT_EQ(kept, 39);
 }
 
-// A bound of nothing but a hundredth of an ulp is broken by each form in each format, and said to be.
+// Each form in each format breaks a bound of a hundredth of an ulp, and this is reported.
 TEST(Stress, EveryStatedBoundCanFail) {
   visit_robust([](Regime regime, std::size_t i) {
     regime.forms = {regime.forms[i]};
@@ -212,7 +212,7 @@ TEST(Stress, ATableSaysWhatWasBroken) {
   EXPECT_EQ(kept(), "no");
   EXPECT_EQ(broken_lines({trial}, {}),
             "shadefit: form in double breaks its bound of 1 ulps at c = 0x1p+0: up to 5 times the bound\n");
-  // Of a naive form the table tells a power of two, and nothing where rounding decides.
+  // For a naive form the table has a power of two, and nothing if rounding decides.
   trial.bound.reset();
   EXPECT_EQ(text(forms_stress_table({trial}).rows[0][7], Precision::report), "");
   trial.worst_ulps = 17;

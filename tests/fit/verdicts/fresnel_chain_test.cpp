@@ -24,8 +24,8 @@ const FresnelLink& link_of(std::string_view ior, std::string_view family, std::s
   throw std::logic_error("no such link");
 }
 
-// What every reader asks first: Schlick's own error is ten times that of the published pair to Schlick, and
-// the cheapest form is nearer to the truth than both.
+// The headline: the error of Schlick's formula is ten times the error of the published pair against Schlick's
+// formula, and the cheapest form is more accurate than both.
 TEST(FresnelChain, SchlickIsFartherFromTheTruthThanTheCheapestForm) {
   const auto from_exact = [](std::string_view family, std::string_view published) {
     return link_of("1.5", family, published).from_exact.absolute.magnitude;

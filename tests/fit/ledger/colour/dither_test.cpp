@@ -41,7 +41,7 @@ TEST(DitherClaims, VerdictsOfBothSides) {
   EXPECT_EQ(verdict_of(with_printed(steps, 1, "15")), "conditional");
   EXPECT_EQ(verdict_of(with_printed(steps, 1, "151")), "refuted");
   EXPECT_EQ(verdict_of(with_printed(steps, 0, "10 5")), "refuted");
-  // Two entries astray: the others do not say what x should be.
+  // Two wrong entries: the others do not determine x.
   EXPECT_EQ(verdict_of(with_input(steps, "matrix", "0 0.51 / 0.75 x")), "undecided");
   EXPECT_EQ(verdict_of(with_input(*find_claim("bayer-4x4"), "matrix", "0 0.51 / 0.75 x")), "refuted");
   // W = 4 loses a code from epsilon = 4 (1/q - 1), q = ((254/255 + 0.055)/1.055)^2.4 = 0.991102: 0.03591
@@ -73,7 +73,7 @@ TEST(DitherMatrix, IsReadWithItsLetter) {
     EXPECT_THROW(dither_matrix(bad, 0), std::invalid_argument) << bad;
 }
 
-/// The rms by looking: the middle of a million edges.
+/// The rms by brute force: the middles of a million edges.
 double rms_by_looking(const std::vector<double>& places) {
   constexpr int edges = 1'000'000;
   double squares = 0;

@@ -26,7 +26,7 @@ TEST(ArithmeticClaims, RestOnWhatIsPrintedAndGiven) {
                                       {"half-banding", "powers up to", "512"}});
 }
 
-// Across each format's threshold the verdict turns.
+// The verdict changes at each format's threshold.
 TEST(GaussianAtZero, IsNotZeroInTheFormatsThatReachSoFar) {
   const Claim& claim = *find_claim("sg-nonzero-at-zero");
   EXPECT_EQ(verdict_of(claim), "conditional");
@@ -155,7 +155,7 @@ TEST(HalfBanding, RoundingsBoundEveryStepOfAFloatCosine) {
   const std::string proof = "(none because its roundings leave at most 0.24 codes at any of them)";
   EXPECT_NE(evaluate(claim).evidence.find("bands is none, 12 and none " + proof), std::string::npos)
       << evaluate(claim).evidence;
-  // Where that is not enough every power is tried.
+  // If that is not enough, every power is tried.
   const Claim fine =
       with_input(with_input(claim, "powers up to", "16"), "visible step in 8-bit sRGB codes", "0.2");
   EXPECT_EQ(evaluate(fine).evidence.find(proof), std::string::npos) << evaluate(fine).evidence;

@@ -79,7 +79,7 @@ TEST(CostClaims, AreConfirmedAsPrinted) {
     EXPECT_EQ(verdict_of(*find_claim(id)), "confirmed") << id;
 }
 
-// With the addition printed too, the mip level costs what it says; by its own words it leaves it out.
+// With the addition printed too, the cost of the mip level is right; the source leaves it out.
 TEST(CostClaims, TheMipLevelHasAnAdditionThatIsNotCounted) {
   const Claim& claim = *find_claim("cost-mip");
   EXPECT_EQ(verdict_of(claim), "other-objective");

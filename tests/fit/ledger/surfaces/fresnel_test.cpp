@@ -54,13 +54,13 @@ TEST(FresnelClaims, EveryDigitMatters) {
     check_every_digit(*find_claim(id));
 }
 
-// Comparisons: the other side of each.
+// The other side of each comparison.
 TEST(FresnelClaims, ComparisonsCanTurnOut) {
   const Claim& four = *find_claim("fresnel-power-four");
   EXPECT_EQ(verdict_of(four), "confirmed");
   EXPECT_EQ(verdict_of(with_input(four, "power", "5")), "refuted") << "(1-c)^5 itself is no worse";
   EXPECT_EQ(verdict_of(with_input(four, "A", "1")), "refuted") << "nor is anything worse than exp2(-c)";
-  // Blunter or sharper than the best: some readings say one thing, others another.
+  // Blunter or sharper than the best: different meanings give different answers.
   EXPECT_EQ(verdict_of(with_input(four, "A", "7.2")), "conditional");
   EXPECT_EQ(verdict_of(with_input(four, "A", "11")), "other-objective");
 

@@ -52,8 +52,8 @@ Claim claim_of(std::string_view id) {
   return *find_claim(id);
 }
 
-// A constant above the exact one creates energy along the normal and is wrong there; one that is right there
-// is followed to the others.
+// A constant above the exact one creates energy along the normal and is wrong there. A constant that is right
+// there is tested at other views.
 TEST(NormalisationClaims, AConstantThatIsTooLargeCreatesEnergy) {
   const Finding right = evaluate(claim_of("norm-blinn-phong-brdf"));
   EXPECT_EQ(right.verdict, Verdict::confirmed);
@@ -78,7 +78,7 @@ TEST(NormalisationClaims, TheCheapConstantIsFurthestWhereMpmathSays) {
   EXPECT_EQ(with_close("0.0752"), "refuted");
 }
 
-// The exact constant in place of the stand-in is as close as can be, and none of its powers is closer.
+// The exact constant in the place of the stand-in: the difference is 0 for every power.
 TEST(NormalisationClaims, AStandInIsJudgedAtLowPowersToo) {
   const auto verdict = [&](const char* printed) {
     return verdict_of(with_printed(claim_of("norm-blinn-phong-cheap"), 0, printed));
