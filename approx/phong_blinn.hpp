@@ -57,9 +57,8 @@ inline constexpr Family phong_blinn{
     .id = "phong-blinn",
     .title = "Phong lobe by a Blinn lobe",
     .variables =
-        "c = cos(theta), theta the Phong angle; k the Phong exponent rho; x "
-        "the factor from it to Blinn's, which takes "
-        "cos(theta/2)",
+        "c = cos(theta), theta the Phong angle; k the Phong exponent rho; x k the Blinn exponent, the power "
+        "of cos(theta/2)",
     .sweep = "1,2,4,8,16,32,64,128,256,512,1024,2048",
     .curve = {.trend = Trend::falls, .is_non_negative = true, .is_at_most_one = true}};
 

@@ -58,13 +58,18 @@ Outcome usage_error(const std::string& message, const std::vector<std::string>& 
   return {2, "", fmt::format("shadefit: {} (see 'shadefit help{}')\n", one_line(message), of)};
 }
 
-/// Requires values, because CLI11 takes the next option as the value of an option.
+/// Requires values of options, because CLI11 takes the next option as a value; and none of flags, because
+/// CLI11 reads "--json=3" as "--json".
 void require_values(const CLI::App& command, const std::vector<std::string>& arguments) {
-  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string name = arguments[i].substr(0, arguments[i].find('='));
     const bool is_open = name == arguments[i] || name.size() + 1 == arguments[i].size();
     const CLI::Option* option = name.starts_with("--") ? command.get_option_no_throw(name) : nullptr;
-    const bool takes_value = option != nullptr && option->get_items_expected_min() > 0;
+    if (option == nullptr) continue;
+    if (option->get_items_expected_max() == 0 && name != arguments[i])
+      throw UserError(fmt::format("'{}': {} takes no value", arguments[i], name));
+    if (i + 1 == arguments.size()) break;
+    const bool takes_value = option->get_items_expected_min() > 0;
     if (takes_value && is_open && looks_like_an_option(arguments[i + 1]))
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
                                   name, arguments[i + 1]));

@@ -133,6 +133,18 @@ void require_known_filters(const ListOptions& options) {
                                 fmt::join(titles, "; ")));
 }
 
+/// The claim that states the published constant of that id; any other id is returned.
+std::string claim_of(const std::string& id) {
+  for (const Topic& topic : ledger) {
+    for (const Claim& claim : topic.claims) {
+      for (const Published& constant : claim.constants) {
+        if (constant.id == id) return std::string(claim.id);
+      }
+    }
+  }
+  return id;
+}
+
 }  // namespace
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
@@ -149,10 +161,10 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
 }
 
 Outcome explain_command(const ExplainOptions& options) {
-  require_known(options.id, claim_ids(), "claim");
+  const std::string claim = claim_of(options.id);
+  require_known(claim, claim_ids(), "claim");
   Fits fits;
-  const JudgedClaim judged =
-      judge_claims([&](std::string_view id) { return id == options.id; }, fits).front();
+  const JudgedClaim judged = judge_claims([&](std::string_view id) { return id == claim; }, fits).front();
   return {judged.finding.verdict ? 0 : 1,
           options.json ? json_text(explanation_json(judged)) : explanation(judged, options.terminal), ""};
 }

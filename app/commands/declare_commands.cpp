@@ -123,7 +123,7 @@ void add_metric(CLI::App& command, FitOptions& fit) {
 
 void add_norm(CLI::App& command, FitOptions& fit) {
   add_choice(command, "--norm", fit.metric.norm, by_name(std::array{Norm::least_squares, Norm::minimax}),
-             "what the fit makes smallest: the mean square of the error, or its maximum");
+             "what the fit minimises: the mean square of the error, or its maximum");
 }
 
 /// Adds the options for the constraints of a fit.
@@ -224,7 +224,9 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
 }
 
 void declare_explain(CLI::App& explain, ExplainOptions& options) {
-  explain.add_option("id", options.id, "a claim (see 'shadefit list')")->required()->type_name("CLAIM");
+  explain.add_option("id", options.id, "a claim (see 'shadefit list'), or a constant of one")
+      ->required()
+      ->type_name("CLAIM");
   add_json(explain, options.json);
 }
 

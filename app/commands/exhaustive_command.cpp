@@ -42,7 +42,7 @@ const forms::FormEntry& find_form(const forms::Catalogue& catalogue, const std::
     if (form.id != id) continue;
     if (form.arguments == forms::Arguments::cosine) return form;
     throw UserError(
-        fmt::format("--exhaustive '{}' is no form of one cosine: it reads {} of each element", id,
+        fmt::format("--exhaustive '{}' is not a form of one cosine: it reads {} of each element", id,
                     form.arguments == forms::Arguments::cosine_and_code ? "a gloss too" : "a normal"));
   }
   require_known(id, known, "form of one cosine");

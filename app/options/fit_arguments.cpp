@@ -124,7 +124,7 @@ Surface surface_for(const FittableFamily& family, const FitOptions& options) {
                         .extinction = extinction};
   if (!(normal_reflectance<double>(surface) < 1))
     throw UserError(fmt::format(
-        "--ior '{}' reflects all light at normal incidence, as doubles have it: no reflectance lies above f0",
+        "--ior '{}' reflects all light at normal incidence, to the precision of a double: no reflectance is above f0",
         ior));
   return surface;
 }
@@ -147,7 +147,7 @@ Metric metric_for(const FitOptions& options, const FittableFamily& family,
   if (!metric.weight.empty()) check_weight(metric.weight, metric.domain);
   if (!constraints.held.empty()) check_held(constraints.held, family);
   if (constraints.at_most && constraints.at_least && *constraints.at_most < *constraints.at_least)
-    throw UserError(fmt::format("--at-least '{}' exceeds --at-most '{}': no value lies between",
+    throw UserError(fmt::format("--at-least '{}' exceeds --at-most '{}': no value is between",
                                 *constraints.at_least, *constraints.at_most));
   const auto for_minimax = constraint_for_minimax(constraints);
   if (metric.norm == Norm::least_squares && for_minimax)

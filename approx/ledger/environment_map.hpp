@@ -59,20 +59,21 @@ inline constexpr std::array environment_map_claims{
               "covers as much has s + 1 = 3 at every width. The cosine itself covers pi. A face is a square "
               "with hard edges, which is a further difference and not counted.",
           .source = sources::mcguire_2013},
-    Claim{.id = "mip-mean-power",
-          .statement =
-              "a cube map of 128 texels a face is reflected unblurred, once it is filtered with a cosine "
-              "lobe, only for powers above 16000",
-          .printed = {{"power", "16000"}},
-          .inputs = {{"width", "128"}, {"significant digits", "2"}, {"falls by e to the minus", "1,2"}},
-          .derivation =
-              "The source names no criterion. The first one tried: the lobe covers one mean texel of level "
-              "0, s = 3 w^2 - 1. The next ones: it covers one texel at the centre of a face, or one in a "
-              "corner; or it has fallen to e^-1 or e^-2 at the centre of the next texel in the middle of a "
-              "face. There tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read "
-              "to its significant digits. Where a criterion other than the first gives these digits, the "
-              "verdict is other-objective.",
-          .source = sources::lagarde_2011_adopting},
+    Claim{
+        .id = "mip-mean-power",
+        .statement =
+            "a cube map with faces 128 texels wide, filtered with a cosine lobe, looks unblurred in a reflection "
+            "only for powers above 16000",
+        .printed = {{"power", "16000"}},
+        .inputs = {{"width", "128"}, {"significant digits", "2"}, {"falls by e to the minus", "1,2"}},
+        .derivation =
+            "The source names no criterion. The first one tried: the lobe covers one mean texel of level "
+            "0, s = 3 w^2 - 1. The next ones: it covers one texel at the centre of a face, or one in a "
+            "corner; or it has fallen to e^-1 or e^-2 at the centre of the next texel in the middle of a "
+            "face. There tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read "
+            "to its significant digits. Where a criterion other than the first gives these digits, the "
+            "verdict is other-objective.",
+        .source = sources::lagarde_2011_adopting},
     Claim{.id = "mip-gloss-chain",
           .statement = "a chain of levels from 128 down to 4 texels, of which level m is made for the power "
                        "round(2^(10 g + 1)) with g = 1 - m/(levels - 1)",
@@ -102,38 +103,40 @@ inline constexpr std::array environment_map_claims{
           .inputs = {{"spheres", "11"}, {"octaves", "10"}, {"first octave", "1"}},
           .derivation = "Eleven glosses have ten steps between them, of one octave each.",
           .source = sources::lagarde_2011_adopting},
-    Claim{.id = "mip-power-drop",
-          .statement = "a first power of 2048 with a drop of 0.25 per level gives this series",
-          .printed = {{"", "2048"}, {"", "512"}, {"", "128"}, {"", "32"}, {"", "8"}, {"", "2"}},
-          .inputs = {{"first power", "2048"}, {"drop", "0.25"}, {"octaves", "10"}},
-          .derivation =
-              "s drop^m. The chain of a gloss that spans so many octaves over its levels drops by "
-              "2^(-octaves/(levels - 1)) per level. For the printed number of levels this is the same chain; "
-              "for another number it is not.",
-          .source = sources::lagarde_2012_cubemapgen},
-    Claim{.id = "mip-select",
-          .statement =
-              "a shader that reads level (1 - g) levels of a chain made for g = 1 - m/(levels - 1) finds the "
-              "power of its gloss",
-          .inputs = {{"levels", "6"},
-                     {"octaves", "10"},
-                     {"first octave", "1"},
-                     {"gloss bits", "8"},
-                     {"gloss steps that count as found", "1"}},
-          .derivation =
-              "The level belongs to the gloss g' = 1 - (1 - g) levels/(levels - 1), so the power found is "
-              "2^(-octaves (1 - g)/(levels - 1)) of the power wanted, down to g = 1/levels, where it is "
-              "2^(-octaves/levels); below, the level is clamped to the last one. Between two levels the "
-              "chain is assumed to hold the power of the formula; trilinear filtering mixes two lobes there, "
-              "which is not exactly one lobe. A power within one step of the stored gloss counts as found. A "
-              "shader that finds it only at the two ends of the gloss, where any count reads the first and "
-              "the last level, would be `refuted`. With levels - 1 as its count, the shader inverts the "
-              "generator.",
-          .source = sources::lagarde_2011_adopting},
+    Claim{
+        .id = "mip-power-drop",
+        .statement = "a first power of 2048 that drops to 0.25 of itself per level gives the printed series",
+        .printed = {{"", "2048"}, {"", "512"}, {"", "128"}, {"", "32"}, {"", "8"}, {"", "2"}},
+        .inputs = {{"first power", "2048"}, {"drop", "0.25"}, {"octaves", "10"}},
+        .derivation =
+            "s drop^m. The chain of a gloss that spans so many octaves over its levels drops by "
+            "2^(-octaves/(levels - 1)) per level. For the printed number of levels this is the same chain; "
+            "for another number it is not.",
+        .source = sources::lagarde_2012_cubemapgen},
+    Claim{
+        .id = "mip-select",
+        .statement =
+            "a shader reads the level with the number (1 - g) times the count of levels, from a chain whose level "
+            "m is made for g = 1 - m/(levels - 1): it finds the power of its gloss",
+        .inputs = {{"levels", "6"},
+                   {"octaves", "10"},
+                   {"first octave", "1"},
+                   {"gloss bits", "8"},
+                   {"gloss steps that count as found", "1"}},
+        .derivation =
+            "The level belongs to the gloss g' = 1 - (1 - g) levels/(levels - 1), so the power found is "
+            "2^(-octaves (1 - g)/(levels - 1)) of the power wanted, down to g = 1/levels, where it is "
+            "2^(-octaves/levels); below, the level is clamped to the last one. Between two levels the "
+            "chain is assumed to hold the power of the formula; trilinear filtering mixes two lobes there, "
+            "which is not exactly one lobe. A power within one step of the stored gloss counts as found. A "
+            "shader that finds it only at the two ends of the gloss, where any count reads the first and "
+            "the last level, would be `refuted`. With levels - 1 as its count, the shader inverts the "
+            "generator.",
+        .source = sources::lagarde_2011_adopting},
     Claim{.id = "power-range",
           .statement =
               "specular powers of real surfaces run from 0.1 to more than 100000, too much for the 8 bits of "
-              "a texture; the step of an 8-bit gloss over [2, 2048] follows",
+              "a texture; we derive the step of an 8-bit gloss over [2, 2048]",
           .printed = {{"step in % (derived)", "2.76"}},
           .inputs = {{"least", "0.1"},
                      {"most", "100000"},

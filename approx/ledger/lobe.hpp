@@ -39,8 +39,8 @@ inline constexpr std::array lobe_claims{
           .source = sources::lagarde_2012},
     Claim{.id = "sg-plain-accurate",
           .statement =
-              "exp(k(c-1)) is accurate above k = 15 and poor below 8; k = 1 and 2 are bad for every offset x "
-              "of exp((k+x)(c-1)), and only they among the whole powers",
+              "exp(k(c-1)) is accurate above k = 15 and poor below 8; among the whole powers only k = 1 and "
+              "2 are bad for every offset x of exp((k+x)(c-1))",
           .printed = {{"accurate above", "15"}, {"poor below", "8"}, {"bad up to", "2"}},
           .inputs = {{"offset", "0"},
                      {"accurate", "0.02"},
@@ -59,7 +59,7 @@ inline constexpr std::array lobe_claims{
         .id = "sg-plain-peak",
         .statement =
             "near the peak exp(k(c-1)) is closer to c^k than exp((k+x)(c-1)) with the published mean of x: "
-            "from some cosine on, which depends on k",
+            "above some cosine c that depends on k",
         .inputs = {{"offset", sg_offset_published[0].printed}, {"exponents", "1:15:1,25,50,100,1000,10000"}},
         .derivation =
             "Both errors are equal where 1 + exp(-x y) = 2 c^k/exp(-k y), y = 1-c. The logarithm of their "

@@ -101,8 +101,8 @@ inline constexpr std::array microfacet_claims{
           .source = sources::heitz_2014},
     Claim{.id = "smith-borrowed",
           .statement =
-              "Blinn-Phong with Beckmann's G1 and GTR1 with GGX's, as they are commonly combined: how far "
-              "the integral of G1 D(m) max(v.m, 0) is from v.n",
+              "Blinn-Phong is commonly combined with Beckmann's G1, and GTR1 with GGX's: we test how far the "
+              "integral of G1 D(m) max(v.m, 0) then is from v.n",
           .inputs = {{"blinn-phong", "beckmann"},
                      {"gtr1", "ggx"},
                      detail::roughnesses,

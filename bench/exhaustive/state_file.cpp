@@ -141,7 +141,7 @@ Sweep parse_state(const std::string& text, const std::string& name) {
   const auto is_possible = [&](std::uint64_t count) { return count <= done.size(); };
   if (!is_possible(sweep.found.nans) || !std::all_of(ulps.begin(), ulps.end(), is_possible) ||
       sweep.found.count() != done.size())
-    fields.fail("ulps", "has not as many counts as floats are done");
+    fields.fail("ulps", "has counts that do not add up to the tested floats");
   fields.require_written_as(state_json(sweep));
   return sweep;
 }

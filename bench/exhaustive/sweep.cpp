@@ -44,7 +44,8 @@ Shard parse_shard(const std::string& text) {
     const auto of = whole_number(std::string_view(text).substr(slash + 1));
     if (index && of && 1 <= *index && *index <= *of) return {*index, *of};
   }
-  throw UserError(fmt::format("--shard '{}' is no part of a whole: it must be i/n with 1 <= i <= n", text));
+  throw UserError(
+      fmt::format("--shard '{}' is not a part of a whole: it must be i/n with 1 <= i <= n", text));
 }
 
 Stretch stretch_of(const Shard& shard, const Stretch& whole) {

@@ -45,7 +45,8 @@ class Timed {
   }
 
   /// ns per sample: the median of the rounds, in processor time of this thread.
-  std::vector<double> times(const bench::Plan& timing, const std::function<void(double)>& between) const {
+  std::vector<double> times(const bench::TimingPlan& timing,
+                            const std::function<void(double)>& between) const {
     std::vector<double> times;
     for (const bench::Samples& samples : bench::time_interleaved(work_, timing, bench::now, between))
       times.push_back(bench::spread_of(samples.cpu).median);
@@ -112,7 +113,7 @@ std::vector<MeasuredWay> broken_promises(const Measurement& measurement) {
 }
 
 Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
-                    const bench::Plan& timing, const Checkpoint& checkpoint,
+                    const bench::TimingPlan& timing, const Checkpoint& checkpoint,
                     const std::function<void(double)>& watch) {
   std::vector<scene::Plan> plans{plan};
   for (scene::Plan& swept : plans_of_sweep(scene, plan, checkpoint)) plans.push_back(std::move(swept));

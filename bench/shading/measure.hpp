@@ -57,13 +57,14 @@ inline constexpr std::array swept_tolerances{1.0 / 32,  1.0 / 64,   1.0 / 128,  
                                              1.0 / 512, 1.0 / 1024, 1.0 / 2048, 1.0 / 4096};
 
 /// The duration of the measurement.
-inline constexpr bench::Plan full_plan{.rounds = 7, .seconds = 0.015};
+inline constexpr bench::TimingPlan full_plan{.rounds = 7, .seconds = 0.015};
 /// For tests, which do not use times.
-inline constexpr bench::Plan quick_plan{.rounds = 1, .seconds = 0};
+inline constexpr bench::TimingPlan quick_plan{.rounds = 1, .seconds = 0};
 
 /// `watch` gets the finished share of the timing, from 0 to 1.
 Measurement measure(
-    const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels, const bench::Plan& timing,
-    const Checkpoint& checkpoint = keep_going, const std::function<void(double)>& watch = [](double) {});
+    const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels,
+    const bench::TimingPlan& timing, const Checkpoint& checkpoint = keep_going,
+    const std::function<void(double)>& watch = [](double) {});
 
 }  // namespace shadefit::shade

@@ -48,7 +48,7 @@ void sample(const Work& work, Samples& samples, const Clock& clock) {
 
 }  // namespace
 
-std::vector<Samples> time_interleaved(std::span<const Work> work, const Plan& plan, const Clock& clock,
+std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPlan& plan, const Clock& clock,
                                       const std::function<void(double)>& between) {
   std::vector<Samples> all(work.size());
   // The calibration takes about as long as two rounds.

@@ -35,7 +35,7 @@ struct Work {
   bool is_warm = true;   ///< each visit begins with untimed calls, so that its data are in the cache
 };
 
-struct Plan {
+struct TimingPlan {
   int rounds;      ///< each visits every piece of work once
   double seconds;  ///< the least time of a visit
 };
@@ -56,7 +56,7 @@ long calls_that_take(const Work& work, double seconds, const Clock& clock);
 
 /// Times all of the work. Between visits, `between` gets the finished share, from 0 to 1. It may end the work
 /// by throwing.
-std::vector<Samples> time_interleaved(std::span<const Work> work, const Plan& plan, const Clock& clock,
+std::vector<Samples> time_interleaved(std::span<const Work> work, const TimingPlan& plan, const Clock& clock,
                                       const std::function<void(double)>& between);
 
 }  // namespace shadefit::bench

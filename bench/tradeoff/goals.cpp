@@ -13,7 +13,8 @@ using Condition = std::function<bool(const TimedForm&)>;
 const TimedForm* fastest(const Trade& trade, const std::string& target, const Condition& is_wanted) {
   const TimedForm* best = nullptr;
   for (const TimedForm& row : trade.forms) {
-    if (row.target != target || row.is_double || row.place != Place::first_cache || !is_wanted(row)) continue;
+    if (row.target != target || row.is_double || row.place != DataPlace::first_cache || !is_wanted(row))
+      continue;
     if (best == nullptr || row.ns.median < best->ns.median) best = &row;
   }
   return best;

@@ -84,8 +84,8 @@ class Workloads {
 
 template <class Real>
 Work work_of(forms::Kernel<Real> kernel, const forms::Target& target, std::vector<Real> parameters,
-             Place place, Workloads<Real>& workloads) {
-  if (place == Place::first_cache) {
+             DataPlace place, Workloads<Real>& workloads) {
+  if (place == DataPlace::first_cache) {
     const auto arrays = workloads.in_cache(target);
     const std::size_t size = arrays->size();
     return {[=] {
@@ -107,7 +107,7 @@ Work work_of(forms::Kernel<Real> kernel, const forms::Target& target, std::vecto
 /// The timed work, in the order of the catalogue.
 class Programme {
  public:
-  Programme(const forms::Catalogue& catalogue, const Wanted& wanted, std::size_t last_cache)
+  Programme(const forms::Catalogue& catalogue, const WantedForms& wanted, std::size_t last_cache)
       : has_little_memory_(wanted.has_little_memory), floats_(last_cache), doubles_(last_cache) {
     for (const forms::Width width : wanted.widths) {
       const auto compiled = compiled_for(width);
@@ -123,7 +123,7 @@ class Programme {
   std::vector<Work> work;
 
  private:
-  static bool is_wanted(const Wanted& wanted, std::string_view target) {
+  static bool is_wanted(const WantedForms& wanted, std::string_view target) {
     return wanted.targets.empty() ||
            std::find(wanted.targets.begin(), wanted.targets.end(), target) != wanted.targets.end();
   }
@@ -135,19 +135,19 @@ class Programme {
       if (version.form != id) continue;
       const auto given =
           form == nullptr ? std::vector<double>{} : forms::parameters_of(target, form->constants.front());
-      add(version, version.in_float, target, form, given, width, Place::first_cache, floats_);
-      add(version, version.in_double, target, form, given, width, Place::first_cache, doubles_);
+      add(version, version.in_float, target, form, given, width, DataPlace::first_cache, floats_);
+      add(version, version.in_double, target, form, given, width, DataPlace::first_cache, doubles_);
       if (!has_little_memory_ || target.arguments != forms::Arguments::normal_to_lights)
-        add(version, version.in_float, target, form, given, width, Place::memory, floats_);
+        add(version, version.in_float, target, form, given, width, DataPlace::memory, floats_);
       if (!has_little_memory_)
-        add(version, version.in_double, target, form, given, width, Place::memory, doubles_);
+        add(version, version.in_double, target, form, given, width, DataPlace::memory, doubles_);
     }
   }
 
   template <class Real>
   void add(const forms::CompiledForm& version, forms::Kernel<Real> kernel, const forms::Target& target,
-           const forms::FormEntry* form, const std::vector<double>& given, forms::Width width, Place place,
-           Workloads<Real>& workloads) {
+           const forms::FormEntry* form, const std::vector<double>& given, forms::Width width,
+           DataPlace place, Workloads<Real>& workloads) {
     if (kernel == nullptr) return;
     TimedForm row;
     row.target = form == nullptr ? "" : target.id;
@@ -194,8 +194,8 @@ bool is_reference(const forms::Catalogue& catalogue, const forms::FormEntry& for
 
 }  // namespace
 
-Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& errors, const Wanted& wanted,
-              const Clock& clock, const std::function<void(double)>& between) {
+Trade measure(const forms::Catalogue& catalogue, const std::vector<FormError>& errors,
+              const WantedForms& wanted, const Clock& clock, const std::function<void(double)>& between) {
   Trade trade;
   trade.machine = this_machine();
   trade.widths = wanted.widths;

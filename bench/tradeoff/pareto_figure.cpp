@@ -60,7 +60,8 @@ std::vector<TimedForm> drawable_forms(const Trade& trade, const std::string& tar
   std::vector<TimedForm> forms = fastest_of(trade, target);
   for (const TimedForm& timed : trade.forms) {
     const bool is_scalar_reference = timed.target == target && timed.is_reference &&
-                                     timed.width == forms::Width::scalar && timed.place == Place::first_cache;
+                                     timed.width == forms::Width::scalar &&
+                                     timed.place == DataPlace::first_cache;
     const bool is_there = std::any_of(forms.begin(), forms.end(),
                                       [&](const TimedForm& form) { return is_same_way(form, timed); });
     if (is_scalar_reference && !is_there) forms.push_back(timed);

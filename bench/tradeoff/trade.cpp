@@ -6,8 +6,8 @@
 
 namespace shadefit::bench {
 
-std::string name(Place place) {
-  return place == Place::first_cache ? "L1" : "memory";
+std::string name(DataPlace place) {
+  return place == DataPlace::first_cache ? "L1" : "memory";
 }
 
 std::string full_id(const TimedForm& timed) {
@@ -39,7 +39,8 @@ bool is_same_way(const TimedForm& a, const TimedForm& b) {
 
 const TimedForm* in_memory(const Trade& trade, const TimedForm& timed) {
   return first_where(trade.forms, [&](const TimedForm& other) {
-    return is_same_kernel(other, timed) && other.constants == timed.constants && other.place == Place::memory;
+    return is_same_kernel(other, timed) && other.constants == timed.constants &&
+           other.place == DataPlace::memory;
   });
 }
 
@@ -60,7 +61,7 @@ void relate(Trade& trade) {
 std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target) {
   std::vector<TimedForm> fastest;
   for (const TimedForm& timed : trade.forms) {
-    if (timed.target != target || timed.place != Place::first_cache || !timed.max_abs_error) continue;
+    if (timed.target != target || timed.place != DataPlace::first_cache || !timed.max_abs_error) continue;
     const auto same = std::find_if(fastest.begin(), fastest.end(), [&](const TimedForm& known) {
       return known.form == timed.form && known.constants == timed.constants &&
              known.exp2_degree == timed.exp2_degree && known.is_double == timed.is_double;

@@ -12,13 +12,13 @@
 namespace shadefit::bench {
 
 /// The location of the arrays that a form reads and writes.
-enum class Place {
+enum class DataPlace {
   first_cache,  ///< both together in the smallest cache
   memory,       ///< in arrays far larger than the last cache
 };
 
 /// "L1", "memory".
-std::string name(Place place);
+std::string name(DataPlace place);
 
 /// One measurement for a target: the form, its compilation, the place of its data, and its time.
 struct TimedForm {
@@ -30,7 +30,7 @@ struct TimedForm {
   bool is_reference = false;  ///< the target's own formula by the library's pow, exp2, sqrt ..
   bool is_double = false;
   forms::Width width = forms::Width::scalar;
-  Place place = Place::first_cache;
+  DataPlace place = DataPlace::first_cache;
   Spread ns = {};                       ///< per element
   std::vector<double> real, cpu;        ///< ns per element of every round
   long elements = 0;                    ///< per mean in `real` and `cpu`

@@ -46,7 +46,7 @@ Contender contender(Kind kind, const FittableFamily& family, const Subject& subj
 }
 
 /// Appends the printed constants of a family, each set once.
-void append_published(Comparison& comparison, const FittableFamily& family, const Contest& contest,
+void append_published(Comparison& comparison, const FittableFamily& family, const ComparisonOptions& options,
                       const Checkpoint& checkpoint) {
   auto& contenders = comparison.contenders;
   for (const Published* number : numbers_of(family.info)) {
@@ -54,7 +54,7 @@ void append_published(Comparison& comparison, const FittableFamily& family, cons
     Subject subject{.family = std::string(family.info.id),
                     .parameters = {},
                     .setting = comparison.setting,
-                    .domain = contest.domain};
+                    .domain = options.domain};
     for (const auto& [parameter, printed] : printed_parameters(family, *number))
       subject.parameters.emplace_back(parameter, printed);
     const bool is_known = std::any_of(contenders.begin(), contenders.end(), [&](const Contender& other) {
@@ -62,7 +62,7 @@ void append_published(Comparison& comparison, const FittableFamily& family, cons
     });
     if (is_known) continue;
     Contender found = contender(Kind::published, family, subject, published_parameters(family, *number),
-                                contest.width, checkpoint);
+                                options.width, checkpoint);
     found.published = number->id;
     found.origin = std::string(number->source.author) + " " + std::to_string(number->source.year);
     contenders.push_back(std::move(found));
@@ -88,22 +88,22 @@ void append_fit(Comparison& comparison, const FittableFamily& family, Metric met
   comparison.contenders.push_back(std::move(found));
 }
 
-void append_fits(Comparison& comparison, const FittableFamily& family, const Contest& contest,
+void append_fits(Comparison& comparison, const FittableFamily& family, const ComparisonOptions& options,
                  const Checkpoint& checkpoint) {
   const auto append = [&](const Metric& metric) {
-    append_fit(comparison, family, metric, contest.width, checkpoint);
+    append_fit(comparison, family, metric, options.width, checkpoint);
   };
   append({.norm = Norm::minimax});
-  if (contest.only_minimax) return;
+  if (options.only_minimax) return;
   append({.norm = Norm::minimax, .error = Error::relative});
   if (family.info.id != comparison.family->info.id) return;
   for (const Measure measure : measures) append({.measure = measure});
 }
 
 /// Appends Schlick's formula if it is not the target.
-void append_schlick(Comparison& comparison, const Contest& contest, const Checkpoint& checkpoint) {
+void append_schlick(Comparison& comparison, const ComparisonOptions& options, const Checkpoint& checkpoint) {
   const SchlickError error =
-      schlick_error(comparison.setting.surface, contest.domain, contest.width, checkpoint);
+      schlick_error(comparison.setting.surface, options.domain, options.width, checkpoint);
   const Symbolic form = comparison.family->target();
   comparison.contenders.push_back({.kind = Kind::published,
                                    .family = "",
@@ -159,17 +159,17 @@ bool have_same_target(const FittableFamily& a, const FittableFamily& b) {
   return to_text(a.target()) == to_text(b.target());
 }
 
-Comparison compare_forms(const FittableFamily& family, const Setting& setting, const Contest& contest,
-                         const Checkpoint& checkpoint) {
-  Comparison comparison{.family = &family, .setting = setting, .domain = contest.domain};
+Comparison compare_forms(const FittableFamily& family, const Setting& setting,
+                         const ComparisonOptions& options, const Checkpoint& checkpoint) {
+  Comparison comparison{.family = &family, .setting = setting, .domain = options.domain};
   auto& contenders = comparison.contenders;
-  if (family.is_fresnel() && setting.surface.is_exact()) append_schlick(comparison, contest, checkpoint);
+  if (family.is_fresnel() && setting.surface.is_exact()) append_schlick(comparison, options, checkpoint);
   append_target(comparison);
   for (const FittableFamily& other : fittable_families()) {
     if (!have_same_target(family, other)) continue;
     checkpoint();
-    append_published(comparison, other, contest, checkpoint);
-    append_fits(comparison, other, contest, checkpoint);
+    append_published(comparison, other, options, checkpoint);
+    append_fits(comparison, other, options, checkpoint);
   }
   std::stable_sort(contenders.begin(), contenders.end(), [](const Contender& a, const Contender& b) {
     const bool is_first = a.kind == Kind::published, is_other_first = b.kind == Kind::published;

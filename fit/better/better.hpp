@@ -46,7 +46,7 @@ struct Comparison {
 };
 
 /// The options of a comparison.
-struct Contest {
+struct ComparisonOptions {
   Domain domain = {};
   double width;               ///< of the bounds, relative to the error
   bool only_minimax = false;  ///< only minimax fits of the absolute error, besides the published constants
@@ -63,7 +63,7 @@ bool have_same_target(const FittableFamily& a, const FittableFamily& b);
 ///
 /// At an exponent, all published numbers of a lobe are compared, even those printed for other exponents,
 /// because that is how they are used.
-Comparison compare_forms(const FittableFamily& family, const Setting& setting, const Contest& contest,
-                         const Checkpoint& checkpoint = keep_going);
+Comparison compare_forms(const FittableFamily& family, const Setting& setting,
+                         const ComparisonOptions& options, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit

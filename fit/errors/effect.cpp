@@ -47,7 +47,7 @@ std::string capitalised(std::string part) {
 
 }  // namespace
 
-void Effect::show(double before, double after, const Place& at) {
+void Effect::show(double before, double after, const Coordinates& at) {
   const double step = std::abs(after - before);
   if (!std::isfinite(step)) {
     absolute = {std::numeric_limits<double>::infinity(), at};
@@ -71,7 +71,7 @@ void Effect::include(const Effect& other, const Coordinate& coordinate) {
   srgb_codes = std::max(srgb_codes, other.srgb_codes);
 }
 
-std::string words(const Place& place) {
+std::string words(const Coordinates& place) {
   return words(place.first) + (place.second.before.empty() ? "" : ", " + words(place.second));
 }
 

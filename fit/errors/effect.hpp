@@ -25,14 +25,14 @@ struct Coordinate {
 };
 
 /// One coordinate, or two: "c = 0.735, k = 3".
-struct Place {
+struct Coordinates {
   Coordinate first;
   Coordinate second = {};
 };
 
 struct Change {
   double magnitude = 0;
-  Place at{};
+  Coordinates at{};
 };
 
 /// The largest changes of all values, each at its own worst place.
@@ -45,7 +45,7 @@ struct Effect {
 
   /// Adds a value that changes from `before` to `after` at a place. Of changes that are equal within
   /// `equal_extrema`, the first is kept. A change that is not finite makes `absolute` infinite.
-  void show(double before, double after, const Place& at);
+  void show(double before, double after, const Coordinates& at);
 
   /// Adds the values of another effect; `beside` is added to its places.
   void include(const Effect& other, const Coordinate& beside = {});
@@ -61,10 +61,10 @@ inline double half_ulp(double value) {
 }
 
 /// "c = 0.284"; near the peak, "c = 1 - 0.00031".
-inline Place at_cosine(const Cosine<double>& c) {
+inline Coordinates at_cosine(const Cosine<double>& c) {
   constexpr double near = 0.005;
   const bool is_near = c.one_minus_cos > 0 && c.one_minus_cos < near;
-  return is_near ? Place{{"c = 1 - ", c.one_minus_cos}} : Place{{"c = ", c.cos_theta}};
+  return is_near ? Coordinates{{"c = 1 - ", c.one_minus_cos}} : Coordinates{{"c = ", c.cos_theta}};
 }
 
 /// The effect of a change over the domain of the substitution. Absolute: a refined extremum; the others: the
@@ -118,7 +118,7 @@ Effect effect_of_change(const F& family, const Domain& domain, const std::array<
 }
 
 /// "c = 0.735, k = 3": whole numbers in full, others to three digits.
-std::string words(const Place& place);
+std::string words(const Coordinates& place);
 
 /// "moves the curve by up to 0.0017 codes of 8-bit sRGB (absolute: 3.7e-06 at c = 0.284; relative: 0.00013 at
 /// c = 0.0684; half float: 0.48 ulps)", or "none" if nothing moved. Each number is the largest of its kind.

@@ -34,7 +34,7 @@ bool overflows(const Decimal50& truth, const BinaryFormat& format) {
 }
 
 double ulps_off(double computed, const Decimal50& truth, const BinaryFormat& format) {
-  if (isnan(truth)) throw std::invalid_argument("the truth is no number");
+  if (isnan(truth)) throw std::invalid_argument("the truth is not a number");
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (std::isnan(computed)) return infinity;
   if (std::isinf(computed)) {

@@ -166,8 +166,7 @@ struct RationalForm {
   }
 };
 
-/// (1-c)^5, or the weight of a surface, by exp2(((a c + b) c + d) c). The starts are near those of the
-/// quadratic.
+/// (1-c)^5, or the weight of a surface, by exp2(((a c + b) c + d) c).
 struct FresnelCubic : FresnelFamily<CubicForm, 3> {
   static constexpr const Family& info = fresnel_cubic_family;
   static constexpr std::array<std::string_view, 3> parameters{"a", "b", "d"};

@@ -335,8 +335,7 @@ Candidate<N> common_optimum_by(const Patience& patience, const Starts<N>& starts
     if (candidate.status != Status::converged && is_at_border) {
       candidate.status = Status::at_border;
     } else if (candidate.status != Status::converged && is_far_end<N>(problem, before)) {
-      candidate.why =
-          "the error is no larger where all parameters are four times as large: none are the best";
+      candidate.why = "the error is not larger if all parameters are four times as large: there is no best";
     }
     return candidate;
   };

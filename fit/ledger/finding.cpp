@@ -61,9 +61,9 @@ std::string effect_of_factor(double printed, double exact, std::string_view lead
   const double ratio = printed / exact;
   // nothing to add for a ratio to 1
   const std::string itself =
-      exact == 1 ? "" : fmt::format(" (itself off by {:.2g})", std::abs(printed - exact));
+      exact == 1 ? "" : fmt::format(" (the value itself is off by {:.2g})", std::abs(printed - exact));
   return sentence(effect_on_greys(ratio), "a linear grey",
-                  fmt::format("{}{}scales what it multiplies by 1 {}{:.2g}{}, which", lead,
+                  fmt::format("{}{}makes what it multiplies 1 {}{:.2g} times as large{}, which", lead,
                               lead.empty() ? "" : " ", ratio < 1 ? "- " : "+ ", std::abs(ratio - 1), itself));
 }
 

@@ -29,8 +29,7 @@ std::string fault_of_parameters(const FittableFamily& family, const Subject& sub
     if (count > 1) return "parameter '" + name + "' is given twice";
   }
   for (std::size_t i = 0; i < given.size(); ++i) {
-    if (given[i].first != family.parameters[i])
-      return "parameter '" + given[i].first + "' stands out of order";
+    if (given[i].first != family.parameters[i]) return "parameter '" + given[i].first + "' is out of order";
   }
   return "";
 }
@@ -46,7 +45,7 @@ std::string fault_of_surface(const Surface& surface) {
   if (surface.ior == 1 && surface.extinction == 0)
     return "the index of refraction is 1 without extinction: nothing is reflected";
   if (!(normal_reflectance<double>(surface) < 1))
-    return "the surface reflects all light at normal incidence: no reflectance lies above f0";
+    return "the surface reflects all light at normal incidence: no reflectance is above f0";
   return "";
 }
 
@@ -60,7 +59,7 @@ std::string fault_of(const Subject& subject) {
   if (family->has_exponent() && !is_positive(setting.exponent)) return "the exponent is not greater than 0";
   if (!family->has_exponent() && setting.exponent != 0) return subject.family + " has no exponent";
   if (!family->is_fresnel() && setting.surface != Surface{})
-    return subject.family + " is no Fresnel form: it has no surface";
+    return subject.family + " is not a Fresnel form: it has no surface";
   if (std::string fault = fault_of_surface(setting.surface); !fault.empty()) return fault;
   const Domain& domain = subject.domain;
   if (!(0 <= domain.lower && domain.lower < domain.upper && domain.upper <= 1))

@@ -27,7 +27,7 @@ std::string check_subject(const Certificate& certificate) {
   if (const std::string target = target_text(family, subject.setting); certificate.target != target)
     return "the target '" + certificate.target + "' is not the family's " + target;
   if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && std::isfinite(certificate.upper)))
-    return "its bounds are no interval";
+    return "its bounds are not an interval";
   // Only a wider arithmetic than was used can hold what was proven with it.
   if (certificate.precision <= 0 || certificate.precision > interval_precision())
     return "it was made with " + std::to_string(certificate.precision) + " bits, here are " +
@@ -65,7 +65,7 @@ std::string check_places(const Certificate& certificate) {
         !is_inside({place.side, place.upper}, domain))
       return "the place " + text_of(place) + " is not within the domain";
     if (i > 0 && !cosine_rises(places[i - 1], place))
-      return "the place " + text_of(place) + " is not beyond the one before";
+      return "the place " + text_of(place) + " does not follow the one before";
   }
   return "";
 }

@@ -81,7 +81,7 @@ void require_exponent(const FittableFamily& family, double exponent, const Numbe
   if (!family.has_exponent()) return;
   const double rounded = static_cast<double>(NarrowResult<Format>::rounded(exponent));
   if (rounded == exponent) return;
-  throw UserError("exponent " + to_text(exponent) + " is no number of " + to_text(format) +
+  throw UserError("exponent " + to_text(exponent) + " is not a number of " + to_text(format) +
                   (std::isfinite(rounded) ? ": the nearest is " + to_text(rounded)
                                           : ": the largest is " + to_text(largest_of<Format>)));
 }

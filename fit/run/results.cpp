@@ -61,11 +61,11 @@ std::vector<Comparison> comparisons(const std::vector<std::string>& ids, const C
   };
   std::vector<Comparison> found;
   if (is_compared(fresnel)) {
-    found.push_back(compare_forms(fresnel, {}, report_contest, checkpoint));
+    found.push_back(compare_forms(fresnel, {}, report_comparison, checkpoint));
     const Setting on_glass(0, exact_surface(constant<double>(glass.ior)));
-    found.push_back(compare_forms(fresnel, on_glass, report_contest, checkpoint));
+    found.push_back(compare_forms(fresnel, on_glass, report_comparison, checkpoint));
   }
-  if (is_compared(lobe)) found.push_back(compare_forms(lobe, 5, report_contest, checkpoint));
+  if (is_compared(lobe)) found.push_back(compare_forms(lobe, 5, report_comparison, checkpoint));
   return found;
 }
 

@@ -25,7 +25,7 @@ struct Results {
 
 /// The comparison of a run: published curves against the minimax fit of each form, with more digits than the
 /// report shows.
-inline constexpr Contest report_contest{.width = 1e-6, .only_minimax = true};
+inline constexpr ComparisonOptions report_comparison{.width = 1e-6, .only_minimax = true};
 
 /// All ids: families, published constants, normalisations, claims, in the order of the report.
 std::vector<std::string> known_ids();

@@ -128,7 +128,7 @@ struct SplitByLog2 {
   }
 };
 
-/// From where on an exponential is no number of the format, log(2^1024), below it no normal one,
+/// From where on an exponential is not a number of the format, log(2^1024), below it no normal one,
 /// log(2^-1022), and beside 1 nothing, log(2^-54): each with a little room, so that 2^n is a power of the
 /// format.
 inline constexpr double overflow = 709.75, least_normal = -708.375, vanishing = -37.5;

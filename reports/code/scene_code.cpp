@@ -203,7 +203,7 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
       name(plan.wanted.precision)));
   if (plan.shading.exp2_degree > 0)
     comment.push_back(fmt::format(
-        "With exp2 and log2 {}; where exp2 is no instruction, a polynomial of degree {} does.",
+        "With exp2 and log2 {}; on processors without exp2, a polynomial of degree {} does.",
         plan.wanted.precision == scene::PixelPrecision::float32 ? "within 2 ulps" : "rounded once",
         plan.shading.exp2_degree));
   if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");

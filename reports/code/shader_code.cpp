@@ -135,7 +135,7 @@ class Body {
 
   std::string literal(const std::string& decimal) const {
     if (decimal.find_first_of("in") != std::string::npos)  // inf or nan
-      throw UserError(fmt::format("{}: '{}' is no number of that precision", function_.name, decimal));
+      throw UserError(fmt::format("{}: '{}' is not a number of that precision", function_.name, decimal));
     const bool is_whole = decimal.find_first_of(".e") == std::string::npos;
     return decimal + (is_whole ? ".0" : "") + std::string(is_half() ? dialect_.half_suffix : dialect_.suffix);
   }

@@ -49,10 +49,10 @@ void require_directory(const fs::path& directory) {
       throw UserError("output directory " + quoted_path(directory) + " cannot be used: " + error.message());
     if (fs::exists(fs::symlink_status(part, ignored))) {
       const bool below = whole.lexically_normal() != part.lexically_normal();
-      throw UserError(
-          "output directory " + quoted_path(directory) +
-          (below ? " lies below " + quoted_path(part) + ", which is no directory" : " is no directory") +
-          ": it must be a directory, or free to become one");
+      throw UserError("output directory " + quoted_path(directory) +
+                      (below ? " lies below " + quoted_path(part) + ", which is not a directory"
+                             : " is not a directory") +
+                      ": it must be a directory, or free to become one");
     }
   }
 }

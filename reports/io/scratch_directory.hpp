@@ -23,7 +23,7 @@ inline std::filesystem::path temporary_directory() {
     std::error_code error;
     if (std::filesystem::is_directory(value, error)) return value;
     if (!error) error = std::make_error_code(std::errc::not_a_directory);
-    throw UserError(fmt::format("{} '{}' is no directory: {}", variable, value, error.message()));
+    throw UserError(fmt::format("{} '{}' is not a directory: {}", variable, value, error.message()));
   }
   return "/tmp";
 }

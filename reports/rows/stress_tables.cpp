@@ -141,9 +141,9 @@ std::string broken_lines(const std::vector<FormTrial>& trials, const std::vector
           fmt::format("shadefit: {} in {} breaks its bound of {} ulps at {}: up to {:.3g} times the bound\n",
                       t.form, t.format.name, bound_text(*t.bound, t.format), t.first_broken, t.worst_share);
     if (!t.first_bad.empty())
-      lines +=
-          fmt::format("shadefit: {} in {} is no value at {}: {} NaN, {} infinite, {} negative, {} above\n",
-                      t.form, t.format.name, t.first_bad, t.nan, t.infinite, t.negative, t.above.value_or(0));
+      lines += fmt::format(
+          "shadefit: {} in {} has no usable value at {}: {} NaN, {} infinite, {} negative, {} above\n",
+          t.form, t.format.name, t.first_bad, t.nan, t.infinite, t.negative, t.above.value_or(0));
   }
   for (const StartsTrial& t : fits) {
     if (t.is_right()) continue;

@@ -48,17 +48,17 @@ std::string better_section(const std::vector<Comparison>& comparisons) {
   std::string out = fmt::format(
       "## Published against best\n\n"
       "What would be better at the same cost? For each target, the table lists the published curves, and each form with "
-      "its minimax constants, which make the largest error smallest. Some forms were never published. The largest errors "
-      "are proven to a relative width of {:g}: the digits shown are right to one unit of the last. The other errors are "
-      "computed, the rms error under the cosine measure. On a surface, errors are of the reflectance F. Operations are "
+      "its *minimax* constants: those that make the largest error smallest. Some forms were never published. Each largest "
+      "error is proven to lie in an interval of relative width {:g}: the last digit shown is right to one unit. The other "
+      "errors are computed but not proven, the rms error under the cosine measure. On a surface, errors are of the reflectance F. Operations are "
       "counted in the code that `shadefit emit` writes for one exponent, where expressions of constants are computed "
       "beforehand. A curve *beats* a published one if its proven error is smaller and it needs no more instructions. "
       "For other surfaces, exponents, domains and objectives see `shadefit better ID`.\n\n",
-      report_contest.width);
+      report_comparison.width);
   for (const Comparison& comparison : comparisons) {
     out += fmt::format("### {}\n\n", target_of(comparison)) +
            markdown_block(short_comparison_table(comparison)) +
-           "The best at the cost of each published curve:\n\n";
+           "For each published curve, the best curve that needs no more instructions:\n\n";
     for (const Contender& contender : comparison.contenders) {
       if (contender.kind == Kind::published)
         out += sentence(contender, best_against(comparison, contender.published));

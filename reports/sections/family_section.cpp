@@ -89,8 +89,8 @@ std::string published_paragraph(const Refit& refit, const Published& published) 
   } else {
     out += fmt::format("; the printed digits come out under the {} measure", judgement.objective);
   }
-  return out +
-         fmt::format(". Effect of using the computed number instead: {}.\n", sentence(found.front()->effect));
+  return out + fmt::format(". Effect: {}.\n", sentence(found.front()->effect, "the curve",
+                                                       "the computed number instead of the printed one"));
 }
 
 std::string published_section(const Refit& refit) {
@@ -200,9 +200,9 @@ std::string law_section(const Refit& refit) {
   }
   if (table.rows.empty()) return "";
   return fmt::format(
-      "For large k the best {0} follows {0}(k) = limit + slope / k. Derived by asymptotic expansion (in "
-      "approx/), and "
-      "extrapolated from the fits at k = 1e4, 1e5, 1e6:\n\n{1}",
+      "For large k the best {0} follows {0}(k) = limit + slope / k. The derived values come from "
+      "an asymptotic expansion (in approx/), the fitted ones are extrapolated from the fits at k = 1e4, 1e5, "
+      "1e6:\n\n{1}",
       refit.family->parameters[0], markdown_block(table));
 }
 
@@ -223,15 +223,16 @@ std::string sweep_words(const Refit& refit) {
       "with k: {:.3g} at k = {}.{}\n\n",
       *worst->fit.exponent, worst->fit.max_abs_error.magnitude, worst->fit.max_abs_error.at.cos_theta,
       last->fit.max_abs_error.magnitude, *last->fit.exponent,
-      published_mean(refit) != nullptr ? " The last column is what one published number costs at every k."
-                                       : "");
+      published_mean(refit) != nullptr
+          ? " The last column is the error if the published mean is used at every k."
+          : "");
 }
 
 std::string single_words(const Refit& refit) {
   const Fit& fit = refit.fits.front().fit;
   return fmt::format(
-      "Under the {} measure the best curve is off by at most {:.3g} at c = {:.3g}. What a shader shows is "
-      "{}: there the largest relative error is {:.3g}, at c = {:.3g}.\n\n",
+      "Under the {} measure the best curve is off by at most {:.3g} at c = {:.3g}. A shader shows "
+      "{}: the largest relative error of F is {:.3g}, at c = {:.3g}.\n\n",
       name(fit.metric.measure), fit.max_abs_error.magnitude, fit.max_abs_error.at.cos_theta, fit.relative_to,
       fit.max_rel_error->magnitude, fit.max_rel_error->at.cos_theta);
 }

@@ -122,8 +122,8 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {
   std::string out = fmt::format(
       "## The ledger\n\n"
-      "Every number and every testable statement of the sources, judged: {}. A printed number is judged by its "
-      "digits, as above. A statement is *confirmed* if it is true on the whole stated range. It is *conditional* if it is "
+      "The ledger is the list of every number and every testable statement of the sources. It holds {}. A printed "
+      "number is judged by its digits, as in [How to read it](#how-to-read-it). A statement is *confirmed* if it is true on the whole stated range. It is *conditional* if it is "
       "true on a part of that range, or in one of several readings; the evidence says which. Otherwise it is *refuted*. "
       "Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the derivation.\n\n",
       verdict_counts(claims));

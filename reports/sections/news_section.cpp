@@ -43,7 +43,7 @@ std::string news_section(const std::vector<JudgedClaim>& claims) {
   return fmt::format("## News\n\nWe judged {}.\n\n", verdict_counts(claims)) +
          news_of(claims_with(claims, Verdict::refuted), "**Refuted:**") +
          news_of(claims_with(claims, Verdict::conditional),
-                 "**Conditional,** true for a part of the range or in one of several readings:");
+                 "**Conditional:** true only for a part of the range, or only in one of several readings:");
 }
 
 }  // namespace shadefit

@@ -50,10 +50,10 @@ std::string microfacet_words(const Results& results) {
 std::string normalisation_section(const Results& results) {
   std::string out =
       "## Normalisation, with view and normal aligned\n\n"
-      "Each published constant is compared with 1 over the integral of its lobe over the hemisphere. Two rules "
-      "integrate: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference below the "
-      "tolerance prints as 0. The estimated error is a bound of the errors of both rules, their difference and the "
-      "tail that is cut off.\n\n";
+      "Each published constant is compared with 1 over the integral of its lobe over the hemisphere. Two "
+      "quadrature rules compute it: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference "
+      "below the tolerance is printed as 0. The estimated error is a bound: it covers the errors of both rules, their "
+      "difference, and the tail that is cut off.\n\n";
   Table lobes{{"constant", "lobe", "printed", "source"}, {}};
   for (const Normalisation& record : normalisations) {
     if (!is_checked(results, record)) continue;

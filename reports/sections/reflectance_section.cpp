@@ -50,8 +50,7 @@ std::string constant_part(const ReflectedConstant& constant, const Curves& curve
   std::string out = fmt::format("`{}`, `{} {}`:\n\n", record.id, record.printed, record.lobe) +
                     markdown_block(constant_table(curves, &Reflectance::reflectance));
   if (constant.has_cosine) return out;
-  return out +
-         fmt::format("`{}` with n.l beside it, `{} {} (n.l)`:\n\n", record.id, record.printed, record.lobe) +
+  return out + fmt::format("`{}` times n.l, `{} {} (n.l)`:\n\n", record.id, record.printed, record.lobe) +
          markdown_block(constant_table(curves, &Reflectance::with_cosine));
 }
 
@@ -124,8 +123,8 @@ std::string reflectance_section(const std::vector<ReflectanceCurve>& curves) {
       "lobe over the hemisphere n.l >= 0 (r.v clamped at 0). It is computed up to grazing views; the view angle is "
       "the angle to the normal, in degrees. A lobe conserves energy if R, with the factor n.l, is at most 1. So a "
       "constant that is stated without n.l is integrated as stated, and also with n.l. Two independent ways agree "
-      "to within the estimated error of `reflectance.csv`. One integrates over circles around the lobe's axis, the "
-      "azimuth in closed form, by Gauss-Kronrod. The other integrates over longitude and latitude around the pole "
+      "to within the estimated error of `reflectance.csv`. One integrates over circles around the lobe's axis: the "
+      "azimuth in closed form, the rest by Gauss-Kronrod. The other integrates over longitude and latitude around the pole "
       "perpendicular to n and v, by tanh-sinh or Gauss-Legendre.\n\n";
   std::string sentences;
   for (const ReflectedConstant& constant : reflected_constants) {
@@ -134,7 +133,8 @@ std::string reflectance_section(const std::vector<ReflectanceCurve>& curves) {
     out += constant_part(constant, found);
     sentences += energy_sentence(*constant.record, found);
   }
-  return out + "The largest over all view angles, and below which of them R with n.l exceeds 1:\n\n" +
+  return out +
+         "The largest R over all view angles, and the view angle below which R with n.l exceeds 1:\n\n" +
          markdown_block(largest_table(curves)) + sentences + "\n";
 }
 

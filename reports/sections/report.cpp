@@ -29,8 +29,10 @@ constexpr std::string_view how_to_read =
     "- *refuted*: no metric or convention gives the printed digits.\n\n"
     "`c` is a cosine in [0, 1]. A measure weighs the errors at different c. The `cosine` measure dc weighs solid angle "
     "evenly, the `angle` measure dc/sqrt(1-c^2) weighs the angle evenly, and the `cosine-weighted` measure c dc weighs "
-    "projected solid angle evenly. Fits are continuous least squares of the absolute error. The digits of a fit are those "
-    "that the last Newton step in wider arithmetic no longer changes, at most 14.\n\n";
+    "projected solid angle evenly. A fit is continuous least squares: it makes the integral of the squared absolute error, "
+    "weighted by the measure, smallest. The digits of a fit are those that the last Newton step in wider arithmetic no longer changes, at most 14. An effect is the largest "
+    "change between two numbers or formulas: in 8-bit sRGB codes, as an absolute error, as a relative error (of values "
+    "from 1/255 on), and in steps of a half float (ulps).\n\n";
 
 /// The publications that the records of these results cite, by year.
 std::string sources_section(const Results& results) {

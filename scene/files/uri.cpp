@@ -61,7 +61,7 @@ std::string base64_decoded(std::string_view text) {
   unsigned pending = 0, bits = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const unsigned value = base64_value(text[i]);
-    if (value == 64) throw UserError(fmt::format("character {} of the base64 is none of its 64", i + 1));
+    if (value == 64) throw UserError(fmt::format("character {} of the base64 is not one of its 64", i + 1));
     pending = (pending << 6 | value) & 0xFFFF;
     bits += 6;
     if (bits < 8) continue;

@@ -43,7 +43,7 @@ std::errc read_number(std::string_view word, double& number) {
 double number_in(const MtlLine& line, std::string_view word, double most) {
   double number = 0;
   const std::errc error = read_number(word, number);
-  if (error == std::errc::invalid_argument) line.refuse(fmt::format("'{}' is no number", shortened(word)));
+  if (error == std::errc::invalid_argument) line.refuse(fmt::format("'{}' is not a number", shortened(word)));
   if (error != std::errc() || !std::isfinite(number))
     line.refuse(fmt::format("'{}' is not a finite number of double precision", shortened(word)));
   if (number < 0 || number > most) {
@@ -148,7 +148,7 @@ std::vector<MtlEntry> parse_mtl(std::string_view text, const std::string& file, 
     const MtlLine line{file, ++number, words_of_line(next_line(text))};
     if (line.words.key.find('\0') != std::string_view::npos ||
         line.words.values.find('\0') != std::string_view::npos) {
-      throw UserError(fmt::format("'{}', line {}: there is a zero byte: this is no text", file, number));
+      throw UserError(fmt::format("'{}', line {}: there is a zero byte: this is not text", file, number));
     }
     if (line.words.key == "newmtl") {
       if (line.words.values.empty()) line.refuse("the material has no name");

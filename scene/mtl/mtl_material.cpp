@@ -49,7 +49,7 @@ const ScalarMap* metallic_map(const MtlReading& reading) {
 /// Ns, times map_Ns if there is one.
 void read_shininess(MtlReading& reading) {
   Material& material = reading.material;
-  if (!reading.entry.shininess) material.remarks.push_back("Ns is not said and is taken for 1");
+  if (!reading.entry.shininess) material.remarks.push_back("Ns is missing and is taken for 1");
   const double shininess = reading.entry.shininess.value_or(1);
   const bool is_scaled = !reading.conventions.are_maps_pbr && !reading.entry.shininess_map.name.empty();
   if (is_scaled) {
@@ -101,7 +101,7 @@ void read_roughness(MtlReading& reading) {
   } else if (reading.entry.shininess) {
     read_shininess(reading);
   } else {
-    material.unknowns.push_back("roughness is not said");
+    material.unknowns.push_back("roughness is missing");
     material.powers = power_shares(unknown_texture(), 1, power);
   }
   limit_powers(material, "the specular power");

@@ -203,9 +203,8 @@ class Planner {
     constexpr double large = 100;
     const bool is_bright = lobes_.range().most > large;
     const std::string why = chosen.cheaper.empty() ? "the cheapest, and near enough"
-                            : is_bright
-                                ? chosen.cheaper + ": (n + 2)/8 takes back what it errs less for large n"
-                                : chosen.cheaper;
+                            : is_bright ? chosen.cheaper + ": (n + 2)/8 cancels its smaller error for large n"
+                                        : chosen.cheaper;
     const std::string dear = price_of(chosen.form);
     if (chosen.mean_error == 0) return why + dear;
     return why + dear + "; constants by how often each power is used: " + decimal(chosen.mean_error, 2) +
@@ -230,7 +229,7 @@ class Planner {
     const ChosenExp2 chosen = choose_exp2(left, scale());
     plan_.shading.exp2_degree = chosen.degree;
     decide("exp2", Treatment::replace, "of degree " + std::to_string(chosen.degree),
-           "where it is no instruction: the least that is near enough", chosen.error);
+           "for processors without exp2: the cheapest that is accurate enough", chosen.error);
   }
 
   void decide_power() {

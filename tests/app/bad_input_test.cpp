@@ -132,8 +132,8 @@ TEST(BadInput, Targets) {
     for (const char* ior : {"1e+300", "1e+17", "1e-300", "1e-320"}) {
       expect_refusal({verb, "fresnel-quadratic", "--target", "exact", "--ior", ior},
                      "--ior '" + std::string(ior) +
-                         "' reflects all light at normal incidence, as doubles have it: no reflectance lies "
-                         "above f0");
+                         "' reflects all light at normal incidence, to the precision of a double: no "
+                         "reflectance is above f0");
     }
   }
   expect_refusal({"fit", "fresnel-quadratic", "--target", "exact", "--ior", "nan"},
@@ -186,7 +186,7 @@ TEST(BadInput, Constraints) {
   refuse({"--one-sided", "left"}, "--one-sided 'left' is unknown: it must be one of above, below");
   refuse({"--at-most", "one"}, "--at-most 'one' is not a finite number");
   refuse({"--at-most", "0.5", "--at-least", "0.75"},
-         "--at-least '0.75' exceeds --at-most '0.5': no value lies between");
+         "--at-least '0.75' exceeds --at-most '0.5': no value is between");
   refuse({"--at-most", "0.9"},
          "fresnel-quadratic cannot satisfy the constraints, form <= 0.9: no parameters keep the "
          "form <= 0.9 at c = 0");
@@ -219,9 +219,9 @@ TEST(BadInput, OutputPaths) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("file", "kept");
   const std::string rule = ": it must be a directory, or free to become one";
-  expect_refusal({"run", "--out", file}, "output directory '" + file + "' is no directory" + rule);
+  expect_refusal({"run", "--out", file}, "output directory '" + file + "' is not a directory" + rule);
   expect_refusal({"run", "--out", file + "/below"}, "output directory '" + file + "/below' lies below '" +
-                                                        file + "', which is no directory" + rule);
+                                                        file + "', which is not a directory" + rule);
   expect_refusal({"run", "--out", "--no-plots"},
                  "--out '--no-plots' looks like an option: name a value (a path may begin with './')");
   EXPECT_FALSE(std::filesystem::exists("--no-plots"));
@@ -404,6 +404,7 @@ TEST(BadInput, Usage) {
   expect_refusal({"fit", "sg-offset", "--digits", "3"}, "--digits requires --latex" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--latex", "--digits", "18"},
                  "--digits '18' must be a whole number from 1 to 17");
+  expect_refusal({"fit", "sg-offset", "--json=3"}, "'--json=3': --json takes no value");
   expect_refusal({"list", "--latex", "--json"}, "--json excludes --latex" + see(" list"));
   expect_refusal(
       {"list", "--topic", "cooking", "--csv"},

@@ -93,10 +93,10 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
             "shadefit: unknown form of one cosine 'schlik': did you mean 'schlick'?\n");
   EXPECT_EQ(
       refused({"--exhaustive", "phong-sg"}),
-      "shadefit: --exhaustive 'phong-sg' is no form of one cosine: it reads a normal of each element\n");
+      "shadefit: --exhaustive 'phong-sg' is not a form of one cosine: it reads a normal of each element\n");
   EXPECT_EQ(
       refused({"--exhaustive", "gloss-sg"}),
-      "shadefit: --exhaustive 'gloss-sg' is no form of one cosine: it reads a gloss too of each element\n");
+      "shadefit: --exhaustive 'gloss-sg' is not a form of one cosine: it reads a gloss too of each element\n");
   EXPECT_EQ(refused({"--exhaustive", "fresnel-fourth", "--constants", "mine"}).substr(0, 63),
             "shadefit: --constants 'mine' is not a set of fresnel-fourth: it");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--exp2-degree", "3"}),
@@ -106,7 +106,7 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
   for (const char* shard : {"3/2", "0/4", "a/b"}) {
     EXPECT_EQ(refused({"--exhaustive", "schlick", "--shard", shard}),
               "shadefit: --shard '" + std::string(shard) +
-                  "' is no part of a whole: it must be i/n with 1 <= i <= n\n");
+                  "' is not a part of a whole: it must be i/n with 1 <= i <= n\n");
   }
   for (const char* range : {"1:1", "0:0x3f800002", "a:b", "5", "2:1"}) {
     EXPECT_EQ(refused({"--exhaustive", "schlick", "--range", range}),

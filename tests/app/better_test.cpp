@@ -57,7 +57,7 @@ TEST(BetterCommand, HalfHoldsBetterConstantsThanThePublishedOnesRounded) {
             (std::vector<std::string>{"fresnel-offset-one", "fresnel-one-term", "fresnel-quadratic-a"}));
   const json steep = json_of({"better", "sg-offset-limit"});
   for (const json& curve : steep["in_half"])
-    EXPECT_EQ(curve["reason"], "exponent 1e+06 is no number of half: the largest is 65504");
+    EXPECT_EQ(curve["reason"], "exponent 1e+06 is not a number of half: the largest is 65504");
 }
 
 TEST(BetterCommand, OneTargetWhereOneIsNamed) {

@@ -266,6 +266,13 @@ TEST(ListCommand, FiltersByVerdict) {
   EXPECT_EQ(filtered + static_cast<std::size_t>(comparisons), all) << "forms of comparison claim nothing";
 }
 
+TEST(ExplainCommand, AConstantStandsForItsClaim) {
+  const Outcome of_claim = run_command_line({"explain", "fresnel-quadratic"});
+  EXPECT_EQ(of_claim.exit_code, 0) << of_claim.err;
+  for (const char* constant : {"fresnel-quadratic-a", "fresnel-quadratic-b"})
+    EXPECT_EQ(run_command_line({"explain", constant}).out, of_claim.out) << constant;
+}
+
 TEST(ExplainCommand, SaysWhatIsClaimedAndWhatIsComputed) {
   const Outcome outcome = run_command_line({"explain", "sg-offset-mean"});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -126,7 +126,7 @@ TEST(Process, TemporaryFilesThatHaveNoDirectory) {
                                     [&] { ::setenv("TMPDIR", none.c_str(), 1); });
   EXPECT_EQ(finished.exit_code, 2);
   EXPECT_EQ(finished.out, "");
-  EXPECT_EQ(finished.err, "shadefit: TMPDIR '" + none + "' is no directory: No such file or directory\n");
+  EXPECT_EQ(finished.err, "shadefit: TMPDIR '" + none + "' is not a directory: No such file or directory\n");
   EXPECT_EQ(snapshot(directory.path()), before);
 }
 

@@ -62,7 +62,7 @@ TEST(FitRound, OfARecordsSweepLeavesOutWhatDoesNotFit) {
   const json sweep = json_of({"fit", "sg-offset", "--round", "half"});
   EXPECT_FALSE(sweep.front()["rounded"].is_null());
   EXPECT_TRUE(sweep.back()["rounded"].is_null());
-  EXPECT_EQ(sweep.back()["rounded_reason"], "exponent 1e+06 is no number of half: the largest is 65504");
+  EXPECT_EQ(sweep.back()["rounded_reason"], "exponent 1e+06 is not a number of half: the largest is 65504");
 }
 
 TEST(FitRound, BadInput) {
@@ -76,9 +76,9 @@ TEST(FitRound, BadInput) {
   for (const char* text : {"decimal:0", "decimal:18", "decimal:x", "decimal:", "decimal:3.5"})
     expect_refusal(with(text), "--round '" + std::string(text) + "'" + rule);
   expect_refusal({"fit", "sg-offset", "--exponent", "0.1", "--round", "half"},
-                 "exponent 0.1 is no number of half: the nearest is 0.0999755859375");
+                 "exponent 0.1 is not a number of half: the nearest is 0.0999755859375");
   expect_refusal({"fit", "sg-offset", "--exponent", "70000", "--round", "half"},
-                 "exponent 70000 is no number of half: the largest is 65504");
+                 "exponent 70000 is not a number of half: the largest is 65504");
   expect_refusal({"fit", "sg-offset-mean", "--round", "half"},
                  "--round 'half' does not apply: sg-offset-mean is a mean or a limit of fits");
   expect_refusal({"fit", "fresnel-quadratic", "--round", "--json"},

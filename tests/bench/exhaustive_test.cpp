@@ -147,8 +147,9 @@ TEST(Shard, IsAPartOfAWhole) {
   EXPECT_TRUE(parse_shard("1/1").is_whole());
   for (const char* text : {"3/2", "0/4", "a/b", "", "/", "1/", "/4", "1/4/2", "-1/4", "1/0", "1 /4", "1/4 ",
                            "+1/4", "1/99999999999"}) {
-    EXPECT_EQ(refusal([&] { parse_shard(text); }),
-              "--shard '" + std::string(text) + "' is no part of a whole: it must be i/n with 1 <= i <= n");
+    EXPECT_EQ(
+        refusal([&] { parse_shard(text); }),
+        "--shard '" + std::string(text) + "' is not a part of a whole: it must be i/n with 1 <= i <= n");
   }
 }
 
@@ -281,7 +282,7 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
   };
   EXPECT_EQ(changed("schema", 2), "state file 'f' is of version 2: this shadefit reads version 1");
   EXPECT_EQ(changed("nans", 11),
-            "state file 'f': the field 'ulps' has not as many counts as floats are done");
+            "state file 'f': the field 'ulps' has counts that do not add up to the tested floats");
   EXPECT_EQ(changed("shard", {4, 3}), "state file 'f': the field 'shard' is not i, n with 1 <= i <= n");
   EXPECT_EQ(changed("shard", {2, 3}), "state file 'f': the field 'done' is not of its shard");
   EXPECT_EQ(changed("ulps", {1}), "state file 'f': the field 'ulps' has another number of bins");
@@ -309,7 +310,7 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
   counts[0] = counts[0].get<std::uint64_t>() + (std::uint64_t{1} << 63);
   counts[1] = counts[1].get<std::uint64_t>() + (std::uint64_t{1} << 63);
   EXPECT_EQ(changed("ulps", counts),
-            "state file 'f': the field 'ulps' has not as many counts as floats are done")
+            "state file 'f': the field 'ulps' has counts that do not add up to the tested floats")
       << "their sum wraps to the right one";
   EXPECT_NE(refused(text + std::string("\0", 1)).find(": a byte 0"), std::string::npos);
   EXPECT_EQ(refused("{\"x\":" + std::string(70000, '[') + std::string(70000, ']') + "," + text.substr(1)),

@@ -38,7 +38,7 @@ inline Trade made_up_trade() {
   const auto add = [&](TimedForm timed) { trade.forms.push_back(std::move(timed)); };
   trade.copies = {made_up("", "copy", 0, Width::scalar, 0.4, {}),
                   made_up("", "copy", 0, Width::avx2, 0.1, {}), made_up("", "copy", 0, Width::avx2, 0.5, {})};
-  trade.copies[2].place = Place::memory;
+  trade.copies[2].place = DataPlace::memory;
   add(made_up("lobe", "pow", 0, Width::scalar, 20, 6e-8));
   add(made_up("lobe", "pow", 0, Width::avx2, 2, 6e-8));
   add(made_up("lobe", "pow", 0, Width::avx2, 8, 1e-16));
@@ -49,7 +49,7 @@ inline Trade made_up_trade() {
   add(made_up("lobe", "cheap", 5, Width::avx2, 0.3, 0.004));
   add(made_up("lobe", "cheap", 3, Width::avx2, 0.5, 0.02));
   trade.forms[3].label = trade.forms[4].label = trade.forms[6].label = "cheap form, exp2 of degree 3";
-  trade.forms[6].place = Place::memory;
+  trade.forms[6].place = DataPlace::memory;
   add(made_up("lobe", "bad", 0, Width::avx2, 0.9, 0.1));
   add(made_up("other", "other", 0, Width::avx2, 0.3, 0.1));
   trade.goals = {{"fast", 45, false, 52},

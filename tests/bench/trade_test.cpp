@@ -145,7 +145,7 @@ TEST(Machine, ReadsItsNameOrSaysThatItIsUnknown) {
   EXPECT_GE(this_machine().threads, 1U);
 }
 
-const TimedForm* find_timed(const std::vector<TimedForm>& rows, std::string_view form, Place place) {
+const TimedForm* find_timed(const std::vector<TimedForm>& rows, std::string_view form, DataPlace place) {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const TimedForm& row) {
     return row.form == form && row.width == forms::Width::avx2 && row.place == place;
   });
@@ -154,13 +154,13 @@ const TimedForm* find_timed(const std::vector<TimedForm>& rows, std::string_view
 
 TEST(Trade, RelatesTimesToTheCopyAndTheScalarReferenceOfItsOwnKind) {
   const Trade trade = made_up_trade();
-  const TimedForm& cheap = *find_timed(trade.forms, "cheap", Place::first_cache);
+  const TimedForm& cheap = *find_timed(trade.forms, "cheap", DataPlace::first_cache);
   EXPECT_DOUBLE_EQ(*cheap.copies, 0.2 / 0.1) << "the copy in AVX2";
   EXPECT_DOUBLE_EQ(*cheap.pows, 20 / 0.2) << "the scalar pow of the same precision and place";
-  const TimedForm& far = *find_timed(trade.forms, "cheap", Place::memory);
+  const TimedForm& far = *find_timed(trade.forms, "cheap", DataPlace::memory);
   EXPECT_DOUBLE_EQ(*far.copies, 1);
   EXPECT_FALSE(far.pows) << "no pow was timed in memory";
-  const TimedForm& of_other = *find_timed(trade.forms, "other", Place::first_cache);
+  const TimedForm& of_other = *find_timed(trade.forms, "other", DataPlace::first_cache);
   EXPECT_FALSE(of_other.pows) << "its target has no reference";
 }
 

@@ -37,13 +37,14 @@ TEST(Files, WritesAllAndLeavesNothingBeside) {
 TEST(Files, RefusesADirectoryThatIsAFileOrLiesBelowOne) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("file", "x");
-  EXPECT_EQ(refusal([&] { require_directory(file); }),
-            "output directory '" + file + "' is no directory: it must be a directory, or free to become one");
+  EXPECT_EQ(
+      refusal([&] { require_directory(file); }),
+      "output directory '" + file + "' is not a directory: it must be a directory, or free to become one");
   EXPECT_EQ(refusal([&] {
               write_files(file + "/x/y", {{"one", "1"}});
             }),
             "output directory '" + file + "/x/y' lies below '" + file +
-                "', which is no directory: it must be a directory, or free to become one");
+                "', which is not a directory: it must be a directory, or free to become one");
   EXPECT_EQ(refusal([&] { require_directory(""); }), "output directory '' is empty: name a directory");
   EXPECT_EQ(refusal([&] { require_directory(directory / "new/one"); }), "");
   EXPECT_FALSE(fs::exists(directory / "new")) << "asking creates nothing";

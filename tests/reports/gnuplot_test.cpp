@@ -197,7 +197,7 @@ TEST(Gnuplot, TemporaryFilesThatHaveNoDirectory) {
        {std::pair{directory / "none", "No such file or directory"}, {file, "Not a directory"}}) {
     const EnvironmentVariable temporary("TMPDIR", value);
     EXPECT_EQ(testing::refusal([&] { draw_pictures(directory / "none", {}, {}); }),
-              "TMPDIR '" + value + "' is no directory: " + reason);
+              "TMPDIR '" + value + "' is not a directory: " + reason);
   }
   const EnvironmentVariable unset("TMPDIR", "");
   const EnvironmentVariable next("TMP", directory / "none");

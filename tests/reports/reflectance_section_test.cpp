@@ -51,8 +51,8 @@ TEST(ReflectanceSection, SaysWhoCreatesEnergyAndWhere) {
       std::string::npos)
       << "equal peaks are named together, not picked by rounding\n"
       << exact;
-  EXPECT_EQ(exact.find("with n.l beside it, `"), std::string::npos) << "its lobe has n.l already";
-  EXPECT_NE(reflectance_section(curves_of("norm-phong")).find("with n.l beside it, `"), std::string::npos);
+  EXPECT_EQ(exact.find("times n.l, `"), std::string::npos) << "its lobe has n.l already";
+  EXPECT_NE(reflectance_section(curves_of("norm-phong")).find("times n.l, `"), std::string::npos);
 }
 
 }  // namespace

@@ -349,7 +349,7 @@ TEST(SceneCode, DecodesAsTheReadersDo) {
   }
 }
 
-// 0 times log2(0) is no number.
+// 0 times log2(0) is not a number.
 TEST(SceneCode, IsANumberWhereAPowerMayBeZero) {
   Scene rough;
   rough.materials = {

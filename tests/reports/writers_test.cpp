@@ -251,8 +251,9 @@ TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
        "| cosine          |          0.75 |         0.75 |      0.203125 |     0.203125 |", "5.55437",
        "boksajak/brdf", "## Normalisation",
        "is itself off by up to 0.0357 in reflectance on glass (n = 1.5).\nThe published `exp2((a c + b) c)` (a = "
-       "-5.55473, b = -6.98316) follows Schlick's formula to within 0.00362, 9.9 times closer than that formula "
-       "follows the truth.\nThe published curve closest to the truth there is `exp2(-A c)` (A = 8.35), off by 0.00706.\n",
+       "-5.55473, b = -6.98316) differs from Schlick's formula by at most 0.00362: 9.9 times less than Schlick's "
+       "formula differs from the exact reflectance.\nThe published curve closest to the exact reflectance of that glass is "
+       "`exp2(-A c)` (A = 8.35), off by 0.00706.\n",
        "## Exact Fresnel", "aluminium at 652.25 nm, n = 1.5724, k = 7.7354, f0 = 0.9054:",
        "`exp2((a c + b) c)`, refitted: a = -3103.676224, b = -19.75309694",
        "Under the angle measure the best value is the printed one at k = 6.6",

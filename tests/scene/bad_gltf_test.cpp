@@ -198,7 +198,7 @@ TEST(BadGltf, MalformedUris) {
   };
   const std::string place = "'a.gltf': /images/0/uri: ";
   EXPECT_EQ(refused("data:image/png;base64"), place + "the data URI has no comma before its data");
-  EXPECT_EQ(refused("data:;base64,abc*"), place + "character 4 of the base64 is none of its 64");
+  EXPECT_EQ(refused("data:;base64,abc*"), place + "character 4 of the base64 is not one of its 64");
   EXPECT_EQ(refused("data:;base64,abcde"), place + "base64 ends within a byte");
   EXPECT_EQ(refused("a%2"), place + "character 2 of the URI is a % without two digits of a byte");
   EXPECT_EQ(refused("a%zz"), place + "character 2 of the URI is a % without two digits of a byte");

@@ -51,7 +51,7 @@ TEST(Mtl, AMarkAndAPlusAreTaken) {
   EXPECT_EQ(scene.materials[0].name, "a");
   EXPECT_EQ(scene.materials[0].powers, (std::vector<PowerShare>{{3, 1}}));
   EXPECT_EQ(scene.materials[0].f0[0], (Range{0.5, 0.5}));
-  EXPECT_EQ(refusal_of_mtl("newmtl a\nNs +-3"), "'a.mtl', line 2: Ns: '+-3' is no number");
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nNs +-3"), "'a.mtl', line 2: Ns: '+-3' is not a number");
 }
 
 TEST(Mtl, AColourTooBrightIsLimited) {
@@ -61,7 +61,7 @@ TEST(Mtl, AColourTooBrightIsLimited) {
 
 TEST(Mtl, UnsaidPowerIsOneWithARemark) {
   EXPECT_EQ(mtl("Ks 1 1 1").powers, (std::vector<PowerShare>{{1, 1}}));
-  EXPECT_EQ(mtl("Ks 1 1 1").remarks, std::vector<std::string>{"Ns is not said and is taken for 1"});
+  EXPECT_EQ(mtl("Ks 1 1 1").remarks, std::vector<std::string>{"Ns is missing and is taken for 1"});
 }
 
 TEST(Mtl, LargePowersAreLimited) {
@@ -101,7 +101,7 @@ TEST(Mtl, PhysicallyBased) {
 TEST(Mtl, PhysicallyBasedWithoutARoughness) {
   EXPECT_EQ(mtl("Pm 1\nNs 7").powers, (std::vector<PowerShare>{{7, 1}}));
   const Material material = mtl("Pm 1");
-  EXPECT_EQ(material.unknowns, std::vector<std::string>{"roughness is not said"});
+  EXPECT_EQ(material.unknowns, std::vector<std::string>{"roughness is missing"});
   EXPECT_GT(material.powers.size(), 250u);
   EXPECT_EQ(mtl("Pm 1\nKd 2 0.5 1").f0, (std::array{Range{1, 1}, Range{0.5, 0.5}, Range{1, 1}}));
   EXPECT_EQ(mtl("Pr 1\nKd 2 0.5 1").remarks, std::vector<std::string>{"Kd above 1 is taken for 1"});
@@ -186,8 +186,8 @@ TEST(Mtl, MissingMapsAreNamedAndHoldAnything) {
 }
 
 TEST(Mtl, NumbersThatAreNone) {
-  EXPECT_EQ(refusal_of_mtl("newmtl a\nNs abc"), "'a.mtl', line 2: Ns: 'abc' is no number");
-  EXPECT_EQ(refusal_of_mtl("newmtl a\r\n\r\nNs 1,5"), "'a.mtl', line 3: Ns: '1,5' is no number");
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nNs abc"), "'a.mtl', line 2: Ns: 'abc' is not a number");
+  EXPECT_EQ(refusal_of_mtl("newmtl a\r\n\r\nNs 1,5"), "'a.mtl', line 3: Ns: '1,5' is not a number");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nNs nan"),
             "'a.mtl', line 2: Ns: 'nan' is not a finite number of double precision");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nNs 1e999"),
@@ -198,19 +198,19 @@ TEST(Mtl, NumbersThatAreNone) {
   EXPECT_EQ(refusal_of_mtl("newmtl a\nKs 0 0 -0.5"), "'a.mtl', line 2: Ks: -0.5 is negative");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nPr 1.5"), "'a.mtl', line 2: Pr: 1.5 is not in [0, 1]");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nPm -1"), "'a.mtl', line 2: Pm: -1 is not in [0, 1]");
-  EXPECT_EQ(refusal_of_mtl("newmtl a\nNi x"), "'a.mtl', line 2: Ni: 'x' is no number");
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nNi x"), "'a.mtl', line 2: Ni: 'x' is not a number");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nNs"), "'a.mtl', line 2: Ns: it must have one number");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nNs 1 2"), "'a.mtl', line 2: Ns: it must have one number");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nKs 1 2"), "'a.mtl', line 2: Ks: it must have one number or three");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nKs 1 2 3 4"), "'a.mtl', line 2: Ks: it has more than three numbers");
-  EXPECT_EQ(refusal_of_mtl("newmtl a\nKs spectral a.rfl"), "'a.mtl', line 2: Ks: 'spectral' is no number");
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nKs spectral a.rfl"), "'a.mtl', line 2: Ks: 'spectral' is not a number");
   EXPECT_EQ(refusal_of_mtl("newmtl a\nillum 1.5"), "'a.mtl', line 2: illum: it must be a whole number");
-  EXPECT_EQ(refusal_of_mtl("Ns abc"), "'a.mtl', line 1: Ns: 'abc' is no number");
+  EXPECT_EQ(refusal_of_mtl("Ns abc"), "'a.mtl', line 1: Ns: 'abc' is not a number");
 }
 
 TEST(Mtl, FilesThatAreNone) {
   EXPECT_EQ(refusal_of_mtl("newmtl"), "'a.mtl', line 1: newmtl: the material has no name");
-  EXPECT_EQ(refusal_of_mtl("newmtl a\n\0"s), "'a.mtl', line 2: there is a zero byte: this is no text");
+  EXPECT_EQ(refusal_of_mtl("newmtl a\n\0"s), "'a.mtl', line 2: there is a zero byte: this is not text");
   std::string many;
   for (std::size_t i = 0; i <= most_materials; ++i) many += "newmtl a\n";
   EXPECT_EQ(refusal_of_mtl(many), "'a.mtl', line 65537: newmtl: there are more than 65536 materials");
@@ -238,12 +238,12 @@ TEST(Mtl, OtherLobesAreRemarkedOn) {
   EXPECT_EQ(mtl("Ns 2\nKs 1 1 1\nPc 0.5\naniso 0.1\nPs 0.2 0.3 0\n").remarks,
             (Remarks{"Pc is left out", "Ps is left out", "aniso is left out"}));
   EXPECT_EQ(mtl("Ns 2\nKs 1 1 1\nPc 0\naniso 0\nPs 0\n").remarks, Remarks{});
-  EXPECT_EQ(refusal_of_mtl("newmtl a\nPc x\n"), "'a.mtl', line 2: Pc: 'x' is no number");
+  EXPECT_EQ(refusal_of_mtl("newmtl a\nPc x\n"), "'a.mtl', line 2: Pc: 'x' is not a number");
 }
 
 TEST(Mtl, LongTextsAreShortened) {
   EXPECT_EQ(refusal_of_mtl("newmtl a\nNs " + std::string(100000, 'x')),
-            "'a.mtl', line 2: Ns: '" + std::string(200, 'x') + " ..' is no number");
+            "'a.mtl', line 2: Ns: '" + std::string(200, 'x') + " ..' is not a number");
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ class Certificate:
     def check(self):
         (low, high), (lower, upper) = ([number(text) for text in self.fields[key]] for key in ("domain", "largest"))
         if not (0 <= low < high <= 1 and 0 <= lower <= upper):
-            raise Refused("its domain or its bounds are no intervals")
+            raise Refused("its domain or its bounds are not an intervals")
         half, boxes, sides = iv.mpf(0.5), [], {}
         for side, key, begin, end in (("c", "boxes_in_c", low, min(high, half)),
                                       ("1 - c", "boxes_in_1_minus_c", 1 - high, min(1 - low, half))):

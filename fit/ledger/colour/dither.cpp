@@ -52,7 +52,7 @@ std::string effect_of_entry(std::string_view matrix, double x, double wanted) {
         corrected[i], printed[i],
         {{"row ", static_cast<double>(i / size + 1)}, {"column ", static_cast<double>(i % size + 1)}});
   }
-  return sentence(effect, "an entry, a share of a step,", fmt::format("x = {:.6g}", x));
+  return sentence(effect, "a matrix entry (a fraction of a step)", fmt::format("x = {:.6g}", x));
 }
 
 Finding bayer(const Claim& claim) {
@@ -63,7 +63,7 @@ Finding bayer(const Claim& claim) {
   const auto missing = missing_from(entries);
   const std::string count = std::to_string(entries.size());
   std::string evidence = fmt::format(
-      "the matrix has {} of the {} values 0/{} to {}/{}; {} stand where Bayer's construction puts them",
+      "the matrix has {} of the {} values 0/{} to {}/{}; {} entries are where Bayer's construction puts them",
       entries.size() - missing.size(), count, count, entries.size() - 1, count, entries_of_bayer(entries));
   for (const double value : missing)
     evidence += fmt::format(". {:.6g} ({:.6g}/{}) is missing", value,
@@ -73,8 +73,8 @@ Finding bayer(const Claim& claim) {
   return {
       judge(printed, {"what the others leave over", *wanted}, {}).verdict, decimal(*wanted, 6),
       fmt::format(
-          "{}. The printed entry is x = {}; the others leave {:.6g} for it. The mean offset is {:.6g}, and "
-          "{:.6g} with the right entry",
+          "{}. The printed entry is x = {}; the only value that the other entries leave is {:.6g}. The mean "
+          "offset is {:.6g}, and {:.6g} with the right entry",
           evidence, printed, *wanted, mean_of(entries), mean_of(corrected)),
       effect_of_entry(matrix, x, *wanted)};
 }
@@ -115,8 +115,10 @@ March plain_marches(const std::vector<double>& counts) {
     worst_pair = fmt::format("from {:.6g} to {:.6g} steps", counts[i - 1], counts[i]);
   }
   march.sentence = fmt::format(
-      "the rms error over all edges is 1/(n sqrt 3) of the beam: {} steps, {}{}", enumerated(parts),
-      march.verdict == Verdict::confirmed ? "falling all the way" : "not falling all the way",
+      "over all positions of a shadow edge the rms error of n plain steps is 1/(n sqrt 3) of the beam: {} steps, {}{}",
+      enumerated(parts),
+      march.verdict == Verdict::confirmed ? "smaller with each larger count"
+                                          : "not smaller with each larger count",
       worst_share > 0 ? fmt::format(". But going {} makes {:.4g} of the edges worse", worst_pair, worst_share)
                       : "");
   return march;
@@ -133,8 +135,9 @@ March dithered_march(const std::vector<double>& offsets, double dithered, double
   march.verdict = !(blurred.rms < rival) ? Verdict::refuted
                   : noisy < rival        ? Verdict::confirmed
                                          : Verdict::conditional;
-  march.sentence = fmt::format("{:.4g} after the blur and {:.4g} before it ({:.4g} and {:.4g} times less)",
-                               blurred.rms, noisy, rival / blurred.rms, rival / noisy);
+  march.sentence = fmt::format(
+      "{:.4g} after the blur and {:.4g} before it (plain steps have {:.4g} and {:.4g} times the error)",
+      blurred.rms, noisy, rival / blurred.rms, rival / noisy);
   return march;
 }
 
@@ -204,9 +207,9 @@ Finding bilateral_epsilon(const Claim& claim) {
   return {
       verdict, decimal(limit, 4),
       fmt::format(
-          "on a flat surface (W = {:.6g}) white loses {:.3g}, which is {:.2g} codes{}. It loses less than "
-          "{:.3g} codes for W above {:.4g}, which means taps less than {:.6g} away in depth, and less than "
-          "{:.3g} for W above {:.4g} ({:.6g} away). Further away the loss grows. With every tap {} or more "
+          "on a flat surface (W = {:.6g}) white loses {:.3g}, which is {:.2g} codes{}. White loses less than "
+          "{:.3g} codes for W above {:.4g} (taps less than {:.6g} away in depth). It loses less than "
+          "{:.3g} codes for W above {:.4g} (less than {:.6g} away). Further away the loss grows. With every tap {} or more "
           "away, W = 0 and white becomes black",
           taps, 1 - flat, 255 - srgb_code(flat), half_keeps ? "; in half arithmetic it loses nothing" : "",
           visible_codes, limit, gap_of(limit), second_codes, weight_that_loses(second_codes, epsilon),

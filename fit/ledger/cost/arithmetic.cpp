@@ -82,7 +82,8 @@ Finding gaussian_at_zero(const Claim& claim) {
   left.show(power_lobe(0.0, power), static_cast<double>(exact), at_cosine({0, 1}));
   const std::string effect = sentence(left, "the edge of a highlight", "the Gaussian");
   return {
-      verdict, fmt::format("{}, exactly 10^{:.7g}", split_list(zero, "0", nonzero, "not 0"), magnitude),
+      verdict,
+      fmt::format("{}; the exact value is 10^{:.7g}", split_list(zero, "0", nonzero, "not 0"), magnitude),
       fmt::format(
           "{} is exactly 10^{:.7g}, but a computer gives {}. exp(-k) stays above 0 up to k = {} in {}; "
           "where subnormals are flushed, up to about k = {}. 0^{:.6g} is {}0 in each. At c = 0 the "
@@ -194,8 +195,8 @@ Finding nan_at_zero(const Claim& claim) {
       fmt::format(
           "exp2(log2(0) b) is NaN for {} and has the right value, 0, for {} in {}. exp2(A c - A) is not "
           "NaN while A = k/ln 2 is finite: up to k = {}. That covers the powers up to {:.6g} in {}{}{}. "
-          "For a power above 0 and up to {:.5g} every pixel has a value. Elsewhere a pixel is NaN: filters "
-          "spread it, and a fixed-point target stores it as 0",
+          "For a power above 0 and up to {:.5g} every pixel has a value. For other powers some pixels are NaN: "
+          "filters spread it, and a fixed-point target stores it as 0",
           of_nan, of_zero, enumerated(formats), enumerated(last), largest,
           safe.empty() ? "none of them" : enumerated(safe),
           is_nan ? ". Beyond, it is NaN at c = 0, 0.5 and 1" : "",

@@ -80,7 +80,7 @@ std::string compiled_text(const std::vector<std::string_view>& forms) {
   }
   if (words.empty()) return "";
   return fmt::format(
-      ". Compilers emit, as vector arithmetic + transcendental instructions: {} (own measurement: {}; {})",
+      ". Compilers emit this many instructions, vector arithmetic + transcendental: {} (own measurement: {}; {})",
       enumerated(words), nvidia_compiler, amd_compiler);
 }
 
@@ -132,7 +132,7 @@ Finding count_forms(const Claim& claim) {
 }
 
 /// A count under a named convention.
-struct Convention {
+struct CountingConvention {
   std::string name;
   Operations count;
 };
@@ -140,16 +140,16 @@ struct Convention {
 /// `confirmed` if the formula as written has the printed instructions, `other-objective` if it has them under
 /// a convention. `rounding` does not apply to a count.
 Verdict judge_count(const PrintedCount& printed, const Operations& as_written,
-                    std::span<const Convention> conventions) {
+                    std::span<const CountingConvention> conventions) {
   if (printed.is(as_written)) return Verdict::confirmed;
-  for (const Convention& convention : conventions) {
+  for (const CountingConvention& convention : conventions) {
     if (printed.is(convention.count)) return Verdict::other_objective;
   }
   return Verdict::refuted;
 }
 
 /// "; with s + 1 given it is MAD, LOG2 (2), as printed".
-std::string conventions_text(const PrintedCount& printed, std::span<const Convention> conventions) {
+std::string conventions_text(const PrintedCount& printed, std::span<const CountingConvention> conventions) {
   std::string out;
   for (const auto& [name, count] : conventions)
     out += fmt::format("; {} it is {}{}", name, with_total(count), printed.is(count) ? ", as printed" : "");
@@ -159,7 +159,7 @@ std::string conventions_text(const PrintedCount& printed, std::span<const Conven
 Finding mip_level_cost(const Claim& claim) {
   const std::string_view form = claim.inputs.at("level"), with_sum = claim.inputs.at("level, s + 1 given");
   const Operations count = count_form(form);
-  const std::array conventions{Convention{"with s + 1 given", count_form(with_sum)}};
+  const std::array conventions{CountingConvention{"with s + 1 given", count_form(with_sum)}};
   const PrintedCount printed = PrintedCount::of(claim, 0);
   const Verdict verdict = judge_count(printed, count, conventions);
   Parts parts;
@@ -180,8 +180,9 @@ Finding power_four_cost(const Claim& claim) {
   const Operations count = count_form(form), scaled = count_form(form, with_scales);
   const Operations squaring = count_form(squared);
   const std::array conventions{
-      Convention{"with a free scale of the result", scaled},
-      Convention{"with 1 - c also given", count_form(claim.inputs.at("by exp2, 1 - c given"), with_scales)}};
+      CountingConvention{"with a free scale of the result", scaled},
+      CountingConvention{"with 1 - c also given",
+                         count_form(claim.inputs.at("by exp2, 1 - c given"), with_scales)}};
   const PrintedCount printed = PrintedCount::of(claim, 0), printed_squaring = PrintedCount::of(claim, 1);
   Parts parts;
   parts.add(judge_count(printed, count, conventions), with_total(count),
@@ -190,8 +191,8 @@ Finding power_four_cost(const Claim& claim) {
   parts.add(verdict_of(printed_squaring.is(squaring)), with_total(squaring),
             fmt::format("{} by squaring is {}", text_of_form(squared), with_total(squaring)));
   parts.effect = fmt::format(
-      "with the subtraction counted on both sides it is {} with the free scale and {} by squaring. It "
-      "saves {}; the source says {}",
+      "with the subtraction counted on both sides, the count is {} with the free scale and {} by squaring. The "
+      "free scale saves {}; the source says {}",
       scaled.total(), squaring.total(), counted(squaring.total() - scaled.total(), "instruction"),
       counted(std::lround(printed_squaring.total - printed.total), "instruction"));
   return parts.finding("");

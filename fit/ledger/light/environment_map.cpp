@@ -32,18 +32,19 @@ Finding evaluate_lambert(const Claim& claim) {
   const double beyond = mip_level_of_power(width, printed) - std::log2(width);
   const std::optional<Verdict> verdict =
       apart <= tolerance ? std::optional(verdict_of(gap <= tolerance)) : std::nullopt;
-  return {verdict, fmt::format("power = {:.10g}", found),
-          fmt::format(
-              "the last level, log2(w), is one texel of {:.10g} sr. That is the lobe of power {:.10g}, at {} "
-              "from {:.6g} to {:.6g}; the mean and the closed form of a face agree {}. The lobe of power "
-              "{:.6g} covers {:.10g} sr and lies {:.6g} levels beyond the last one. Scaled to the same "
-              "integral, its peak is {:.3g} times as bright",
-              lobe_solid_angle(found), found, counted(static_cast<long>(widths.size()), "width"),
-              widths.front(), widths.back(), within(apart, claim.inputs.at("tolerance")), printed,
-              lobe_solid_angle(printed), beyond, lobe_solid_angle(printed) / lobe_solid_angle(found)),
-          gap <= tolerance
-              ? "none"
-              : effect_of_power(printed, found, fmt::format("c^{:.3g} for c^{:.3g}", found, printed))};
+  return {
+      verdict, fmt::format("power = {:.10g}", found),
+      fmt::format(
+          "on the last level, log2(w), a face is one texel of {:.10g} sr. The lobe of power {:.10g} covers as much, "
+          "at {} from {:.6g} to {:.6g}; the formula of the mean texel and the closed form of a face agree {}. The lobe of power "
+          "{:.6g} covers {:.10g} sr and lies {:.6g} levels beyond the last one. Scaled to the same "
+          "integral, its peak is {:.3g} times as bright",
+          lobe_solid_angle(found), found, counted(static_cast<long>(widths.size()), "width"), widths.front(),
+          widths.back(), within(apart, claim.inputs.at("tolerance")), printed, lobe_solid_angle(printed),
+          beyond, lobe_solid_angle(printed) / lobe_solid_angle(found)),
+      gap <= tolerance
+          ? "none"
+          : effect_of_power(printed, found, fmt::format("c^{:.3g} for c^{:.3g}", found, printed))};
 }
 
 /// A meaning of "unblurred", and the power from which on it holds.
@@ -89,8 +90,9 @@ Finding evaluate_mean_power(const Claim& claim) {
       closest.verdict, fmt::format("power = {:.6g}", closest.value * unit), evidence,
       effect_of_power(
           s, covering,
-          fmt::format("an unfiltered level 0, whose mean texel is a lobe of power {:.6g}, instead of {:.6g}",
-                      covering, s))};
+          fmt::format(
+              "an unfiltered level 0, whose mean texel covers as much as a lobe of power {:.6g}, instead of power {:.6g}",
+              covering, s))};
 }
 
 Finding evaluate_power_range(const Claim& claim) {

@@ -47,7 +47,7 @@ std::vector<double> powers(const Claim& claim) {
 }
 
 std::string agreement(const Decimal50& a, const Decimal50& b) {
-  return fmt::format("{}{:.1g}", abs(a - b) < truths_agree ? "agree below " : "differ by more than ",
+  return fmt::format("{}{:.1g}", abs(a - b) < truths_agree ? "agree to within " : "differ by more than ",
                      truths_agree);
 }
 
@@ -72,7 +72,7 @@ std::string effect_on_lobe(const Claim& claim, double ratio) {
         {"power ", exponent});
   }
   return sentence(most, "the lobe",
-                  fmt::format("every power is too {1} by {0:.2g} of itself, which over {2}",
+                  fmt::format("every power is too {1} by the relative error {0:.2g}, which over {2}",
                               std::abs(ratio - 1), ratio < 1 ? "low" : "high", glosses(claim)));
 }
 
@@ -104,8 +104,10 @@ std::string effect_on_normalisation(const Claim& claim, double factor, double co
   const auto all = powers(claim);
   const double worst =
       *std::max_element(all.begin(), all.end(), [&](double a, double b) { return off(a) < off(b); });
-  return effect_of_factor(printed(worst), game_normalisation(worst),
-                          fmt::format("the normalisation is worst at the power {:.5g}, where it", worst));
+  return effect_of_factor(
+      printed(worst), game_normalisation(worst),
+      fmt::format("the error of the normalisation is largest at the power {:.5g}: there the normalisation",
+                  worst));
 }
 
 Finding ln2_over_eight(const Claim& claim) {
@@ -161,7 +163,7 @@ struct Sides {
   }
   /// "agree below 1e-45 of themselves", or by how much they differ
   std::string words(const Claim& claim) const {
-    return agree(claim) ? fmt::format("agree below {}", claim.inputs.at("agreement"))
+    return agree(claim) ? fmt::format("agree to within {}", claim.inputs.at("agreement"))
                         : fmt::format("differ by up to {:.3g}", rounded(difference));
   }
 };
@@ -179,9 +181,10 @@ Finding exp2_identity(const Claim& claim) {
     sides.compare(exp_by_exp2(a) / truth, 1);
     sides.compare(roots.exp2(a / ln2<Decimal50>()) / truth, 1);
   }
-  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
-          fmt::format("at {} a of {} both sides {}, relative. Here 2^x comes from square roots of 2 only",
-                      counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
+  return {
+      verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
+      fmt::format("at {} a in {} both sides {}, relative. The test computes 2^x from square roots of 2 only",
+                  counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
 }
 
 Finding normalised_mad(const Claim& claim) {
@@ -234,7 +237,7 @@ Finding log2_first(const Claim& claim) {
           counted(std::ssize(all), "place"), sides.words(claim), rounded(excess(all.front())),
           rounded(all.front()), rounded(excess(all.back())), rounded(all.back()),
           rounded(misprinted_log_is_right_at<Decimal50>()), peak),
-      sentence(effect_of_misprinted_log(), "the curve", "at k = 1 c^k computed with it")};
+      sentence(effect_of_misprinted_log(), "the curve", "at k = 1, c^k computed with this logarithm")};
 }
 
 Finding log2_second(const Claim& claim) {
@@ -249,11 +252,12 @@ Finding log2_second(const Claim& claim) {
       sides.compare(ln2<Decimal50>() * log2_by_squares(a) / size, truth / size);
     }
   }
-  return {verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
-          fmt::format(
-              "at a = 2^u and 2^u/3, {} u of {}, both sides {}, relative to the larger of 1 and themselves. "
-              "Here log2 comes from repeated squaring only",
-              counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
+  return {
+      verdict_of(sides.agree(claim)), identity_if(verdict_of(sides.agree(claim))),
+      fmt::format(
+          "at a = 2^u and 2^u/3, for {} u in {}, both sides {}, relative to the larger of 1 and themselves. "
+          "The test computes log2 by repeated squaring only",
+          counted(std::ssize(all), "place"), domain(claim), sides.words(claim))};
 }
 
 }  // namespace

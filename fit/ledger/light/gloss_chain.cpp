@@ -153,12 +153,12 @@ Finding evaluate_sphere_powers(const Claim& claim) {
   const int spheres = static_cast<int>(given(claim, "spheres"));
   const auto powers = gloss_chain(spheres, given(claim, "octaves"), given(claim, "first octave"), false);
   const Places places = compare_with_printed(claim.printed, powers);
-  return {
-      verdict_of(places.wrong == 0), series(powers),
-      fmt::format("{} with glosses from 1 to 0 in steps of {:.6g} have the powers {}: {} as printed, {} not",
-                  counted(spheres, "sphere"), 1.0 / (spheres - 1), series(powers),
-                  counted(places.right, "power"), number(places.wrong)),
-      effect_of(places, "the series")};
+  return {verdict_of(places.wrong == 0), series(powers),
+          fmt::format(
+              "{} with glosses from 1 to 0 in steps of {:.6g} have the powers {}: {} as printed, {} wrong",
+              counted(spheres, "sphere"), 1.0 / (spheres - 1), series(powers), counted(places.right, "power"),
+              number(places.wrong)),
+          effect_of(places, "the series")};
 }
 
 Finding evaluate_power_drop(const Claim& claim) {
@@ -171,14 +171,15 @@ Finding evaluate_power_drop(const Claim& claim) {
   const auto drop_of_gloss = [&](int count) {
     return decimal(decode_gloss(gloss_of_level<double>(1, count) - 1, given(claim, "octaves"), 0.0), 4);
   };
-  return {verdict_of(places.wrong == 0), series(powers),
-          fmt::format(
-              "the series is {} and continues with {:.6g}. A gloss of {} octaves drops by {} per level over "
-              "{}, and by {} over {}",
-              series(powers), power_after_drops(first, drop, levels), claim.inputs.at("octaves"),
-              drop_of_gloss(levels), counted(levels, "level"), drop_of_gloss(levels + 2),
-              counted(levels + 2, "level")),
-          effect_of(places, "the series")};
+  return {
+      verdict_of(places.wrong == 0), series(powers),
+      fmt::format(
+          "the series is {} and continues with {:.6g}. With a gloss of {} octaves the power drops to {} of itself per "
+          "level over {}, and to {} over {}",
+          series(powers), power_after_drops(first, drop, levels), claim.inputs.at("octaves"),
+          drop_of_gloss(levels), counted(levels, "level"), drop_of_gloss(levels + 2),
+          counted(levels + 2, "level")),
+      effect_of(places, "the series")};
 }
 
 Finding evaluate_mip_select(const Claim& claim) {
@@ -192,21 +193,22 @@ Finding evaluate_mip_select(const Claim& claim) {
                               : Verdict::refuted;
   const std::string_view steps = claim.inputs.at("gloss steps that count as found");
   const double found = printed.wanted * printed.worst_ratio;
-  return {verdict, fmt::format("found / wanted = {:.4g} at worst", printed.worst_ratio),
-          fmt::format(
-              "among {} the shader finds the power within {} at {}. The worst is code {}: it finds {:.4g} "
-              "instead of {:.4g}, {:.4g} times it. A shader that multiplies by levels - 1 = {:.3g} finds the "
-              "power at {}. At worst the reflection covers {:.3g} times the right solid angle",
-              counted(codes, "gloss code"),
-              steps == "1" ? "one code's step" : fmt::format("{} of a code's step", steps),
-              runs_of(printed.found), printed.worst_code, found, printed.wanted, printed.worst_ratio,
-              levels - 1, counted(static_cast<long>(inverse.found.size()), "code"),
-              lobe_solid_angle(found) / lobe_solid_angle(printed.wanted)),
-          verdict == Verdict::confirmed
-              ? "none"
-              : effect_of_power(
-                    printed.wanted, found,
-                    fmt::format("the lobe of power {:.4g} instead of {:.4g}", found, printed.wanted))};
+  return {
+      verdict, fmt::format("found / wanted = {:.4g} at worst", printed.worst_ratio),
+      fmt::format(
+          "among {} the shader finds the power within {} at {}. The worst is code {}: it finds {:.4g} "
+          "instead of {:.4g}, a factor of {:.4g}. A shader that multiplies by levels - 1 = {:.3g} finds the "
+          "power at {}. At worst the reflection covers {:.3g} times the right solid angle",
+          counted(codes, "gloss code"),
+          steps == "1" ? "one code's step" : fmt::format("{} of a code's step", steps),
+          runs_of(printed.found), printed.worst_code, found, printed.wanted, printed.worst_ratio, levels - 1,
+          counted(static_cast<long>(inverse.found.size()), "code"),
+          lobe_solid_angle(found) / lobe_solid_angle(printed.wanted)),
+      verdict == Verdict::confirmed
+          ? "none"
+          : effect_of_power(
+                printed.wanted, found,
+                fmt::format("the lobe of power {:.4g} instead of {:.4g}", found, printed.wanted))};
 }
 
 }  // namespace shadefit

@@ -176,7 +176,7 @@ bool rules_agree(const LobeRule& rule, const std::vector<LobeCandidate>& all) {
 }
 
 /// The candidates of an exponent, and the best.
-struct Contest {
+struct KernelContest {
   double exponent;
   std::vector<LobeCandidate> candidates;
   /// The participant with the least squared error; of equal ones, to the tolerance of the rules, the first.
@@ -201,7 +201,7 @@ struct Contest {
 
 /// Whether the integrals are accurate enough to name the winner: the difference to every other kernel is
 /// larger than the errors of the rules, or negligible.
-bool is_sure(const LobeRule& rule, const Contest& contest) {
+bool is_sure(const LobeRule& rule, const KernelContest& contest) {
   const double least = contest.winner().square();
   return rules_agree(rule, contest.candidates) &&
          std::all_of(contest.candidates.begin(), contest.candidates.end(), [&](const LobeCandidate& c) {
@@ -211,9 +211,9 @@ bool is_sure(const LobeRule& rule, const Contest& contest) {
 }
 
 /// "3, 4 and 5" the exponents at which that kernel wins; empty if it never does.
-std::string exponents_won(const std::vector<Contest>& contests, std::string_view name) {
+std::string exponents_won(const std::vector<KernelContest>& contests, std::string_view name) {
   std::vector<std::string> words;
-  for (const Contest& contest : contests) {
+  for (const KernelContest& contest : contests) {
     if (contest.winner().name == name) words.push_back(decimal(contest.exponent, 6));
   }
   return words.size() == contests.size() ? "all of them" : enumerated(words);
@@ -230,15 +230,15 @@ std::string costs() {
     return count_operations(legendre_series(c, std::span<const Symbolic>(weights))).total();
   };
   return fmt::format(
-      "the spherical Gaussian {}, the Gaussian of the angle {} after an arc cosine, Abel-Poisson {} as "
-      "printed and {} (a square root) on the sphere, Gauss-Weierstrass on the sphere {} for each term of "
-      "its series",
+      "for the spherical Gaussian {}; for the Gaussian of the angle an arc cosine and {}; for Abel-Poisson as "
+      "printed {}; for Abel-Poisson on the sphere {} (a square root); for Gauss-Weierstrass on the sphere {} "
+      "instructions per term of its series",
       words(gaussian_lobe(c, variable("k"), variable("x"))), words(line_gaussian(variable("theta"), s)),
       words(poisson_of_circle_lobe(y, s)), words(poisson_of_sphere_lobe(y, s)), series(6) - series(5));
 }
 
 /// Terms of the heat kernel's series that leave at most one part in 255 of its peak.
-std::string terms_to_see(const Contest& contest) {
+std::string terms_to_see(const KernelContest& contest) {
   const LobeCandidate* candidate = contest.find(heat);
   if (candidate == nullptr) return "none asked";
   const int last = last_term(time_of(candidate->parameter, contest.exponent), std::log(255.0));
@@ -246,11 +246,11 @@ std::string terms_to_see(const Contest& contest) {
 }
 
 /// The errors side by side at the exponents to be shown.
-std::string errors_in_words(const std::vector<Contest>& contests, const std::vector<double>& shown) {
+std::string errors_in_words(const std::vector<KernelContest>& contests, const std::vector<double>& shown) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < contests.front().candidates.size(); ++i) {
     std::vector<std::string> numbers;
-    for (const Contest& contest : contests) {
+    for (const KernelContest& contest : contests) {
       if (std::find(shown.begin(), shown.end(), contest.exponent) != shown.end())
         numbers.push_back(decimal(contest.candidates[i].rms, 3));
     }
@@ -275,7 +275,7 @@ Effect effect_of(const LobeCandidate& candidate, double exponent) {
 }
 
 /// "the printed Gauss-Weierstrass at all of them", one part for each winner.
-std::string winners_in_words(const std::vector<Contest>& contests) {
+std::string winners_in_words(const std::vector<KernelContest>& contests) {
   std::vector<std::string> words;
   for (const LobeCandidate& candidate : contests.front().candidates) {
     const std::string at = exponents_won(contests, candidate.name);
@@ -291,20 +291,21 @@ bool needs_more_than_the_cosine(std::string_view name, std::string_view reading)
 
 /// The number of exponents at which the Spherical Gaussian has the smallest error of the kernels that need
 /// only the cosine.
-long wins_of_the_cosine(const std::vector<Contest>& contests, std::string_view reading) {
+long wins_of_the_cosine(const std::vector<KernelContest>& contests, std::string_view reading) {
   const auto takes_part = [&](const LobeCandidate& c) {
     return !needs_more_than_the_cosine(c.name, reading);
   };
-  return std::count_if(contests.begin(), contests.end(), [&](const Contest& contest) {
+  return std::count_if(contests.begin(), contests.end(), [&](const KernelContest& contest) {
     return contest.winner_among(takes_part).name == spherical_gaussian;
   });
 }
 
 /// The error of the first rival relative to the Spherical Gaussian's, at the last exponent.
-std::string ratio_in_words(const Contest& last, std::string_view reading) {
+std::string ratio_in_words(const KernelContest& last, std::string_view reading) {
   const LobeCandidate& rival = last.candidates.at(1);
-  std::string text = fmt::format("{} has {:.4g} of the error of the spherical Gaussian at k = {:.6g}",
-                                 rival.name, rival.rms / last.candidates[0].rms, last.exponent);
+  std::string text =
+      fmt::format("the error of {} is {:.4g} times that of the spherical Gaussian at k = {:.6g}", rival.name,
+                  rival.rms / last.candidates[0].rms, last.exponent);
   if (rival.name == printed_gauss && reading == "angle")
     text += fmt::format(" and {:.4g} in the limit", gaussian_error_ratio<double>());
   return text;
@@ -312,26 +313,28 @@ std::string ratio_in_words(const Contest& last, std::string_view reading) {
 
 Finding other_kernels(const Claim& claim) {
   const std::string_view reading = claim.inputs.at("x"), names = claim.inputs.at("kernels");
-  std::vector<Contest> contests;
+  std::vector<KernelContest> contests;
   bool is_known = true;
   for (const double k : parse_sweep(claim.inputs.at("exponents"))) {
     const LobeRule rule(k);
     contests.push_back({k, candidates(rule, names, reading)});
     is_known = is_known && is_sure(rule, contests.back());
   }
-  const auto won = std::count_if(contests.begin(), contests.end(),
-                                 [](const Contest& c) { return c.winner().name == spherical_gaussian; });
+  const auto won = std::count_if(contests.begin(), contests.end(), [](const KernelContest& c) {
+    return c.winner().name == spherical_gaussian;
+  });
   const auto of = static_cast<long>(contests.size());
-  const Contest &first = contests.front(), &last = contests.back();
+  const KernelContest &first = contests.front(), &last = contests.back();
   return {
       is_known ? std::optional(verdict_of_cases(static_cast<std::size_t>(won), contests.size()))
                : std::nullopt,
       fmt::format("smallest at {} of {}", won, counted(of, "exponent")),
       fmt::format(
-          "among {} from {:.6g} to {:.6g} the smallest rms error (x read as the {}) is {}. Without kernels "
-          "that need the angle or a series it is that of {} at {} of them. The errors at k = {} are: {}. "
-          "As a ratio, {}. A shader executes: {}. Terms of the series for an error within 1/255: {}, {}. "
-          "Two rules agree on the squared errors to {:.1g}, relative",
+          "{} from {:.6g} to {:.6g} were tried, with x read as the {}; the smallest rms error is {}. Among the "
+          "kernels that need neither the angle nor a series, it is that of {} at {} of them. The rms errors at k "
+          "= {} are: {}. As a ratio, {}. The instructions in a shader are: {}. The series needs this many terms "
+          "for an error within 1/255: {}, {}. Two quadrature rules agree on the squared errors to {:.1g}, "
+          "relative",
           counted(of, "exponent"), first.exponent, last.exponent, reading, winners_in_words(contests),
           spherical_gaussian, wins_of_the_cosine(contests, reading), claim.inputs.at("shown"),
           errors_in_words(contests, parse_sweep(claim.inputs.at("shown"))), ratio_in_words(last, reading),

@@ -193,16 +193,16 @@ Finding plain_peak(const Claim& claim) {
   return {
       verdict_of(holds), fmt::format("c > 1 - {:.4g}/k as k grows", law.limit),
       fmt::format(
-          "x = 0 is closer than x = {:.4g} from the peak down to c = {}. Below it is farther. At the last "
-          "power k(1-c) is {:.6g}; for large k it is {:.4g} - {:.4g}/k. On the peak's side the largest "
-          "error is smaller by {} in 8-bit sRGB codes, and by {}",
+          "x = 0 is closer than x = {:.4g} from the peak down to c = {}. Below that c it is farther. At that c "
+          "and the last power k(1-c) is {:.6g}; for large k it is {:.4g} - {:.4g}/k. Between that c and the "
+          "peak the largest error of x = 0 is smaller: in 8-bit sRGB codes by {}, and by {}",
           offset, enumerated(words), t, law.limit, -law.slope, gain_in_codes(sides.front()),
           gain_in_codes(sides.back())),
       sentences(
           {sentence(
                most.plain, "the curve",
                fmt::format(
-                   "on the peak's side of the crossing at k = {}, the power that gains most, the form with "
+                   "between the crossing and the peak, at k = {}, the power that gains most, the form with "
                    "x = 0",
                    exponent_text(most.exponent))),
            sentence(most.shifted, "the curve", fmt::format("with x = {:.4g} it", offset))})};
@@ -246,7 +246,8 @@ Finding offset_one_low(const Claim& claim) {
   const std::string x = fmt::format("x = {:.4g}", offset);
   return {
       worst(parts),
-      fmt::format("low powers {}, dropped {}", sentence(fits, low), sentence(gap.is_subtle, high)),
+      fmt::format("x fits low powers {}, can be dropped {}", sentence(fits, low),
+                  sentence(gap.is_subtle, high)),
       fmt::format(
           "{} the largest absolute error of {} is {:.3g} at k = {:.4g}, {:.3g} at {:.4g}, where the post "
           "uses it, and {:.3g} at {:.4g}. It is at most {:.3g} {}, and at most {:.3g} {}. For higher "
@@ -285,10 +286,10 @@ Finding offset_matters(const Claim& claim) {
       *std::max_element(gaps.begin(), gaps.end(),
                         [&](const OffsetGap& a, const OffsetGap& b) { return a.at(from) < b.at(from); });
   return {
-      verdict_of_cases(static_cast<std::size_t>(held), gaps.size()), fmt::format("k = {:.4g}", start),
+      verdict_of_cases(static_cast<std::size_t>(held), gaps.size()), fmt::format("from k = {:.4g} on", start),
       fmt::format(
-          "{} the forms differ by less than {:.3g}: {}. All of them do from k = {:.4g} on. They differ by "
-          "at most one 8-bit sRGB code, in the same order, {}",
+          "{} these pairs of forms differ by less than {:.3g}: {}. All three pairs do so from k = {:.4g} on. "
+          "The same pairs, in the same order, differ by at most one 8-bit sRGB code {}",
           looked_at(exponents), subtle, enumerated(words), start, enumerated(codes)),
       sentence(effect_of_offset(from, widest.low, widest.high), "the curve",
                fmt::format("at k = {:.4g} going from x = {:.4g} to {:.4g}", from, widest.low, widest.high))};

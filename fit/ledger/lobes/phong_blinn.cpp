@@ -156,9 +156,9 @@ bool follows_the_laws(const AtView& at) {
 /// The sentence on views out of the plane.
 std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& views) {
   return fmt::format(
-      "For views {} degrees from the normal the factor at the peak, across the plane of n and v, is 2 n.v: "
-      "{}. Blinn's highlight is narrower there. Over all lights twice the Blinn angle exceeds the Phong "
-      "angle by at most 2 asin(1 - n.v): {} degrees. cos^rho of the two angles, rho = {}, differ by up to {}",
+      "For views {} degrees from the normal the factor at the peak, perpendicular to the plane of n and "
+      "v, is 2 n.v: {}. Blinn's highlight is narrower in that direction. Over all lights twice the Blinn angle "
+      "exceeds the Phong angle by at most 2 asin(1 - n.v): {} degrees. cos^rho of the two angles, rho = {}, differ by up to {}",
       claim.inputs.at("views"),
       listed(
           views, [](const AtView& at) { return at.across; }, 5),
@@ -185,7 +185,8 @@ Finding angle(const Claim& claim) {
       views.begin(), views.end(), [](const AtView& a, const AtView& b) { return a.lobe < b.lobe; });
   const double middle = (in_plane.low + in_plane.high) / 2;
   return {
-      is_known ? std::optional(verdict) : std::nullopt, fmt::format("{:.10g} in a plane", middle),
+      is_known ? std::optional(verdict) : std::nullopt,
+      fmt::format("{:.10g}, but only with n, l and v in one plane", middle),
       fmt::format(
           "with n, l and v in one plane, every {} degrees, the Phong angle is {:.10g} times the Blinn "
           "angle (to {:.1g}). In all other cases it is less. {}",

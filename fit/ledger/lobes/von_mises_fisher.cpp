@@ -68,7 +68,7 @@ Finding normalisation(const Claim& claim) {
       fmt::format(
           "the integral over the sphere is {:.10g} by two rules, each to {:.1g}, at {} from k = {:.6g} to "
           "{:.6g}{}. As printed the formula overflows in half, float and double beyond k = {:.4g}, {:.4g} "
-          "and {:.4g}. The equal form k/(2 pi (1 - e^(-2k))) e^(-k(1-c)) does not",
+          "and {:.4g}. The form k/(2 pi (1 - e^(-2k))) e^(-k(1-c)), which is equal, does not overflow",
           furthest, integral_tolerance, counted(static_cast<long>(concentrations.size()), "concentration"),
           concentrations.front(), concentrations.back(), is_equal ? "" : ", which is not the printed number",
           last_finite_concentration<Eigen::half>(), last_finite_concentration<float>(),
@@ -112,9 +112,9 @@ Finding sharp_density(const Claim& claim) {
       fmt::format("relative error {:.4g} at k = {}", law, claim.printed[0].value),
       fmt::format(
           "the relative error is -e^(-2k) at every angle; at 1 - c = {} the quotient of both densities "
-          "confirms it to {:.1g}. It is {:.4g} at k = {}. It is within {} from k = {:.4g} on. It is within "
-          "{}, the most that still counts as about equal, from k = {:.4g} on. It is within one 8-bit sRGB "
-          "code from k = {:.4g} on",
+          "confirms it to {:.1g}. It is {:.4g} at k = {}. Its size is at most {} from k = {:.4g} on, and at most {}, "
+          "the most that still counts as about equal, from k = {:.4g} on. It is at most one 8-bit sRGB code "
+          "from k = {:.4g} on",
           claim.inputs.at("y"), rounding, law, claim.printed[0].value, claim.inputs.at("about"), from,
           claim.inputs.at("no longer about"), least, from_code),
       effect_of_factor(1 + law, 1, fmt::format("at k = {:.4g} and any c it", k))};

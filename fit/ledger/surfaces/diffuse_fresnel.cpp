@@ -122,11 +122,11 @@ Finding diffuse_fresnel(const Claim& claim) {
   };
   return {
       is_known ? std::optional(worst(verdicts)) : std::nullopt,
-      fmt::format("at most {} and {}", share(factor), share(stand_in)),
+      fmt::format("at most {} as stated and {} with the stand-in", share(factor), share(stand_in)),
       fmt::format(
           "at f0 = {:.4g} and albedo {:.4g}, the sum of specular and diffuse is as follows. As stated, {}. "
-          "As the stand-in, {}. For comparison, {}. Each is the larger of two sums, with light and view "
-          "exchanged. Two quadrature rules agree to {:.1g}",
+          "As the stand-in, {}. For comparison, {}. Each number is the larger of two sums: with light and view as "
+          "they are, and exchanged. Two quadrature rules agree to {:.1g}",
           f0, albedo, part_sentence(claim.inputs.at("factor"), factor),
           part_sentence(claim.inputs.at("stand-in"), stand_in),
           part_sentence(claim.inputs.at("beside"), beside), mean_rounding),

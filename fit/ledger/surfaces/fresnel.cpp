@@ -109,7 +109,7 @@ Finding quadratic_at_one(const Claim& claim) {
       fmt::format(
           "exp2(a + b) of the printed pair is {:.10g} ({}). exp2(-A) is {:.10g} times that, which rounds "
           "to {:.6g} ({}). The unrounded optima give {:.10g} and {:.10g}. The quotient of the values as "
-          "printed, {}/{}, is {:.6g}; without its fraction it is {:.6g}. F of f0 = {:.3g} is {:.6g} at c = 1",
+          "printed, {}/{}, is {:.6g}; cut off after the point it is {:.6g}. F of f0 = {:.3g} is {:.6g} at c = 1",
           value, name(parts[0]), ratio, std::round(ratio), name(parts[1]), best, best_ratio,
           claim.inputs.at("exp2(-A) as printed"), claim.printed[0].value, of_printed, std::trunc(of_printed),
           f0, schlick_reflectance(f0, value)),
@@ -173,15 +173,15 @@ std::string sentence_of(const Distance& d) {
 
 /// The number of meanings in which one form is further away than the other, and whether the first is among
 /// them.
-struct Comparison {
+struct Ranking {
   int worse = 0;
   int readings = 0;
   bool is_worse_in_first = false;
   bool is_sure = true;  ///< the integrals are accurate enough to be compared
 };
 
-Comparison compare(const Distance& one, const Distance& other) {
-  Comparison result;
+Ranking compare(const Distance& one, const Distance& other) {
+  Ranking result;
   const auto read = [&](double a, double b) {
     result.is_worse_in_first = result.readings == 0 ? a > b : result.is_worse_in_first;
     result.is_sure = result.is_sure && (a == b || std::abs(a - b) > 2 * rms_tolerance);
@@ -195,7 +195,7 @@ Comparison compare(const Distance& one, const Distance& other) {
   return result;
 }
 
-std::optional<Verdict> verdict_of_comparison(const Comparison& c) {
+std::optional<Verdict> verdict_of_comparison(const Ranking& c) {
   if (!c.is_sure) return std::nullopt;
   if (c.worse == c.readings) return Verdict::confirmed;
   if (c.is_worse_in_first) return Verdict::conditional;
@@ -209,22 +209,23 @@ Finding power_four(const Claim& claim) {
   const auto gaussian = one_term(given(claim, "A"));
   const Distance of_power = distance_from_schlick(power_form, f0);
   const Distance of_gaussian = distance_from_schlick(gaussian, f0);
-  const Comparison comparison = compare(of_power, of_gaussian);
+  const Ranking comparison = compare(of_power, of_gaussian);
   const auto closer = where_negative([&](double c) {
     const double target = schlick_weight(c);
     return std::abs(power_form(c) - target) - std::abs(gaussian(c) - target);
   });
   const std::string name_of_power = fmt::format("(1-c)^{}", n);
-  return {verdict_of_comparison(comparison),
-          fmt::format("{} of {} readings", comparison.worse, comparison.readings),
-          fmt::format(
-              "{0} is further from (1-c)^5 in {1} of {2} readings. Its errors are {3}. Those of exp2(-{5} c) "
-              "are {4}. Two rules agree on each rms to {6:.1g}. At single angles {0} is closer: {7}",
-              name_of_power, comparison.worse, comparison.readings, sentence_of(of_power),
-              sentence_of(of_gaussian), claim.inputs.at("A"), rms_tolerance, ranges_in_words(closer, 4)),
-          sentences({sentence(effect_on_reflectance(power_form, f0), fmt::format("F of f0 = {:.3g}", f0),
-                              name_of_power),
-                     sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
+  return {
+      verdict_of_comparison(comparison),
+      fmt::format("{} of {} readings", comparison.worse, comparison.readings),
+      fmt::format(
+          "{0} is further from (1-c)^5 in {1} of {2} readings. The errors of {0} are {3}. The errors of exp2(-{5} c) "
+          "are {4}. Two quadrature rules agree on each rms to {6:.1g}. But at some angles {0} is closer: {7}",
+          name_of_power, comparison.worse, comparison.readings, sentence_of(of_power),
+          sentence_of(of_gaussian), claim.inputs.at("A"), rms_tolerance, ranges_in_words(closer, 4)),
+      sentences({sentence(effect_on_reflectance(power_form, f0), fmt::format("F of f0 = {:.3g}", f0),
+                          name_of_power),
+                 sentence(effect_on_reflectance(gaussian, f0), "it", "exp2(-A c)")})};
 }
 
 Finding relative_errors(const Claim& claim) {
@@ -237,19 +238,20 @@ Finding relative_errors(const Claim& claim) {
   const double ratio = small.magnitude / large.magnitude;
   const double small_codes = largest_code_shift(pair, f0), large_codes = largest_code_shift(single, f0);
   const auto closer = where_negative([&](double c) { return std::abs(of_single(c)) - std::abs(of_pair(c)); });
-  return {verdict_of(ratio <= far_smaller), decimal(ratio, 4),
-          fmt::format(
-              "the largest relative error of F is {:.4g} (c = {:.4g}) with the pair and {:.4g} (c = {:.4g}) "
-              "with exp2(-{} c): {:.3g} times as much. Far smaller is read as: at most {} times as large. At "
-              "single angles the one-term form is closer: {}. In 8-bit sRGB codes the pair is off by up to "
-              "{:.3g} and the one-term form by up to {:.3g}. With a limit of one code the pair would {} and "
-              "the one-term form would {}",
-              small.magnitude, small.at.cos_theta, large.magnitude, large.at.cos_theta, claim.inputs.at("A"),
-              1 / ratio, claim.inputs.at("far smaller"), ranges_in_words(closer, 4), small_codes, large_codes,
-              small_codes <= 1 ? "pass" : "fail", large_codes <= 1 ? "pass" : "fail"),
-          sentences(
-              {sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0), "exp2(-A c)"),
-               sentence(effect_on_reflectance(pair, f0), "it", "the pair")})};
+  return {
+      verdict_of(ratio <= far_smaller), decimal(ratio, 4),
+      fmt::format(
+          "the largest relative error of F is {:.4g} (c = {:.4g}) with the pair (a, b) and {:.4g} (c = {:.4g}) "
+          "with exp2(-{} c): {:.3g} times as much. Far smaller is read as: at most {} times as large. But "
+          "at some angles the one-term form is closer: {}. In 8-bit sRGB codes the pair (a, b) is off by up to "
+          "{:.3g} and the one-term form by up to {:.3g}. With a limit of one code the pair (a, b) would {} and "
+          "the one-term form would {}",
+          small.magnitude, small.at.cos_theta, large.magnitude, large.at.cos_theta, claim.inputs.at("A"),
+          1 / ratio, claim.inputs.at("far smaller"), ranges_in_words(closer, 4), small_codes, large_codes,
+          small_codes <= 1 ? "pass" : "fail", large_codes <= 1 ? "pass" : "fail"),
+      sentences(
+          {sentence(effect_on_reflectance(single, f0), fmt::format("F of f0 = {:.3g}", f0), "exp2(-A c)"),
+           sentence(effect_on_reflectance(pair, f0), "it", "the pair (a, b)")})};
 }
 
 Finding exponent_sum(const Claim& claim) {

@@ -188,8 +188,8 @@ std::string views_in_words(const std::vector<double>& angles) {
 std::string effect_of_masking(const Furthest& worst, std::string_view distribution) {
   return effect_of_factor(
       worst.integral, 1,
-      fmt::format("{} with F = 1 and masking alone, at roughness {:.6g} and {:.6g} degrees,", distribution,
-                  worst.roughness, worst.view_angle));
+      fmt::format("{} with F = 1, with masking but no shadowing, at roughness {:.6g} and {:.6g} degrees,",
+                  distribution, worst.roughness, worst.view_angle));
 }
 
 Finding masked_by_its_own(const Claim& claim) {
@@ -296,7 +296,7 @@ Finding loan(std::string_view distribution, const Claim& claim) {
   finding.computed = fmt::format("{} v.n ({})", ratio, distribution);
   finding.evidence = fmt::format(
       "{} with the G1 of {} gives {} times v.n at these roughnesses, seen from {:.6g} degrees. The worst "
-      "is {}, at roughness {:.6g} and {:.6g} degrees. It is {}. For one 8-bit sRGB code: it is {}",
+      "is {}, at roughness {:.6g} and {:.6g} degrees. The ratio is {}. For one 8-bit sRGB code as the limit, the ratio is {}",
       distribution, lender, at_flattest_view(table), angles.back(), ratio, worst.roughness, worst.view_angle,
       words(range, accurate), words(range_of(pair, widths, angles, table, code), code));
   finding.effect = effect_of_masking(worst, distribution);

@@ -107,9 +107,9 @@ Finding against_integrals(const Claim& claim, const PrintedConstant& printed, co
           : fmt::format(" is {} and not the {:.10g} of {}", at_exponent(exact, worst_check->exponent),
                         printed.at(worst_check->exponent.value_or(1)), printed.text());
   if (checks.size() > 1)
-    finding.evidence += fmt::format(", looked for at {}", range_in_words(exponents, "exponent"));
-  finding.evidence +=
-      fmt::format(" (two rules that agree within {:.1g})", std::max(error, normalisation_tolerance));
+    finding.evidence += fmt::format(", tested at {}", range_in_words(exponents, "exponent"));
+  finding.evidence += fmt::format(" (by two quadrature rules that agree within {:.1g})",
+                                  std::max(error, normalisation_tolerance));
   if (finding.verdict != Verdict::confirmed)
     finding.effect = effect_of_factor(
         printed.at(worst_check->exponent.value_or(1)), exact,
@@ -194,7 +194,7 @@ Finding constant_at_every_view(const Claim& claim) {
   if (plain.value != with_cosine.value)
     finding.evidence += fmt::format(", with n.l at most {}", with_cosine.words);
   finding.evidence +=
-      fmt::format("{}{}{} (two ways that agree within {:.1g})", ", and falls to ", lowest_of(curves).words,
+      fmt::format("{}{}{} (two ways that agree within {:.1g})", ". It falls to ", lowest_of(curves).words,
                   creates_energy ? ": it creates energy" : ": it creates no energy",
                   std::max(error, reflectance_tolerance));
   return finding;
@@ -299,7 +299,7 @@ std::string closest_in_words(const CheapRatio& ratio, double furthest, double lo
   if (verdict == Verdict::confirmed) return "The lower the power, the closer it is";
   if (verdict == Verdict::refuted) return "It does not get closer with each lower power";
   const auto from = close_from(ratio, furthest, ratio.distance(std::log2(low)));
-  return fmt::format("The lower the power, the closer it is, but only up to there: {}{:.4g}",
+  return fmt::format("The lower the power, the closer the ratio is to 1, but only below that a: {}{:.4g}",
                      from ? fmt::format("from a = {:.4g} on it is closer than at a = ", std::exp2(*from))
                           : std::string("nowhere beyond it stays closer than at a = "),
                      low);

@@ -87,8 +87,8 @@ Finding phase_normalisation(const Claim& claim) {
       fmt::format(
           "the closed form gives {:.10g} at {} of g from {:.6g} to {:.6g}. Two quadrature rules, one of "
           "them over the form as printed, agree with it {}. The peak is {:.4g} per steradian at |g| = "
-          "{:.6g}. There, in single precision, the printed form is off by {:.2g} of its value; with the "
-          "base (1-g)^2 + 2 g (1-c) {}",
+          "{:.6g}. There, in single precision, the printed form is off by {:.2g} of its value; with (1-g)^2 "
+          "+ 2 g (1-c) under the exponent 1.5 it is off {}",
           closed, counted(static_cast<long>(anisotropies.size()), "value"), *least, *most,
           apart <= phase_agreement ? fmt::format("to {:.1g}", phase_agreement)
                                    : fmt::format("no better than to {:.1g}", apart),

@@ -20,10 +20,10 @@ namespace {
 
 using Kind = Contender::Kind;
 
-const Contest proven{.width = usual_width};
+const ComparisonOptions proven{.width = usual_width};
 
-Comparison compare(std::string_view id, const Setting& setting, const Contest& contest = proven) {
-  return compare_forms(*find_family(id), setting, contest);
+Comparison compare(std::string_view id, const Setting& setting, const ComparisonOptions& options = proven) {
+  return compare_forms(*find_family(id), setting, options);
 }
 
 const Comparison& schlick_forms() {

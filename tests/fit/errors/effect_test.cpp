@@ -47,7 +47,7 @@ TEST(Effect, NoneAndLarge) {
   EXPECT_GT(large.relative.magnitude, 200) << "where the curve was one code";
 }
 
-Place at(double x) {
+Coordinates at(double x) {
   return {{"x = ", x}};
 }
 

@@ -79,7 +79,7 @@ TEST(Certificate, AFalseOneIsRefused) {
   expect_refusal(understate, "the error may exceed the upper bound at c in");
   expect_refusal([](Certificate& c) { c.lower = c.upper; },
                  "the error does not reach the lower bound at its place");
-  expect_refusal([](Certificate& c) { std::swap(c.lower, c.upper); }, "its bounds are no interval");
+  expect_refusal([](Certificate& c) { std::swap(c.lower, c.upper); }, "its bounds are not an interval");
   expect_refusal([](Certificate& c) { c.attained.distance = 0.25; },
                  "the error does not reach the lower bound");
   expect_refusal(
@@ -141,7 +141,7 @@ TEST(Certificate, AFalseOneIsRefused) {
 TEST(Certificate, ALobeHasNoSurface) {
   Certificate lobe = certify(gaussian(5), 0.1).certificate;
   lobe.subject.setting.surface = exact_surface(1.5);
-  EXPECT_EQ(reason_to_refuse(lobe), "sg-offset is no Fresnel form: it has no surface");
+  EXPECT_EQ(reason_to_refuse(lobe), "sg-offset is not a Fresnel form: it has no surface");
   Subject subject = gaussian(5);
   subject.domain = {0.5, 0.25};
   EXPECT_THROW(certify(subject, 0.1), UserError) << "the same rules hold for what is to be certified";

@@ -336,9 +336,9 @@ TEST(Rounding, OfManyParametersTheNeighbourhood) {
 TEST(Rounding, RefusesWhatAFormatCannotHold) {
   using testing::refusal;
   EXPECT_EQ(refusal([] { round_fit(fit_of("sg-offset", 0.1), half_format, {}); }),
-            "exponent 0.1 is no number of half: the nearest is 0.0999755859375");
+            "exponent 0.1 is not a number of half: the nearest is 0.0999755859375");
   EXPECT_EQ(refusal([] { round_fit(fit_of("sg-offset", 1e6), half_format, {}); }),
-            "exponent 1e+06 is no number of half: the largest is 65504");
+            "exponent 1e+06 is not a number of half: the largest is 65504");
   EXPECT_EQ(refusal([] { round_fit(fit_of("sg-offset", 1000), bfloat16, {}); }), "");
   EXPECT_EQ(refusal([] { round_fit(fit_of("fresnel-one-term"), half_format, {70000}); }),
             "fresnel-one-term: A = 70000 overflows half: the largest is 65504");

@@ -152,7 +152,8 @@ TEST(HalfBanding, RoundingsBoundEveryStepOfAFloatCosine) {
         << k;
   }
   const Claim& claim = *find_claim("half-banding");
-  const std::string proof = "(none because its roundings leave at most 0.24 codes at any of them)";
+  const std::string proof =
+      "(none: its roundings change the curve by at most 0.24 codes at each of these powers)";
   EXPECT_NE(evaluate(claim).evidence.find("bands is none, 12 and none " + proof), std::string::npos)
       << evaluate(claim).evidence;
   // If that is not enough, every power is tried.

@@ -39,7 +39,7 @@ TEST(KernelsClaims, TheSphericalGaussianLosesToGaussiansAlone) {
 
 TEST(KernelsClaims, ShowTheLimitOfTwoThirds) {
   const Finding finding = evaluate(with_input(*find_claim("other-kernels"), "exponents", "3,2048"));
-  EXPECT_NE(finding.evidence.find("has 0.6667 of the error of the spherical Gaussian at k = 2048 and 0.6667 "
+  EXPECT_NE(finding.evidence.find("is 0.6667 times that of the spherical Gaussian at k = 2048 and 0.6667 "
                                   "in the limit"),
             std::string::npos)
       << finding.evidence;

@@ -83,7 +83,7 @@ TEST(FresnelClaims, SeventeenIsTheQuotientOfThePrintedValuesCutOff) {
   EXPECT_NE(finding.computed.find("ratio = " + decimal(static_cast<double>(ratio), 10)), std::string::npos)
       << finding.computed;
   EXPECT_EQ(static_cast<int>(0.003 / 0.000168), 17);
-  EXPECT_NE(finding.evidence.find("without its fraction it is 17"), std::string::npos) << finding.evidence;
+  EXPECT_NE(finding.evidence.find("cut off after the point it is 17"), std::string::npos) << finding.evidence;
 }
 
 // c (1-c)^4 is largest where its derivative (1-c)^3 (1-5c) is 0.
