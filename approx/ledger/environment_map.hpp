@@ -59,21 +59,21 @@ inline constexpr std::array environment_map_claims{
               "covers as much has s + 1 = 3 at every width. The cosine itself covers pi. A face is a square "
               "with hard edges, which is a further difference and not counted.",
           .source = sources::mcguire_2013},
-    Claim{
-        .id = "mip-mean-power",
-        .statement =
-            "a cube map with faces 128 texels wide, filtered with a cosine lobe, looks unblurred in a reflection "
-            "only for powers above 16000",
-        .printed = {{"power", "16000"}},
-        .inputs = {{"width", "128"}, {"significant digits", "2"}, {"falls by e to the minus", "1,2"}},
-        .derivation =
-            "The source names no criterion. The first one tried: the lobe covers one mean texel of level "
-            "0, s = 3 w^2 - 1. The next ones: it covers one texel at the centre of a face, or one in a "
-            "corner; or it has fallen to e^-1 or e^-2 at the centre of the next texel in the middle of a "
-            "face. There tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read "
-            "to its significant digits. Where a criterion other than the first gives these digits, the "
-            "verdict is other-objective.",
-        .source = sources::lagarde_2011_adopting},
+    Claim{.id = "mip-mean-power",
+          .statement =
+              "a cube map with faces 128 texels wide, filtered with a cosine lobe, looks unblurred in a "
+              "reflection "
+              "only for powers above 16000",
+          .printed = {{"power", "16000"}},
+          .inputs = {{"width", "128"}, {"significant digits", "2"}, {"falls by e to the minus", "1,2"}},
+          .derivation =
+              "The source names no criterion. The first one tried: the lobe covers one mean texel of level "
+              "0, s = 3 w^2 - 1. The next ones: it covers one texel at the centre of a face, or one in a "
+              "corner; or it has fallen to e^-1 or e^-2 at the centre of the next texel in the middle of a "
+              "face. There tan(theta) = 2/w, so s = 2 n/log(1 + 4/w^2) for e^-n. The printed number is read "
+              "to its significant digits. Where a criterion other than the first gives these digits, the "
+              "verdict is other-objective.",
+          .source = sources::lagarde_2011_adopting},
     Claim{.id = "mip-gloss-chain",
           .statement = "a chain of levels from 128 down to 4 texels, of which level m is made for the power "
                        "round(2^(10 g + 1)) with g = 1 - m/(levels - 1)",
@@ -116,7 +116,8 @@ inline constexpr std::array environment_map_claims{
     Claim{
         .id = "mip-select",
         .statement =
-            "a shader reads the level with the number (1 - g) times the count of levels, from a chain whose level "
+            "a shader reads the level with the number (1 - g) times the count of levels, from a chain whose "
+            "level "
             "m is made for g = 1 - m/(levels - 1): it finds the power of its gloss",
         .inputs = {{"levels", "6"},
                    {"octaves", "10"},

@@ -35,35 +35,35 @@ inline constexpr std::array material_claims{
               "Decoded as for chart-dielectric. For bright values the functions are so close that two digits "
               "cannot tell them apart.",
           .source = sources::lagarde_2012_chart},
-    Claim{
-        .id = "chart-range-typo",
-        .statement =
-            "the linear range of the specular of dielectrics is given twice and should end at the same number; it "
-            "ends at 0.067 where materials are explained, and at 0.063 where it is remapped to [0, 1]",
-        .printed = {{"first", "0.067"}, {"second", "0.063"}},
-        .inputs = {{"code", "75"},
-                   {"convention", chart_convention},
-                   {"other conventions", other_chart_conventions}},
-        .derivation =
-            "The second number is judged against the first. Both are the upper end of the same chart, code "
-            "75. This code tells which of them is meant; the code of each number is shown too.",
-        .source = sources::pestana_workflows_2014},
-    Claim{
-        .id = "chart-overlap",
-        .statement =
-            "the chart's ranges contain the ranges of common materials: dielectrics of 0.02 to 0.05 within codes "
-            "40 to 75, metals of 0.5 to 1 within codes 155 to 255",
-        .inputs = {{"dielectric codes", "40, 75"},
-                   {"common dielectrics", "0.02, 0.05"},
-                   {"metal codes", "155, 255"},
-                   {"common metals", "0.5, 1"},
-                   {"convention", chart_convention},
-                   {"other conventions", other_chart_conventions}},
-        .derivation =
-            "The chart's codes, decoded, are intervals of linear reflectance. The chart speaks of overlap. "
-            "We read it as: the interval holds all of the materials, as artists have to stay within it. "
-            "Whether the intervals overlap is shown too.",
-        .source = sources::lagarde_2012_chart},
+    Claim{.id = "chart-range-typo",
+          .statement =
+              "the linear range of the specular of dielectrics is given twice and should end at the same "
+              "number; it "
+              "ends at 0.067 where materials are explained, and at 0.063 where it is remapped to [0, 1]",
+          .printed = {{"first", "0.067"}, {"second", "0.063"}},
+          .inputs = {{"code", "75"},
+                     {"convention", chart_convention},
+                     {"other conventions", other_chart_conventions}},
+          .derivation =
+              "The second number is judged against the first. Both are the upper end of the same chart, code "
+              "75. This code tells which of them is meant; the code of each number is shown too.",
+          .source = sources::pestana_workflows_2014},
+    Claim{.id = "chart-overlap",
+          .statement =
+              "the chart's ranges contain the ranges of common materials: dielectrics of 0.02 to 0.05 within "
+              "codes "
+              "40 to 75, metals of 0.5 to 1 within codes 155 to 255",
+          .inputs = {{"dielectric codes", "40, 75"},
+                     {"common dielectrics", "0.02, 0.05"},
+                     {"metal codes", "155, 255"},
+                     {"common metals", "0.5, 1"},
+                     {"convention", chart_convention},
+                     {"other conventions", other_chart_conventions}},
+          .derivation =
+              "The chart's codes, decoded, are intervals of linear reflectance. The chart speaks of overlap. "
+              "We read it as: the interval holds all of the materials, as artists have to stay within it. "
+              "Whether the intervals overlap is shown too.",
+          .source = sources::lagarde_2012_chart},
     Claim{.id = "middle-grey",
           .statement = "in sRGB, middle grey (half of the linear light of white) is code 187, not 128",
           .printed = {{"code", "187"}},

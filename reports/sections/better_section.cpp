@@ -47,12 +47,18 @@ std::string sentence(const Contender& published, const Contender* best) {
 std::string better_section(const std::vector<Comparison>& comparisons) {
   std::string out = fmt::format(
       "## Published against best\n\n"
-      "What would be better at the same cost? For each target, the table lists the published curves, and each form with "
-      "its *minimax* constants: those that make the largest error smallest. Some forms were never published. Each largest "
-      "error is proven to lie in an interval of relative width {:g}: the last digit shown is right to one unit. The other "
-      "errors are computed but not proven, the rms error under the cosine measure. On a surface, errors are of the reflectance F. Operations are "
-      "counted in the code that `shadefit emit` writes for one exponent, where expressions of constants are computed "
-      "beforehand. A curve *beats* a published one if its proven error is smaller and it needs no more instructions. "
+      "What would be better at the same cost? For each target, the table lists the published curves, and "
+      "each form with "
+      "its *minimax* constants: those that make the largest error smallest. Some forms were never published. "
+      "Each largest "
+      "error is proven to lie in an interval of relative width {:g}: the last digit shown is right to one "
+      "unit. The other "
+      "errors are computed but not proven, the rms error under the cosine measure. On a surface, errors are "
+      "of the reflectance F. Operations are "
+      "counted in the code that `shadefit emit` writes for one exponent, where expressions of constants are "
+      "computed "
+      "beforehand. A curve *beats* a published one if its proven error is smaller and it needs no more "
+      "instructions. "
       "For other surfaces, exponents, domains and objectives see `shadefit better ID`.\n\n",
       report_comparison.width);
   for (const Comparison& comparison : comparisons) {

@@ -144,15 +144,19 @@ Table glass_table(const std::vector<FresnelLink>& chain) {
 std::string exact_fresnel_section(const std::vector<FresnelLink>& chain) {
   std::string out =
       "## Exact Fresnel\n\n"
-      "The forms above were fitted to Schlick's formula, which is itself an approximation. Here each form is compared "
-      "with Schlick's formula for the surface's f0, and with the exact reflectance of a smooth surface for unpolarised "
+      "The forms above were fitted to Schlick's formula, which is itself an approximation. Here each form is "
+      "compared "
+      "with Schlick's formula for the surface's f0, and with the exact reflectance of a smooth surface for "
+      "unpolarised "
       "light that comes from outside. Each error is the largest error of the reflectance F over all angles: "
-      "absolute, in percent of F, and in 8-bit sRGB codes. \"Refitted\" is the same form, fitted to the exact F by least "
+      "absolute, in percent of F, and in 8-bit sRGB codes. \"Refitted\" is the same form, fitted to the "
+      "exact F by least "
       "squares under the cosine measure.\n\n";
   const FresnelLink* dielectric = worst(chain, false);
   const FresnelLink* metal = worst(chain, true);
   out += fmt::format(
-      "Schlick's formula is off by up to {:.3g} ({:.3g} codes) on the dielectrics here, worst for {}, and by up to "
+      "Schlick's formula is off by up to {:.3g} ({:.3g} codes) on the dielectrics here, worst for {}, and by "
+      "up to "
       "{:.3g} ({:.3g} codes) on the metals, worst for {}. The optical constants of metals are those of {}.\n\n",
       dielectric->from_exact.absolute.magnitude, dielectric->from_exact.srgb_codes,
       surface_text(*dielectric->surface), metal->from_exact.absolute.magnitude, metal->from_exact.srgb_codes,
@@ -184,9 +188,11 @@ std::string exact_fresnel_headline(const std::vector<FresnelLink>& chain) {
   if (schlick == nullptr || truest == nullptr) return "";
   const double off = schlick->from_exact.absolute.magnitude, near = closest->from_schlick.absolute.magnitude;
   return fmt::format(
-      "The Fresnel constants were fitted to Schlick's formula, which is itself off by up to {:.3g} in reflectance on "
+      "The Fresnel constants were fitted to Schlick's formula, which is itself off by up to {:.3g} in "
+      "reflectance on "
       "glass (n = {}). The published {} differs from Schlick's formula by at most {:.3g}: {:.2g} times less "
-      "than Schlick's formula differs from the exact reflectance. The published curve closest to the exact reflectance of "
+      "than Schlick's formula differs from the exact reflectance. The published curve closest to the exact "
+      "reflectance of "
       "that glass is {}, off by {:.3g}.\n\n",
       off, glass.ior, published_text(*closest), near, off / near, published_text(*truest),
       truest->from_exact.absolute.magnitude);
@@ -196,7 +202,8 @@ std::string exact_fresnel_lead(const std::vector<FresnelLink>& chain) {
   const std::string headline = exact_fresnel_headline(chain);
   if (headline.empty()) return "";
   return headline + markdown_block(glass_table(chain)) +
-         "Each error is the largest error of the reflectance F over all angles, with f0 = 0.04: absolute, in percent of F, and "
+         "Each error is the largest error of the reflectance F over all angles, with f0 = 0.04: absolute, in "
+         "percent of F, and "
          "in 8-bit sRGB codes. More dielectrics, and metals: [Exact Fresnel](#exact-fresnel).\n\n";
 }
 

@@ -122,10 +122,15 @@ std::string verdict_counts(const std::vector<JudgedClaim>& claims) {
 std::string ledger_section(const std::vector<JudgedClaim>& claims, const std::vector<Figure>& figures) {
   std::string out = fmt::format(
       "## The ledger\n\n"
-      "The ledger is the list of every number and every testable statement of the sources. It holds {}. A printed "
-      "number is judged by its digits, as in [How to read it](#how-to-read-it). A statement is *confirmed* if it is true on the whole stated range. It is *conditional* if it is "
-      "true on a part of that range, or in one of several readings; the evidence says which. Otherwise it is *refuted*. "
-      "Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the derivation.\n\n",
+      "The ledger is the list of every number and every testable statement of the sources. It holds {}. A "
+      "printed "
+      "number is judged by its digits, as in [How to read it](#how-to-read-it). A statement is *confirmed* "
+      "if it is "
+      "true on the whole stated range. It is *conditional* if it is true only on a part of that range, or "
+      "only in one "
+      "of several readings; the evidence says which. Otherwise it is *refuted*. "
+      "Words such as \"accurate\" are read as a number: `shadefit explain ID` shows it, with the "
+      "derivation.\n\n",
       verdict_counts(claims));
   const Topic* last = nullptr;
   for (const JudgedClaim& judged : claims) {

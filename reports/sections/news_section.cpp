@@ -40,7 +40,8 @@ std::vector<JudgedClaim> claims_with(const std::vector<JudgedClaim>& claims, Ver
 }
 
 std::string news_section(const std::vector<JudgedClaim>& claims) {
-  return fmt::format("## News\n\nWe judged {}.\n\n", verdict_counts(claims)) +
+  return fmt::format("## News\n\nWe judged {}. [How to read it](#how-to-read-it) explains the words.\n\n",
+                     verdict_counts(claims)) +
          news_of(claims_with(claims, Verdict::refuted), "**Refuted:**") +
          news_of(claims_with(claims, Verdict::conditional),
                  "**Conditional:** true only for a part of the range, or only in one of several readings:");

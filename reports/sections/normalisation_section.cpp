@@ -28,8 +28,10 @@ std::string stand_in_words(const Results& results) {
     ratios.rows.push_back({Number{*check.exponent, 10}, converged(check.closed_form / check.integral)});
   }
   return fmt::format(
-      "`{0}`, `{1}`, stands in for `{2}`, and is judged by its ratio to it. {3} quotes Naty Hoffman: \"close to "
-      "1\". We read that as within {4:g}. The ratio is 1 in the limits a = 0 and infinity. It is largest at a = "
+      "`{0}`, `{1}`, stands in for `{2}`, and is judged by its ratio to it. {3} quotes Naty Hoffman: \"close "
+      "to "
+      "1\". We read that as within {4:g}. The ratio is 1 in the limits a = 0 and infinity. It is largest at "
+      "a = "
       "{5:.6g}: {6:.10g}, which is {7:.3g} % too bright.\n\n{8}",
       record.id, record.printed, BlinnPhongBrdfLobe::record.printed, linked(record.source), record.closeness,
       exponent, ratio, 100 * (ratio - 1), markdown_block(ratios));
@@ -40,7 +42,8 @@ std::string microfacet_words(const Results& results) {
   const Normalisation& record = MicrofacetLobe::record;
   if (!is_checked(results, record)) return "";
   return fmt::format(
-      "`{}` is a quarter of `{}`. It has no integral of its own, so it is compared with the integral of four times "
+      "`{}` is a quarter of `{}`. It has no integral of its own, so it is compared with the integral of four "
+      "times "
       "the distribution. In a game's light unit, which contains pi, it is `(a+2)/8`.\n\n",
       record.id, DistributionLobe::record.id);
 }
@@ -51,8 +54,10 @@ std::string normalisation_section(const Results& results) {
   std::string out =
       "## Normalisation, with view and normal aligned\n\n"
       "Each published constant is compared with 1 over the integral of its lobe over the hemisphere. Two "
-      "quadrature rules compute it: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative difference "
-      "below the tolerance is printed as 0. The estimated error is a bound: it covers the errors of both rules, their "
+      "quadrature rules compute it: Gauss-Kronrod over the cosine and tanh-sinh over the angle. A relative "
+      "difference "
+      "below the tolerance is printed as 0. The estimated error is a bound: it covers the errors of both "
+      "rules, their "
       "difference, and the tail that is cut off.\n\n";
   Table lobes{{"constant", "lobe", "printed", "source"}, {}};
   for (const Normalisation& record : normalisations) {

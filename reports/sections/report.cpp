@@ -25,14 +25,16 @@ constexpr std::string_view how_to_read =
     "- *confirmed*: all printed digits are right.\n"
     "- *rounding*: the last digit is off by one.\n"
     "- *other-objective*: another named metric or convention gives the printed digits.\n"
-    "- *conditional*: right for some exponents only.\n"
+    "- *conditional*: right only for a part of the range, or only in one of several readings.\n"
     "- *refuted*: no metric or convention gives the printed digits.\n\n"
-    "`c` is a cosine in [0, 1]. A measure weighs the errors at different c. The `cosine` measure dc weighs solid angle "
-    "evenly, the `angle` measure dc/sqrt(1-c^2) weighs the angle evenly, and the `cosine-weighted` measure c dc weighs "
-    "projected solid angle evenly. A fit is continuous least squares: it makes the integral of the squared absolute error, "
-    "weighted by the measure, smallest. The digits of a fit are those that the last Newton step in wider arithmetic no longer changes, at most 14. An effect is the largest "
-    "change between two numbers or formulas: in 8-bit sRGB codes, as an absolute error, as a relative error (of values "
-    "from 1/255 on), and in steps of a half float (ulps).\n\n";
+    "`c` is a cosine in [0, 1]. A measure weighs the errors at different c. The `cosine` measure dc weighs "
+    "solid angle evenly, the `angle` measure dc/sqrt(1-c^2) weighs the angle evenly, and the "
+    "`cosine-weighted` measure c dc weighs projected solid angle evenly. A fit is continuous least squares: it "
+    "makes the integral of the squared absolute error, "
+    "weighted by the measure, smallest. The digits of a fit are those that the last Newton step in wider "
+    "arithmetic no longer changes, at most 14. An effect is the largest change between two numbers or "
+    "formulas: in 8-bit sRGB codes, as an absolute error, as a relative error (of values from 1/255 on), and "
+    "in steps of a half float (ulps).\n\n";
 
 /// The publications that the records of these results cite, by year.
 std::string sources_section(const Results& results) {

@@ -17,19 +17,23 @@ JudgedClaim news_with(Verdict verdict) {
 }
 
 TEST(News, RefutedClaimsComeFirstAndConfirmedOnesNotAtAll) {
-  EXPECT_EQ(news_section({news_with(Verdict::conditional), news_with(Verdict::confirmed),
-                          news_with(Verdict::refuted)}),
-            "## News\n\nWe judged 3 claims: 1 confirmed, 1 conditional, 1 refuted.\n\n"
-            "**Refuted:**\n\n"
-            "- [`x-claim`](#first-topic) (Author 2012): a is b.\n"
-            "  - Found: it is 1.6. The rest is 2.\n  - Effect: by 3 codes.\n\n"
-            "**Conditional:** true only for a part of the range, or only in one of several readings:\n\n"
-            "- [`x-claim`](#first-topic) (Author 2012): a is b.\n"
-            "  - Found: 1.6.\n  - Effect: by 3 codes.\n\n");
+  EXPECT_EQ(
+      news_section(
+          {news_with(Verdict::conditional), news_with(Verdict::confirmed), news_with(Verdict::refuted)}),
+      "## News\n\nWe judged 3 claims: 1 confirmed, 1 conditional, 1 refuted. [How to read it](#how-to-read-it) "
+      "explains the words.\n\n"
+      "**Refuted:**\n\n"
+      "- [`x-claim`](#first-topic) (Author 2012): a is b.\n"
+      "  - Found: it is 1.6. The rest is 2.\n  - Effect: by 3 codes.\n\n"
+      "**Conditional:** true only for a part of the range, or only in one of several readings:\n\n"
+      "- [`x-claim`](#first-topic) (Author 2012): a is b.\n"
+      "  - Found: 1.6.\n  - Effect: by 3 codes.\n\n");
 }
 
 TEST(News, NoneIsSaidInOneLine) {
-  EXPECT_EQ(news_section({news_with(Verdict::confirmed)}), "## News\n\nWe judged 1 claim: 1 confirmed.\n\n");
+  EXPECT_EQ(
+      news_section({news_with(Verdict::confirmed)}),
+      "## News\n\nWe judged 1 claim: 1 confirmed. [How to read it](#how-to-read-it) explains the words.\n\n");
 }
 
 }  // namespace

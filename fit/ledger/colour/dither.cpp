@@ -115,7 +115,8 @@ March plain_marches(const std::vector<double>& counts) {
     worst_pair = fmt::format("from {:.6g} to {:.6g} steps", counts[i - 1], counts[i]);
   }
   march.sentence = fmt::format(
-      "over all positions of a shadow edge the rms error of n plain steps is 1/(n sqrt 3) of the beam: {} steps, {}{}",
+      "over all positions of a shadow edge the rms error of n plain steps is 1/(n sqrt 3) of the beam: {} "
+      "steps, {}{}",
       enumerated(parts),
       march.verdict == Verdict::confirmed ? "smaller with each larger count"
                                           : "not smaller with each larger count",
@@ -205,11 +206,12 @@ Finding bilateral_epsilon(const Claim& claim) {
                                          : Verdict::refuted;
   const std::string black = decimal(1 / falloff, 4);
   return {
-      verdict, decimal(limit, 4),
+      verdict, fmt::format("for W above {:.4g}", limit),
       fmt::format(
           "on a flat surface (W = {:.6g}) white loses {:.3g}, which is {:.2g} codes{}. White loses less than "
           "{:.3g} codes for W above {:.4g} (taps less than {:.6g} away in depth). It loses less than "
-          "{:.3g} codes for W above {:.4g} (less than {:.6g} away). Further away the loss grows. With every tap {} or more "
+          "{:.3g} codes for W above {:.4g} (less than {:.6g} away). Further away the loss grows. With every "
+          "tap {} or more "
           "away, W = 0 and white becomes black",
           taps, 1 - flat, 255 - srgb_code(flat), half_keeps ? "; in half arithmetic it loses nothing" : "",
           visible_codes, limit, gap_of(limit), second_codes, weight_that_loses(second_codes, epsilon),

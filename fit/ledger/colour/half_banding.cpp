@@ -150,7 +150,8 @@ BandingCase banding_case(const Claim& claim, bool half_cosine) {
   found.computed = fmt::format("steps of {}", enumerated(steps));
   found.evidence = fmt::format(
       "at power {} their largest steps are {} codes, and {} of the 256 codes are shown. At power {:.4g} "
-      "the largest steps are {} codes. All whole powers from 1 to {:.6g} were tried: the first that bands is {}",
+      "the largest steps are {} codes. All whole powers from 1 to {:.6g} were tried: the first that bands is "
+      "{}",
       claim.printed[0].value, enumerated(steps), enumerated(codes), low, enumerated(low_steps), last,
       enumerated(first));
   for (const RoundedForm& form : rounded_forms) {
@@ -189,11 +190,13 @@ Finding evaluate_half_banding(const Claim& claim) {
   return {
       worst(parts),
       fmt::format(
-          "pow, exp2(A c - A) and exp2(A (c - 1)): {} codes with the cosine in half, {} with the cosine in float",
+          "pow, exp2(A c - A) and exp2(A (c - 1)): {} codes with the cosine in half, {} with the cosine in "
+          "float",
           half.computed, wide.computed),
       fmt::format(
           "the forms are {}. With the cosine in half, {}. With the cosine in float and arithmetic in half, "
-          "{}. A comment under the post gives a remedy, cosine and arithmetic in float and only the result in half: "
+          "{}. A comment under the post gives a remedy, cosine and arithmetic in float and only the result "
+          "in half: "
           "then the largest step at power {} is {:.2g} codes",
           enumerated(names), half.evidence, wide.evidence, exponent,
           step_of_remedy(number_of(exponent), samples)),

@@ -80,7 +80,8 @@ std::string compiled_text(const std::vector<std::string_view>& forms) {
   }
   if (words.empty()) return "";
   return fmt::format(
-      ". Compilers emit this many instructions, vector arithmetic + transcendental: {} (own measurement: {}; {})",
+      ". Compilers emit this many instructions, vector arithmetic + transcendental: {} (own measurement: {}; "
+      "{})",
       enumerated(words), nvidia_compiler, amd_compiler);
 }
 

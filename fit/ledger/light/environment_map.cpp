@@ -35,8 +35,10 @@ Finding evaluate_lambert(const Claim& claim) {
   return {
       verdict, fmt::format("power = {:.10g}", found),
       fmt::format(
-          "on the last level, log2(w), a face is one texel of {:.10g} sr. The lobe of power {:.10g} covers as much, "
-          "at {} from {:.6g} to {:.6g}; the formula of the mean texel and the closed form of a face agree {}. The lobe of power "
+          "on the last level, log2(w), a face is one texel of {:.10g} sr. The lobe of power {:.10g} covers "
+          "as much, "
+          "at {} from {:.6g} to {:.6g}; the formula of the mean texel and the closed form of a face agree "
+          "{}. The lobe of power "
           "{:.6g} covers {:.10g} sr and lies {:.6g} levels beyond the last one. Scaled to the same "
           "integral, its peak is {:.3g} times as bright",
           lobe_solid_angle(found), found, counted(static_cast<long>(widths.size()), "width"), widths.front(),
@@ -91,7 +93,8 @@ Finding evaluate_mean_power(const Claim& claim) {
       effect_of_power(
           s, covering,
           fmt::format(
-              "an unfiltered level 0, whose mean texel covers as much as a lobe of power {:.6g}, instead of power {:.6g}",
+              "an unfiltered level 0, whose mean texel covers as much as a lobe of power {:.6g}, instead of "
+              "power {:.6g}",
               covering, s))};
 }
 

@@ -140,7 +140,8 @@ Finding evaluate_gloss_chain(const Claim& claim) {
   const Verdict verdict = loop.wrong == 0      ? Verdict::confirmed
                           : formula.wrong == 0 ? Verdict::conditional
                                                : Verdict::refuted;
-  return {verdict, series(by_formula),
+  const std::string of_loop = loop.wrong == 0 ? "" : fmt::format("; by the loop {}", series(by_loop));
+  return {verdict, series(by_formula) + of_loop,
           fmt::format(
               "with a floating-point division the {} are made for {}: {} of the {} printed. The loop as "
               "printed divides integers and makes them for {}: {} of the printed ones",
@@ -174,7 +175,8 @@ Finding evaluate_power_drop(const Claim& claim) {
   return {
       verdict_of(places.wrong == 0), series(powers),
       fmt::format(
-          "the series is {} and continues with {:.6g}. With a gloss of {} octaves the power drops to {} of itself per "
+          "the series is {} and continues with {:.6g}. With a gloss of {} octaves the power drops to {} of "
+          "itself per "
           "level over {}, and to {} over {}",
           series(powers), power_after_drops(first, drop, levels), claim.inputs.at("octaves"),
           drop_of_gloss(levels), counted(levels, "level"), drop_of_gloss(levels + 2),

@@ -220,7 +220,8 @@ Finding evaluate_loss(const Claim& claim) {
                                           verdict_of(is_closer)};
   const auto words = [](const Kept& kept, std::string_view coefficients) {
     return fmt::format(
-        "{} coefficients keep {} = {:.6g} of the energy of the clamped cosine, and make its value facing the light {} of "
+        "{} coefficients keep {} = {:.6g} of the energy of the clamped cosine, and make its value facing the "
+        "light {} of "
         "the exact one",
         coefficients, as_fraction(kept.energy), kept.energy, as_fraction(kept.peak));
   };

@@ -173,8 +173,10 @@ Finding evaluate_texel(const Claim& claim) {
       worst(parts), identity_if(worst(parts)),
       fmt::format(
           "a face covers {:.10g} sr. {:.6g}^2 mean texels cover the same {}. The corner texel covers {:.6g} "
-          "times the mean and a texel at the centre {:.6g} times; for small texels these are {:.6g} and {:.6g}, "
-          "and the corner covers {:.6g} of the centre. With 1 or 2 texels per side all are equal. A level chosen for "
+          "times the mean and a texel at the centre {:.6g} times; for small texels these are {:.6g} and "
+          "{:.6g}, "
+          "and the corner covers {:.6g} of the centre. With 1 or 2 texels per side all are equal. A level "
+          "chosen for "
           "the mean is too coarse by {} at the centre of a face and too fine by {} in its corners, as if "
           "the power were {:.3g} and {:.3g} times as high",
           face.value, edge, within(of_face.gap, tolerance), corner, centre, corner_limit, centre_limit,
@@ -216,7 +218,8 @@ Finding evaluate_mip_level(const Claim& claim) {
       fmt::format("under the root = {:.10g}, factor of the second logarithm = {:.10g}", solved_root,
                   solved_factor),
       fmt::format(
-          "we solved for the level at which texel and lobe cover the same, for {} {} at {} {}. The result gives these "
+          "we solved for the level at which texel and lobe cover the same, for {} {} at {} {}. The result "
+          "gives these "
           "constants {} and agrees with the formula {}. At w = {:.6g} level 0 belongs to s = {:.10g} and "
           "the last level, {:.3g}, to s = {:.6g}",
           counted(static_cast<long>(exponents.size()), "power"), from_to(exponents),

@@ -331,8 +331,10 @@ Finding other_kernels(const Claim& claim) {
       fmt::format("smallest at {} of {}", won, counted(of, "exponent")),
       fmt::format(
           "{} from {:.6g} to {:.6g} were tried, with x read as the {}; the smallest rms error is {}. Among the "
-          "kernels that need neither the angle nor a series, it is that of {} at {} of them. The rms errors at k "
-          "= {} are: {}. As a ratio, {}. The instructions in a shader are: {}. The series needs this many terms "
+          "kernels that need neither the angle nor a series, it is that of {} at {} of them. The rms errors "
+          "at k "
+          "= {} are: {}. As a ratio, {}. The instructions in a shader are: {}. The series needs this many "
+          "terms "
           "for an error within 1/255: {}, {}. Two quadrature rules agree on the squared errors to {:.1g}, "
           "relative",
           counted(of, "exponent"), first.exponent, last.exponent, reading, winners_in_words(contests),

@@ -158,7 +158,8 @@ std::string out_of_the_plane(const Claim& claim, const std::vector<AtView>& view
   return fmt::format(
       "For views {} degrees from the normal the factor at the peak, perpendicular to the plane of n and "
       "v, is 2 n.v: {}. Blinn's highlight is narrower in that direction. Over all lights twice the Blinn angle "
-      "exceeds the Phong angle by at most 2 asin(1 - n.v): {} degrees. cos^rho of the two angles, rho = {}, differ by up to {}",
+      "exceeds the Phong angle by at most 2 asin(1 - n.v): {} degrees. cos^rho of the two angles, rho = {}, "
+      "differ by up to {}",
       claim.inputs.at("views"),
       listed(
           views, [](const AtView& at) { return at.across; }, 5),

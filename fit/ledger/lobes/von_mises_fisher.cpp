@@ -112,7 +112,8 @@ Finding sharp_density(const Claim& claim) {
       fmt::format("relative error {:.4g} at k = {}", law, claim.printed[0].value),
       fmt::format(
           "the relative error is -e^(-2k) at every angle; at 1 - c = {} the quotient of both densities "
-          "confirms it to {:.1g}. It is {:.4g} at k = {}. Its size is at most {} from k = {:.4g} on, and at most {}, "
+          "confirms it to {:.1g}. It is {:.4g} at k = {}. Its size is at most {} from k = {:.4g} on, and at "
+          "most {}, "
           "the most that still counts as about equal, from k = {:.4g} on. It is at most one 8-bit sRGB code "
           "from k = {:.4g} on",
           claim.inputs.at("y"), rounding, law, claim.printed[0].value, claim.inputs.at("about"), from,

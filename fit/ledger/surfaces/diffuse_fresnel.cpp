@@ -125,7 +125,8 @@ Finding diffuse_fresnel(const Claim& claim) {
       fmt::format("at most {} as stated and {} with the stand-in", share(factor), share(stand_in)),
       fmt::format(
           "at f0 = {:.4g} and albedo {:.4g}, the sum of specular and diffuse is as follows. As stated, {}. "
-          "As the stand-in, {}. For comparison, {}. Each number is the larger of two sums: with light and view as "
+          "As the stand-in, {}. For comparison, {}. Each number is the larger of two sums: with light and "
+          "view as "
           "they are, and exchanged. Two quadrature rules agree to {:.1g}",
           f0, albedo, part_sentence(claim.inputs.at("factor"), factor),
           part_sentence(claim.inputs.at("stand-in"), stand_in),

@@ -109,7 +109,8 @@ Finding quadratic_at_one(const Claim& claim) {
       fmt::format(
           "exp2(a + b) of the printed pair is {:.10g} ({}). exp2(-A) is {:.10g} times that, which rounds "
           "to {:.6g} ({}). The unrounded optima give {:.10g} and {:.10g}. The quotient of the values as "
-          "printed, {}/{}, is {:.6g}; cut off after the point it is {:.6g}. F of f0 = {:.3g} is {:.6g} at c = 1",
+          "printed, {}/{}, is {:.6g}; cut off after the point it is {:.6g}. F of f0 = {:.3g} is {:.6g} at c "
+          "= 1",
           value, name(parts[0]), ratio, std::round(ratio), name(parts[1]), best, best_ratio,
           claim.inputs.at("exp2(-A) as printed"), claim.printed[0].value, of_printed, std::trunc(of_printed),
           f0, schlick_reflectance(f0, value)),
@@ -219,7 +220,8 @@ Finding power_four(const Claim& claim) {
       verdict_of_comparison(comparison),
       fmt::format("{} of {} readings", comparison.worse, comparison.readings),
       fmt::format(
-          "{0} is further from (1-c)^5 in {1} of {2} readings. The errors of {0} are {3}. The errors of exp2(-{5} c) "
+          "{0} is further from (1-c)^5 in {1} of {2} readings. The errors of {0} are {3}. The errors of "
+          "exp2(-{5} c) "
           "are {4}. Two quadrature rules agree on each rms to {6:.1g}. But at some angles {0} is closer: {7}",
           name_of_power, comparison.worse, comparison.readings, sentence_of(of_power),
           sentence_of(of_gaussian), claim.inputs.at("A"), rms_tolerance, ranges_in_words(closer, 4)),

@@ -68,8 +68,10 @@ Finding metallic_workflow(const Claim& claim) {
       fmt::format("only for c <= 1 - {} (1-m)", text),
       fmt::format(
           "albedo + F0 = c + {} (1-m) is at most 1 exactly where c <= 1 - {} (1-m). Up to c = {:.4g} (code "
-          "{:.4g}) that is true at every m. For a larger c it is true only for m >= 1 - (1-c)/{}. The largest sum is "
-          "{:.4g} at c = 1, m = 0: a white dielectric at normal incidence. Among the {} pairs of codes (c, m) {} have "
+          "{:.4g}) that is true at every m. For a larger c it is true only for m >= 1 - (1-c)/{}. The "
+          "largest sum is "
+          "{:.4g} at c = 1, m = 0: a white dielectric at normal incidence. Among the {} pairs of codes (c, "
+          "m) {} have "
           "a sum above 1{}, as many as the closed form says",
           text, text, brightest, srgb_code(brightest), text, most, pairs, census.above_one,
           census.above_one > 0 ? fmt::format(", from colour code {} on", census.first_colour) : ""),

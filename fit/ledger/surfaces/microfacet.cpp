@@ -296,7 +296,8 @@ Finding loan(std::string_view distribution, const Claim& claim) {
   finding.computed = fmt::format("{} v.n ({})", ratio, distribution);
   finding.evidence = fmt::format(
       "{} with the G1 of {} gives {} times v.n at these roughnesses, seen from {:.6g} degrees. The worst "
-      "is {}, at roughness {:.6g} and {:.6g} degrees. The ratio is {}. For one 8-bit sRGB code as the limit, the ratio is {}",
+      "is {}, at roughness {:.6g} and {:.6g} degrees. The ratio is {}. For one 8-bit sRGB code as the limit, "
+      "the ratio is {}",
       distribution, lender, at_flattest_view(table), angles.back(), ratio, worst.roughness, worst.view_angle,
       words(range, accurate), words(range_of(pair, widths, angles, table, code), code));
   finding.effect = effect_of_masking(worst, distribution);
