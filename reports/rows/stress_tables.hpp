@@ -11,27 +11,26 @@
 /// The results of the stress tests of forms and fits, as tables.
 namespace shadefit {
 
-/// stress.csv: a row per form and format. Every cell is the same on every machine, though functions of the
-/// library are not, to the last bit:
-/// - `worst_ulps`, of a naive form: the power of two that its largest error (of results that are numbers)
-///   does not exceed, and `worst_at` the first input with more than half the largest; both empty below 16
-///   ulps, where rounding decides, and for a robust form, whose `bound` in ulps they stay within:
-/// - `bound` is "a + b L", L the e-folds by which the exponential in the form falls; `kept` says whether no
-///   input broke it, "yes" or "no";
-/// - `nan`, `infinite`, `negative`, `above`: how many results are none, wrongly infinite, wrongly negative,
-/// or
-///   above the largest exact value (1; 2048 of a decoded gloss; empty where there is none); `first_bad` is
-///   the first input that they count, or of a robust form the first beyond its bound.
+/// stress.csv: a row per form and format. Every cell is the same on every machine, though the functions of
+/// the C library differ in their last bits:
+/// - `worst_ulps`, of a naive form: a power of two that its largest error does not exceed (over the results
+///   that are numbers). `worst_at`: the first input with more than half the largest error. Both are empty
+///   below 16 ulps, where rounding decides, and for a robust form, which has a `bound` instead.
+/// - `bound`, of a robust form, in ulps: "a + b L", where L is the number of e-folds by which the exponential
+///   in the form falls. `kept`: "yes" if no input broke the bound, else "no".
+/// - `nan`, `infinite`, `negative`, `above`: how many results are NaN, wrongly infinite, wrongly negative, or
+///   above the largest exact value (1; 2048 of a decoded gloss; empty where there is none). `first_bad`: the
+///   first of these inputs, or of a robust form the first beyond its bound.
 Table forms_stress_table(const std::vector<FormTrial>& trials);
 
-/// stress-fits.csv: a row per family, exponent and domain. `status` is that of the fit from the family's own
-/// starts; `right` says that every fit from drawn starts that converged did so at one optimum, none at a
-/// start, with no fewer digits than it claims; `digits` of it against 50, empty where there is none.
-/// `reached`: by all of them, most (nine in ten), some or none: a start at the edge of a basin may fall
-/// either way.
+/// stress-fits.csv: a row per family, exponent and domain. `status`: of the fit from the family's own starts.
+/// `right`: every fit from a drawn start that converged did so at one optimum, none stopped at its start, and
+/// none has fewer digits than it claims. `digits`: how many digits agree with the optimum in 50 digits; empty
+/// where there is none. `reached`: how many of the drawn starts reach it: all, most (nine in ten), some or
+/// none. A start at the edge of a basin may end on either side.
 Table fits_stress_table(const std::vector<StartsTrial>& trials);
 
-/// Per topic the worst naive row and the robust one beside it, and the fits in short: for a console.
+/// For a console: per topic the worst naive row and the robust one beside it, and a summary of the fits.
 Table forms_stress_summary(const std::vector<FormTrial>& trials);
 Table fits_stress_summary(const std::vector<StartsTrial>& trials);
 
