@@ -88,7 +88,19 @@ inline constexpr auto erfc = []<class T>(const T& x) -> T { return Scalar<T>::er
 inline constexpr auto sqrt = []<class T>(const T& x) -> T { return Scalar<T>::sqrt(x); };
 inline constexpr auto sin = []<class T>(const T& x) -> T { return Scalar<T>::sin(x); };
 inline constexpr auto cos = []<class T>(const T& x) -> T { return Scalar<T>::cos(x); };
+inline constexpr auto tan = []<class T>(const T& x) -> T { return Scalar<T>::tan(x); };
+inline constexpr auto asin = []<class T>(const T& x) -> T { return Scalar<T>::asin(x); };
+inline constexpr auto acos = []<class T>(const T& x) -> T { return Scalar<T>::acos(x); };
 inline constexpr auto atan = []<class T>(const T& x) -> T { return Scalar<T>::atan(x); };
+/// The angle of the point (x, y) from the x-axis, in (-pi, pi].
+inline constexpr auto atan2 = []<class T>(const T& y, const T& x) -> T { return Scalar<T>::atan2(y, x); };
+inline constexpr auto sinh = []<class T>(const T& x) -> T { return Scalar<T>::sinh(x); };
+inline constexpr auto cosh = []<class T>(const T& x) -> T { return Scalar<T>::cosh(x); };
+inline constexpr auto tanh = []<class T>(const T& x) -> T { return Scalar<T>::tanh(x); };
+/// The error function 1 - erfc(x).
+inline constexpr auto erf = []<class T>(const T& x) -> T { return Scalar<T>::erf(x); };
+/// The largest whole number that is not above x.
+inline constexpr auto floor = []<class T>(const T& x) -> T { return Scalar<T>::floor(x); };
 /// a < b as the scalar's own kind of condition, for `select` alone.
 inline constexpr auto less = []<class T>(const T& a, const T& b) { return Scalar<T>::less(a, b); };
 /// condition ? a : b; where an interval cannot decide, the hull of both.
@@ -101,6 +113,24 @@ inline constexpr auto select = []<class Condition, class T>(const Condition& con
 inline constexpr vocabulary::Choose choose{};
 inline constexpr auto min = []<class T>(const T& a, const T& b) -> T { return Scalar<T>::min(a, b); };
 inline constexpr auto max = []<class T>(const T& a, const T& b) -> T { return Scalar<T>::max(a, b); };
+/// |x|. A scalar without its own `abs` takes max(x, -x).
+inline constexpr auto abs = []<class T>(const T& x) -> T {
+  if constexpr (requires { Scalar<T>::abs(x); }) {
+    return Scalar<T>::abs(x);
+  } else {
+    return Scalar<T>::max(x, -x);
+  }
+};
+/// -1, 0 or 1, as x is negative, zero or positive: the `sign` of shaders, whose name is taken by variables.
+inline constexpr auto signum = []<class T>(const T& x) -> T {
+  if constexpr (requires { Scalar<T>::sign(x); }) {
+    return Scalar<T>::sign(x);
+  } else {
+    const T zero = Scalar<T>::integer(0), one = Scalar<T>::integer(1);
+    return Scalar<T>::select(Scalar<T>::less(x, zero), Scalar<T>::integer(-1),
+                             Scalar<T>::select(Scalar<T>::less(zero, x), one, zero));
+  }
+};
 /// max(x, 0), the clamp that shaders write as saturate or max(dot, 0).
 inline constexpr auto positive_part = []<class T>(const T& x) -> T {
   return Scalar<T>::max(x, Scalar<T>::integer(0));
@@ -188,7 +218,17 @@ struct Scalar<T> {
   static T sqrt(T x) { return std::sqrt(x); }
   static T sin(T x) { return std::sin(x); }
   static T cos(T x) { return std::cos(x); }
+  static T tan(T x) { return std::tan(x); }
+  static T asin(T x) { return std::asin(x); }
+  static T acos(T x) { return std::acos(x); }
   static T atan(T x) { return std::atan(x); }
+  static T atan2(T y, T x) { return std::atan2(y, x); }
+  static T sinh(T x) { return std::sinh(x); }
+  static T cosh(T x) { return std::cosh(x); }
+  static T tanh(T x) { return std::tanh(x); }
+  static T erf(T x) { return std::erf(x); }
+  static T floor(T x) { return std::floor(x); }
+  static T abs(T x) { return std::abs(x); }
   static T power(T x, T p) { return std::pow(x, p); }
   static bool less(T a, T b) { return a < b; }
   static T select(bool condition, T a, T b) { return condition ? a : b; }

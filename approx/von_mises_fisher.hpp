@@ -11,8 +11,8 @@ namespace shadefit {
 /// k/(4 pi sinh k) e^(k c), as printed. e^k overflows if k exceeds the logarithm of the largest number of T.
 template <class T>
 T von_mises_fisher(const T& cos_theta, const T& concentration) {
-  const T sinh = (exp(concentration) - exp(-concentration)) / integer<T>(2);
-  return concentration / (integer<T>(4) * pi<T>() * sinh) * exp(concentration * cos_theta);
+  const T hyperbolic_sine = (exp(concentration) - exp(-concentration)) / integer<T>(2);
+  return concentration / (integer<T>(4) * pi<T>() * hyperbolic_sine) * exp(concentration * cos_theta);
 }
 
 /// The same for every k, from y: k/(2 pi (1 - e^(-2k))) e^(-k y). 2 sinh k = e^k (1 - e^(-2k)); moving e^k

@@ -95,6 +95,14 @@ void add_domain(CLI::App& command, FitOptions& fit) {
             "the range of cosines that counts (default: 0:1)");
 }
 
+/// Adds the options for the surface of a Fresnel form.
+void add_surface(CLI::App& command, FitOptions& fit) {
+  add_value(command, "--ior", fit.ior, parse_finite, "N",
+            "index of refraction n of the surface (default with --target exact: 1.5)");
+  add_value(command, "--extinction", fit.extinction, parse_finite, "K",
+            "extinction k of a conductor with index n + i k (default: 0)");
+}
+
 /// Adds the options for the target of a Fresnel form.
 void add_target(CLI::App& command, FitOptions& fit, const std::string& by_default) {
   add_choice(
@@ -103,10 +111,7 @@ void add_target(CLI::App& command, FitOptions& fit, const std::string& by_defaul
       "what a Fresnel form approximates: Schlick's (1-c)^5, or the exact reflectance of a surface "
       "(default: " +
           by_default + ")");
-  add_value(command, "--ior", fit.ior, parse_finite, "N",
-            "index of refraction n of the surface (default with --target exact: 1.5)");
-  add_value(command, "--extinction", fit.extinction, parse_finite, "K",
-            "extinction k of a conductor with index n + i k (default: 0)");
+  add_surface(command, fit);
 }
 
 /// Adds the options for the error and its domain, for `fit`, `certify` and `emit`.
@@ -118,7 +123,6 @@ void add_metric(CLI::App& command, FitOptions& fit) {
   add_value(command, "--f0", fit.f0, parse_f0, "F0",
             "reflectance at normal incidence, for the relative error of a Fresnel form (default: 0.04)");
   add_domain(command, fit);
-  add_target(command, fit, "schlick");
 }
 
 void add_norm(CLI::App& command, FitOptions& fit) {
@@ -148,11 +152,35 @@ void add_constraints(CLI::App& command, Metric& metric) {
             "the form stays at or above this value; minimax only");
 }
 
+/// Adds the options of a form of one's own.
+void add_study(CLI::App& command, StudyOptions& study) {
+  add_value(command, "--form", study.form, parse_text, "FORMULA",
+            "a form of one's own: every name that is not a variable is a parameter to fit");
+  add_values(command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
+             "a variable of --form, its range and its density; up to three times");
+  add_values(command, "--given", study.given, parse_given, "NAME=LIST",
+             "a constant of --form and --target; a fit for each value");
+  add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
+             "a formula that the others may use");
+  add_values(command, "--start", study.starts, parse_held, "NAME=VALUE",
+             "a parameter of --form from where the search starts too");
+}
+
 void declare_fit(CLI::App& fit, FitOptions& options) {
-  add_id(fit, options);
+  fit.add_option("id", options.id, form_help)->type_name("FORM");
   add_exponent(fit, options, "those of the record");
   add_metric(fit, options);
+  const auto parse_target = [&options](const std::string&, const std::string& text) {
+    if (text == "schlick") options.target = Surface::Formula::schlick;
+    if (text == "exact") options.target = Surface::Formula::exact;
+    return text;
+  };
+  add_value(fit, "--target", options.study.target, parse_target, "schlick|exact|FORMULA",
+            "what is approximated: by a Fresnel form Schlick's (1-c)^5 or the exact reflectance of a surface "
+            "(default: schlick), by a --form of one's own a formula");
+  add_surface(fit, options);
   add_norm(fit, options);
+  add_study(fit, options.study);
   add_constraints(fit, options.metric);
   add_json(fit, options.json);
   add_formats(fit, options.csv, options.latex, ": the columns of fits.csv");
@@ -188,6 +216,7 @@ void declare_certify(CLI::App& certify, CertifyOptions& options) {
   add_id(certify, options.fit);
   add_exponent(certify, options.fit, "those of the record");
   add_metric(certify, options.fit);
+  add_target(certify, options.fit, "schlick");
   add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
             "the constants (default: the published ones, else fitted ones)");
   add_value(certify, "--width", options.width, parse_relative_width, "W",
@@ -215,6 +244,7 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
             "the constants (default: the published ones, else fitted ones)");
   add_norm(emit, options.fit);
   add_metric(emit, options.fit);
+  add_target(emit, options.fit, "schlick");
   add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
@@ -270,7 +300,8 @@ void declare_commands(CLI::App& app, Call& call) {
       "  shadefit fit sg-offset --exponent 5,10:50:10 --csv\n"
       "  shadefit fit fresnel-quadratic --target exact --ior 1.5 --norm minimax\n"
       "  shadefit fit fresnel-one-term --round half\n"
-      "  shadefit fit sg-offset --exponent 5 --plot lobe.svg\n",
+      "  shadefit fit sg-offset --exponent 5 --plot lobe.svg\n"
+      "  shadefit fit --target 'acos(x)' --form 'sqrt(1-x) (a + b x)' --over x=0:1\n",
       declare_fit,
       [&](const FitOptions& options) { return fit_command(options, call.checkpoint, call.progress); });
   add_command<FitOptions>(

@@ -138,6 +138,23 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
   return json_text_of_each(array);
 }
 
+/// Without --form the options are those of a family.
+void require_family_options(const FitOptions& options) {
+  const StudyOptions& study = options.study;
+  if (!study.target.empty() && !options.target)
+    throw UserError(
+        fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
+                    study.target));
+  if (!study.over.empty() || !study.given.empty() || !study.definitions.empty() || !study.starts.empty())
+    throw UserError(fmt::format("{} belongs to a --form of one's own", !study.over.empty()    ? "--over"
+                                                                       : !study.given.empty() ? "--given"
+                                                                       : !study.definitions.empty()
+                                                                           ? "--let"
+                                                                           : "--start"));
+  if (options.id.empty())
+    throw UserError("fit needs a family or a published constant (see 'shadefit list'), or --form");
+}
+
 /// Constraints that a form cannot satisfy are an error of the user.
 void require_feasible(const Refit& refit) {
   for (const FitReport& report : refit.fits) {
@@ -150,6 +167,8 @@ void require_feasible(const Refit& refit) {
 }  // namespace
 
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (options.study.form) return study_command(options, checkpoint, progress);
+  require_family_options(options);
   if (options.plot) require_picture(*options.plot);
   const auto [family_found, published] = find_fit(options.id);
   const FittableFamily& family = *family_found;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/options/study_options.hpp"
 #include "fit/families/surface.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/rounding/lattice.hpp"
@@ -39,6 +40,7 @@ struct FitOptions {
   std::optional<std::vector<double>> exponents = {};  ///< empty: the record's own sweep
   Metric metric = {};                                 ///< not yet checked against the family
   std::optional<Surface::Formula> target = {};        ///< empty: schlick; for `better` the usual three
+  StudyOptions study = {};                            ///< of `fit` with a form of one's own
   std::optional<double> f0 = {};                      ///< for relative errors of a Fresnel form
   std::optional<double> ior = {};  ///< of the surface; empty: no surface, 1.5 with an exact target
   std::optional<double> extinction = {};

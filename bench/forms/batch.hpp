@@ -33,7 +33,16 @@ struct Scalar<xsimd::batch<R, A>> {
   static T sqrt(const T& x) { return xsimd::sqrt(x); }
   static T sin(const T& x) { return xsimd::sin(x); }
   static T cos(const T& x) { return xsimd::cos(x); }
+  static T tan(const T& x) { return xsimd::tan(x); }
+  static T asin(const T& x) { return xsimd::asin(x); }
+  static T acos(const T& x) { return xsimd::acos(x); }
   static T atan(const T& x) { return xsimd::atan(x); }
+  static T atan2(const T& y, const T& x) { return xsimd::atan2(y, x); }
+  static T sinh(const T& x) { return xsimd::sinh(x); }
+  static T cosh(const T& x) { return xsimd::cosh(x); }
+  static T tanh(const T& x) { return xsimd::tanh(x); }
+  static T erf(const T& x) { return xsimd::erf(x); }
+  static T floor(const T& x) { return xsimd::floor(x); }
   static T power(const T& x, const T& p) { return xsimd::pow(x, p); }
   static Condition less(const T& a, const T& b) { return a < b; }
   static T select(const Condition& condition, const T& a, const T& b) {

@@ -32,16 +32,31 @@ struct Scalar<Interval> {
   static Interval sqrt(const Interval& x) { return apply(mpfi_sqrt, x); }
   static Interval sin(const Interval& x) { return apply(mpfi_sin, x); }
   static Interval cos(const Interval& x) { return apply(mpfi_cos, x); }
+  static Interval tan(const Interval& x) { return apply(mpfi_tan, x); }
+  static Interval asin(const Interval& x) { return apply(mpfi_asin, x); }
+  static Interval acos(const Interval& x) { return apply(mpfi_acos, x); }
   static Interval atan(const Interval& x) { return apply(mpfi_atan, x); }
-
-  /// MPFI has no erfc. erfc falls, so its ends come from the ends of x, by MPFR's directed rounding.
-  static Interval erfc(const Interval& x) {
-    if (is_nan(x)) return nan();
+  static Interval atan2(const Interval& y, const Interval& x) {
     Interval result;
-    auto* r = result.backend().data();
-    mpfr_erfc(&r->left, &x.backend().data()->right, MPFR_RNDD);
-    mpfr_erfc(&r->right, &x.backend().data()->left, MPFR_RNDU);
+    mpfi_atan2(result.backend().data(), y.backend().data(), x.backend().data());
     return result;
+  }
+  static Interval sinh(const Interval& x) { return apply(mpfi_sinh, x); }
+  static Interval cosh(const Interval& x) { return apply(mpfi_cosh, x); }
+  static Interval tanh(const Interval& x) { return apply(mpfi_tanh, x); }
+  static Interval abs(const Interval& x) { return apply(mpfi_abs, x); }
+
+  static Interval erf(const Interval& x) {
+    return rising(x, [](mpfr_ptr y, mpfr_srcptr end, mpfr_rnd_t round) { mpfr_erf(y, end, round); });
+  }
+  static Interval erfc(const Interval& x) {
+    return rising(-x, [](mpfr_ptr y, mpfr_srcptr end, mpfr_rnd_t round) {
+      mpfr_neg(y, end, MPFR_RNDN);  // exact
+      mpfr_erfc(y, y, round);
+    });
+  }
+  static Interval floor(const Interval& x) {
+    return rising(x, [](mpfr_ptr y, mpfr_srcptr end, mpfr_rnd_t) { mpfr_floor(y, end); });
   }
 
   /// log1p(x) - x rises up to x = 0 and falls from there, so its ends lie at the ends of x, or at the top 0.
@@ -114,6 +129,16 @@ struct Scalar<Interval> {
   }
 
  private:
+  /// MPFI lacks some rising functions. Their ends come from the ends of x, by MPFR's directed rounding.
+  template <class Function>
+  static Interval rising(const Interval& x, const Function& function) {
+    if (is_nan(x)) return nan();
+    Interval result;
+    auto* r = result.backend().data();
+    function(&r->left, &x.backend().data()->left, MPFR_RNDD);
+    function(&r->right, &x.backend().data()->right, MPFR_RNDU);
+    return result;
+  }
   static Interval apply(int (*function)(mpfi_ptr, mpfi_srcptr), const Interval& x) {
     Interval result;
     function(result.backend().data(), x.backend().data());

@@ -129,12 +129,18 @@ struct Scalar<Taylor<Order>> {
   static T log1p_remainder(const T& a) {
     return T::integrated(shadefit::log1p_remainder(a.value()), -(a * a.differentiated()) / (integer(1) + a));
   }
+  static T erf(const T& a) { return T::integrated(shadefit::erf(a.value()), bell(a) * a.differentiated()); }
   static T erfc(const T& a) {
-    const T slope = -integer(2) / sqrt(pi()) * exp(-(a * a)) * a.differentiated();
-    return T::integrated(shadefit::erfc(a.value()), slope);
+    return T::integrated(shadefit::erfc(a.value()), -bell(a) * a.differentiated());
   }
+  static T asin(const T& a) { return T::integrated(shadefit::asin(a.value()), arc_slope(a)); }
+  static T acos(const T& a) { return T::integrated(shadefit::acos(a.value()), -arc_slope(a)); }
   static T atan(const T& a) {
     return T::integrated(shadefit::atan(a.value()), a.differentiated() / (integer(1) + a * a));
+  }
+  static T atan2(const T& y, const T& x) {
+    return T::integrated(shadefit::atan2(y.value(), x.value()),
+                         (x * y.differentiated() - y * x.differentiated()) / (x * x + y * y));
   }
   /// s s = a: 2 s_0 s_k = a_k - sum of the products between
   static T sqrt(const T& a) {
@@ -145,6 +151,15 @@ struct Scalar<Taylor<Order>> {
   }
   static T sin(const T& a) { return turned(a, shadefit::sin(a.value()), shadefit::cos(a.value()), -1); }
   static T cos(const T& a) { return turned(a, shadefit::cos(a.value()), -shadefit::sin(a.value()), -1); }
+  static T tan(const T& a) { return sin(a) / cos(a); }
+  static T sinh(const T& a) { return turned(a, shadefit::sinh(a.value()), shadefit::cosh(a.value()), 1); }
+  static T cosh(const T& a) { return turned(a, shadefit::cosh(a.value()), shadefit::sinh(a.value()), 1); }
+  static T tanh(const T& a) { return sinh(a) / cosh(a); }
+  /// Constant between two jumps. An interval with a jump inside has no series.
+  static T floor(const T& a) {
+    const Interval whole = shadefit::floor(a.value());
+    return lower_end(whole) == upper_end(whole) ? T(whole) : no_series();
+  }
   /// x^p = exp(p log x), x > 0; at x = 0 it has no series.
   static T power(const T& x, const T& p) { return exp(p * log(x)); }
 
@@ -156,7 +171,7 @@ struct Scalar<Taylor<Order>> {
   }
   /// An undecided condition would need two functions, so the result has no series.
   static T select(Certainty condition, const T& a, const T& b) {
-    if (condition == Certainty::unknown) return T(std::vector(Order + 1, shadefit::log(Interval(-1))));
+    if (condition == Certainty::unknown) return no_series();
     return condition == Certainty::yes ? a : b;
   }
   static T min(const T& a, const T& b) { return select(less(b, a), b, a); }
@@ -175,6 +190,13 @@ struct Scalar<Taylor<Order>> {
   }
 
  private:
+  static T no_series() { return T(std::vector(Order + 1, shadefit::log(Interval(-1)))); }
+
+  /// 2/sqrt(pi) exp(-a^2)
+  static T bell(const T& a) { return integer(2) / sqrt(pi()) * exp(-(a * a)); }
+  /// a'/sqrt(1 - a^2)
+  static T arc_slope(const T& a) { return a.differentiated() / sqrt((integer(1) - a) * (integer(1) + a)); }
+
   static T exp_from(const Interval& first, const T& a) {
     const T slope = a.differentiated();
     return T::recurrence(a.degree() == 0 ? 0 : Order, first, [&](int k, const T& e) {
@@ -182,8 +204,8 @@ struct Scalar<Taylor<Order>> {
     });
   }
 
-  /// f with f(a) and f'(a) given and f'' = sign f: a sine or a cosine. k f_k = sum of j a_j g_(k-j), and
-  /// correspondingly for g with f.
+  /// f with f(a) and f'(a) given and f'' = sign f: a sine or a cosine, circular or hyperbolic. k f_k = sum of
+  /// j a_j g_(k-j), and correspondingly for g with f.
   static T turned(const T& a, const Interval& value, const Interval& slope, int sign) {
     const T inner = a.differentiated();
     T f(value), g(slope);

@@ -39,18 +39,36 @@ struct Scalar<ceres::Jet<T, N>> {
   static Jet log1p_remainder(const Jet& x) {
     return Jet(shadefit::log1p_remainder(x.a), chain(-x.a / (one() + x.a), x.v));
   }
-  /// d/dx erfc(x) = -2/sqrt(pi) exp(-x^2)
-  static Jet erfc(const Jet& x) {
-    const T slope = -shadefit::integer<T>(2) / shadefit::sqrt(shadefit::pi<T>()) * shadefit::exp(-x.a * x.a);
-    return Jet(shadefit::erfc(x.a), chain(slope, x.v));
-  }
+  static Jet erfc(const Jet& x) { return Jet(shadefit::erfc(x.a), chain(-bell(x.a), x.v)); }
   static Jet sqrt(const Jet& x) {
     const T value = shadefit::sqrt(x.a);
     return Jet(value, chain(one() / (value + value), x.v));
   }
   static Jet sin(const Jet& x) { return Jet(shadefit::sin(x.a), shadefit::cos(x.a) * x.v); }
   static Jet cos(const Jet& x) { return Jet(shadefit::cos(x.a), -shadefit::sin(x.a) * x.v); }
+  static Jet tan(const Jet& x) {
+    const T value = shadefit::tan(x.a);
+    return Jet(value, (one() + value * value) * x.v);
+  }
+  static Jet asin(const Jet& x) { return Jet(shadefit::asin(x.a), chain(arc_slope(x.a), x.v)); }
+  static Jet acos(const Jet& x) { return Jet(shadefit::acos(x.a), chain(-arc_slope(x.a), x.v)); }
   static Jet atan(const Jet& x) { return Jet(shadefit::atan(x.a), chain(one() / (one() + x.a * x.a), x.v)); }
+  /// d atan2(y, x) = (x dy - y dx)/(x^2 + y^2)
+  static Jet atan2(const Jet& y, const Jet& x) {
+    const T square = x.a * x.a + y.a * y.a;
+    Jet result(shadefit::atan2(y.a, x.a));
+    result.v = chain(x.a / square, y.v) - chain(y.a / square, x.v);
+    return result;
+  }
+  static Jet sinh(const Jet& x) { return Jet(shadefit::sinh(x.a), shadefit::cosh(x.a) * x.v); }
+  static Jet cosh(const Jet& x) { return Jet(shadefit::cosh(x.a), shadefit::sinh(x.a) * x.v); }
+  /// 1/cosh^2, where 1 - tanh^2 would cancel.
+  static Jet tanh(const Jet& x) {
+    const T inverse = one() / shadefit::cosh(x.a);
+    return Jet(shadefit::tanh(x.a), (inverse * inverse) * x.v);
+  }
+  static Jet erf(const Jet& x) { return Jet(shadefit::erf(x.a), chain(bell(x.a), x.v)); }
+  static Jet floor(const Jet& x) { return Jet(shadefit::floor(x.a)); }
   /// d(x^p) = p x^(p-1) dx + x^p log(x) dp. At x = 0 the first factor is 0 for p > 1 and infinite for p < 1,
   /// and the second term is 0 for p > 0: neither 0 * infinity may make it NaN.
   static Jet power(const Jet& x, const Jet& p) {
@@ -76,6 +94,13 @@ struct Scalar<ceres::Jet<T, N>> {
 
  private:
   static T one() { return shadefit::integer<T>(1); }
+
+  /// 1/sqrt(1 - x^2), the slope of asin.
+  static T arc_slope(const T& x) { return one() / shadefit::sqrt((one() - x) * (one() + x)); }
+  /// 2/sqrt(pi) exp(-x^2), the slope of erf.
+  static T bell(const T& x) {
+    return shadefit::integer<T>(2) / shadefit::sqrt(shadefit::pi<T>()) * shadefit::exp(-x * x);
+  }
 
   /// Whether a value and all its derivatives are zero; ceres::Jet's == compares values only. A scalar whose
   /// == does not return a bool has its own overload.

@@ -44,7 +44,17 @@ struct Scalar<boost::multiprecision::number<boost::multiprecision::cpp_bin_float
   static T sqrt(const T& x) { return boost::multiprecision::sqrt(x); }
   static T sin(const T& x) { return boost::multiprecision::sin(x); }
   static T cos(const T& x) { return boost::multiprecision::cos(x); }
+  static T tan(const T& x) { return boost::multiprecision::tan(x); }
+  /// By the arc tangent of two sides: near 1 Boost's own functions cancel.
+  static T asin(const T& x) { return atan2(x, sqrt((1 - x) * (1 + x))); }
+  static T acos(const T& x) { return 2 * atan2(sqrt(1 - x), sqrt(1 + x)); }
   static T atan(const T& x) { return boost::multiprecision::atan(x); }
+  static T atan2(const T& y, const T& x) { return boost::multiprecision::atan2(y, x); }
+  static T sinh(const T& x) { return boost::multiprecision::sinh(x); }
+  static T cosh(const T& x) { return boost::multiprecision::cosh(x); }
+  static T tanh(const T& x) { return boost::multiprecision::tanh(x); }
+  static T erf(const T& x) { return boost::math::erf(x); }
+  static T floor(const T& x) { return boost::multiprecision::floor(x); }
   static T power(const T& x, const T& p) {
     return x == 0 && p > 0 ? T(0) : T(boost::multiprecision::pow(x, p));
   }

@@ -1,22 +1,35 @@
 #include "fit/scalars/parse_formula.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <functional>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <vector>
+#include <utility>
+#include <variant>
+
+#include "fit/scalars/shader_calls.hpp"
+#include "fit/support/nearest.hpp"
 
 namespace shadefit {
 namespace {
 
-constexpr std::array functions_of_one{"exp",  "exp2", "log", "log2", "expm1", "log1p", "log1p_remainder",
-                                      "erfc", "sqrt", "sin", "cos",  "atan"};
-constexpr std::array functions_of_two{"min", "max"};
-
 /// Deeper nesting than any formula has; a bound on the recursion of the reader.
 constexpr int deepest = 100;
+
+/// A condition is known by what it chooses: its first argument where it holds, else its second.
+using Condition = std::function<Symbolic(const Symbolic&, const Symbolic&)>;
+using Operand = std::variant<Symbolic, Condition>;
+
+Condition is_less(const Symbolic& a, const Symbolic& b) {
+  return [=](const Symbolic& yes, const Symbolic& no) { return select(less(a, b), yes, no); };
+}
+Condition negated(const Condition& p) {
+  return [=](const Symbolic& yes, const Symbolic& no) { return p(no, yes); };
+}
+Condition both(const Condition& p, const Condition& q) {
+  return [=](const Symbolic& yes, const Symbolic& no) { return p(q(yes, no), no); };
+}
 
 bool is_digit(char c) {
   return '0' <= c && c <= '9';
@@ -26,40 +39,103 @@ bool begins_name(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
 }
 
-bool begins_atom(char c) {
-  return is_digit(c) || begins_name(c) || c == '(';
-}
-
-template <std::size_t N>
-bool is_among(const std::array<const char*, N>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+std::string counted(const std::vector<std::size_t>& counts) {
+  std::string text;
+  for (const std::size_t n : counts) text += (text.empty() ? "" : " or ") + std::to_string(n);
+  return text + (counts == std::vector<std::size_t>{1} ? " argument" : " arguments");
 }
 
 /// Recursive descent: one function for each rule of the grammar.
 class FormulaReader {
  public:
-  FormulaReader(std::string_view text, std::span<const std::string_view> variables)
-      : text_(text), variables_(variables) {}
+  FormulaReader(std::string_view text, const FormulaNames& names) : text_(text), names_(names) {}
 
-  Symbolic whole() {
-    const Symbolic result = limited(sum());
+  ReadFormula whole() {
+    const Symbolic result = limited(formula());
     if (peek(); place_ < text_.size()) fail("an operator or the end");
-    return result;
+    return {result, parameters_};
   }
 
  private:
-  Symbolic sum() {
+  Symbolic formula() {
+    const std::size_t start = place_;
+    return number_of(any_formula(), start);
+  }
+
+  Operand any_formula() {
     if (++depth_ > deepest) fail("no more than " + std::to_string(deepest) + " nested parentheses");
-    Symbolic result = skip('-') ? -quotient() : quotient();
+    const std::size_t start = place_;
+    Operand result = disjunction();
+    if (skip('?')) {
+      const Condition condition = condition_of(result, start);
+      const Symbolic yes = formula();
+      expect(':');
+      result = limited(condition(yes, formula()));
+    }
+    --depth_;
+    return result;
+  }
+
+  Operand disjunction() {
+    const std::size_t start = place_;
+    Operand result = conjunction();
+    while (skip("||")) {
+      const Condition left = condition_of(result, start);
+      const std::size_t next = place_;
+      result = negated(both(negated(left), negated(condition_of(conjunction(), next))));
+    }
+    return result;
+  }
+
+  Operand conjunction() {
+    const std::size_t start = place_;
+    Operand result = comparison();
+    while (skip("&&")) {
+      const Condition left = condition_of(result, start);
+      const std::size_t next = place_;
+      result = both(left, condition_of(comparison(), next));
+    }
+    return result;
+  }
+
+  Operand comparison() {
+    const std::size_t start = place_;
+    if (peek() == '!' && at(place_ + 1) != '=') {
+      if (++depth_ > deepest) fail("no more than " + std::to_string(deepest) + " signs of negation");
+      skip('!');
+      const std::size_t next = place_;
+      const Condition inner = condition_of(comparison(), next);
+      --depth_;
+      return negated(inner);
+    }
+    Operand left = sum();
+    for (const std::string_view sign : {"<=", ">=", "==", "!=", "<", ">"}) {
+      if (!skip(sign)) continue;
+      const std::size_t next = place_;
+      const Symbolic a = number_of(left, start), b = number_of(sum(), next);
+      if (sign == "<") return is_less(a, b);
+      if (sign == ">") return is_less(b, a);
+      if (sign == "<=") return negated(is_less(b, a));
+      if (sign == ">=") return negated(is_less(a, b));
+      const Condition equal = both(negated(is_less(a, b)), negated(is_less(b, a)));
+      return sign == "==" ? equal : negated(equal);
+    }
+    return left;
+  }
+
+  Operand sum() {
+    const std::size_t start = place_;
+    Operand first = skip_minus() ? Operand(-number_of(quotient(), start)) : quotient();
     for (;;) {
-      if (skip('+')) {
-        result = limited(result + quotient());
-      } else if (skip('-')) {
-        result = limited(result - quotient());
-      } else {
-        --depth_;
-        return result;
-      }
+      const bool adds = peek() == '+';
+      if (!adds && peek() != '-') return first;
+      ++place_;
+      const Symbolic left = number_of(first, start);
+      const std::size_t next = place_;
+      const bool is_signed = skip_minus();
+      const Symbolic term = number_of(quotient(), next);
+      const Symbolic right = is_signed ? -term : term;
+      first = limited(adds ? left + right : left - right);
     }
   }
 
@@ -70,82 +146,105 @@ class FormulaReader {
     return result;
   }
 
-  Symbolic quotient() {
-    const Symbolic numerator = product();
-    if (!skip('/')) return numerator;
-    const Symbolic denominator = raised();
-    if (peek() == '*' || peek() == '/' || begins_atom(peek()))
-      fail("parentheses around the quotient or its denominator");
-    return numerator / denominator;
-  }
-
-  Symbolic product() {
-    Symbolic result = raised();
-    for (;;) {
-      if (skip('*')) {
-        result = limited(result * raised());
-      } else if (is_digit(peek())) {
-        fail("a '*' before the number");
-      } else if (begins_atom(peek())) {
-        result = limited(result * raised());
-      } else {
-        return result;
-      }
+  Operand quotient() {
+    const std::size_t start = place_;
+    Operand result = product();
+    while (peek() == '/' || peek() == '*') {
+      const Symbolic left = number_of(result, start);
+      const bool divides = peek() == '/';
+      ++place_;
+      const Symbolic right = factor();
+      if (divides && begins_atom()) fail("parentheses around the quotient or its denominator");
+      result = limited(divides ? left / right : beside(left * right));
     }
+    return result;
   }
 
-  Symbolic raised() {
-    const Symbolic base = atom();
-    if (!skip('^')) return base;
+  /// Powers side by side.
+  Operand product() {
+    const std::size_t start = place_;
+    Operand first = raised_atom();
+    return begins_atom() ? Operand(beside(number_of(first, start))) : first;
+  }
+
+  Symbolic beside(Symbolic result) {
+    while (begins_atom()) {
+      if (is_digit(peek()) || peek() == '.') fail("a '*' before the number");
+      const std::size_t start = place_;
+      result = limited(result * number_of(raised_atom(), start));
+    }
+    return result;
+  }
+
+  /// After an operator a sign may stand before a power.
+  Symbolic factor() {
+    const bool is_signed = skip_minus();
+    const std::size_t start = place_;
+    const Symbolic value = number_of(raised_atom(), start);
+    return is_signed ? -value : value;
+  }
+
+  Operand raised_atom() {
+    const std::size_t start = place_;
+    const Operand atom_ = atom();
+    if (!skip('^')) return atom_;
+    const Symbolic base = number_of(atom_, start);
     const bool is_negative = skip('-');
     if (is_negative && !is_digit(peek())) fail("a number, or parentheses around the exponent");
-    const std::size_t start = place_;
-    const Symbolic exponent = atom();
+    const std::size_t next = place_;
+    const Symbolic exponent = number_of(atom(), next);
     if (peek() == '^') fail("parentheses around one of the powers");
-    if (exponent.kind() == Symbolic::Kind::number) {
-      if (const auto n = whole_number(exponent.name(), start)) return power(base, is_negative ? -*n : *n);
-    }
-    return power(base, is_negative ? -exponent : exponent);
+    const bool is_whole = exponent.kind() == Symbolic::Kind::number &&
+                          std::all_of(exponent.name().begin(), exponent.name().end(), is_digit);
+    const Symbolic result = raised(base, is_negative ? -exponent : exponent);
+    if (is_whole && result.kind() != Symbolic::Kind::integer_power) fail("a smaller whole exponent", next);
+    return result;
   }
 
-  Symbolic atom() {
-    if (is_digit(peek())) return number();
+  Operand atom() {
+    if (begins_number()) return number();
     if (begins_name(peek())) return named();
     if (!skip('(')) fail("a number, a name or '('");
-    const Symbolic inner = sum();
-    if (!skip('<')) {
-      expect(')');
-      return inner;
-    }
-    const Symbolic limit = sum();
-    expect('?');
-    const Symbolic yes = sum();
-    expect(':');
-    const Symbolic no = sum();
+    Operand inner = any_formula();
     expect(')');
-    return select(less(inner, limit), yes, no);
+    return inner;
   }
 
+  /// The decimal text is kept, with a digit on both sides of its point. The suffix of a float or a half is
+  /// left out.
   Symbolic number() {
     const std::size_t start = place_;
     const auto digits = [&] {
-      while (place_ < text_.size() && is_digit(text_[place_])) ++place_;
+      const std::size_t first = place_;
+      while (is_digit(at(place_))) ++place_;
+      return text_.substr(first, place_ - first);
     };
-    digits();
+    std::string decimal(digits());
+    bool is_float = false;
+    if (decimal.empty()) decimal = "0";
     if (at(place_) == '.') {
       ++place_;
-      if (!is_digit(at(place_))) fail("a digit");
-      digits();
+      is_float = true;
+      const std::string_view fraction = digits();
+      if (!fraction.empty()) decimal += "." + std::string(fraction);
     }
     const std::size_t sign = at(place_ + 1) == '+' || at(place_ + 1) == '-' ? 1 : 0;
     if ((at(place_) == 'e' || at(place_) == 'E') && is_digit(at(place_ + 1 + sign))) {
+      decimal += text_.substr(place_, 1 + sign);
       place_ += 1 + sign;
-      digits();
+      decimal += digits();
+      is_float = true;
     }
-    const std::string_view decimal = text_.substr(start, place_ - start);
     double value = 0;
     if (std::from_chars(decimal.data(), decimal.data() + decimal.size(), value).ec != std::errc{})
       fail("a number within the range of a double", start);
+    const char suffix = at(place_);
+    const char next = at(place_ + 1);
+    const bool has_suffix = (suffix == 'f' || suffix == 'F' || suffix == 'h' || suffix == 'H') &&
+                            !begins_name(next) && !is_digit(next) && next != '(';
+    if (has_suffix && !is_float)
+      fail("a point before the suffix, " + decimal + ".0" + suffix + ", or a '*'", start);
+    if (has_suffix) ++place_;
     return Symbolic::number(decimal);
   }
 
@@ -153,47 +252,110 @@ class FormulaReader {
     const std::size_t start = place_;
     while (begins_name(at(place_)) || is_digit(at(place_))) ++place_;
     const std::string_view name = text_.substr(start, place_ - start);
-    if (std::find(variables_.begin(), variables_.end(), name) != variables_.end())
+    const bool is_before_parenthesis = at(place_) == '(';
+    if (std::find(names_.variables.begin(), names_.variables.end(), name) != names_.variables.end())
       return Symbolic::variable(name);
+    if (const auto found = names_.definitions.find(name); found != names_.definitions.end())
+      return use(found->first, found->second);
     if (name == "pi" || name == "ln2") return Symbolic::constant(name);
-    const std::size_t count = is_among(functions_of_one, name) ? 1 : is_among(functions_of_two, name) ? 2 : 0;
-    if (count == 0) fail("one of " + known_names() + ", not '" + std::string(name) + "'", start);
-    expect('(');
-    std::vector<Symbolic> arguments{sum()};
-    while (arguments.size() < count) {
-      expect(',');
-      arguments.push_back(sum());
+    if (name == "PI" || name == "M_PI") return Symbolic::constant("pi");
+    if (const auto counts = argument_counts(name); !counts.empty()) {
+      const std::vector<Symbolic> given = arguments();
+      if (std::find(counts.begin(), counts.end(), given.size()) == counts.end())
+        fail(counted(counts) + " of '" + std::string(name) + "'", start);
+      return call(name, given);
     }
+    if (names_.takes_parameters && !(is_before_parenthesis && name.size() > 1)) {
+      if (std::find(parameters_.begin(), parameters_.end(), name) == parameters_.end())
+        parameters_.emplace_back(name);
+      return Symbolic::variable(name);
+    }
+    refuse(name, start);
+  }
+
+  /// A definition with its arguments put in.
+  Symbolic use(const std::string& name, const Definition& definition) {
+    const std::size_t start = place_;
+    if (definition.arguments.empty()) return definition.formula;
+    const std::vector<Symbolic> given = arguments();
+    if (given.size() != definition.arguments.size())
+      fail(counted({definition.arguments.size()}) + " of '" + name + "'", start);
+    return limited(evaluate<Symbolic>(definition.formula, [&](const std::string& variable) {
+      const auto& all = definition.arguments;
+      const auto found = std::find(all.begin(), all.end(), variable);
+      return found == all.end() ? Symbolic::variable(variable)
+                                : given[static_cast<std::size_t>(found - all.begin())];
+    }));
+  }
+
+  std::vector<Symbolic> arguments() {
+    expect('(');
+    std::vector<Symbolic> result{formula()};
+    while (skip(',')) result.push_back(formula());
     expect(')');
-    return Symbolic::function(name, std::move(arguments));
+    return result;
   }
 
-  /// The number as an int, if it is written as one.
-  std::optional<int> whole_number(std::string_view decimal, std::size_t start) {
-    if (!std::all_of(decimal.begin(), decimal.end(), is_digit)) return std::nullopt;
-    int n = 0;
-    if (std::from_chars(decimal.data(), decimal.data() + decimal.size(), n).ec != std::errc{})
-      fail("a smaller whole exponent", start);
-    return n;
-  }
-
-  std::string known_names() const {
+  /// An unknown name: a function where others are parameters, else any.
+  [[noreturn]] void refuse(std::string_view name, std::size_t start) const {
+    std::vector<std::string> known = function_names();
+    for (const auto& [defined, _] : names_.definitions) known.push_back(defined);
+    if (names_.takes_parameters) {
+      const auto nearest = nearest_name(name, known);
+      fail("a function before '(', not '" + std::string(name) + "'" +
+               (nearest ? " (did you mean '" + *nearest + "'?)" : "; a product needs a '*' or a space"),
+           start);
+    }
     std::string names;
-    for (const std::string_view name : variables_) names += std::string(name) + ", ";
-    return names + "pi, ln2 and the functions";
+    for (const std::string& variable : names_.variables) names += variable + ", ";
+    for (const auto& [defined, _] : names_.definitions) names += defined + ", ";
+    const bool is_call = at(start + name.size()) == '(';
+    const auto nearest = is_call ? nearest_name(name, known) : std::nullopt;
+    fail("one of " + names + "pi, ln2 and the functions, not '" + std::string(name) + "'" +
+             (nearest ? " (did you mean '" + *nearest + "'?)" : ""),
+         start);
+  }
+
+  Symbolic number_of(const Operand& operand, std::size_t start) const {
+    if (std::holds_alternative<Condition>(operand)) fail("a number, not a condition", start);
+    return std::get<Symbolic>(operand);
+  }
+
+  Condition condition_of(const Operand& operand, std::size_t start) const {
+    if (std::holds_alternative<Symbolic>(operand)) fail("a condition, such as a < b", start);
+    return std::get<Condition>(operand);
   }
 
   char at(std::size_t i) const { return i < text_.size() ? text_[i] : '\0'; }
 
+  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+
   /// Moves `place_` to the next letter that is not a space, and returns it; '\0' at the end.
   char peek() {
-    while (at(place_) == ' ') ++place_;
+    while (is_space(at(place_))) ++place_;
     return at(place_);
   }
+
+  bool begins_number() { return is_digit(peek()) || (peek() == '.' && is_digit(at(place_ + 1))); }
+  bool begins_atom() { return begins_number() || begins_name(peek()) || peek() == '('; }
 
   bool skip(char c) {
     if (peek() != c) return false;
     ++place_;
+    return true;
+  }
+
+  bool skip(std::string_view word) {
+    peek();
+    if (text_.substr(place_, word.size()) != word) return false;
+    place_ += word.size();
+    return true;
+  }
+
+  /// A sign before a factor. In C two of them would be a decrement.
+  bool skip_minus() {
+    if (!skip('-')) return false;
+    if (peek() == '-') fail("one sign only");
     return true;
   }
 
@@ -202,23 +364,30 @@ class FormulaReader {
   }
 
   [[noreturn]] void fail(const std::string& expected, std::optional<std::size_t> where = {}) const {
+    std::size_t place = where.value_or(place_);
+    while (where && is_space(at(place))) ++place;
     throw std::invalid_argument("formula '" + std::string(text_) + "': expected " + expected + " at place " +
-                                std::to_string(where.value_or(place_) + 1));
+                                std::to_string(place + 1));
   }
 
   std::string_view text_;
-  std::span<const std::string_view> variables_;
+  const FormulaNames& names_;
+  std::vector<std::string> parameters_;
   std::size_t place_ = 0;
   int depth_ = 0;
 };
 
 }  // namespace
 
-Symbolic parse_formula(std::string_view text, std::span<const std::string_view> variables) {
+ReadFormula read_formula(std::string_view text, const FormulaNames& names) {
   if (text.size() > longest_formula)
     throw std::invalid_argument("the formula is " + std::to_string(text.size()) +
                                 " characters long: at most " + std::to_string(longest_formula));
-  return FormulaReader(text, variables).whole();
+  return FormulaReader(text, names).whole();
+}
+
+Symbolic parse_formula(std::string_view text, std::span<const std::string_view> variables) {
+  return read_formula(text, {.variables = {variables.begin(), variables.end()}}).formula;
 }
 
 }  // namespace shadefit

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "fit/scalars/symbolic.hpp"
 
@@ -11,26 +14,54 @@ namespace shadefit {
 
 /// The largest number of characters of a formula, and of operations inside one another; a sum of n terms
 /// counts as n - 1. Functions on formulas are recursive, so the depth needs a limit.
-inline constexpr std::size_t longest_formula = 1000;
+inline constexpr std::size_t longest_formula = 4000;
 inline constexpr std::size_t deepest_formula = 200;
 
-/// Reads a formula such as "(a+2)/(4 pi (2 - 2^(-a/2)))" in the notation that `to_text(Symbolic)` writes:
-///   sum       [-] quotient, then any number of `+ quotient` and `- quotient`
-///   quotient  product, or product / power
-///   product   powers by `*` or side by side: "8 pi (a + 2)"
-///   power     atom, or atom ^ exponent; an exponent is an atom or a signed number
-///   atom      a number (2, 0.5, 1e-3), pi, ln2, a variable, a function of the vocabulary with its arguments
-///             ("exp2(-a)", "max(a, 0)"), a sum in parentheses, or a choice "(a < b ? yes : no)"
+/// A named formula, `hg(c, g) = ..`; without arguments a name for an expression.
+struct Definition {
+  std::vector<std::string> arguments;
+  Symbolic formula;
+};
+
+/// The names that a formula may contain besides pi, ln2 and the functions.
+struct FormulaNames {
+  std::vector<std::string> variables;
+  std::map<std::string, Definition, std::less<>> definitions = {};
+  /// Whether any other name is a parameter. Two or more letters directly before a parenthesis are not a
+  /// parameter but an unknown function.
+  bool takes_parameters = false;
+};
+
+struct ReadFormula {
+  Symbolic formula;
+  std::vector<std::string> parameters;  ///< in the order in which they first appear
+};
+
+/// Reads a formula such as "(a+2)/(4 pi (2 - 2^(-a/2)))", in the notation that `to_text(Symbolic)` writes, or
+/// a scalar expression of GLSL, HLSL or C:
+///   formula    disjunction, or disjunction ? formula : formula
+///   disjunction, conjunction, negation   by ||, && and ! of comparisons
+///   comparison sum, or sum with < <= > >= == or != and another sum
+///   sum        [-] quotient, then any number of `+ quotient` and `- quotient`
+///   quotient   product, then `/ power` and `* power`, from the left
+///   product    powers by `*` or side by side: "8 pi (a + 2)"
+///   power      atom, or atom ^ exponent; an exponent is an atom or a signed number; after an operator a sign
+///              may stand before it
+///   atom       a number (2, .5, 1e-3, 2.4f), pi, ln2, a name, a call, or a formula in parentheses
 /// A power with a whole exponent is computed by multiplications. Any other is a real power; its base must not
-/// be negative.
+/// be negative. Calls are those of fit/scalars/shader_calls.hpp and of the definitions.
 ///
-/// A text that people read in two ways is refused: "1/2 pi", "a/b/c", "a^b^c", "2 3" and "a + -b" need
-/// parentheses or a `*`.
+/// A text that people read in two ways is refused: "1/2 pi", "a^b^c" and "2 3" need parentheses or a `*`;
+/// "2f" is refused too.
 ///
-/// `variables` are the names that a formula may contain besides pi and ln2. A name is a letter or underscore,
-/// then letters, digits and underscores. A formula that is too long or too deep is refused. Throws
-/// std::invalid_argument with one line that names the formula, the place (1 for its first letter) and what
-/// was expected there. The result evaluates in every scalar by `evaluate`.
+/// Spaces, tabs and ends of lines separate. A name is a letter or underscore, then letters, digits and
+/// underscores. A name directly before a parenthesis is a call if it is a function, else a factor. A formula
+/// that is too long or too deep is refused. Throws std::invalid_argument with one line that names the
+/// formula, the place (1 for its first letter) and what was expected there. The result evaluates in every
+/// scalar by `evaluate`.
+ReadFormula read_formula(std::string_view text, const FormulaNames& names);
+
+/// The same without parameters and definitions.
 Symbolic parse_formula(std::string_view text, std::span<const std::string_view> variables);
 
 }  // namespace shadefit

@@ -22,7 +22,16 @@ struct ScalarInDouble {
   static T sqrt(T x) { return round(std::sqrt(wide(x))); }
   static T sin(T x) { return round(std::sin(wide(x))); }
   static T cos(T x) { return round(std::cos(wide(x))); }
+  static T tan(T x) { return round(std::tan(wide(x))); }
+  static T asin(T x) { return round(std::asin(wide(x))); }
+  static T acos(T x) { return round(std::acos(wide(x))); }
   static T atan(T x) { return round(std::atan(wide(x))); }
+  static T atan2(T y, T x) { return round(std::atan2(wide(y), wide(x))); }
+  static T sinh(T x) { return round(std::sinh(wide(x))); }
+  static T cosh(T x) { return round(std::cosh(wide(x))); }
+  static T tanh(T x) { return round(std::tanh(wide(x))); }
+  static T erf(T x) { return round(std::erf(wide(x))); }
+  static T floor(T x) { return round(std::floor(wide(x))); }
   static T power(T x, T p) { return round(std::pow(wide(x), wide(p))); }
   static bool less(T a, T b) { return a < b; }
   static T select(bool condition, T a, T b) { return condition ? a : b; }

@@ -135,14 +135,19 @@ std::pair<std::string, Binding> latex_function(const std::string& name, const st
   if (name == "exp2") return {"2^{" + x[0] + "}", Binding::power};
   if (name == "expm1") return {"e^{" + x[0] + "} - 1", Binding::sum};
   if (name == "sqrt") return {"\\sqrt{" + x[0] + "}", Binding::atom};
-  if (name == "atan") return {"\\arctan" + latex_parentheses(x[0]), Binding::power};
+  if (name == "asin" || name == "acos" || name == "atan")
+    return {"\\arc" + name.substr(1) + latex_parentheses(x[0]), Binding::power};
+  if (name == "abs") return {"\\left|" + x[0] + "\\right|", Binding::atom};
+  if (name == "floor") return {"\\left\\lfloor " + x[0] + " \\right\\rfloor", Binding::atom};
+  if (name == "erf" || name == "sign" || name == "atan2")
+    return {"\\operatorname{" + name + "}" + latex_parentheses(joined(x)), Binding::power};
   if (name == "log") return {"\\ln" + latex_parentheses(x[0]), Binding::power};
   if (name == "log2") return {"\\log_2" + latex_parentheses(x[0]), Binding::power};
   if (name == "log1p") return {"\\ln" + latex_parentheses("1 + " + x[0]), Binding::power};
   if (name == "erfc") return {"\\operatorname{erfc}" + latex_parentheses(x[0]), Binding::power};
   if (name == "log1p_remainder")
     return {"\\ln" + latex_parentheses("1 + " + x[0]) + " - " + latex_parentheses(x[0]), Binding::sum};
-  return {"\\" + name + latex_parentheses(joined(x)), Binding::power};  // sin, cos, min, max
+  return {"\\" + name + latex_parentheses(joined(x)), Binding::power};  // sin, tanh, min ..
 }
 
 const Notation latex{
@@ -202,7 +207,7 @@ void count_function(const Symbolic& e, Operations& count) {
   } else if (e.name() == "log") {
     ++count.log2;
     ++count.multiply;
-  } else {
+  } else if (e.name() != "abs") {  // an operand's magnitude is free, like its sign
     ++count.other;
   }
 }

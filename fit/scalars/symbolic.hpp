@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "approx/scalar.hpp"
+#include "fit/scalars/functions.hpp"
 
 /// The symbolic scalar: a formula that runs on it returns its own expression. The expression can be printed
 /// and evaluated in any other scalar, and its operations can be counted.
@@ -103,7 +104,18 @@ struct Scalar<Symbolic> {
   static Symbolic sqrt(const Symbolic& x) { return Symbolic::function("sqrt", {x}); }
   static Symbolic sin(const Symbolic& x) { return Symbolic::function("sin", {x}); }
   static Symbolic cos(const Symbolic& x) { return Symbolic::function("cos", {x}); }
+  static Symbolic tan(const Symbolic& x) { return Symbolic::function("tan", {x}); }
+  static Symbolic asin(const Symbolic& x) { return Symbolic::function("asin", {x}); }
+  static Symbolic acos(const Symbolic& x) { return Symbolic::function("acos", {x}); }
   static Symbolic atan(const Symbolic& x) { return Symbolic::function("atan", {x}); }
+  static Symbolic atan2(const Symbolic& y, const Symbolic& x) { return Symbolic::function("atan2", {y, x}); }
+  static Symbolic sinh(const Symbolic& x) { return Symbolic::function("sinh", {x}); }
+  static Symbolic cosh(const Symbolic& x) { return Symbolic::function("cosh", {x}); }
+  static Symbolic tanh(const Symbolic& x) { return Symbolic::function("tanh", {x}); }
+  static Symbolic erf(const Symbolic& x) { return Symbolic::function("erf", {x}); }
+  static Symbolic floor(const Symbolic& x) { return Symbolic::function("floor", {x}); }
+  static Symbolic abs(const Symbolic& x) { return Symbolic::function("abs", {x}); }
+  static Symbolic sign(const Symbolic& x) { return Symbolic::function("sign", {x}); }
   static Symbolic power(const Symbolic& x, const Symbolic& p) {
     return Symbolic::operation(Symbolic::Kind::real_power, {x, p});
   }
@@ -197,20 +209,11 @@ T evaluate(const Symbolic& expression, const ValueOf& value_of) {
     case Kind::function:
       break;
   }
-  if (name == "exp") return exp(part(0));
-  if (name == "exp2") return exp2(part(0));
-  if (name == "log") return log(part(0));
-  if (name == "log2") return log2(part(0));
-  if (name == "expm1") return expm1(part(0));
-  if (name == "log1p") return log1p(part(0));
-  if (name == "log1p_remainder") return log1p_remainder(part(0));
-  if (name == "erfc") return erfc(part(0));
-  if (name == "sqrt") return sqrt(part(0));
-  if (name == "sin") return sin(part(0));
-  if (name == "cos") return cos(part(0));
-  if (name == "atan") return atan(part(0));
-  if (name == "min") return min(part(0), part(1));
-  if (name == "max") return max(part(0), part(1));
+  if (expression.parts().size() == 1) {
+    if (const auto* function = find_function(functions_of_one<T>, name)) return (*function)(part(0));
+  } else if (const auto* function = find_function(functions_of_two<T>, name)) {
+    return (*function)(part(0), part(1));
+  }
   throw std::logic_error("a function outside the vocabulary: " + name);
 }
 

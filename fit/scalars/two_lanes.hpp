@@ -174,7 +174,16 @@ struct Scalar<TwoLanes> {
   static T sqrt(const T& x) { return {std::sqrt(x[0]), std::sqrt(x[1])}; }
   static T sin(const T& x) { return {std::sin(x[0]), std::sin(x[1])}; }
   static T cos(const T& x) { return {std::cos(x[0]), std::cos(x[1])}; }
+  static T tan(const T& x) { return {std::tan(x[0]), std::tan(x[1])}; }
+  static T asin(const T& x) { return {std::asin(x[0]), std::asin(x[1])}; }
+  static T acos(const T& x) { return {std::acos(x[0]), std::acos(x[1])}; }
   static T atan(const T& x) { return {std::atan(x[0]), std::atan(x[1])}; }
+  static T atan2(const T& y, const T& x) { return {std::atan2(y[0], x[0]), std::atan2(y[1], x[1])}; }
+  static T sinh(const T& x) { return {std::sinh(x[0]), std::sinh(x[1])}; }
+  static T cosh(const T& x) { return {std::cosh(x[0]), std::cosh(x[1])}; }
+  static T tanh(const T& x) { return {std::tanh(x[0]), std::tanh(x[1])}; }
+  static T erf(const T& x) { return {std::erf(x[0]), std::erf(x[1])}; }
+  static T floor(const T& x) { return {std::floor(x[0]), std::floor(x[1])}; }
   static T power(const T& x, const T& p) { return {std::pow(x[0], p[0]), std::pow(x[1], p[1])}; }
   static T log1p_remainder(const T& x) {
     const double largest = std::max(std::abs(x[0]), std::abs(x[1]));

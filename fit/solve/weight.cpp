@@ -11,50 +11,16 @@
 #include <utility>
 
 #include "fit/errors/extremum.hpp"
+#include "fit/scalars/hinges.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/parse_formula.hpp"
 
 namespace shadefit {
 namespace {
 
-using Kind = Symbolic::Kind;
-
-/// A part of a formula. At its zeros the formula is not smooth.
-struct Hinge {
-  Symbolic part;
-  bool is_root;  ///< a zero is singular even if the sign does not change
-  bool is_pole;  ///< the formula is not finite there
-};
-
 /// How close to a root or logarithm Gauss's rule goes: as after the substitution for c^k
 /// (fit/quadrature/substitution.hpp).
 constexpr int power_at_root = 8;
-
-bool is_negative_number(const Symbolic& e) {
-  return e.kind() == Kind::negate && e.part(0).kind() == Kind::number;
-}
-
-/// The hinges of a formula, inner ones first. The recursion is as deep as the formula, which is limited.
-void collect(const Symbolic& e, std::vector<Hinge>& hinges) {
-  for (const Symbolic& part : e.parts()) collect(part, hinges);
-  const bool is_function = e.kind() == Kind::function;
-  const std::string& name = e.name();
-  if (e.kind() == Kind::choice || (is_function && (name == "min" || name == "max"))) {
-    hinges.push_back({e.part(0) - e.part(1), false, false});
-  } else if (e.kind() == Kind::divide) {
-    hinges.push_back({e.part(1), true, true});
-  } else if (e.kind() == Kind::integer_power && e.exponent() < 0) {
-    hinges.push_back({e.part(0), true, true});
-  } else if (e.kind() == Kind::real_power) {
-    hinges.push_back({e.part(0), true, is_negative_number(e.part(1))});
-  } else if (is_function && name == "sqrt") {
-    hinges.push_back({e.part(0), true, false});
-  } else if (is_function && (name == "log" || name == "log2")) {
-    hinges.push_back({e.part(0), true, true});
-  } else if (is_function && (name == "log1p" || name == "log1p_remainder")) {
-    hinges.push_back({e.part(0) + Symbolic::number("1"), true, true});
-  }
-}
 
 template <class T>
 T value_at(const Symbolic& formula, const T& cosine) {
@@ -202,9 +168,7 @@ Weight::Weight(std::string_view text, const Domain& domain) : domain_(domain) {
   constexpr std::array<std::string_view, 1> variables{"c"};
   if (text.empty()) return;
   formula_ = parse_formula(text, variables);
-  std::vector<Hinge> hinges;
-  collect(*formula_, hinges);
-  for (const Hinge& hinge : hinges) {
+  for (const Hinge& hinge : hinges_of(*formula_)) {
     if (const auto pole = append_edges(hinge, domain_, edges_)) pole_ = pole;
     if (edges_.size() > most_edges) edges_ = tidied(edges_, domain_);
     if (edges_.size() > most_edges) return;

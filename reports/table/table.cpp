@@ -57,8 +57,8 @@ Cell difference(double value, double minuend) {
   return digits < 1 ? Number{0, 1} : Number{value, std::min(digits, parameter_digits)};
 }
 
-Cell above_floor(double value, double floor) {
-  return std::abs(value) < floor ? Number{0, 1} : Number{value, 2};
+Cell above_floor(double value, double least) {
+  return std::abs(value) < least ? Number{0, 1} : Number{value, 2};
 }
 
 }  // namespace shadefit

@@ -103,11 +103,11 @@ TEST(BadInput, Domains) {
 
 TEST(BadInput, Targets) {
   expect_refusal({"fit", "fresnel-quadratic", "--target", "snell"},
-                 "--target 'snell' is unknown: it must be one of schlick, exact");
+                 "--target 'snell' is unknown: it must be one of schlick, exact; a formula needs a --form");
   expect_refusal({"fit", "sg-offset", "--ior", "1.5"},
                  "--ior '1.5' does not apply: sg-offset is not a Fresnel form");
   expect_refusal({"fit", "sg-offset-limit", "--target", "bogus"},
-                 "--target 'bogus' is unknown: it must be one of schlick, exact");
+                 "--target 'bogus' is unknown: it must be one of schlick, exact; a formula needs a --form");
   expect_refusal({"fit", "phong-blinn-gotanda", "--ior", "-3"},
                  "--ior '-3' does not apply: phong-blinn is not a Fresnel form");
   expect_refusal({"fit", "sg-offset", "--extinction", "2"},
@@ -166,7 +166,7 @@ TEST(BadInput, Objectives) {
   refuse({"--weight", "max(c - 0.5, 0)"},
          "--weight 'max(c - 0.5, 0)' is 0 from c = 0 to c = 0.5: it may be 0 at single places only");
   refuse({"--weight", "1/c"}, "--weight '1/c' is inf at c = 0: it must be finite over the domain");
-  refuse({"--weight", std::string(60001, 'c')}, "--weight is 60001 characters long: at most 1000");
+  refuse({"--weight", std::string(60001, 'c')}, "--weight is 60001 characters long: at most 4000");
   refuse({"--weight", "1 + x"},
          "--weight: formula '1 + x': expected one of c, pi, ln2 and the functions, not 'x' at place 5");
 }
@@ -388,7 +388,7 @@ TEST(BadInput, Usage) {
   expect_refusal({"help", "fit", "more"}, "unexpected argument 'more'" + see(" help"));
   expect_refusal({"--completion", "tcsh"},
                  "--completion 'tcsh' is unknown: it must be one of bash, zsh, fish, man");
-  expect_refusal({"fit"}, "id is required" + see(" fit"));
+  expect_refusal({"fit"}, "fit needs a family or a published constant (see 'shadefit list'), or --form");
   expect_refusal({"explain"}, "id is required" + see(" explain"));
   expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + see(" run"));
   expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + see(" list"));

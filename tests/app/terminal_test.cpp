@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -34,7 +35,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::vector<std::string> words_of_line(const std::string& line) {
   std::istringstream stream(line);
-  return {std::istream_iterator<std::string>(stream), {}};
+  std::vector<std::string> words;
+  for (std::string word; stream >> std::quoted(word, '\'');) words.push_back(word);
+  return words;
 }
 
 /// What the command prints on a terminal of that width, with LF for its line ends.

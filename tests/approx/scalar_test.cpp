@@ -26,6 +26,7 @@
 #include "tests/approx/formulas/phong_blinn.hpp"
 #include "tests/approx/formulas/reflectance.hpp"
 #include "tests/approx/formulas/shading.hpp"
+#include "tests/approx/formulas/vocabulary.hpp"
 #include "tests/intervals.hpp"
 
 namespace shadefit {
@@ -53,6 +54,7 @@ void every_formula(const Visit& visit) {
   testing::environment_map_formulas(visit);
   testing::material_formulas(visit);
   testing::full_range_formulas(visit);
+  testing::vocabulary_formulas(visit);
 }
 
 template <class T, class F>

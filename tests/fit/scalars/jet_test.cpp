@@ -55,6 +55,20 @@ TEST(Jet, DerivativesOfTheVocabulary) {
     expect_derivatives(
         "atan", [](const auto& t) { return atan(t); }, x);
     expect_derivatives(
+        "tan", [](const auto& t) { return tan(t); }, x);
+    expect_derivatives(
+        "sinh", [](const auto& t) { return sinh(t); }, x);
+    expect_derivatives(
+        "cosh", [](const auto& t) { return cosh(t); }, x);
+    expect_derivatives(
+        "tanh", [](const auto& t) { return tanh(t); }, x);
+    expect_derivatives(
+        "erf", [](const auto& t) { return erf(t); }, x);
+    expect_derivatives(
+        "atan2", [](const auto& t) { return atan2(t * t, t - integer<std::decay_t<decltype(t)>>(1)); }, x);
+    expect_derivatives(
+        "abs", [](const auto& t) { return abs(t * t - t); }, x);
+    expect_derivatives(
         "power 5", [](const auto& t) { return power(t, 5); }, x);
     expect_derivatives(
         "power -2", [](const auto& t) { return power(t, -2); }, x);
@@ -62,6 +76,12 @@ TEST(Jet, DerivativesOfTheVocabulary) {
         "power 2.5", [](const auto& t) { return power(t, constant<std::decay_t<decltype(t)>>("2.5")); }, x);
     expect_derivatives(
         "t^t", [](const auto& t) { return power(t, t); }, x);
+  }
+  for (const double x : {-0.875, -0.25, 0.125, 0.96875}) {
+    expect_derivatives(
+        "asin", [](const auto& t) { return asin(t); }, x);
+    expect_derivatives(
+        "acos", [](const auto& t) { return acos(t); }, x);
   }
   // both sides of the branch of log1p_remainder, and of zero
   for (const double x : {-0.9, -0.51, -0.49, -0.01, 0.01, 0.49, 0.51, 2.0}) {

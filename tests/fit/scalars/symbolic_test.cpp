@@ -143,7 +143,7 @@ TEST(Symbolic, EvaluatesWithItsVariables) {
   EXPECT_EQ(evaluate<double>(sqrt(a * a + b * b), value_of), 5);
   EXPECT_EQ(evaluate<double>(select(less(a, b), -a, b), value_of), -3);
   EXPECT_EQ(evaluate<double>(power(a, 3), value_of), 27);
-  EXPECT_THROW(evaluate<double>(Symbolic::function("tan", {a}), value_of), std::logic_error);
+  EXPECT_THROW(evaluate<double>(Symbolic::function("gamma", {a}), value_of), std::logic_error);
 }
 
 }  // namespace

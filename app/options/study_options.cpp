@@ -1,0 +1,117 @@
+#include "app/options/study_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\n");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+/// The text before and after the first '='.
+std::pair<std::string, std::string> halves(const std::string& option, const std::string& text,
+                                           const char* rule) {
+  const auto sign = text.find('=');
+  if (sign == std::string::npos || trimmed(text.substr(0, sign)).empty() ||
+      trimmed(text.substr(sign + 1)).empty())
+    throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
+  return {trimmed(text.substr(0, sign)), trimmed(text.substr(sign + 1))};
+}
+
+/// The parts of a text between separators that stand outside parentheses, at most `most`: the last keeps the
+/// rest.
+std::vector<std::string> parts_of(const std::string& text, char separator, std::size_t most) {
+  std::vector<std::string> parts{""};
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == separator && depth == 0 && parts.size() < most) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  for (std::string& part : parts) part = trimmed(part);
+  return parts;
+}
+
+std::string density_of(const std::string& text, const std::string& variable) {
+  if (text == "cosine") return "1";
+  if (text == "angle") return fmt::format("1/sqrt((1 - {0}) (1 + {0}))", variable);
+  if (text == "cosine-weighted") return variable;
+  return text;
+}
+
+}  // namespace
+
+StudyRange parse_over(const std::string& option, const std::string& text) {
+  constexpr const char* rule = "NAME=A:B or NAME=A:B:DENSITY";
+  const auto [name, range] = halves(option, text, rule);
+  const auto parts = parts_of(range, ':', 3);
+  if (parts.size() < 2 || std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.empty(); }))
+    throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
+  return {name, parts[0], parts[1], parts.size() == 3 ? density_of(parts[2], name) : "1"};
+}
+
+std::pair<std::string, std::vector<std::string>> parse_given(const std::string& option,
+                                                             const std::string& text) {
+  const auto [name, list] = halves(option, text, "NAME=LIST");
+  std::vector<std::string> values;
+  for (const std::string& part : parts_of(list, ',', list.size() + 1)) {
+    if (part.empty()) throw UserError(fmt::format("{} '{}' has an empty value", option, text));
+    if (part.find(':') == std::string::npos) {
+      values.push_back(part);
+      continue;
+    }
+    try {
+      for (const double value : parse_sweep(part)) values.push_back(to_text(value));
+    } catch (const std::exception& error) {
+      throw UserError(fmt::format("{} '{}': {}", option, text, error.what()));
+    }
+  }
+  return {name, values};
+}
+
+StudyDefinition parse_let(const std::string& option, const std::string& text) {
+  constexpr const char* rule = "NAME = FORMULA or NAME(A, B) = FORMULA";
+  const auto [head, formula] = halves(option, text, rule);
+  const auto open = head.find('(');
+  if (open == std::string::npos) return {head, {}, formula};
+  if (head.back() != ')') throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
+  const std::string list = head.substr(open + 1, head.size() - open - 2);
+  return {trimmed(head.substr(0, open)), parts_of(list, ',', list.size() + 1), formula};
+}
+
+std::vector<Study> studies_of(const StudyOptions& options, const Metric& metric) {
+  Study study{.target = options.target,
+              .form = *options.form,
+              .over = options.over,
+              .definitions = options.definitions,
+              .held = metric.constraints.held,
+              .starts = options.starts,
+              .weight = metric.weight.empty() ? "1" : metric.weight,
+              .error = metric.error};
+  std::vector<Study> studies{study};
+  for (const auto& [name, values] : options.given) {
+    std::vector<Study> longer;
+    for (const Study& one : studies) {
+      for (const std::string& value : values) {
+        longer.push_back(one);
+        if (!longer.back().given.emplace(name, value).second)
+          throw UserError(fmt::format("--given '{}' is given a second time", name));
+      }
+    }
+    studies = std::move(longer);
+  }
+  return studies;
+}
+
+}  // namespace shadefit

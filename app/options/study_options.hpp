@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/study/study.hpp"
+
+/// The options of `fit` that state a fit of one's own.
+namespace shadefit {
+
+struct StudyOptions {
+  std::optional<std::string> form = {};  ///< empty: the command is about a built-in family
+  std::string target = {};
+  std::vector<StudyRange> over = {};
+  std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
+  std::vector<StudyDefinition> definitions = {};
+  std::vector<Held> starts = {};
+};
+
+/// "NAME=A:B" or "NAME=A:B:DENSITY". A and B are formulas of numbers; DENSITY is a formula in the variable,
+/// or cosine, angle or cosine-weighted for a variable in [0, 1].
+StudyRange parse_over(const std::string& option, const std::string& text);
+
+/// "NAME=LIST": numbers, formulas of numbers and sweeps "3:15:1", by commas.
+std::pair<std::string, std::vector<std::string>> parse_given(const std::string& option,
+                                                             const std::string& text);
+
+/// "NAME = FORMULA" or "NAME(A, B) = FORMULA".
+StudyDefinition parse_let(const std::string& option, const std::string& text);
+
+/// Every combination of the given constants: the values of the last change fastest.
+std::vector<Study> studies_of(const StudyOptions& options, const Metric& metric);
+
+}  // namespace shadefit

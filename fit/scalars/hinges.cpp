@@ -1,0 +1,64 @@
+#include "fit/scalars/hinges.hpp"
+
+#include <string>
+
+namespace shadefit {
+namespace {
+
+using Kind = Symbolic::Kind;
+
+bool is_negative_number(const Symbolic& e) {
+  return e.kind() == Kind::negate && e.part(0).kind() == Kind::number;
+}
+
+void collect_of_function(const Symbolic& e, std::vector<Hinge>& hinges) {
+  const std::string& name = e.name();
+  const Symbolic& x = e.part(0);
+  const Symbolic one = Symbolic::number("1");
+  if (name == "min" || name == "max") {
+    hinges.push_back({x - e.part(1), false, false});
+  } else if (name == "abs" || name == "sign") {
+    hinges.push_back({x, false, false});
+  } else if (name == "floor") {
+    hinges.push_back({sin(Symbolic::constant("pi") * x), false, false});  // zero at whole numbers
+  } else if (name == "sqrt") {
+    hinges.push_back({x, true, false});
+  } else if (name == "asin" || name == "acos") {
+    hinges.push_back({one - x, true, false});
+    hinges.push_back({one + x, true, false});
+  } else if (name == "tan") {
+    hinges.push_back({cos(x), true, true});
+  } else if (name == "atan2") {
+    hinges.push_back({x, false, false});  // y changes its sign: a jump where x is negative
+  } else if (name == "log" || name == "log2") {
+    hinges.push_back({x, true, true});
+  } else if (name == "log1p" || name == "log1p_remainder") {
+    hinges.push_back({x + one, true, true});
+  }
+}
+
+/// The recursion is as deep as the formula, which is limited.
+void collect(const Symbolic& e, std::vector<Hinge>& hinges) {
+  for (const Symbolic& part : e.parts()) collect(part, hinges);
+  if (e.kind() == Kind::choice) {
+    hinges.push_back({e.part(0) - e.part(1), false, false});
+  } else if (e.kind() == Kind::divide) {
+    hinges.push_back({e.part(1), true, true});
+  } else if (e.kind() == Kind::integer_power && e.exponent() < 0) {
+    hinges.push_back({e.part(0), true, true});
+  } else if (e.kind() == Kind::real_power) {
+    hinges.push_back({e.part(0), true, is_negative_number(e.part(1))});
+  } else if (e.kind() == Kind::function) {
+    collect_of_function(e, hinges);
+  }
+}
+
+}  // namespace
+
+std::vector<Hinge> hinges_of(const Symbolic& formula) {
+  std::vector<Hinge> hinges;
+  collect(formula, hinges);
+  return hinges;
+}
+
+}  // namespace shadefit

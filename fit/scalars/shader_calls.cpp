@@ -1,0 +1,125 @@
+#include "fit/scalars/shader_calls.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+
+#include "approx/scalar.hpp"
+#include "fit/scalars/functions.hpp"
+
+namespace shadefit {
+namespace {
+
+using Arguments = std::span<const Symbolic>;
+
+Symbolic whole(int n) {
+  return integer<Symbolic>(n);
+}
+
+Symbolic clamped(const Symbolic& x, const Symbolic& low, const Symbolic& high) {
+  return min(max(x, low), high);
+}
+
+struct Composed {
+  std::string_view name;
+  std::size_t arguments;
+  Symbolic (*expression)(Arguments);
+};
+
+constexpr std::array composed_functions{
+    Composed{"log10", 1, [](Arguments x) { return log(x[0]) / log(whole(10)); }},
+    Composed{"rsqrt", 1, [](Arguments x) { return whole(1) / sqrt(x[0]); }},
+    Composed{"inversesqrt", 1, [](Arguments x) { return whole(1) / sqrt(x[0]); }},
+    Composed{"rcp", 1, [](Arguments x) { return whole(1) / x[0]; }},
+    Composed{"ceil", 1, [](Arguments x) { return -floor(-x[0]); }},
+    Composed{"fract", 1, [](Arguments x) { return x[0] - floor(x[0]); }},
+    Composed{"frac", 1, [](Arguments x) { return x[0] - floor(x[0]); }},
+    Composed{"saturate", 1, [](Arguments x) { return clamped(x[0], whole(0), whole(1)); }},
+    Composed{"fabs", 1, [](Arguments x) { return abs(x[0]); }},
+    Composed{"float", 1, [](Arguments x) { return x[0]; }},
+    Composed{"pow", 2, [](Arguments x) { return raised(x[0], x[1]); }},
+    Composed{"atan", 2, [](Arguments x) { return atan2(x[0], x[1]); }},
+    Composed{"fmin", 2, [](Arguments x) { return min(x[0], x[1]); }},
+    Composed{"fmax", 2, [](Arguments x) { return max(x[0], x[1]); }},
+    Composed{"step", 2, [](Arguments x) { return select(less(x[1], x[0]), whole(0), whole(1)); }},
+    Composed{"mod", 2, [](Arguments x) { return x[0] - x[1] * floor(x[0] / x[1]); }},
+    Composed{"fmod", 2,
+             [](Arguments x) {
+               const Symbolic quotient = x[0] / x[1];
+               return x[0] - x[1] * (signum(quotient) * floor(abs(quotient)));
+             }},
+    Composed{"clamp", 3, [](Arguments x) { return clamped(x[0], x[1], x[2]); }},
+    Composed{"mix", 3, [](Arguments x) { return x[0] * (whole(1) - x[2]) + x[1] * x[2]; }},
+    Composed{"lerp", 3, [](Arguments x) { return x[0] + x[2] * (x[1] - x[0]); }},
+    Composed{"fma", 3, [](Arguments x) { return x[0] * x[1] + x[2]; }},
+    Composed{"mad", 3, [](Arguments x) { return x[0] * x[1] + x[2]; }},
+    Composed{"smoothstep", 3,
+             [](Arguments x) {
+               const Symbolic t = clamped((x[2] - x[0]) / (x[1] - x[0]), whole(0), whole(1));
+               return t * t * (whole(3) - whole(2) * t);
+             }},
+};
+
+std::vector<std::size_t> counts_of_exact(std::string_view name) {
+  std::vector<std::size_t> counts;
+  if (find_function(functions_of_one<double>, name) != nullptr) counts.push_back(1);
+  if (find_function(functions_of_two<double>, name) != nullptr) counts.push_back(2);
+  for (const Composed& f : composed_functions) {
+    if (f.name == name) counts.push_back(f.arguments);
+  }
+  return counts;
+}
+
+/// The name without the f of C's functions on floats: `cosf` is `cos`.
+std::string_view without_suffix(std::string_view name) {
+  const bool has_suffix = name.size() > 1 && name.back() == 'f' && counts_of_exact(name).empty();
+  return has_suffix ? name.substr(0, name.size() - 1) : name;
+}
+
+/// The whole number that an exponent is written as.
+std::optional<int> whole_exponent(const Symbolic& exponent) {
+  if (exponent.kind() == Symbolic::Kind::negate) {
+    const auto n = whole_exponent(exponent.part(0));
+    return n ? std::optional(-*n) : std::nullopt;
+  }
+  if (exponent.kind() != Symbolic::Kind::number) return std::nullopt;
+  std::string_view digits = exponent.name();
+  if (const std::size_t point = digits.find('.'); point != std::string_view::npos) {
+    if (digits.find_first_not_of('0', point + 1) != std::string_view::npos) return std::nullopt;
+    digits = digits.substr(0, point);
+  }
+  int n = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+  if (error != std::errc{} || end != digits.data() + digits.size()) return std::nullopt;
+  return n;
+}
+
+}  // namespace
+
+std::vector<std::string> function_names() {
+  std::vector<std::string> names;
+  for (const auto& f : functions_of_one<double>) names.emplace_back(f.name);
+  for (const auto& f : functions_of_two<double>) names.emplace_back(f.name);
+  for (const Composed& f : composed_functions) names.emplace_back(f.name);
+  return names;
+}
+
+std::vector<std::size_t> argument_counts(std::string_view function) {
+  return counts_of_exact(without_suffix(function));
+}
+
+Symbolic call(std::string_view function, std::span<const Symbolic> arguments) {
+  const std::string_view name = without_suffix(function);
+  for (const Composed& f : composed_functions) {
+    if (f.name == name && f.arguments == arguments.size()) return f.expression(arguments);
+  }
+  return Symbolic::function(name, {arguments.begin(), arguments.end()});
+}
+
+Symbolic raised(const Symbolic& base, const Symbolic& exponent) {
+  if (const auto n = whole_exponent(exponent)) return power(base, *n);
+  return power(base, exponent);
+}
+
+}  // namespace shadefit

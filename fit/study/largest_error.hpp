@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/study/solve_study.hpp"
+#include "fit/study/study_nodes.hpp"
+
+namespace shadefit {
+
+/// The largest |form - target| of a study at given parameters: the best of a grid between the edges, refined
+/// between its neighbours. Sampled, not proven.
+StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
+                            const std::vector<double>& parameters);
+
+}  // namespace shadefit

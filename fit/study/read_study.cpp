@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/parse_formula.hpp"
+#include "fit/scalars/shader_calls.hpp"
+#include "fit/study/study.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+ReadFormula read(const std::string& option, const std::string& text, const FormulaNames& names) {
+  try {
+    return read_formula(text, names);
+  } catch (const std::invalid_argument& error) {
+    throw UserError(option + ": " + error.what());
+  }
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The value of a formula of numbers.
+double number_of(const std::string& option, const std::string& text) {
+  const Symbolic formula = read(option, text, {}).formula;
+  const auto no_variable = [](const std::string&) { return Decimal50(0); };
+  const auto value = static_cast<double>(evaluate<Decimal50>(formula, no_variable));
+  if (!std::isfinite(value)) throw UserError(option + " '" + text + "' is not a finite number");
+  return value;
+}
+
+void require_name(const std::string& option, const std::string& name) {
+  const auto begins = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; };
+  const bool is_name =
+      !name.empty() && begins(name.front()) &&
+      std::all_of(name.begin(), name.end(), [&](char c) { return begins(c) || ('0' <= c && c <= '9'); });
+  if (!is_name)
+    throw UserError(option + " '" + name + "' is not a name: a letter, then letters, digits and underscores");
+  constexpr const char* constants[] = {"pi", "ln2", "PI", "M_PI"};
+  const bool is_taken =
+      !argument_counts(name).empty() || std::any_of(std::begin(constants), std::end(constants),
+                                                    [&](const char* constant) { return name == constant; });
+  if (is_taken) throw UserError(option + " '" + name + "' is already a function or a number");
+}
+
+std::vector<StudyAxis> axes_of(const Study& study) {
+  if (study.over.empty()) throw UserError("a study needs --over, a variable and its range: --over x=0:1");
+  if (study.over.size() > most_axes)
+    throw UserError("--over '" + study.over[most_axes].variable + "': a study has at most three variables");
+  std::vector<StudyAxis> axes;
+  std::set<std::string> seen;
+  for (const StudyRange& range : study.over) {
+    require_name("--over", range.variable);
+    if (!seen.insert(range.variable).second)
+      throw UserError("--over '" + range.variable + "' is given a second time");
+    const std::string text = range.variable + "=" + range.lower + ":" + range.upper;
+    const double lower = number_of("--over", range.lower), upper = number_of("--over", range.upper);
+    if (!(lower < upper)) throw UserError("--over '" + text + "' is empty: it must rise");
+    const Symbolic density =
+        read("--over '" + text + "'", range.density, {.variables = {range.variable}}).formula;
+    axes.push_back({range.variable, lower, upper, density});
+  }
+  return axes;
+}
+
+/// Definitions in the order given; each may use those before it, the variables and the given constants.
+std::map<std::string, Definition, std::less<>> definitions_of(const Study& study,
+                                                              const std::vector<std::string>& variables) {
+  std::map<std::string, Definition, std::less<>> result;
+  for (const auto& [name, value] : study.given) {
+    require_name("--given", name);
+    if (contains(variables, name)) throw UserError("--given '" + name + "' is a variable of --over");
+    result.emplace(name, Definition{{}, read("--given '" + name + "'", value, {}).formula});
+  }
+  for (const StudyDefinition& definition : study.definitions) {
+    require_name("--let", definition.name);
+    if (contains(variables, definition.name) || result.contains(definition.name))
+      throw UserError("--let '" + definition.name + "' names something else already");
+    FormulaNames names{.variables = variables, .definitions = result};
+    for (const std::string& argument : definition.arguments) {
+      require_name("--let '" + definition.name + "', argument", argument);
+      names.definitions.erase(argument);
+      if (!contains(names.variables, argument)) names.variables.push_back(argument);
+    }
+    const Symbolic formula = read("--let '" + definition.name + "'", definition.formula, names).formula;
+    result.emplace(definition.name, Definition{definition.arguments, formula});
+  }
+  return result;
+}
+
+bool depends_on(const Symbolic& e, const std::string& name) {
+  if (e.kind() == Symbolic::Kind::variable) return e.name() == name;
+  return std::any_of(e.parts().begin(), e.parts().end(),
+                     [&](const Symbolic& part) { return depends_on(part, name); });
+}
+
+}  // namespace
+
+ReadStudy read_study(const Study& study) {
+  const std::vector<StudyAxis> axes = axes_of(study);
+  std::vector<std::string> variables;
+  for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
+  const FormulaNames names{.variables = variables, .definitions = definitions_of(study, variables)};
+  const Symbolic target = read("--target", study.target, names).formula;
+  const Symbolic weight = read("--weight", study.weight, names).formula;
+  FormulaNames of_form = names;
+  of_form.takes_parameters = true;
+  const ReadFormula form = read("--form", study.form, of_form);
+  ReadStudy result{axes, target, form.formula, weight, form.parameters, study.error};
+
+  for (const Held& held : study.held) {
+    if (!contains(result.parameters, held.parameter))
+      throw UserError("--fix '" + held.parameter + "': the form has no such parameter");
+    std::erase(result.parameters, held.parameter);
+    result.form = evaluate<Symbolic>(result.form, [&](const std::string& name) {
+      return name == held.parameter ? Symbolic::number(to_text(held.value)) : Symbolic::variable(name);
+    });
+  }
+  for (const Held& start : study.starts) {
+    if (!contains(result.parameters, start.parameter))
+      throw UserError("--start '" + start.parameter + "': the form has no such free parameter");
+  }
+  if (result.parameters.empty()) throw UserError("--form '" + study.form + "' has no parameter to fit");
+  if (result.parameters.size() > most_study_parameters)
+    throw UserError("--form has " + std::to_string(result.parameters.size()) + " parameters: at most 16");
+  const bool has_variable = std::any_of(variables.begin(), variables.end(), [&](const std::string& name) {
+    return depends_on(target, name) || depends_on(result.form, name);
+  });
+  if (!has_variable) throw UserError("--over: neither target nor form contains a variable");
+  return result;
+}
+
+}  // namespace shadefit

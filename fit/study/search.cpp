@@ -1,0 +1,243 @@
+#include "fit/study/search.hpp"
+
+#include <ceres/tiny_solver.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "fit/quadrature/rule_choice.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+using Vector = VectorOf<double>;
+using Matrix = MatrixOf<double>;
+
+/// The reduced problem of variable projection: its unknowns are the parameters that do not enter linearly,
+/// the others are the best for them.
+class Projection {
+ public:
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+
+  Projection(const StudyError& error, const SampledStudy<double>& sampled)
+      : sampled_(sampled), parameters_(error.parameter_count()) {
+    for (std::size_t i = 0; i < parameters_.size(); ++i)
+      (error.is_linear()[i] ? linear_ : nonlinear_).push_back(i);
+  }
+
+  int NumResiduals() const { return static_cast<int>(sampled_.size()); }
+  int NumParameters() const { return static_cast<int>(nonlinear_.size()); }
+  const std::vector<std::size_t>& nonlinear() const { return nonlinear_; }
+
+  /// All parameters at the last place, the linear ones being the best there.
+  const std::vector<double>& parameters() const { return parameters_; }
+
+  /// The residuals sqrt(weight) * error. Kaufman's Jacobian: the columns of the nonlinear parameters without
+  /// their parts in the space of the linear ones.
+  bool operator()(const double* q, double* residuals, double* jacobian) const {
+    for (std::size_t i = 0; i < nonlinear_.size(); ++i) parameters_[nonlinear_[i]] = q[i];
+    Eigen::Map<Vector> result(residuals, NumResiduals());
+    Matrix slopes;
+    if (linear_.empty()) {
+      sampled_.errors(parameters_, result_, jacobian == nullptr ? nullptr : &slopes);
+      result = result_.cwiseProduct(sampled_.roots());
+      if (jacobian != nullptr) {
+        Eigen::Map<Matrix> columns(jacobian, NumResiduals(), NumParameters());
+        columns = sampled_.roots().asDiagonal() * slopes;
+      }
+    } else {
+      project(result, jacobian);
+    }
+    if (!result.allFinite()) result.setConstant(HUGE_VAL);  // an infinite cost rejects a step
+    return true;
+  }
+
+ private:
+  void project(Eigen::Map<Vector>& result, double* jacobian) const {
+    const auto columns_of = [&](const Matrix& slopes, const std::vector<std::size_t>& which) {
+      Matrix columns(slopes.rows(), static_cast<Eigen::Index>(which.size()));
+      for (std::size_t i = 0; i < which.size(); ++i)
+        columns.col(static_cast<Eigen::Index>(i)) =
+            slopes.col(static_cast<Eigen::Index>(which[i])).cwiseProduct(sampled_.roots());
+      return columns;
+    };
+    for (const std::size_t i : linear_) parameters_[i] = 0;
+    Matrix slopes;
+    sampled_.errors(parameters_, result_, &slopes);
+    const Matrix basis = columns_of(slopes, linear_);
+    if (!basis.allFinite() || !result_.allFinite()) {
+      result.setConstant(HUGE_VAL);
+      return;
+    }
+    const Eigen::ColPivHouseholderQR<Matrix> qr(basis);
+    const Vector best = qr.solve(-result_.cwiseProduct(sampled_.roots()));
+    for (std::size_t i = 0; i < linear_.size(); ++i)
+      parameters_[linear_[i]] = best[static_cast<Eigen::Index>(i)];
+    sampled_.errors(parameters_, result_, jacobian == nullptr ? nullptr : &slopes);
+    result = result_.cwiseProduct(sampled_.roots());
+    if (jacobian == nullptr) return;
+    Eigen::Map<Matrix> columns(jacobian, NumResiduals(), NumParameters());
+    columns = columns_of(slopes, nonlinear_);
+    columns -= basis * qr.solve(columns);
+  }
+
+  const SampledStudy<double>& sampled_;
+  std::vector<std::size_t> linear_, nonlinear_;
+  mutable std::vector<double> parameters_;
+  mutable Vector result_;
+};
+
+/// The n-th number of van der Corput's sequence in a base: Halton's points have one for each coordinate.
+double radical_inverse(std::uint64_t n, std::uint64_t base) {
+  double result = 0, digit = 1;
+  for (; n > 0; n /= base) {
+    digit /= static_cast<double>(base);
+    result += digit * static_cast<double>(n % base);
+  }
+  return result;
+}
+
+/// A start of a parameter from a number in [0, 1): either sign, sizes from 1/64 to 64, as many in each
+/// octave. Constants of shading are of that size, as their variables are of the size of 1; a descent leaves
+/// the range.
+double spread(double u) {
+  const double side = 2 * u - 1;
+  return std::copysign(std::exp2(12 * std::abs(side) - 6), side);
+}
+
+constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
+
+/// The first node where a formula has no value, as text: "x = 0.5". Empty if there is none.
+std::string place_without_value(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes) {
+  for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
+    const auto coordinate = [&](std::size_t axis) { return static_cast<double>(nodes.coordinates[axis][n]); };
+    const double value = evaluate<double>(formula, [&](const std::string& name) {
+      std::size_t axis = 0;
+      while (study.axes[axis].variable != name) ++axis;
+      return coordinate(axis);
+    });
+    if (std::isfinite(value)) continue;
+    std::string place;
+    for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
+      place += (axis == 0 ? "" : ", ") + study.axes[axis].variable + " = " + to_text(coordinate(axis));
+    return place;
+  }
+  return "";
+}
+
+/// Target and weight must have values in the range.
+void require_values(const ReadStudy& study, const StudyNodes& nodes) {
+  if (const auto place = place_without_value(study, study.target, nodes); !place.empty())
+    throw UserError("--target has no finite value at " + place);
+  if (const auto place = place_without_value(study, study.weight, nodes); !place.empty())
+    throw UserError("--weight has no finite value at " + place);
+  if (study.error == Error::relative) {
+    const auto inverse = Symbolic::number("1") / study.target;
+    if (const auto place = place_without_value(study, inverse, nodes); !place.empty())
+      throw UserError("--error 'relative' divides by zero: the target is 0 at " + place);
+  }
+}
+
+std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
+  std::vector<double> result(study.parameters.size(), 1);
+  for (const Held& start : starts) {
+    const auto found = std::find(study.parameters.begin(), study.parameters.end(), start.parameter);
+    result[static_cast<std::size_t>(found - study.parameters.begin())] = start.value;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::size_t start_count(std::size_t nonlinear) {
+  return nonlinear == 0 ? 1 : std::min<std::size_t>(16 << nonlinear, 96);
+}
+
+std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& sampled,
+                                          const std::vector<std::vector<double>>& given) {
+  const Projection problem(error, sampled);
+  const std::size_t size = problem.nonlinear().size();
+  std::vector<StudyCandidate> found;
+  Vector residuals(problem.NumResiduals());
+  const auto add = [&](const Vector& q) {
+    problem(q.data(), residuals.data(), nullptr);
+    const double square = residuals.squaredNorm();
+    if (!std::isfinite(square) || sampled.has_pole(problem.parameters())) return;
+    found.push_back({problem.parameters(), square});
+  };
+  if (size == 0) {
+    add(Vector(0));
+    return found;
+  }
+  // A few steps from every start, then many from the lowest ends: most starts lead to the same few basins.
+  constexpr int few = 6, many = 100;
+  constexpr std::size_t finalists = 16;
+  ceres::TinySolver<Projection> solver;
+  solver.options.parameter_tolerance = 1e-10;
+  solver.options.function_tolerance = 0;
+  solver.options.gradient_tolerance = 0;
+  solver.options.cost_threshold = 0;
+  struct End {
+    Vector q;
+    double cost;
+  };
+  std::vector<End> ends;
+  const auto descend = [&](Vector q, int steps) {
+    problem(q.data(), residuals.data(), nullptr);
+    if (!residuals.allFinite()) return;
+    solver.options.max_num_iterations = steps;
+    const double cost = solver.Solve(problem, &q).final_cost;
+    if (std::isfinite(cost)) ends.push_back({q, cost});
+  };
+  for (std::size_t n = 1; n <= start_count(size); ++n) {
+    Vector q(static_cast<Eigen::Index>(size));
+    for (std::size_t i = 0; i < size; ++i)
+      q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]));
+    descend(q, few);
+  }
+  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
+  std::vector<Vector> starts;
+  for (const std::vector<double>& start : given) {
+    Vector q(static_cast<Eigen::Index>(size));
+    for (std::size_t i = 0; i < size; ++i) q[static_cast<Eigen::Index>(i)] = start[problem.nonlinear()[i]];
+    starts.push_back(q);
+  }
+  for (std::size_t i = 0; i < std::min(finalists, ends.size()); ++i) starts.push_back(ends[i].q);
+  ends.clear();
+  for (const Vector& start : starts) descend(start, many);
+  for (const End& end : ends) add(end.q);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const StudyCandidate& a, const StudyCandidate& b) { return a.square < b.square; });
+  return found;
+}
+
+std::size_t search_rule(const ReadStudy& study) {
+  constexpr std::array<std::size_t, most_axes> rules{4, 1, 0};
+  return rules[study.axes.size() - 1];
+}
+
+SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
+                           const std::vector<std::vector<StudyEdge>>& edges,
+                           const std::vector<Held>& starts) {
+  const StudyNodes nodes = nodes_of(study, edges, fit_rules[search_rule(study)]);
+  require_values(study, nodes);
+  std::vector<std::vector<double>> given;
+  if (!starts.empty()) given.push_back(start_of(study, starts));
+  SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, false};
+  result.candidates = search_basins(error, result.sampled, given);
+  if (result.candidates.empty())
+    throw UserError("--form has a pole, or no finite value, from every start: --start names another");
+  const auto& linear = error.is_linear();
+  const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
+  result.is_linear = nonlinear == 0;
+  result.starts = static_cast<int>(start_count(nonlinear) + (nonlinear == 0 ? 0 : given.size()));
+  return result;
+}
+
+}  // namespace shadefit

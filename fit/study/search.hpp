@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/study/study_problem.hpp"
+
+/// The basins of a study's least squares.
+namespace shadefit {
+
+/// Where a descent ended.
+struct StudyCandidate {
+  std::vector<double> parameters;
+  double square;  ///< sum of weight * error^2
+};
+
+/// The ends of descents from a low-discrepancy set and from `given` starts, best first. Those with a pole or
+/// without a finite error are left out. One entry if the form is linear in all parameters.
+std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& sampled,
+                                          const std::vector<std::vector<double>>& given);
+
+/// A study searched on the nodes of a small rule.
+struct SearchedStudy {
+  SampledStudy<double> sampled;
+  std::vector<StudyCandidate> candidates;  ///< best first; never empty
+  int starts;
+  bool is_linear;  ///< in all parameters: then the only candidate is the best of all
+};
+
+/// Throws UserError where a formula has no value in the range, and if no start has a finite error.
+SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
+                           const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts);
+
+/// The rule of the search, an index of `fit_rules`: 30 nodes on a panel see every basin of a smooth form, and
+/// products of rules need fewer on each axis.
+std::size_t search_rule(const ReadStudy& study);
+
+/// How many starts the search has for so many parameters that do not enter linearly.
+std::size_t start_count(std::size_t nonlinear);
+
+}  // namespace shadefit

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/least_squares/status.hpp"
+#include "fit/minimax/alternation.hpp"
+#include "fit/study/study.hpp"
+#include "fit/support/checkpoint.hpp"
+
+/// The least-squares fit of a study.
+namespace shadefit {
+
+/// The largest magnitude of an error, and its place: one number for each variable.
+struct StudyExtremum {
+  double magnitude = 0;
+  std::vector<double> at;
+};
+
+struct StudyFit {
+  std::vector<std::string> names;  ///< of all free parameters
+  std::vector<double> parameters;  ///< an answer only if `status` is converged
+  Status status = Status::not_converged;
+  std::string why = {};  ///< of a fit that did not converge
+  /// How many digits of the worst parameter another quadrature rule confirms in long double, at most 14.
+  int digits = 0;
+  double rms_error = 0;            ///< sqrt(integral of density * error^2 / integral of density), weighted
+  StudyExtremum max_abs_error;     ///< of form - target, sampled and refined
+  int starts = 0;                  ///< from how many starts the optimum was looked for
+  bool is_global = false;          ///< proven to be the best of all: the form is linear in its parameters
+  std::vector<double> other = {};  ///< of an ambiguous fit: the other curve, as good
+  std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest |weighted error|
+  std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit, with x for the cosine; rising
+};
+
+/// Fits a study. Parameters that enter linearly are eliminated (variable projection: Golub, Pereyra 1973,
+/// "The Differentiation of Pseudo-Inverses and Nonlinear Least Squares Problems Whose Variables Separate",
+/// SIAM Journal on Numerical Analysis 10; the Jacobian is Kaufman's, 1975, "A variable projection method for
+/// solving separable nonlinear least squares problems", BIT 15). The others start from a low-discrepancy set.
+/// Ceres descends, Newton with the exact Hessian finishes, and another rule in long double counts the digits.
+/// Throws UserError where a formula has no value in the range.
+StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts,
+                     const Checkpoint& checkpoint = keep_going);
+
+}  // namespace shadefit

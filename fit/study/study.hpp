@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "fit/quadrature/metric.hpp"
+#include "fit/scalars/symbolic.hpp"
+
+/// A fit of one's own: a form to a target, both as formulas, over one to three variables.
+namespace shadefit {
+
+/// A variable, its range, and how its values are weighted.
+struct StudyRange {
+  std::string variable;
+  std::string lower, upper;   ///< formulas of numbers
+  std::string density = "1";  ///< a formula in the variable
+};
+
+/// A named formula; without arguments a name for an expression.
+struct StudyDefinition {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string formula;
+};
+
+/// What is asked for, as its user wrote it.
+struct Study {
+  std::string target, form;
+  std::vector<StudyRange> over;
+  std::vector<StudyDefinition> definitions = {};
+  std::map<std::string, std::string> given = {};  ///< held constants: formulas of numbers
+  std::vector<Held> held = {};                    ///< parameters with given values
+  std::vector<Held> starts = {};                  ///< parameters from where a descent starts too
+  std::string weight = "1";                       ///< the factor of the error, a formula in the variables
+  Error error = Error::absolute;
+};
+
+/// A range whose ends are numbers.
+struct StudyAxis {
+  std::string variable;
+  double lower, upper;
+  Symbolic density;
+};
+
+/// A study whose formulas have been read. Given constants are put in.
+struct ReadStudy {
+  std::vector<StudyAxis> axes;
+  Symbolic target, form, weight;
+  std::vector<std::string> parameters;  ///< of the form, in the order in which they first appear; free ones
+  Error error;
+};
+
+/// The most variables and the most free parameters of a study.
+inline constexpr std::size_t most_axes = 3;
+inline constexpr std::size_t most_study_parameters = 16;
+
+/// Reads the formulas of a study. Throws UserError with one line that names the option, its value and the
+/// rule.
+ReadStudy read_study(const Study& study);
+
+}  // namespace shadefit

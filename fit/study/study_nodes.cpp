@@ -1,0 +1,231 @@
+#include "fit/study/study_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "fit/quadrature/gauss.hpp"
+#include "fit/scalars/hinges.hpp"
+#include "fit/scalars/jet.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+/// How close to a root or a logarithm the nodes go, as in fit/solve/weight.cpp.
+constexpr int power_at_root = 8;
+/// More edges than this are no formula of shading: each is one more panel.
+constexpr std::size_t most_study_edges = 64;
+
+bool depends_only_on(const Symbolic& e, const std::string& name) {
+  if (e.kind() == Symbolic::Kind::variable) return e.name() == name;
+  return std::all_of(e.parts().begin(), e.parts().end(),
+                     [&](const Symbolic& part) { return depends_only_on(part, name); });
+}
+
+void collect_names(const Symbolic& e, std::set<std::string>& names) {
+  if (e.kind() == Symbolic::Kind::variable) names.insert(e.name());
+  for (const Symbolic& part : e.parts()) collect_names(part, names);
+}
+
+template <class T>
+T value_at(const Symbolic& formula, const T& x) {
+  return evaluate<T>(formula, [&](const std::string&) { return x; });
+}
+
+/// Even places, and powers of two towards both ends.
+std::vector<double> places_on(double lower, double upper) {
+  std::vector<double> places{lower, upper};
+  constexpr int count = 512;
+  for (int i = 1; i < count; ++i) places.push_back(lower + (upper - lower) * i / count);
+  for (int i = 10; i < 50; ++i) {
+    places.push_back(lower + (upper - lower) * std::ldexp(1.0, -i));
+    places.push_back(upper - (upper - lower) * std::ldexp(1.0, -i));
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+/// The place between two neighbours where a predicate changes.
+template <class Predicate>
+double bisected(double low, double high, const Predicate& predicate) {
+  const bool at_low = predicate(low);
+  for (;;) {
+    const double middle = low + (high - low) / 2;
+    if (!(low < middle && middle < high)) return high;
+    (predicate(middle) == at_low ? low : high) = middle;
+  }
+}
+
+void append_zeros(const Hinge& hinge, double lower, double upper, std::vector<StudyEdge>& edges) {
+  const std::vector<double> places = places_on(lower, upper);
+  std::vector<double> values;
+  double largest = 0;
+  for (const double x : places) {
+    values.push_back(value_at(hinge.part, x));
+    if (std::isfinite(values.back())) largest = std::max(largest, std::abs(values.back()));
+  }
+  const int power = hinge.is_root ? power_at_root : 1;
+  const auto is_zero = [&](double v) { return std::abs(v) <= 1e-14 * largest; };
+  if (std::all_of(values.begin(), values.end(), is_zero)) return;
+  const auto is_below = [&](double x) { return value_at(hinge.part, x) < 0; };
+  using Jet = ceres::Jet<double, 1>;
+  const auto slope = [&](double x) { return value_at(hinge.part, Jet(x, 0)).v[0]; };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == places.size();
+    if (is_zero(values[i]) && (hinge.is_root || !is_end)) edges.push_back({places[i], power});
+    if (i == 0 || is_zero(values[i]) || is_zero(values[i - 1])) continue;
+    if ((values[i - 1] < 0) != (values[i] < 0)) {
+      edges.push_back({bisected(places[i - 1], places[i], is_below), power});
+    } else if (slope(places[i - 1]) * values[i - 1] < 0 && slope(places[i]) * values[i] > 0) {
+      // an extremum between, which may touch zero
+      const double x =
+          bisected(places[i - 1], places[i], [&](double at) { return slope(at) * values[i - 1] < 0; });
+      if (std::abs(value_at(hinge.part, x)) <= 1e-12 * largest) edges.push_back({x, power});
+    }
+  }
+}
+
+/// A node of one axis. Near a root the distance from it is known to full precision.
+struct AxisNode {
+  long double at, weight;
+};
+
+void append_panel(const StudyAxis& axis, double root, double other, int power, unsigned rule_size,
+                  std::vector<AxisNode>& nodes) {
+  const long double length = static_cast<long double>(other) - static_cast<long double>(root);
+  const bool is_uniform = axis.density.parts().empty() && axis.density.name() == "1";
+  visit_gauss_rule<long double>(rule_size, [&](long double u, long double w) {
+    const long double lower_power = std::pow(u, static_cast<long double>(power - 1));
+    const long double distance = length * lower_power * u;
+    long double weight = w * std::abs(length) * static_cast<long double>(power) * lower_power;
+    if (!is_uniform) {
+      // In 50 digits: 1/sqrt(1 - x^2) near x = 1 would cancel.
+      const Decimal50 x = Decimal50(root) + Decimal50(distance);
+      const auto density = static_cast<long double>(value_at(axis.density, x));
+      if (!(density >= 0) || !std::isfinite(density))
+        throw UserError("--over '" + axis.variable + "': its density must be finite and not negative; at " +
+                        axis.variable + " = " + to_text(static_cast<double>(x)) + " it is " +
+                        to_text(static_cast<double>(density)));
+      weight *= density;
+    }
+    nodes.push_back({static_cast<long double>(root) + distance, weight});
+  });
+}
+
+std::vector<AxisNode> axis_nodes(const StudyAxis& axis, const std::vector<StudyEdge>& edges,
+                                 unsigned rule_size) {
+  std::vector<AxisNode> nodes;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const StudyEdge &left = edges[i - 1], &right = edges[i];
+    if (left.power == 1 || right.power == 1) {
+      const bool from_right = right.power > 1;
+      append_panel(axis, from_right ? right.at : left.at, from_right ? left.at : right.at,
+                   std::max(left.power, right.power), rule_size, nodes);
+    } else {
+      const double middle = left.at + (right.at - left.at) / 2;
+      append_panel(axis, left.at, middle, left.power, rule_size, nodes);
+      append_panel(axis, right.at, middle, right.power, rule_size, nodes);
+    }
+  }
+  return nodes;
+}
+
+/// Rising, places within rounding of each other as one, the ends where they are.
+std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edges) {
+  std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
+  std::vector<StudyEdge> result;
+  const double near = 1e-13 * (axis.upper - axis.lower);
+  for (const StudyEdge& edge : edges) {
+    if (!result.empty() && edge.at - result.back().at <= near) {
+      result.back().power = std::max(result.back().power, edge.power);
+    } else {
+      result.push_back(edge);
+    }
+  }
+  result.front().at = axis.lower;
+  result.back().at = axis.upper;
+  if (result.size() > most_study_edges)
+    throw UserError("--over '" + axis.variable +
+                    "': more than 64 kinks, roots and poles: no more are allowed");
+  return result;
+}
+
+/// The hinges that depend on an axis and on axes before it, and on nothing after it.
+std::vector<Hinge> mixed_hinges(const ReadStudy& study, std::size_t index) {
+  std::set<std::string> known;
+  for (std::size_t i = 0; i <= index; ++i) known.insert(study.axes[i].variable);
+  std::vector<Hinge> result;
+  for (const Symbolic* formula : {&study.target, &study.form, &study.weight}) {
+    for (const Hinge& hinge : hinges_of(*formula)) {
+      std::set<std::string> names;
+      collect_names(hinge.part, names);
+      const bool is_mixed = names.size() > 1 && names.contains(study.axes[index].variable) &&
+                            std::includes(known.begin(), known.end(), names.begin(), names.end());
+      if (is_mixed) result.push_back(hinge);
+    }
+  }
+  return result;
+}
+
+/// The edges of an axis where the variables before it have given values.
+std::vector<StudyEdge> edges_at(const ReadStudy& study, std::size_t index, std::vector<StudyEdge> edges,
+                                const std::vector<Hinge>& mixed, const std::vector<long double>& before) {
+  if (mixed.empty()) return edges;
+  const StudyAxis& axis = study.axes[index];
+  for (Hinge hinge : mixed) {
+    hinge.part = evaluate<Symbolic>(hinge.part, [&](const std::string& name) {
+      for (std::size_t i = 0; i < index; ++i) {
+        if (study.axes[i].variable == name) return Symbolic::number(to_text(static_cast<double>(before[i])));
+      }
+      return Symbolic::variable(name);
+    });
+    append_zeros(hinge, axis.lower, axis.upper, edges);
+  }
+  return merged(axis, std::move(edges));
+}
+
+}  // namespace
+
+std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
+  const StudyAxis& axis = study.axes[index];
+  std::vector<StudyEdge> edges{{axis.lower}, {axis.upper}};
+  for (const Symbolic* formula : {&study.target, &study.form, &study.weight, &axis.density}) {
+    for (const Hinge& hinge : hinges_of(*formula)) {
+      if (depends_only_on(hinge.part, axis.variable)) append_zeros(hinge, axis.lower, axis.upper, edges);
+    }
+  }
+  return merged(axis, std::move(edges));
+}
+
+StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
+                    unsigned rule_size) {
+  StudyNodes nodes{{}, {1.0L}, 1};
+  for (std::size_t i = 0; i < study.axes.size(); ++i) {
+    const std::vector<Hinge> mixed = mixed_hinges(study, i);
+    std::vector<AxisNode> of_axis = axis_nodes(study.axes[i], edges[i], rule_size);
+    StudyNodes product{std::vector<std::vector<long double>>(i + 1), {}, 1};
+    for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
+      std::vector<long double> before;
+      for (std::size_t k = 0; k < i; ++k) before.push_back(nodes.coordinates[k][n]);
+      if (!mixed.empty())
+        of_axis = axis_nodes(study.axes[i], edges_at(study, i, edges[i], mixed, before), rule_size);
+      for (const AxisNode& node : of_axis) {
+        for (std::size_t k = 0; k < i; ++k) product.coordinates[k].push_back(before[k]);
+        product.coordinates[i].push_back(node.at);
+        product.weights.push_back(nodes.weights[n] * node.weight);
+      }
+    }
+    nodes = std::move(product);
+  }
+  nodes.total = 0;
+  for (const long double weight : nodes.weights) nodes.total += weight;
+  for (long double& weight : nodes.weights) weight /= nodes.total;
+  return nodes;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fit/study/study.hpp"
+
+/// The nodes at which the integrals of a study are summed.
+namespace shadefit {
+
+/// A place where some formula of a study is not smooth in a variable.
+struct StudyEdge {
+  double at;
+  int power = 1;  ///< the formula is smooth in this root of the distance
+};
+
+/// The edges of an axis inside its range and at its ends, rising: zeros of the hinges that depend on this
+/// variable alone. Both ends are among them.
+std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
+
+struct StudyNodes {
+  std::vector<std::vector<long double>> coordinates;  ///< of each variable, at each node
+  std::vector<long double> weights;                   ///< the density included; they sum to 1
+  long double total = 1;                              ///< the integral of the density
+};
+
+/// The product of Gauss rules with `rule_size` nodes on each panel of each axis. An axis is also split where
+/// a hinge of it and of the axes before it is zero: max(x, y) has its kink at y = x. Throws UserError for a
+/// density that is negative or not finite.
+StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
+                    unsigned rule_size);
+
+}  // namespace shadefit

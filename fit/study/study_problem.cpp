@@ -1,0 +1,203 @@
+#include "fit/study/study_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fit/scalars/hinges.hpp"
+
+namespace shadefit {
+namespace {
+
+std::vector<std::string> inputs_of(const ReadStudy& study) {
+  std::vector<std::string> inputs;
+  for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
+  inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
+  return inputs;
+}
+
+bool contains_any(const Symbolic& e, const std::vector<std::string>& names) {
+  if (e.kind() == Symbolic::Kind::variable)
+    return std::find(names.begin(), names.end(), e.name()) != names.end();
+  return std::any_of(e.parts().begin(), e.parts().end(),
+                     [&](const Symbolic& part) { return contains_any(part, names); });
+}
+
+/// The parameters in which an error is linear together: each in turn that keeps them so.
+std::vector<bool> linear_ones(Graph& graph, std::span<const int> slopes, std::size_t first) {
+  std::vector<bool> is_linear(slopes.size());
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    is_linear[i] = true;
+    for (std::size_t j = 0; j <= i && is_linear[i]; ++j)
+      is_linear[i] = !is_linear[j] || graph.is_zero(graph.derivative(slopes[i], first + j));
+  }
+  return is_linear;
+}
+
+}  // namespace
+
+Symbolic error_formula(const ReadStudy& study) {
+  const Symbolic difference = study.form - study.target;
+  const Symbolic error = study.error == Error::relative ? difference / study.target : difference;
+  const bool is_weighted = !(study.weight.parts().empty() && study.weight.name() == "1");
+  return is_weighted ? study.weight * error : error;
+}
+
+struct StudyError::Parts {
+  explicit Parts(const ReadStudy& study) : graph(inputs_of(study)), variables(study.axes.size()) {
+    const int error = graph.add(error_formula(study));
+    value = {error};
+    gradient = value;
+    for (std::size_t i = 0; i < study.parameters.size(); ++i)
+      gradient.push_back(graph.derivative(error, variables + i));
+    hessian = gradient;
+    const std::span<const int> slopes = std::span(gradient).subspan(1);
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j) hessian.push_back(graph.derivative(slopes[i], variables + j));
+    }
+    is_linear = linear_ones(graph, slopes, variables);
+    target = {graph.add(study.target)};
+    for (const Hinge& hinge : hinges_of(study.form)) {
+      if (hinge.is_pole && contains_any(hinge.part, study.parameters))
+        denominators.push_back({graph.add(hinge.part)});
+    }
+  }
+
+  Graph graph;
+  std::size_t variables;
+  std::vector<int> value, gradient, hessian, target;
+  std::vector<std::vector<int>> denominators;
+  std::vector<bool> is_linear;
+};
+
+StudyError::StudyError(const ReadStudy& study) : StudyError(Parts(study)) {}
+
+StudyError::StudyError(Parts parts)
+    : parameter_count_(parts.gradient.size() - 1),
+      is_linear_(std::move(parts.is_linear)),
+      value_(parts.graph, parts.value, parts.variables),
+      gradient_(parts.graph, parts.gradient, parts.variables),
+      hessian_(parts.graph, parts.hessian, parts.variables),
+      target_(parts.graph, parts.target, parts.variables) {
+  for (const auto& outputs : parts.denominators)
+    denominators_.emplace_back(parts.graph, outputs, parts.variables);
+}
+
+namespace {
+
+template <class T>
+std::vector<std::vector<T>> narrowed(const std::vector<std::vector<long double>>& coordinates) {
+  std::vector<std::vector<T>> result;
+  for (const auto& of_variable : coordinates) result.emplace_back(of_variable.begin(), of_variable.end());
+  return result;
+}
+
+}  // namespace
+
+template <class T>
+SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes)
+    : count_(error.parameter_count()),
+      weights_(nodes.weights.begin(), nodes.weights.end()),
+      value_(error.value(), narrowed<T>(nodes.coordinates)),
+      gradient_(error.gradient(), narrowed<T>(nodes.coordinates)),
+      hessian_(error.hessian(), narrowed<T>(nodes.coordinates)) {
+  const auto coordinates = narrowed<T>(nodes.coordinates);
+  roots_.resize(static_cast<Eigen::Index>(size()));
+  for (std::size_t i = 0; i < size(); ++i) roots_[static_cast<Eigen::Index>(i)] = std::sqrt(weights_[i]);
+  for (const StagedTape& denominator : error.denominators())
+    denominators_.emplace_back(denominator, coordinates);
+  std::vector<S> target;
+  Batch<T>(error.target(), coordinates)(std::vector<T>(count_), target);
+  T square = 0;
+  for (std::size_t i = 0; i < size(); ++i) square += weights_[i] * lane(target, 0, i) * lane(target, 0, i);
+  target_norm_ = std::sqrt(square);
+}
+
+template <class T>
+T SampledStudy<T>::lane(const std::vector<S>& results, std::size_t row, std::size_t node) const {
+  constexpr std::size_t lanes = Batch<T>::lanes;
+  return Batch<T>::Lanes::lane(results[row * value_.packs() + node / lanes], node % lanes);
+}
+
+template <class T>
+void SampledStudy<T>::errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const {
+  std::vector<S> results;
+  (slopes == nullptr ? value_ : gradient_)(parameters, results);
+  errors.resize(static_cast<Eigen::Index>(size()));
+  if (slopes != nullptr) slopes->resize(errors.size(), static_cast<Eigen::Index>(count_));
+  for (std::size_t i = 0; i < size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    errors[row] = lane(results, 0, i);
+    for (std::size_t j = 0; slopes != nullptr && j < count_; ++j)
+      (*slopes)(row, static_cast<Eigen::Index>(j)) = lane(results, 1 + j, i);
+  }
+}
+
+template <class T>
+T SampledStudy<T>::square(std::span<const T> parameters) const {
+  std::vector<S> results;
+  value_(parameters, results);
+  T sum = 0;
+  for (std::size_t i = 0; i < size(); ++i) sum += weights_[i] * lane(results, 0, i) * lane(results, 0, i);
+  return sum;
+}
+
+template <class T>
+StudySums<T> SampledStudy<T>::gradient(std::span<const T> parameters) const {
+  std::vector<S> results;
+  gradient_(parameters, results);
+  StudySums<T> sums{0, VectorOf<T>::Zero(static_cast<Eigen::Index>(count_)), {}};
+  for (std::size_t i = 0; i < size(); ++i) {
+    const T weighted = weights_[i] * lane(results, 0, i);
+    sums.square += weighted * lane(results, 0, i);
+    for (std::size_t j = 0; j < count_; ++j)
+      sums.gradient[static_cast<Eigen::Index>(j)] += weighted * lane(results, 1 + j, i);
+  }
+  return sums;
+}
+
+template <class T>
+StudySums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
+  std::vector<S> results;
+  hessian_(parameters, results);
+  const auto n = static_cast<Eigen::Index>(count_);
+  StudySums<T> sums{0, VectorOf<T>::Zero(n), MatrixOf<T>::Zero(n, n)};
+  for (std::size_t node = 0; node < size(); ++node) {
+    const T error = lane(results, 0, node), weight = weights_[node];
+    sums.square += weight * error * error;
+    std::size_t second = 1 + count_;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const T slope = lane(results, 1 + static_cast<std::size_t>(i), node);
+      sums.gradient[i] += weight * error * slope;
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        const T other = lane(results, 1 + static_cast<std::size_t>(j), node);
+        sums.hessian(i, j) += weight * (slope * other + error * lane(results, second++, node));
+      }
+    }
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = i + 1; j < n; ++j) sums.hessian(i, j) = sums.hessian(j, i);
+  }
+  return sums;
+}
+
+template <class T>
+bool SampledStudy<T>::has_pole(std::span<const T> parameters) const {
+  std::vector<S> results;
+  for (const Batch<T>& denominator : denominators_) {
+    denominator(parameters, results);
+    bool is_positive = false, is_negative = false;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const T value = lane(results, 0, i);
+      is_positive = is_positive || !(value <= 0);
+      is_negative = is_negative || !(value >= 0);
+    }
+    if (is_positive == is_negative) return true;
+  }
+  return false;
+}
+
+template class SampledStudy<double>;
+template class SampledStudy<long double>;
+
+}  // namespace shadefit

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/study/study.hpp"
+#include "fit/study/study_nodes.hpp"
+#include "fit/tape/batch.hpp"
+
+/// The error of a study as tapes, and its sums over nodes.
+namespace shadefit {
+
+template <class T>
+using VectorOf = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+template <class T>
+using MatrixOf = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// weight * (form - target), or that divided by the target.
+Symbolic error_formula(const ReadStudy& study);
+
+/// The error of a study with its derivatives by the parameters.
+class StudyError {
+ public:
+  explicit StudyError(const ReadStudy& study);
+
+  std::size_t parameter_count() const { return parameter_count_; }
+  /// Whether the form is linear in all parameters that are marked here, together.
+  const std::vector<bool>& is_linear() const { return is_linear_; }
+
+  const StagedTape& value() const { return value_; }        ///< the error
+  const StagedTape& gradient() const { return gradient_; }  ///< and its derivatives
+  /// and the second derivatives: (0, 0), (1, 0), (1, 1), (2, 0) ..
+  const StagedTape& hessian() const { return hessian_; }
+  const StagedTape& target() const { return target_; }
+  /// The denominators of the form that contain a parameter. Where one is 0 the form has a pole.
+  const std::vector<StagedTape>& denominators() const { return denominators_; }
+
+ private:
+  struct Parts;
+  explicit StudyError(Parts parts);
+
+  std::size_t parameter_count_;
+  std::vector<bool> is_linear_;
+  StagedTape value_, gradient_, hessian_, target_;
+  std::vector<StagedTape> denominators_;
+};
+
+template <class T>
+struct StudySums {
+  T square = 0;          ///< sum of weight * error^2
+  VectorOf<T> gradient;  ///< of half of it
+  MatrixOf<T> hessian;   ///< if asked for
+};
+
+/// The error at nodes.
+template <class T>
+class SampledStudy {
+ public:
+  SampledStudy(const StudyError& error, const StudyNodes& nodes);
+
+  std::size_t size() const { return weights_.size(); }
+  /// sqrt(weight) of each node.
+  const VectorOf<T>& roots() const { return roots_; }
+
+  /// The errors at the nodes, and if `slopes` is not null a column of their derivatives for each parameter.
+  void errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const;
+
+  T square(std::span<const T> parameters) const;
+  StudySums<T> gradient(std::span<const T> parameters) const;
+  StudySums<T> derivatives(std::span<const T> parameters) const;
+
+  /// sqrt(sum of weight * target^2): the scale of the problem.
+  T target_norm() const { return target_norm_; }
+
+  /// Whether a denominator of the form vanishes or changes its sign between nodes.
+  bool has_pole(std::span<const T> parameters) const;
+
+ private:
+  using S = typename Batch<T>::S;
+
+  T lane(const std::vector<S>& results, std::size_t row, std::size_t node) const;
+
+  std::size_t count_;
+  std::vector<T> weights_;
+  VectorOf<T> roots_;
+  Batch<T> value_, gradient_, hessian_;
+  std::vector<Batch<T>> denominators_;
+  T target_norm_;
+};
+
+extern template class SampledStudy<double>;
+extern template class SampledStudy<long double>;
+
+}  // namespace shadefit

@@ -1,0 +1,127 @@
+#include "fit/tape/batch.hpp"
+
+#include <set>
+
+namespace shadefit {
+
+StagedTape::Cuts StagedTape::cuts(const Graph& graph, std::span<const int> outputs, std::size_t variables) {
+  const auto nodes = graph.nodes();
+  // What each node depends on. Operands stand before their nodes.
+  std::vector<bool> on_variables(nodes.size()), on_parameters(nodes.size());
+  Cuts result;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const GraphNode& node = nodes[i];
+    if (node.operation == Operation::input) {
+      const bool is_variable = static_cast<std::size_t>(node.index) < variables;
+      (is_variable ? on_variables : on_parameters)[i] = true;
+    }
+    for (std::size_t k = 0; k < operand_count(node.operation); ++k) {
+      const auto operand = static_cast<std::size_t>(node.operands[k]);
+      if (on_variables[operand]) on_variables[i] = true;
+      if (on_parameters[operand]) on_parameters[i] = true;
+    }
+  }
+  // Inputs in their order; one that nothing needs has no node.
+  for (std::size_t input = 0; input < graph.inputs().size(); ++input) {
+    const GraphNode wanted{Operation::input, static_cast<int>(input)};
+    const auto found = std::find(nodes.begin(), nodes.end(), wanted);
+    const int node = found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
+    (input < variables ? result.variables : result.parameters).push_back(node);
+  }
+  std::set<int> from_variables, from_parameters, seen;
+  std::vector<int> pending(outputs.begin(), outputs.end());
+  while (!pending.empty()) {
+    const int i = pending.back();
+    pending.pop_back();
+    if (!seen.insert(i).second) continue;
+    const auto at = static_cast<std::size_t>(i);
+    if (on_variables[at] && !on_parameters[at]) {
+      from_variables.insert(i);
+    } else if (on_parameters[at] && !on_variables[at]) {
+      from_parameters.insert(i);
+    } else {
+      for (std::size_t k = 0; k < operand_count(nodes[at].operation); ++k)
+        pending.push_back(nodes[at].operands[k]);
+    }
+  }
+  result.from_variables.assign(from_variables.begin(), from_variables.end());
+  result.from_parameters.assign(from_parameters.begin(), from_parameters.end());
+  return result;
+}
+
+namespace {
+
+std::vector<int> joined(std::vector<int> a, const std::vector<int>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+}  // namespace
+
+StagedTape::StagedTape(const Graph& graph, std::span<const int> outputs, const Cuts& cuts)
+    : of_variables_(graph, cuts.from_variables, cuts.variables),
+      of_parameters_(graph, cuts.from_parameters, cuts.parameters),
+      of_both_(graph, outputs, joined(cuts.from_variables, cuts.from_parameters)) {}
+
+template <class T>
+std::vector<typename Batch<T>::S> Batch<T>::filled(const std::vector<T>& values) {
+  std::vector<S> result;
+  std::array<T, lanes> group;
+  for (std::size_t i = 0; i < values.size(); i += lanes) {
+    for (std::size_t l = 0; l < lanes; ++l) group[l] = values[std::min(i + l, values.size() - 1)];
+    result.push_back(Lanes::joined(group));
+  }
+  return result;
+}
+
+template <class T>
+Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates)
+    : tape_(&tape), nodes_(coordinates.front().size()), packs_((nodes_ + lanes - 1) / lanes) {
+  const Tape& first = tape.of_variables();
+  std::vector<std::vector<S>> values(first.register_count(), std::vector<S>(packs_));
+  for (const auto& of_variable : coordinates) values.push_back(filled(of_variable));
+  for (const S& constant : first.constants<S>()) values.push_back(std::vector<S>(packs_, constant));
+  std::vector<const S*> table;
+  std::vector<S*> registers;
+  for (auto& row : values) table.push_back(row.data());
+  for (std::size_t i = 0; i < first.register_count(); ++i) registers.push_back(values[i].data());
+  first.run_over<S>(table, registers, packs_);
+  for (std::size_t i = 0; i < first.output_count(); ++i) prepared_.push_back(values[first.output(i)]);
+
+  for (const S& constant : tape.of_both().constants<S>())
+    constants_.insert(constants_.end(), block, constant);
+}
+
+template <class T>
+void Batch<T>::operator()(std::span<const T> parameters, std::vector<S>& results) const {
+  const std::vector<S> given(parameters.begin(), parameters.end());
+  const std::vector<S> uniform = tape_->of_parameters()(std::span<const S>(given));
+  const Tape& rest = tape_->of_both();
+  std::vector<S> values((rest.register_count() + uniform.size()) * block);
+  std::vector<const S*> table;
+  std::vector<S*> registers;
+  for (std::size_t i = 0; i < rest.register_count(); ++i) registers.push_back(&values[i * block]);
+  table.assign(registers.begin(), registers.end());
+  table.resize(table.size() + prepared_.size());
+  for (std::size_t i = 0; i < uniform.size(); ++i) {
+    S* row = values.data() + (rest.register_count() + i) * block;
+    std::fill_n(row, block, uniform[i]);
+    table.push_back(row);
+  }
+  for (std::size_t i = 0; i < constants_.size(); i += block) table.push_back(&constants_[i]);
+
+  results.resize(rest.output_count() * packs_);
+  for (std::size_t from = 0; from < packs_; from += block) {
+    const std::size_t count = std::min(block, packs_ - from);
+    for (std::size_t i = 0; i < prepared_.size(); ++i)
+      table[rest.register_count() + i] = prepared_[i].data() + from;
+    rest.run_over<S>(table, registers, count);
+    for (std::size_t i = 0; i < rest.output_count(); ++i)
+      std::copy_n(table[rest.output(i)], count, results.data() + i * packs_ + from);
+  }
+}
+
+template class Batch<double>;
+template class Batch<long double>;
+
+}  // namespace shadefit

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "fit/tape/tape.hpp"
+
+/// Functions of variables and parameters at many nodes at a time.
+namespace shadefit {
+
+/// Nodes of a graph in three parts: what depends on the variables alone is computed once for all parameters,
+/// what depends on the parameters alone once for all nodes, and the rest at each node.
+class StagedTape {
+ public:
+  /// The first `variables` inputs of the graph are variables, the others are parameters.
+  StagedTape(const Graph& graph, std::span<const int> outputs, std::size_t variables)
+      : StagedTape(graph, outputs, cuts(graph, outputs, variables)) {}
+
+  const Tape& of_variables() const { return of_variables_; }
+  const Tape& of_parameters() const { return of_parameters_; }
+  /// Its inputs are the outputs of the first two, in this order.
+  const Tape& of_both() const { return of_both_; }
+
+ private:
+  struct Cuts {
+    std::vector<int> variables, parameters;            ///< the graph's inputs
+    std::vector<int> from_variables, from_parameters;  ///< what the rest needs
+  };
+  static Cuts cuts(const Graph& graph, std::span<const int> outputs, std::size_t variables);
+  StagedTape(const Graph& graph, std::span<const int> outputs, const Cuts& cuts);
+
+  Tape of_variables_, of_parameters_, of_both_;
+};
+
+/// A staged tape at given nodes. In double two nodes are computed together.
+template <class T>
+class Batch {
+ public:
+  using Lanes = SideBySide<T>;
+  using S = typename Lanes::Type;
+  static constexpr std::size_t lanes = Lanes::size;
+
+  /// `coordinates`: for each variable its value at each node. An odd node is computed twice.
+  Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates);
+
+  std::size_t nodes() const { return nodes_; }
+  /// The number of S in a row of results.
+  std::size_t packs() const { return packs_; }
+
+  /// For each output a row of `packs()` results.
+  void operator()(std::span<const T> parameters, std::vector<S>& results) const;
+
+ private:
+  /// As many places as fit into a small cache with the registers of a formula.
+  static constexpr std::size_t block = 32;
+
+  static std::vector<S> filled(const std::vector<T>& values);
+
+  const StagedTape* tape_;
+  std::size_t nodes_, packs_;
+  std::vector<std::vector<S>> prepared_;  ///< by output of `of_variables`
+  std::vector<S> constants_;              ///< of `of_both`, each `block` times
+};
+
+extern template class Batch<double>;
+extern template class Batch<long double>;
+
+}  // namespace shadefit

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "fit/study/solve_study.hpp"
+#include "fit/study/study.hpp"
+#include "reports/table/table.hpp"
+
+/// Fits of one's own as rows.
+namespace shadefit {
+
+/// A study with its fit. All studies of a list differ in their given constants alone.
+struct FittedStudy {
+  Study asked;
+  ReadStudy read;
+  StudyFit fit;
+};
+
+/// A row for each fit: the given constants, the parameters, status, digits and errors.
+Table study_table(const std::vector<FittedStudy>& studies);
+
+/// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1, least squares".
+std::string study_headline(const FittedStudy& study);
+
+/// "Level 0.00320696, the error is + at x = 0, - at x = 0.3": of a minimax fit; else empty.
+std::string level_text(const FittedStudy& study);
+
+/// An object for each fit; places are objects of variables to values.
+nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies);
+
+}  // namespace shadefit

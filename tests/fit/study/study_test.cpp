@@ -1,0 +1,263 @@
+#include "fit/study/study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "fit/fit.hpp"
+#include "fit/study/minimax_study.hpp"
+#include "fit/study/solve_study.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+StudyFit fit_of(const Study& study) {
+  return solve_study(read_study(study), study.starts);
+}
+
+/// A study whose answer is known.
+struct KnownStudy {
+  const char* name;
+  Study study;
+  std::vector<double> parameters;
+  /// The digits of `parameters` as they stand here: those of a closed form are all right.
+  double tolerance = 4 * std::numeric_limits<double>::epsilon();
+};
+
+std::vector<KnownStudy> known_studies() {
+  constexpr double fifteen_digits = 1e-14;
+  return {
+      {"the arc cosine by a line times a root",
+       {.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}},
+       {1.56515463601461, -0.163889932843928},
+       fifteen_digits},
+      {"Henyey-Greenstein by Schlick's phase function, g = 0.5",
+       {.target = "hg(c, g)",
+        .form = "(1 - k^2)/(4 pi (1 - k c)^2)",
+        .over = {{"c", "-1", "1"}},
+        .definitions = {{"hg", {"c", "g"}, "(1 - g^2)/(4 pi pow(1 + g^2 - 2 g c, 1.5))"}},
+        .given = {{"g", "0.5"}}},
+       {0.700785835998294},
+       fifteen_digits},
+      // Closed forms: the normal equations of a line on [0, 1] with the moments of the target.
+      {"a root at an end",
+       {.target = "sqrt(x)", .form = "a + b x", .over = {{"x", "0", "1"}}},
+       {4.0 / 15, 0.8}},
+      {"a logarithm at an end",
+       {.target = "log(x)", .form = "a + b x", .over = {{"x", "0", "1"}}},
+       {-2.5, 3}},
+      {"a kink",
+       {.target = "max(x - 1/4, 0)", .form = "a + b x", .over = {{"x", "0", "1"}}},
+       {-9.0 / 64, 27.0 / 32}},
+      // The first two coefficients of the Chebyshev series of e^x: I0(1) and 2 I1(1) (Abramowitz, Stegun
+      // 1964, "Handbook of Mathematical Functions", 9.6.34 and table 9.8).
+      {"the density of Chebyshev polynomials",
+       {.target = "exp(x)", .form = "a + b x", .over = {{"x", "-1", "1", "1/sqrt((1 - x) (1 + x))"}}},
+       {1.2660658777520083, 1.1303182079849700}},
+      {"two variables",
+       {.target = "x y", .form = "a + b x + d y", .over = {{"x", "0", "1"}, {"y", "0", "1"}}},
+       {-0.25, 0.5, 0.5}},
+      // E max(x, y) = 2/3, E x max = 3/8 and E x = 1/2, E x^2 = 1/3, E x y = 1/4 on the square.
+      {"a kink across two variables",
+       {.target = "max(x, y)", .form = "a + b (x + y)", .over = {{"x", "0", "1"}, {"y", "0", "1"}}},
+       {1.0 / 6, 0.5}},
+      {"three variables",
+       {.target = "x y z",
+        .form = "a + b (x + y + z)",
+        .over = {{"x", "0", "1"}, {"y", "0", "1"}, {"z", "0", "1"}}},
+       {-0.25, 0.25},
+       4e-15},
+      {"a sum of exponentials, found in a canonical order",
+       {.target = "2 exp(-3 x) + 0.5 exp(-x)",
+        .form = "a exp(-b x) + d exp(-g x)",
+        .over = {{"x", "0", "2"}}},
+       {0.5, 1, 2, 3},
+       1e-12},
+      {"a choice in the target",
+       {.target = "x <= 0.5 ? 0 : 1", .form = "a + b x", .over = {{"x", "0", "1"}}},
+       {-0.25, 1.5}},
+      {"a relative error: the mean of (a/x - 1)^2 on [1, 2]",
+       {.target = "x", .form = "a", .over = {{"x", "1", "2"}}, .error = Error::relative},
+       {2 * std::log(2)}},
+      {"a weight: the mean of x^2 (a - x)^2",
+       {.target = "x", .form = "a", .over = {{"x", "0", "1"}}, .weight = "x"},
+       {0.75}},
+  };
+}
+
+TEST(Study, FindsWhatIsKnown) {
+  for (const KnownStudy& known : known_studies()) {
+    const StudyFit fit = fit_of(known.study);
+    EXPECT_EQ(name(fit.status), "converged") << known.name << ": " << fit.why;
+    EXPECT_GE(fit.digits, 13) << known.name;
+    ASSERT_EQ(fit.parameters.size(), known.parameters.size()) << known.name;
+    for (std::size_t i = 0; i < known.parameters.size(); ++i) {
+      EXPECT_NEAR(fit.parameters[i] / known.parameters[i], 1, known.tolerance)
+          << known.name << ", " << fit.names[i] << ": expected " << to_text(known.parameters[i])
+          << ", computed " << to_text(fit.parameters[i]);
+    }
+  }
+}
+
+/// A built-in family as a study.
+Study study_of(const FittableFamily& family, double exponent) {
+  const auto text = [&](const Symbolic& formula) { return to_text(formula); };
+  Study study{.target = text(family.target()), .form = text(family.form()), .over = {{"c", "0", "1"}}};
+  if (family.has_exponent()) study.given = {{"k", to_text(exponent)}};
+  return study;
+}
+
+// Both worlds are one: a family's own formulas, given as text, have the family's constants.
+TEST(Study, HasTheConstantsOfEveryFamily) {
+  for (const FittableFamily& family : fittable_families()) {
+    for (const double exponent : {3.0, 100.0, 1000.0}) {
+      const Fit expected = family.fit(Setting(exponent), Metric{});
+      if (expected.status != Status::converged) continue;
+      const StudyFit fit = fit_of(study_of(family, exponent));
+      const std::string what = std::string(family.info.id) + " at " + to_text(exponent);
+      ASSERT_EQ(name(fit.status), "converged") << what << ": " << fit.why;
+      for (std::size_t i = 0; i < fit.names.size(); ++i) {
+        const std::size_t place = parameter_index(family, fit.names[i]);
+        // 1 digit is the cancellation of `digits`, which says how many are right.
+        EXPECT_NEAR(fit.parameters[i] / expected.parameters[place], 1, std::pow(10.0, -fit.digits))
+            << what << ", " << fit.names[i];
+        EXPECT_GE(fit.digits, 10) << what;
+      }
+      EXPECT_NEAR(fit.rms_error / expected.rms_error, 1, 1e-9) << what;
+      EXPECT_NEAR(fit.max_abs_error.magnitude / expected.max_abs_error.magnitude, 1, 1e-6) << what;
+      if (!family.has_exponent()) break;
+    }
+  }
+}
+
+// By Remez's exchange in 60 digits: the arc cosine, with its level; and the built-in families.
+TEST(MinimaxStudy, FindsWhatIsKnown) {
+  const Study acos_linear{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
+  const StudyFit fit = solve_minimax_study(read_study(acos_linear), {}, {});
+  ASSERT_EQ(name(fit.status), "converged") << fit.why;
+  EXPECT_GE(fit.digits, 13);
+  EXPECT_NEAR(fit.parameters[0] / 1.56758936297942, 1, 1e-14);
+  EXPECT_NEAR(fit.parameters[1] / -0.168258065374859, 1, 1e-14);
+  EXPECT_NEAR(*fit.level / 0.00320696381547317, 1, 1e-14);
+  ASSERT_EQ(fit.alternation.size(), 3u);
+  EXPECT_LT(fit.alternation[0].at.cos_theta, fit.alternation[1].at.cos_theta);
+  EXPECT_NEAR(fit.max_abs_error.magnitude / *fit.level, 1, 1e-9);
+}
+
+TEST(MinimaxStudy, HasTheConstantsOfEveryFamily) {
+  for (const FittableFamily& family : fittable_families()) {
+    const Fit expected = family.fit(Setting(100.0), Metric{.norm = Norm::minimax});
+    if (expected.status != Status::converged) continue;
+    const StudyFit fit = solve_minimax_study(read_study(study_of(family, 100)), {}, {});
+    ASSERT_EQ(name(fit.status), "converged") << family.info.id << ": " << fit.why;
+    EXPECT_NEAR(*fit.level / *expected.level, 1, 1e-12) << family.info.id;
+    for (std::size_t i = 0; i < fit.names.size(); ++i)
+      EXPECT_NEAR(fit.parameters[i] / expected.parameters[parameter_index(family, fit.names[i])], 1,
+                  std::pow(10.0, -fit.digits))
+          << family.info.id << ", " << fit.names[i];
+  }
+}
+
+TEST(MinimaxStudy, KeepsItsConstraints) {
+  const Study line{.target = "exp(x)", .form = "a + b x", .over = {{"x", "0", "1"}}};
+  const auto fit_under = [&](const Constraints& constraints) {
+    return solve_minimax_study(read_study(line), constraints, {});
+  };
+  // Without constraints the slope is that of the chord, e - 1; below the target the line is a tangent.
+  EXPECT_NEAR(fit_under({}).parameters[1], std::exp(1) - 1, 1e-14);
+  EXPECT_NEAR(fit_under({.exact_at = {0}}).parameters[0], 1, 1e-14);
+  const StudyFit below = fit_under({.one_sided = Side::below});
+  ASSERT_EQ(name(below.status), "converged") << below.why;
+  EXPECT_NEAR(below.parameters[1], std::exp(1) - 1, 1e-14);
+  EXPECT_THROW(fit_under({.exact_at = {0.5}}), UserError);
+  const Study plane{.target = "x y", .form = "a", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
+  EXPECT_THROW(solve_minimax_study(read_study(plane), {}, {}), UserError);
+}
+
+TEST(Study, SaysWhatIsGlobalAndWhatIsNotDetermined) {
+  EXPECT_TRUE(fit_of({.target = "exp(x)", .form = "a + b x", .over = {{"x", "0", "1"}}}).is_global);
+  const StudyFit searched = fit_of({.target = "exp(x)", .form = "a exp(b x)", .over = {{"x", "0", "1"}}});
+  EXPECT_FALSE(searched.is_global);
+  EXPECT_GT(searched.starts, 1);
+  const StudyFit flat = fit_of({.target = "exp(x)", .form = "a b x", .over = {{"x", "0", "1"}}});
+  EXPECT_EQ(name(flat.status), "degenerate");
+  EXPECT_EQ(flat.why, "the curve does not change along a direction of a, b");
+  // |x| on [-1, 1] by exp(-(x - m)^2) has two optima, left and right.
+  const StudyFit two = fit_of({.target = "abs(x)", .form = "exp(-4 (x - m)^2)", .over = {{"x", "-1", "1"}}});
+  EXPECT_EQ(name(two.status), "ambiguous") << two.why;
+  ASSERT_EQ(two.other.size(), 1u);
+  EXPECT_NEAR(two.other[0], -two.parameters[0], 1e-5);
+}
+
+TEST(Study, AnswersBadInputWithOneLine) {
+  const Study good{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
+  const auto refusal = [&](const std::function<void(Study&)>& change) -> std::string {
+    Study study = good;
+    change(study);
+    try {
+      fit_of(study);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(refusal([](Study&) {}), "none");
+  EXPECT_EQ(
+      refusal([](Study& s) { s.target = "acoss(x)"; }),
+      "--target: formula 'acoss(x)': expected one of x, pi, ln2 and the functions, not 'acoss' (did you mean "
+      "'acos'?) at place 1");
+  EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x (a + b x)"; }),
+            "--form: formula 'sqrt(1-x (a + b x)': expected ')' at place 19");
+  EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x)"; }), "--form 'sqrt(1-x)' has no parameter to fit");
+  EXPECT_EQ(refusal([](Study& s) { s.form = "a + (b - b) x"; }),
+            "--form does not depend on its parameter 'b'");
+  EXPECT_EQ(refusal([](Study& s) { s.over = {}; }),
+            "a study needs --over, a variable and its range: --over x=0:1");
+  EXPECT_EQ(refusal([](Study& s) { s.over = {{"x", "1", "0"}}; }), "--over 'x=1:0' is empty: it must rise");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.over = {{"x", "0", "1"}, {"x", "0", "1"}};
+            }),
+            "--over 'x' is given a second time");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.over = {{"x", "0", "1"}, {"y", "0", "1"}, {"z", "0", "1"}, {"w", "0", "1"}};
+            }),
+            "--over 'w': a study has at most three variables");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.over = {{"sqrt", "0", "1"}};
+            }),
+            "--over 'sqrt' is already a function or a number");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.over = {{"y", "0", "1"}};
+            }).substr(0, 27),
+            "--target: formula 'acos(x)'");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.over = {{"x", "0", "2"}};
+            }).substr(0, 40),
+            "--target has no finite value at x = 1.00");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.over = {{"x", "0", "1", "x - 2"}};
+            }).substr(0, 59),
+            "--over 'x': its density must be finite and not negative; at");
+  EXPECT_EQ(refusal([](Study& s) { s.held = {{"c", 1}}; }), "--fix 'c': the form has no such parameter");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.starts = {{"c", 1}};
+            }),
+            "--start 'c': the form has no such free parameter");
+  EXPECT_EQ(refusal([](Study& s) { s.given = {{"x", "1"}}; }), "--given 'x' is a variable of --over");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.definitions = {{"g", {}, "h"}, {"h", {}, "g"}};
+            }).substr(0, 22),
+            "--let 'g': formula 'h'");
+  EXPECT_EQ(refusal([](Study& s) { s.form = std::string(1000000, 'a'); }),
+            "--form: the formula is 1000000 characters long: at most 4000");
+  EXPECT_EQ(refusal([](Study& s) { s.form = "a/((b - b) x)"; }),
+            "--form has a pole, or no finite value, from every start: --start names another");
+}
+
+}  // namespace
+}  // namespace shadefit
