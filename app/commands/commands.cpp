@@ -13,6 +13,7 @@
 #include "approx/ledger/catalogue.hpp"
 #include "approx/ledger/ledger.hpp"
 #include "fit/ledger/ledger.hpp"
+#include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/figures/plots.hpp"

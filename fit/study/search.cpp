@@ -156,7 +156,7 @@ std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& st
 }  // namespace
 
 std::size_t start_count(std::size_t nonlinear) {
-  return nonlinear == 0 ? 1 : std::min<std::size_t>(16 << nonlinear, 96);
+  return nonlinear == 0 ? 1 : std::min(std::size_t{16} << nonlinear, std::size_t{96});
 }
 
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& sampled,
