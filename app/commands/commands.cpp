@@ -152,6 +152,9 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   require_known_filters(options);
   const bool with_verdicts = options.verdict.has_value();
   const auto claims = wanted_claims(options, checkpoint);
+  if (claims.empty() && options.family && !options.topic && !options.verdict)
+    throw UserError(fmt::format("--family '{}' has no claims: see 'shadefit better {}'", *options.family,
+                                *options.family));
   const bool is_narrow = !options.json && !options.csv && !options.latex;
   Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
   if (!with_verdicts && !options.topic && !options.family) add_forms_of_comparison(list);

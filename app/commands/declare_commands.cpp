@@ -36,7 +36,9 @@ void add_json(CLI::App& command, bool& json) {
 }
 
 void add_force(CLI::App& command, bool& force) {
-  command.add_flag("--force", force, "replace files that shadefit did not write, or that were changed since");
+  command.add_flag(
+      "--force", force,
+      "replace a file even if shadefit did not write it; a picture also if it was changed since");
 }
 
 void add_out(CLI::App& command, std::string& out) {
@@ -87,18 +89,18 @@ void add_id(CLI::App& command, FitOptions& fit) {
 
 void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_default) {
   add_value(command, "--exponent", fit.exponents, parse_exponents, "K|A:B:STEP",
-            "the exponents of a lobe, by commas (default: " + by_default + ")");
+            "the exponents of a lobe, separated by commas (default: " + by_default + ")");
 }
 
 void add_domain(CLI::App& command, FitOptions& fit) {
   add_value(command, "--domain", fit.metric.domain, parse_domain, "A:B",
-            "the range of cosines that counts (default: 0:1)");
+            "the range of cosines of the fit and of its errors (default: 0:1)");
 }
 
 /// Adds the options for the surface of a Fresnel form.
 void add_surface(CLI::App& command, FitOptions& fit) {
   add_value(command, "--ior", fit.ior, parse_finite, "N",
-            "index of refraction n of the surface (default with --target exact: 1.5)");
+            "index of refraction n of the surface, which also sets f0 (default with --target exact: 1.5)");
   add_value(command, "--extinction", fit.extinction, parse_finite, "K",
             "extinction k of a conductor with index n + i k (default: 0)");
 }
@@ -108,8 +110,8 @@ void add_target(CLI::App& command, FitOptions& fit, const std::string& by_defaul
   add_choice(
       command, "--target", fit.target,
       Choices<Surface::Formula>{{"schlick", Surface::Formula::schlick}, {"exact", Surface::Formula::exact}},
-      "what a Fresnel form approximates: Schlick's (1-c)^5, or the exact reflectance of a surface "
-      "(default: " +
+      "the function that a Fresnel form approximates: schlick is (1-c)^5, exact is the reflectance of a "
+      "surface (default: " +
           by_default + ")");
   add_surface(command, fit);
 }
@@ -118,8 +120,10 @@ void add_target(CLI::App& command, FitOptions& fit, const std::string& by_defaul
 void add_metric(CLI::App& command, FitOptions& fit) {
   add_choice(command, "--measure", fit.metric.measure, by_name(measures),
              "how the domain is weighted: evenly in the cosine, in the angle, or by the cosine");
-  add_choice(command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
-             "relative: to the target of a lobe, to F = f0 + (1-f0) f of a Fresnel form");
+  add_choice(
+      command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
+      "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
+      "of a Fresnel form");
   add_value(command, "--f0", fit.f0, parse_f0, "F0",
             "reflectance at normal incidence, for the relative error of a Fresnel form (default: 0.04)");
   add_domain(command, fit);
@@ -137,8 +141,10 @@ void add_constraints(CLI::App& command, Metric& metric) {
       throw UserError(fmt::format("{} '' is empty: give a formula in c, such as '1 + 4 c'", option));
     return text;
   };
-  add_value(command, "--weight", metric.weight, parse_weight, "FORMULA",
-            "multiplies the error: a formula in c that is not negative, for example '1 + 4 c'");
+  add_value(
+      command, "--weight", metric.weight, parse_weight, "FORMULA",
+      "multiplies the error: a formula in c, or in the variables of --over, that is nowhere negative, for "
+      "example '1 + 4 c'");
   Constraints& constraints = metric.constraints;
   add_values(command, "--fix", constraints.held, parse_held, "NAME=VALUE",
              "a parameter that is given, not fitted; may be repeated");
@@ -155,20 +161,22 @@ void add_constraints(CLI::App& command, Metric& metric) {
 /// Adds the options of a form of one's own.
 void add_study(CLI::App& command, StudyOptions& study) {
   add_value(command, "--form", study.form, parse_text, "FORMULA",
-            "a form of one's own: every name that is not a variable is a parameter to fit");
+            "a formula of your own to fit to --target: every name that is not a variable or a constant is a "
+            "parameter");
   add_values(command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
-             "a variable of --form, its range and its density; up to three times");
+             "a variable of --form and its range, for example x=0:1; DENSITY, a formula, says how much each "
+             "place counts (default: 1); up to three times");
   add_values(command, "--given", study.given, parse_given, "NAME=LIST",
-             "a constant of --form and --target; a fit for each value");
+             "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
   add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
-             "a formula that the others may use");
+             "a function or a value for the other formulas, for example 'f(x)=x^2' or 'k=3'");
   add_values(command, "--start", study.starts, parse_held, "NAME=VALUE",
-             "a parameter of --form from where the search starts too");
+             "one more start of the search: a value of a parameter of --form");
 }
 
 void declare_fit(CLI::App& fit, FitOptions& options) {
   fit.add_option("id", options.id, form_help)->type_name("FORM");
-  add_exponent(fit, options, "those of the record");
+  add_exponent(fit, options, "those for which the source printed a number");
   add_metric(fit, options);
   const auto parse_target = [&options](const std::string&, const std::string& text) {
     if (text == "schlick") options.target = Surface::Formula::schlick;
@@ -176,8 +184,8 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
     return text;
   };
   add_value(fit, "--target", options.study.target, parse_target, "schlick|exact|FORMULA",
-            "what is approximated: by a Fresnel form Schlick's (1-c)^5 or the exact reflectance of a surface "
-            "(default: schlick), by a --form of one's own a formula");
+            "the function to approximate. A Fresnel form: schlick is (1-c)^5, exact is the reflectance of a "
+            "surface (default: schlick). With --form: your formula");
   add_surface(fit, options);
   add_norm(fit, options);
   add_study(fit, options.study);
@@ -187,8 +195,9 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   add_digits(fit, options.digits);
   const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
   const std::array extras{
-      fit.add_flag("--certify", options.certify,
-                   "prove bounds of the largest error, the stationary point and the curve"),
+      fit.add_flag(
+          "--certify", options.certify,
+          "prove bounds of the largest error, that the fit is a minimum, and that the curve is monotone"),
       add_value(fit, "--round", options.round, round, "float|half|bfloat16|decimal:N",
                 "also the best constants in this number format, for a form that is evaluated in it"),
       fit.add_flag(
@@ -214,13 +223,13 @@ void declare_better(CLI::App& better, FitOptions& options) {
 
 void declare_certify(CLI::App& certify, CertifyOptions& options) {
   add_id(certify, options.fit);
-  add_exponent(certify, options.fit, "those of the record");
+  add_exponent(certify, options.fit, "those for which the source printed a number");
   add_metric(certify, options.fit);
   add_target(certify, options.fit, "schlick");
   add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
             "the constants (default: the published ones, else fitted ones)");
   add_value(certify, "--width", options.width, parse_relative_width, "W",
-            "how far apart the bounds may be, relative to the error")
+            "the greatest distance of the two bounds, as a share of the largest error")
       ->default_str("1e-9");
   add_value(certify, "--out", options.out, parse_text, "FILE",
             "write the certificate, for 'shadefit verify'");
@@ -239,7 +248,7 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
   // With --check the file names its command.
   emit.add_option("id", options.fit.id, form_help)->type_name("FORM");
   add_choice(emit, "--lang", options.language, by_name(languages), "the language of the code");
-  add_exponent(emit, options.fit, "those of the record");
+  add_exponent(emit, options.fit, "those for which the source printed a number");
   add_value(emit, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
             "the constants (default: the published ones, else fitted ones)");
   add_norm(emit, options.fit);
@@ -271,7 +280,7 @@ void declare_stress(CLI::App& stress, StressOptions& options) {
 }
 
 void declare_check(CLI::App& check, CheckOptions& options) {
-  add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of the committed tables")
+  add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of those tables")
       ->default_str(options.baseline);
   check.add_flag("--all", options.all, "also the tables that take longer, of stress and bench");
 }
@@ -317,8 +326,8 @@ void declare_commands(CLI::App& app, Call& call) {
         return certify_command(options, call.checkpoint, call.progress);
       });
   add_command<VerifyOptions>(
-      app, call, "verify", "check a certificate again, on its own boxes", "  shadefit verify pair.json\n",
-      declare_verify,
+      app, call, "verify", "check a certificate again, on the intervals that it names",
+      "  shadefit verify pair.json\n", declare_verify,
       [&](const VerifyOptions& options) { return verify_command(options, call.checkpoint, call.progress); });
   add_command<EmitOptions>(app, call, "emit", "a form as shader code, generated from its formula",
                            "  shadefit emit fresnel-quadratic --lang glsl\n"
@@ -360,8 +369,9 @@ void declare_commands(CLI::App& app, Call& call) {
       "  shadefit stress --out stress\n", declare_stress,
       [&](const StressOptions& options) { return stress_command(options, call.checkpoint, call.progress); });
   add_command<CheckOptions>(
-      app, call, "check", "recompute everything and compare it with the committed tables; writes nothing",
-      "  shadefit check\n", declare_check,
+      app, call, "check",
+      "recompute everything and compare it with the tables of an earlier run; writes nothing",
+      "  shadefit check\n  shadefit check --baseline out\n", declare_check,
       [&](const CheckOptions& options) { return check_command(options, call.checkpoint, call.progress); });
   auto* help = app.add_subcommand("help", "the help of a command")->group("Commands");
   help->add_option("command", "one of the commands")->type_name("COMMAND");

@@ -75,8 +75,8 @@ const forms::CompiledForm find_kernel(const std::vector<forms::CompiledForm>& al
     if (compiled.exp2_degree == exp2_degree) return compiled;
     known.push_back(compiled.exp2_degree);
   }
-  throw UserError(fmt::format("--exp2-degree {} is none of {}: it must be one of {}", exp2_degree, form,
-                              fmt::join(known, ", ")));
+  throw UserError(fmt::format("--exp2-degree '{}' is not compiled for {}: it must be one of {}", exp2_degree,
+                              form, fmt::join(known, ", ")));
 }
 
 std::vector<float> in_float(const std::vector<double>& numbers) {

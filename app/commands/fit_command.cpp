@@ -146,11 +146,11 @@ void require_family_options(const FitOptions& options) {
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
                     study.target));
   if (!study.over.empty() || !study.given.empty() || !study.definitions.empty() || !study.starts.empty())
-    throw UserError(fmt::format("{} belongs to a --form of one's own", !study.over.empty()    ? "--over"
-                                                                       : !study.given.empty() ? "--given"
-                                                                       : !study.definitions.empty()
-                                                                           ? "--let"
-                                                                           : "--start"));
+    throw UserError(
+        fmt::format("{} belongs to --form, a formula of your own", !study.over.empty()          ? "--over"
+                                                                   : !study.given.empty()       ? "--given"
+                                                                   : !study.definitions.empty() ? "--let"
+                                                                                                : "--start"));
   if (options.id.empty())
     throw UserError("fit needs a family or a published constant (see 'shadefit list'), or --form");
 }

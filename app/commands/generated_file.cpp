@@ -138,8 +138,8 @@ Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoi
   if (command.front() == "scene") now.out = with_command_of(now.out, code);
   if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
   return {1, "",
-          fmt::format("shadefit: {} is out of date: line {} would be another now\n", printable(file),
-                      first_difference(code, now.out))};
+          fmt::format("shadefit: {} is out of date: line {} is not what shadefit generates now\n",
+                      printable(file), first_difference(code, now.out))};
 }
 
 }  // namespace shadefit

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.hpp"
+#include "app/options/fit_arguments.hpp"
 #include "app/options/study_options.hpp"
 #include "fit/study/minimax_study.hpp"
 #include "fit/support/user_error.hpp"
@@ -14,20 +15,19 @@ namespace {
 /// Options that belong to built-in families, or that studies do not have yet.
 void refuse_others(const FitOptions& options) {
   const auto refuse = [](const std::string& option, const std::string& why) {
-    throw UserError(fmt::format("{} does not apply to a --form of one's own: {}", option, why));
+    throw UserError(fmt::format("{} does not go with --form: {}", option, why));
   };
   if (!options.id.empty()) refuse(fmt::format("'{}'", options.id), "leave the family out");
   if (options.exponents) refuse("--exponent", "name it in the formulas and give it by --given");
   if (options.ior || options.extinction || options.f0)
-    refuse("a surface", "write its reflectance as the --target");
+    refuse(options.ior          ? "--ior"
+           : options.extinction ? "--extinction"
+                                : "--f0",
+           "write the reflectance of the surface as the --target");
   if (options.metric.domain != Domain{}) refuse("--domain", "give the range by --over");
   if (options.metric.measure != Measure::cosine)
     refuse("--measure", "give the density by --over x=0:1:angle");
-  const Constraints& constraints = options.metric.constraints;
-  const bool is_constrained =
-      !constraints.exact_at.empty() || constraints.one_sided || constraints.at_most || constraints.at_least;
-  if (is_constrained && options.metric.norm == Norm::least_squares)
-    throw UserError("a constraint does not apply to least squares: it belongs to --norm minimax");
+  if (options.metric.norm == Norm::least_squares) refuse_minimax_constraints(options.metric.constraints);
   if (options.certify || options.round || options.sensitivity || options.plot)
     refuse(options.certify       ? "--certify"
            : options.round       ? "--round"
@@ -74,8 +74,9 @@ Outcome study_command(const FitOptions& options, const Checkpoint& checkpoint, c
   if (options.csv) return {code, write_csv(table, Precision::full), err};
   if (options.latex) return {code, write_latex(with_digits(table, options.digits), Precision::report), err};
   const StudyFit& first = studies.front().fit;
-  const std::string search = first.is_global ? "The form is linear in its parameters: the best is global.\n"
-                                             : fmt::format("The best of {} starts.\n", first.starts);
+  const std::string search = first.status != Status::converged ? ""
+                             : first.is_global ? "The form is linear in its parameters: the best is global.\n"
+                                               : fmt::format("The best of {} starts.\n", first.starts);
   std::string levels;
   for (const FittedStudy& study : studies) levels += level_text(study);
   return {code,

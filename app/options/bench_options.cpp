@@ -52,7 +52,7 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
 void declare_bench(CLI::App& bench, BenchOptions& options) {
   auto* exhaustive =
       add_value(bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
-                "look at every float in [0, 1] through this form, against its target in double");
+                "evaluate this form at every float in [0, 1] and compare with its target in double");
   bench.add_option("--only", options.only, "only these targets")->type_name("TARGET")->excludes(exhaustive);
   bench.add_flag("--quick", options.quick, "fewer and shorter rounds: seconds")->excludes(exhaustive);
   bench.add_flag("--json", options.json,
@@ -60,16 +60,17 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
   bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
       ->excludes(exhaustive);
   add_value(bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
-            "time only these registers, beside scalar (default: all); with --exhaustive use them (default: "
-            "sse2)");
-  add_value(bench, "--constants", options.constants, parse_text, "ID", "of that form (default: its first)")
+            "the vector registers to time, besides scalar (default: all); with --exhaustive the ones to use "
+            "(default: sse2)");
+  add_value(bench, "--constants", options.constants, parse_text, "ID",
+            "with --exhaustive: the constants of the form (default: its first)")
       ->needs(exhaustive);
   const auto parse_degree = [](const std::string& option, const std::string& text) {
     constexpr int most = 99;
     return parse_whole(option, text, 0, most);
   };
   add_value(bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
-            "the degree of the polynomial for its exp2 (default: the exp2 of the library)")
+            "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
       ->needs(exhaustive);
   const auto parse_shard = [](const std::string&, const std::string& text) {
     return bench::parse_shard(text);
@@ -80,12 +81,15 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
   add_value(bench, "--state", options.state, parse_text, "FILE",
             "the file of the result; a sweep that was stopped goes on from it (default: in --out)")
       ->needs(exhaustive);
-  bench.add_option("--merge", options.merge, "put these files of all shards together, instead of a sweep")
+  bench
+      .add_option("--merge", options.merge,
+                  "join the result files of all shards, instead of a sweep; may be repeated")
       ->type_name("FILE")
       ->needs(exhaustive)
       ->excludes(shard);
-  add_value(bench, "--range", options.range, parse_range, "A:B",
-            "bit patterns of floats, without B (default: 0:0x3f800001)")
+  add_value(
+      bench, "--range", options.range, parse_range, "A:B",
+      "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:0x3f800001)")
       ->needs(exhaustive);
 }
 

@@ -93,6 +93,12 @@ Domain domain_that_counts(const FittableFamily& family, const Setting& setting, 
 
 }  // namespace
 
+void refuse_minimax_constraints(const Constraints& constraints) {
+  if (const auto found = constraint_for_minimax(constraints))
+    throw UserError(fmt::format("{} '{}' does not apply to least squares: it belongs to --norm minimax",
+                                found->first, found->second));
+}
+
 Surface surface_for(const FittableFamily& family, const FitOptions& options) {
   const bool is_exact = options.target == Surface::Formula::exact;
   const auto refuse = [](const char* option, const std::string& value, const std::string& reason) {
@@ -116,9 +122,7 @@ Surface surface_for(const FittableFamily& family, const FitOptions& options) {
   if (!(extinction >= 0))
     throw UserError(fmt::format("--extinction '{}' is negative: it must be 0 or more", extinction));
   if (!(ior > 0) || (ior == 1 && extinction == 0))
-    throw UserError(fmt::format(
-        "--ior '{}' is not the index of an interface: it must be greater than 0, and without extinction not 1",
-        ior));
+    throw UserError(fmt::format("--ior '{}' must be greater than 0, and not 1 without --extinction", ior));
   const Surface surface{.formula = is_exact ? Surface::Formula::exact : Surface::Formula::schlick,
                         .ior = ior,
                         .extinction = extinction};
@@ -150,9 +154,7 @@ Metric metric_for(const FitOptions& options, const FittableFamily& family,
     throw UserError(fmt::format("--at-least '{}' exceeds --at-most '{}': no value is between",
                                 *constraints.at_least, *constraints.at_most));
   const auto for_minimax = constraint_for_minimax(constraints);
-  if (metric.norm == Norm::least_squares && for_minimax)
-    throw UserError(fmt::format("{} '{}' does not apply to least squares: it belongs to --norm minimax",
-                                for_minimax->first, for_minimax->second));
+  if (metric.norm == Norm::least_squares) refuse_minimax_constraints(constraints);
   if (options.sensitivity && for_minimax)
     throw UserError(
         fmt::format("{} '{}' does not go with --sensitivity: constants that are rounded do not keep to it",
@@ -161,8 +163,8 @@ Metric metric_for(const FitOptions& options, const FittableFamily& family,
     const Domain domain = domain_that_counts(family, setting, metric);
     for (const double c : constraints.exact_at) {
       if (c != domain.lower && c != domain.upper)
-        throw UserError(fmt::format("--exact-at '{}' is not an end of the domain {} that counts", to_text(c),
-                                    to_text(domain)));
+        throw UserError(
+            fmt::format("--exact-at '{}' is not an end of the domain {}", to_text(c), to_text(domain)));
     }
   }
   return metric;
@@ -179,12 +181,14 @@ NamedFit find_fit(const std::string& id) {
   const bool is_normalisation = std::any_of(normalisations.begin(), normalisations.end(),
                                             [&](const Normalisation& n) { return n.id == id; });
   if (is_normalisation) {
-    throw UserError(fmt::format("'{0}' is integrated, not fitted: see 'shadefit run --only {0}'", id));
+    throw UserError(fmt::format(
+        "'{0}' is a normalisation constant, an integral; it is not fitted: see 'shadefit run --only {0}'",
+        id));
   }
   if (find_claim(id) != nullptr && find_family(id) == nullptr && find_published(id) == nullptr) {
     throw UserError(fmt::format("'{0}' is a claim, not fitted: see 'shadefit explain {0}'", id));
   }
-  require_known(id, ids_with_a_fit(), "constant to fit");
+  require_known(id, ids_with_a_fit(), "form or constant");
   const Published* published = find_family(id) == nullptr ? find_published(id) : nullptr;
   return {find_family(published != nullptr ? published->family : std::string_view(id)), published};
 }

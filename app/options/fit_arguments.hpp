@@ -19,6 +19,9 @@ struct NamedFit {
 };
 
 /// The ids that `fit` takes: families and published constants.
+/// Throws UserError for a constraint that only minimax supports.
+void refuse_minimax_constraints(const Constraints& constraints);
+
 std::vector<std::string> ids_with_a_fit();
 
 /// The family of an id: the id of a family or of a published constant.

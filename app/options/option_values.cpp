@@ -53,7 +53,7 @@ std::vector<double> parse_exponents(const std::string& option, const std::string
   try {
     return parse_sweep(text);
   } catch (const UserError& error) {
-    throw UserError(fmt::format("{} {}: give K or A:B:STEP, by commas", option, error.what()));
+    throw UserError(fmt::format("{} {}: give K or A:B:STEP, separated by commas", option, error.what()));
   }
 }
 
@@ -67,7 +67,7 @@ Domain parse_domain(const std::string& option, const std::string& text) {
       colon == std::string::npos ? std::nullopt : parse_number(std::string_view(text).substr(colon + 1));
   if (!lower || !upper) refuse("is not a pair A:B of finite numbers");
   if (!(*lower < *upper)) refuse("is empty or reversed: A must be less than B");
-  if (*lower < 0 || *upper > 1) refuse("leaves [0, 1]: A and B are cosines");
+  if (*lower < 0 || *upper > 1) refuse("is not inside 0:1: A and B are cosines");
   if (*upper - *lower < narrowest_domain)
     refuse(fmt::format("is {:.3g} wide: at least {:g}, a million roundings of a cosine", *upper - *lower,
                        narrowest_domain));
@@ -94,7 +94,8 @@ Parameters parse_parameters(const std::string& option, const std::string& text) 
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t end = std::min(text.find(',', start), text.size());
     const auto part = split(text.substr(start, end - start));
-    if (!part) throw UserError(fmt::format("{} '{}' is not a list NAME=VALUE, by commas", option, text));
+    if (!part)
+      throw UserError(fmt::format("{} '{}' is not a list of NAME=VALUE separated by commas", option, text));
     parameters.push_back(*part);
     start = end + 1;
   }

@@ -9,12 +9,13 @@ namespace {
 void add_conventions(CLI::App& scene, scene::Conventions& conventions) {
   add_choice(scene, "--alpha", conventions.is_roughness_squared,
              Choices<bool>{{"roughness", false}, {"roughness-squared", true}},
-             "how a roughness becomes the alpha of the distribution");
+             "the alpha of the distribution: the roughness itself, or its square");
   add_choice(scene, "--gloss", conventions.is_gloss_exponential,
              Choices<bool>{{"roughness", false}, {"exponential", true}},
              "what a gloss g is: 1 - roughness, or the power 2^(10 g + 1)");
-  add_choice(scene, "--maps", conventions.are_maps_pbr, Choices<bool>{{"named", false}, {"pbr", true}},
-             "maps of a .mtl: as the format names them, or map_Ka metallic and map_Ns roughness");
+  add_choice(
+      scene, "--maps", conventions.are_maps_pbr, Choices<bool>{{"named", false}, {"pbr", true}},
+      "how the maps of a .mtl are read: as the format names them, or map_Ka as metallic and map_Ns as roughness");
   const auto parse = [](const std::string& option, const std::string& text) {
     return parse_share(option, text, 1);
   };
@@ -34,7 +35,7 @@ void add_wishes(CLI::App& scene, SceneOptions& options) {
                               "(default: 1/255)");
   constexpr double most_codes = 255;
   add_value(scene, "--codes", options.codes, share_of(most_codes), "C",
-            "the same in 8-bit sRGB codes, for example 0.5")
+            "the tolerance in steps of an 8-bit sRGB value, instead of --tolerance; for example 0.5")
       ->excludes(tolerance);
   const auto parse_lights = [](const std::string& option, const std::string& text) {
     constexpr int most = 1'000'000;
@@ -64,7 +65,7 @@ void declare_scene(CLI::App& scene, SceneOptions& options) {
   scene
       .add_flag(
           "--shade", options.shade,
-          "shade the materials by the reference, by published constants and as planned: times and errors")
+          "also shade the materials by the exact formulas, by published constants and by this plan: times and errors")
       ->excludes(json)
       ->excludes(language);
   add_value(

@@ -153,6 +153,7 @@ class FormulaReader {
       const Symbolic left = number_of(result, start);
       const bool divides = peek() == '/';
       ++place_;
+      if (!divides && at(place_) == '*') fail("'^' for a power, not '**'", place_ - 1);
       const Symbolic right = factor();
       if (divides && begins_atom()) fail("parentheses around the quotient or its denominator");
       result = limited(divides ? left / right : beside(left * right));
@@ -235,6 +236,7 @@ class FormulaReader {
       decimal += digits();
       is_float = true;
     }
+    if (at(place_) == '.') fail("a number with one point", start);
     double value = 0;
     if (std::from_chars(decimal.data(), decimal.data() + decimal.size(), value).ec != std::errc{})
       fail("a number within the range of a double", start);
@@ -322,7 +324,7 @@ class FormulaReader {
   }
 
   Condition condition_of(const Operand& operand, std::size_t start) const {
-    if (std::holds_alternative<Symbolic>(operand)) fail("a condition, such as a < b", start);
+    if (std::holds_alternative<Symbolic>(operand)) fail("a condition (such as a < b)", start);
     return std::get<Condition>(operand);
   }
 

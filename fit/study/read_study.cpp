@@ -48,7 +48,8 @@ void require_name(const std::string& option, const std::string& name) {
 }
 
 std::vector<StudyAxis> axes_of(const Study& study) {
-  if (study.over.empty()) throw UserError("a study needs --over, a variable and its range: --over x=0:1");
+  if (study.over.empty())
+    throw UserError("--form needs --over, a variable and its range: for example --over x=0:1");
   if (study.over.size() > most_axes)
     throw UserError("--over '" + study.over[most_axes].variable + "': a study has at most three variables");
   std::vector<StudyAxis> axes;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "fit/quadrature/rule_choice.hpp"
+#include "fit/study/require_values.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -113,37 +114,6 @@ double spread(double u) {
 
 constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
 
-/// The first node where a formula has no value, as text: "x = 0.5". Empty if there is none.
-std::string place_without_value(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes) {
-  for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
-    const auto coordinate = [&](std::size_t axis) { return static_cast<double>(nodes.coordinates[axis][n]); };
-    const double value = evaluate<double>(formula, [&](const std::string& name) {
-      std::size_t axis = 0;
-      while (study.axes[axis].variable != name) ++axis;
-      return coordinate(axis);
-    });
-    if (std::isfinite(value)) continue;
-    std::string place;
-    for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
-      place += (axis == 0 ? "" : ", ") + study.axes[axis].variable + " = " + to_text(coordinate(axis));
-    return place;
-  }
-  return "";
-}
-
-/// Target and weight must have values in the range.
-void require_values(const ReadStudy& study, const StudyNodes& nodes) {
-  if (const auto place = place_without_value(study, study.target, nodes); !place.empty())
-    throw UserError("--target has no finite value at " + place);
-  if (const auto place = place_without_value(study, study.weight, nodes); !place.empty())
-    throw UserError("--weight has no finite value at " + place);
-  if (study.error == Error::relative) {
-    const auto inverse = Symbolic::number("1") / study.target;
-    if (const auto place = place_without_value(study, inverse, nodes); !place.empty())
-      throw UserError("--error 'relative' divides by zero: the target is 0 at " + place);
-  }
-}
-
 std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
   std::vector<double> result(study.parameters.size(), 1);
   for (const Held& start : starts) {
@@ -232,7 +202,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, false};
   result.candidates = search_basins(error, result.sampled, given);
   if (result.candidates.empty())
-    throw UserError("--form has a pole, or no finite value, from every start: --start names another");
+    throw UserError(
+        "--form has a pole, or no finite value, from every start: give another by --start, for example --start " +
+        study.parameters.front() + "=2");
   const auto& linear = error.is_linear();
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
   result.is_linear = nonlinear == 0;

@@ -169,6 +169,10 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     const MatrixOf<double> inverse = hessian->fullPivLu().inverse();
     const VectorOf<long double> step = -(inverse.cast<long double>() * sums.gradient);
     const long double size = relative_size(step, parameters, *hessian, fine.target_norm());
+    const double square = fine.square(parameters);
+    // Below this the square is rounding.
+    const double rounding = 1e-20 * fine.target_norm() * fine.target_norm();
+    if (std::abs(static_cast<double>(sums.square) - square) > 1e-6 * square + rounding) continue;
     if (!(size < best)) continue;
     best = size;
     // The step of the larger rule, in the wider arithmetic, is the better answer.
@@ -180,7 +184,9 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     fit.status = Status::converged;
     if (size <= settled) break;
   }
-  if (fit.status == Status::converged && fit.digits < least_digits) {
+  if (fit.status != Status::converged) {
+    fit.why = "the integral of the squared error does not converge";
+  } else if (fit.digits < least_digits) {
     fit.status = Status::not_converged;
     fit.why = "the largest quadrature rule still moves a parameter in its sixth digit";
   }
@@ -266,7 +272,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   } else {
     fit.parameters = chosen.parameters;
     fit.status = Status::degenerate;
-    fit.why = "the curve does not change along a direction of " + flat;
+    fit.why = "the curve stays the same while " + flat + " change together";
   }
   fit.names = study.parameters;
   fit.starts = searched.starts;

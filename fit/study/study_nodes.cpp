@@ -191,6 +191,14 @@ std::vector<StudyEdge> edges_at(const ReadStudy& study, std::size_t index, std::
 
 }  // namespace
 
+std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {
+  std::vector<StudyEdge> edges;
+  append_zeros({.part = formula, .is_root = true, .is_pole = false}, axis.lower, axis.upper, edges);
+  std::vector<double> zeros;
+  for (const StudyEdge& edge : edges) zeros.push_back(edge.at);
+  return zeros;
+}
+
 std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   const StudyAxis& axis = study.axes[index];
   std::vector<StudyEdge> edges{{axis.lower}, {axis.upper}};

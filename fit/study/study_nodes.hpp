@@ -18,6 +18,10 @@ struct StudyEdge {
 /// variable alone. Both ends are among them.
 std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
 
+/// The zeros of a formula of one variable, its ends included. Found by looking at 592 places, so that two
+/// that are closer can be missed.
+std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis);
+
 struct StudyNodes {
   std::vector<std::vector<long double>> coordinates;  ///< of each variable, at each node
   std::vector<long double> weights;                   ///< the density included; they sum to 1

@@ -146,7 +146,8 @@ ReadCertificate read_certificate(const std::string& text, const std::string& nam
   ReadCertificate result;
   const std::string digest = digest_of(json);
   if (const std::string stated = fields.text(digest_field); stated != digest)
-    result.refused = "its digest is " + stated + ", that of its fields is " + digest;
+    result.refused = "its digest is " + stated + ", that of its fields is " + digest +
+                     ": it was changed after it was written";
   Certificate& certificate = result.certificate;
   certificate.subject = read_subject(fields);
   certificate.target = fields.text("target");

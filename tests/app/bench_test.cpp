@@ -100,7 +100,7 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refused({"--exhaustive", "fresnel-fourth", "--constants", "mine"}).substr(0, 63),
             "shadefit: --constants 'mine' is not a set of fresnel-fourth: it");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--exp2-degree", "3"}),
-            "shadefit: --exp2-degree 3 is none of schlick: it must be one of 0\n");
+            "shadefit: --exp2-degree '3' is not compiled for schlick: it must be one of 0\n");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--quick"}),
             "shadefit: --exhaustive excludes --quick (see 'shadefit help bench')\n");
   for (const char* shard : {"3/2", "0/4", "a/b"}) {

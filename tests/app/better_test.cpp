@@ -104,7 +104,7 @@ TEST(BetterCommand, Formats) {
 
 TEST(BetterCommand, BadInput) {
   expect_refusal({"better", "fresnel-quadratc"},
-                 "unknown constant to fit 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
+                 "unknown form or constant 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
   expect_refusal({"better", "half-banding"},
                  "'half-banding' is a claim, not fitted: see 'shadefit explain half-banding'");
   expect_refusal({"better", "sg-offset", "--target", "schlick"},
@@ -118,7 +118,7 @@ TEST(BetterCommand, BadInput) {
   expect_refusal({"better", "fresnel-quadratic", "--exponent", "5"},
                  "--exponent '5' does not apply: fresnel-quadratic has no exponent");
   expect_refusal({"better", "sg-offset", "--exponent", "0"},
-                 "--exponent '0' is not greater than 0: give K or A:B:STEP, by commas");
+                 "--exponent '0' is not greater than 0: give K or A:B:STEP, separated by commas");
   EXPECT_EQ(run_command_line({"better", "fresnel-quadratic", "--domain", "1:0"}).exit_code, 2);
   EXPECT_EQ(run_command_line({"better"}).exit_code, 2);
 }

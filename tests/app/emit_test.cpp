@@ -89,7 +89,7 @@ TEST(Emit, ACheckedFileIsUpToDateOrNot) {
   const auto line =
       1 + std::count(code.begin(), code.begin() + static_cast<long>(code.find("-5.55437")), '\n');
   EXPECT_EQ(old.err, "shadefit: " + file + " is out of date: line " + std::to_string(line) +
-                         " would be another now\n");
+                         " is not what shadefit generates now\n");
   EXPECT_EQ(snapshot(directory.path()), before) << "a check writes nothing";
 }
 

@@ -160,8 +160,8 @@ TEST(BadInput, Certificates) {
   expect_refusal(pair("a=-5,b=-6,a=1"), "parameter 'a' is given twice");
   expect_refusal(pair("a=nan,b=-6"), "parameter a 'nan' is not a finite number");
   for (const char* text : {"", "a", "a=1,", "=1"})
-    expect_refusal(pair(text),
-                   "--parameters '" + std::string(text) + "' is not a list NAME=VALUE, by commas");
+    expect_refusal(pair(text), "--parameters '" + std::string(text) +
+                                   "' is not a list of NAME=VALUE separated by commas");
   const auto width = [](const char* text) {
     return std::vector<std::string>{"certify", "fresnel-quadratic", "--width", text};
   };

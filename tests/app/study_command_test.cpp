@@ -71,18 +71,19 @@ TEST(StudyCommand, SaysWhatDidNotConverge) {
 TEST(StudyCommand, RefusesBadInput) {
   expect_refusal({"fit", "--form", "a x", "--over", "x=0:1"},
                  "--form needs a --target: the formula to approximate");
-  expect_refusal({"fit", "fresnel-quadratic", "--over", "x=0:1"}, "--over belongs to a --form of one's own");
+  expect_refusal({"fit", "fresnel-quadratic", "--over", "x=0:1"},
+                 "--over belongs to --form, a formula of your own");
   expect_refusal({"fit", "fresnel-quadratic", "--target", "acos(x)"},
                  "--target 'acos(x)' is unknown: it must be one of schlick, exact; a formula needs a --form");
   expect_refusal(with(acos_linear, {"fresnel-quadratic"}),
-                 "'fresnel-quadratic' does not apply to a --form of one's own: leave the family out");
+                 "'fresnel-quadratic' does not go with --form: leave the family out");
   expect_refusal(with(acos_linear, {"--exponent", "5"}),
-                 "--exponent does not apply to a --form of one's own: name it in the formulas and give it by "
+                 "--exponent does not go with --form: name it in the formulas and give it by "
                  "--given");
   expect_refusal(with(acos_linear, {"--domain", "0.2:1"}),
-                 "--domain does not apply to a --form of one's own: give the range by --over");
+                 "--domain does not go with --form: give the range by --over");
   expect_refusal(with(acos_linear, {"--one-sided", "above"}),
-                 "a constraint does not apply to least squares: it belongs to --norm minimax");
+                 "--one-sided 'above' does not apply to least squares: it belongs to --norm minimax");
   expect_refusal(with(acos_linear, {"--given", "k"}), "--given 'k' is not NAME=LIST");
   expect_refusal(with(acos_linear, {"--given", "k=1,,2"}), "--given 'k=1,,2' has an empty value");
   expect_refusal(with(acos_linear, {"--let", "g(t = t"}),

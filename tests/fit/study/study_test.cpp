@@ -186,7 +186,7 @@ TEST(Study, SaysWhatIsGlobalAndWhatIsNotDetermined) {
   EXPECT_GT(searched.starts, 1);
   const StudyFit flat = fit_of({.target = "exp(x)", .form = "a b x", .over = {{"x", "0", "1"}}});
   EXPECT_EQ(name(flat.status), "degenerate");
-  EXPECT_EQ(flat.why, "the curve does not change along a direction of a, b");
+  EXPECT_EQ(flat.why, "the curve stays the same while a, b change together");
   // |x| on [-1, 1] by exp(-(x - m)^2) has two optima, left and right.
   const StudyFit two = fit_of({.target = "abs(x)", .form = "exp(-4 (x - m)^2)", .over = {{"x", "-1", "1"}}});
   EXPECT_EQ(name(two.status), "ambiguous") << two.why;
@@ -217,7 +217,7 @@ TEST(Study, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal([](Study& s) { s.form = "a + (b - b) x"; }),
             "--form does not depend on its parameter 'b'");
   EXPECT_EQ(refusal([](Study& s) { s.over = {}; }),
-            "a study needs --over, a variable and its range: --over x=0:1");
+            "--form needs --over, a variable and its range: for example --over x=0:1");
   EXPECT_EQ(refusal([](Study& s) { s.over = {{"x", "1", "0"}}; }), "--over 'x=1:0' is empty: it must rise");
   EXPECT_EQ(refusal([](Study& s) {
               s.over = {{"x", "0", "1"}, {"x", "0", "1"}};
@@ -248,6 +248,20 @@ TEST(Study, AnswersBadInputWithOneLine) {
               s.starts = {{"c", 1}};
             }),
             "--start 'c': the form has no such free parameter");
+  EXPECT_EQ(refusal([](Study& s) { s.weight = "x - 1"; }).substr(0, 49),
+            "--weight is negative, or has no finite value, at ");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.target = "x^2";
+              s.error = Error::relative;
+            }),
+            "--error 'relative' divides by the target, which is 0 at x = 0: leave that place out of --over");
+  EXPECT_EQ(
+      refusal([](Study& s) {
+        s.target = "x (x - 0.25)";
+        s.form = "a x";
+        s.error = Error::relative;
+      }),
+      "--error 'relative' divides by the target, which is 0 at x = 0.25: leave that place out of --over");
   EXPECT_EQ(refusal([](Study& s) { s.given = {{"x", "1"}}; }), "--given 'x' is a variable of --over");
   EXPECT_EQ(refusal([](Study& s) {
               s.definitions = {{"g", {}, "h"}, {"h", {}, "g"}};
@@ -255,8 +269,9 @@ TEST(Study, AnswersBadInputWithOneLine) {
             "--let 'g': formula 'h'");
   EXPECT_EQ(refusal([](Study& s) { s.form = std::string(1000000, 'a'); }),
             "--form: the formula is 1000000 characters long: at most 4000");
-  EXPECT_EQ(refusal([](Study& s) { s.form = "a/((b - b) x)"; }),
-            "--form has a pole, or no finite value, from every start: --start names another");
+  EXPECT_EQ(
+      refusal([](Study& s) { s.form = "a/((b - b) x)"; }),
+      "--form has a pole, or no finite value, from every start: give another by --start, for example --start a=2");
 }
 
 }  // namespace
