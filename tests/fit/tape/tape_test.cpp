@@ -127,7 +127,7 @@ TEST(Graph, DerivativesAreThoseOfNestedJets) {
     for (const auto& place : places) {
       if (!is_defined(e, place)) continue;
       const auto seeded = [&](std::size_t i) {
-        Second jet(First(Decimal50(place[i])));
+        Second jet{First(Decimal50(place[i]))};
         if (i == 0) return jet;
         jet.a.v[static_cast<int>(i) - 1] = 1;
         jet.v[static_cast<int>(i) - 1] = First(Decimal50(1));
