@@ -28,6 +28,9 @@ if(TARGET shadefit_fit)
 endif()
 if(TARGET shadefit)
   install(TARGETS shadefit RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
+  # The command looks for them beside itself, in ../share.
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies DESTINATION ${CMAKE_INSTALL_DATADIR}/shadefit COMPONENT command
+    FILES_MATCHING PATTERN "*.toml")
   # The command writes its own manual page and completions, each time it is linked.
   foreach(page IN ITEMS man=${CMAKE_INSTALL_MANDIR}/man1/shadefit.1 bash=${CMAKE_INSTALL_DATADIR}/bash-completion/completions/shadefit
       zsh=${CMAKE_INSTALL_DATADIR}/zsh/site-functions/_shadefit fish=${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d/shadefit.fish)

@@ -4,8 +4,10 @@
 #include <array>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/study_commands.hpp"
 #include "app/options/fit_arguments.hpp"
 #include "app/output/picture_file.hpp"
+#include "app/studies/chosen_study.hpp"
 #include "approx/records/optical_constants.hpp"
 #include "fit/better/better.hpp"
 #include "fit/proof/enclosure.hpp"
@@ -79,6 +81,10 @@ std::string comparisons_text(const std::vector<Comparison>& comparisons, const F
 }  // namespace
 
 Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (const auto study = chosen_study(options))
+    return better_study_command(*study, options, checkpoint, progress);
+  if (options.id.empty())
+    throw UserError("better needs a form, a constant or a study, see 'shadefit list', or --form");
   if (options.plot) require_picture(*options.plot);
   const NamedFit named = find_fit(options.id);
   const std::vector<Setting> settings = settings_to_compare(named, options);

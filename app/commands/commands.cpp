@@ -7,9 +7,11 @@
 #include <cctype>
 #include <filesystem>
 
+#include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_folder.hpp"
 #include "app/output/slow_tables.hpp"
+#include "app/studies/find_study.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "approx/ledger/ledger.hpp"
 #include "fit/ledger/ledger.hpp"
@@ -23,6 +25,7 @@
 #include "reports/rows/tables.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/report.hpp"
+#include "reports/studies/study_rows.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -134,6 +137,18 @@ void require_known_filters(const ListOptions& options) {
                                 fmt::join(titles, "; ")));
 }
 
+/// A row for each study that is found.
+void add_studies(Table& list) {
+  for (const std::filesystem::path& path : study_files(study_folders())) {
+    const StudyFile file = load_study(path);
+    const std::string printed = file.published.empty() ? "-" : printed_text(file.published.front().values);
+    std::vector<Cell> row{file.id, printed, "a study: " + file.title};
+    if (list.columns.size() == 4)
+      row.insert(row.begin() + 2, fmt::format("{} ~ {}", file.study.target, file.forms.front().formula));
+    list.rows.push_back(row);
+  }
+}
+
 /// The claim that states the published constant of that id; any other id is returned.
 std::string claim_of(const std::string& id) {
   for (const Topic& topic : ledger) {
@@ -157,7 +172,10 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
                                 *options.family));
   const bool is_narrow = !options.json && !options.csv && !options.latex;
   Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
-  if (!with_verdicts && !options.topic && !options.family) add_forms_of_comparison(list);
+  if (!with_verdicts && !options.topic && !options.family) {
+    add_forms_of_comparison(list);
+    add_studies(list);
+  }
   if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), ""};
   if (options.csv) return {0, write_csv(list, Precision::full), ""};
   if (options.latex) return {0, write_latex(list, Precision::report), ""};
@@ -165,6 +183,12 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
 }
 
 Outcome explain_command(const ExplainOptions& options) {
+  const auto claims = claim_ids();
+  const bool is_claim = std::find(claims.begin(), claims.end(), claim_of(options.id)) != claims.end();
+  if (!is_claim) {
+    if (const auto study = find_study(options.id, study_folders()))
+      return explain_study_command(*study, options);
+  }
   const std::string claim = claim_of(options.id);
   require_known(claim, claim_ids(), "claim");
   Fits fits;
@@ -174,6 +198,7 @@ Outcome explain_command(const ExplainOptions& options) {
 }
 
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
+  if (options.study) return run_study_command(named_study(*options.study), options, checkpoint);
   const OutputFolder folder(options.out);
   const Results results = compute_results(options.only, checkpoint);
   const auto [news, put] = prepare_results(options, results, folder, checkpoint);
@@ -192,7 +217,24 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
   return {err.empty() ? 0 : 1, out, err, put};
 }
 
+Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const std::string& baseline,
+                      const Terminal& terminal) {
+  if (drifts.empty())
+    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, printable(baseline)), ""};
+  Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
+  // These texts come from the baseline's files and may hold anything, so each becomes one short line.
+  for (const Drift& d : drifts) {
+    table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
+  }
+  return {1,
+          write_console(table, Precision::report, terminal) +
+              fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
+                          drifts.size() == 1 ? "difference" : "differences", printable(baseline)),
+          ""};
+}
+
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (options.study) return check_study_command(named_study(*options.study), options, checkpoint);
   const Baseline baseline = read_baseline(options.baseline);
   // Reads the baselines of the slow tables too, before anything is computed.
   std::vector<Baseline> slow_baselines;
@@ -209,18 +251,7 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     drifts.insert(drifts.end(), more.begin(), more.end());
     cells += count_cells(files);
   }
-  if (drifts.empty())
-    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, printable(options.baseline)), ""};
-  Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
-  // These texts come from the baseline's files and may hold anything, so each becomes one short line.
-  for (const Drift& d : drifts) {
-    table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
-  }
-  return {1,
-          write_console(table, Precision::report, options.terminal) +
-              fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
-                          drifts.size() == 1 ? "difference" : "differences", printable(options.baseline)),
-          ""};
+  return check_outcome(drifts, cells, options.baseline, options.terminal);
 }
 
 }  // namespace shadefit

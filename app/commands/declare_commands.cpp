@@ -11,7 +11,17 @@
 namespace shadefit {
 namespace {
 
-constexpr const char* form_help = "a family or a published constant (see 'shadefit list')";
+constexpr const char* form_help =
+    "a family, a published constant or a study (see 'shadefit list'), or a file of a study, NAME.toml";
+
+/// The options that the command line has.
+std::set<std::string> present_in(const CLI::App& command) {
+  std::set<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() > 0) names.insert(option->get_name());
+  }
+  return names;
+}
 
 /// Declares a command. Its options live as long as the command; `declare` adds them, `run` runs it.
 template <class Options, class Declare, class Run>
@@ -24,6 +34,8 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
   command->callback([=, &call] {
     if constexpr (requires { options->terminal; }) options->terminal = call.terminal;
     if constexpr (requires { options->fit.terminal; }) options->fit.terminal = call.terminal;
+    if constexpr (requires { options->present; }) options->present = present_in(*command);
+    if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
     if constexpr (requires { options->words; })
       options->words =
           words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--shade", "--json"});
@@ -78,6 +90,8 @@ void declare_list(CLI::App& list, ListOptions& options) {
 
 void declare_run(CLI::App& run, RunOptions& options) {
   add_out(run, options.out);
+  run.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
+      ->type_name("STUDY");
   run.add_option("--only", options.only, "only these families, normalisations and claims")->type_name("ID");
   add_force(run, options.force);
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
@@ -158,7 +172,7 @@ void add_constraints(CLI::App& command, Metric& metric) {
             "the form stays at or above this value; minimax only");
 }
 
-/// Adds the options of a form of one's own.
+/// Adds the options of a study. Named studies take them too, in the place of what the file says.
 void add_study(CLI::App& command, StudyOptions& study) {
   add_value(command, "--form", study.form, parse_text, "FORMULA",
             "a formula of your own to fit to --target: every name that is not a variable or a constant is a "
@@ -174,19 +188,25 @@ void add_study(CLI::App& command, StudyOptions& study) {
              "one more start of the search: a value of a parameter of --form");
 }
 
-void declare_fit(CLI::App& fit, FitOptions& options) {
-  fit.add_option("id", options.id, form_help)->type_name("FORM");
-  add_exponent(fit, options, "those for which the source printed a number");
-  add_metric(fit, options);
+/// --target, that also takes a formula, and the options of a study.
+void add_target_or_formula(CLI::App& command, FitOptions& options, const std::string& by_default) {
   const auto parse_target = [&options](const std::string&, const std::string& text) {
     if (text == "schlick") options.target = Surface::Formula::schlick;
     if (text == "exact") options.target = Surface::Formula::exact;
     return text;
   };
-  add_value(fit, "--target", options.study.target, parse_target, "schlick|exact|FORMULA",
+  add_value(command, "--target", options.study.target, parse_target, "schlick|exact|FORMULA",
             "the function to approximate. A Fresnel form: schlick is (1-c)^5, exact is the reflectance of a "
-            "surface (default: schlick). With --form: your formula");
-  add_surface(fit, options);
+            "surface (default: " +
+                by_default + "). With --form: your formula");
+  add_surface(command, options);
+}
+
+void declare_fit(CLI::App& fit, FitOptions& options) {
+  fit.add_option("id", options.id, form_help)->type_name("FORM");
+  add_exponent(fit, options, "those for which the source printed a number");
+  add_metric(fit, options);
+  add_target_or_formula(fit, options, "schlick");
   add_norm(fit, options);
   add_study(fit, options.study);
   add_constraints(fit, options.metric);
@@ -209,11 +229,12 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
 }
 
 void declare_better(CLI::App& better, FitOptions& options) {
-  add_id(better, options);
+  better.add_option("id", options.id, form_help)->type_name("FORM");
   add_exponent(
       better, options,
       "the lowest and the highest for which the number was published, or of the family's usual range");
-  add_target(better, options, "schlick, then exact glass (1.5) and exact gold (0.43, 2.455)");
+  add_target_or_formula(better, options, "schlick, then exact glass (1.5) and exact gold (0.43, 2.455)");
+  add_study(better, options.study);
   add_domain(better, options);
   add_json(better, options.json);
   add_formats(better, options.csv, options.latex, ": the columns of better.csv");
@@ -253,7 +274,8 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
             "the constants (default: the published ones, else fitted ones)");
   add_norm(emit, options.fit);
   add_metric(emit, options.fit);
-  add_target(emit, options.fit, "schlick");
+  add_target_or_formula(emit, options.fit, "schlick");
+  add_study(emit, options.fit.study);
   add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
@@ -263,7 +285,7 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
 }
 
 void declare_explain(CLI::App& explain, ExplainOptions& options) {
-  explain.add_option("id", options.id, "a claim (see 'shadefit list'), or a constant of one")
+  explain.add_option("id", options.id, "a claim (see 'shadefit list'), a constant of one, or a study")
       ->required()
       ->type_name("CLAIM");
   add_json(explain, options.json);
@@ -280,6 +302,8 @@ void declare_stress(CLI::App& stress, StressOptions& options) {
 }
 
 void declare_check(CLI::App& check, CheckOptions& options) {
+  check.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
+      ->type_name("STUDY");
   add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of those tables")
       ->default_str(options.baseline);
   check.add_flag("--all", options.all, "also the tables that take longer, of stress and bench");

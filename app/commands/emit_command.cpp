@@ -7,11 +7,14 @@
 #include "app/commands/generated_file.hpp"
 #include "app/options/chosen_constants.hpp"
 #include "app/output/output_file.hpp"
+#include "app/studies/chosen_study.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "fit/proof/certificate.hpp"
+#include "fit/study/largest_error.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/verdicts/study_verdict.hpp"
 #include "reports/code/reserved_names.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/io/utf8.hpp"
@@ -33,9 +36,9 @@ std::string parse_function_name(const std::string& text, Language language) {
   return text;
 }
 
-std::string function_name(const FittableFamily& family, const EmitOptions& options) {
+std::string function_name(std::string_view id, const EmitOptions& options) {
   if (options.name) return parse_function_name(*options.name, *options.language);
-  std::string text(family.info.id);
+  std::string text(id);
   std::replace(text.begin(), text.end(), '-', '_');
   return text;
 }
@@ -43,7 +46,8 @@ std::string function_name(const FittableFamily& family, const EmitOptions& optio
 /// The command that generates the file.
 std::string command_of(const EmitOptions& options) {
   std::vector<std::string> words = options.words;
-  words.insert(words.begin() + 2, {"--lang", std::string(name(*options.language))});
+  const auto after_id = words.begin() + (options.fit.id.empty() ? 1 : 2);
+  words.insert(after_id, {"--lang", std::string(name(*options.language))});
   return command_text(words);
 }
 
@@ -83,7 +87,7 @@ std::string as_decimal(const std::string& text) {
 
 /// The form with its constants; the exponent is one of them if it was requested.
 ShaderFunction function_of(const FittableFamily& family, const EmitOptions& options, const Subject& subject) {
-  ShaderFunction function{function_name(family, options), {"c"}, family.form()};
+  ShaderFunction function{function_name(family.info.id, options), {"c"}, family.form()};
   const bool is_of_one_exponent = options.fit.exponents.has_value();
   if (family.has_exponent() && !is_of_one_exponent) function.arguments.emplace_back("k");
   const auto value_of = [&](const std::string& variable) {
@@ -121,7 +125,7 @@ std::string exponents_text(const std::vector<Setting>& settings) {
 std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
-  function_name(family, options);  // refuses a bad name before anything is computed
+  function_name(family.info.id, options);  // refuses a bad name before anything is computed
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   if (options.fit.exponents && settings.size() > 1)
     throw UserError(fmt::format(
@@ -147,6 +151,79 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   return shader_code(functions, *options.language, options.precision, comment);
 }
 
+/// The constants of a study's code: names, decimal texts, and where they come from.
+struct StudyConstants {
+  std::vector<std::string> texts;
+  std::string origin;
+};
+
+/// The given constants; else those of the first set that was published for the form; else fitted ones.
+StudyConstants constants_of(const StudyFile& file, const StudyObjective& objective,
+                            const EmitOptions& options, const Checkpoint& checkpoint) {
+  const std::vector<std::string> names = read_study(objective.study).parameters;
+  if (options.parameters)
+    return {values_of({.form = file.forms.front().id, .values = *options.parameters, .source = {}}, names),
+            "given"};
+  const bool is_fit_asked = options.fit.present.contains("--norm") || options.fit.present.contains("--error");
+  for (const PublishedSet& set : file.published) {
+    if (!is_fit_asked && set.form == file.forms.front().id && is_for(set, objective.study))
+      return {values_of(set, names), "published: " + set.source};
+  }
+  const StudyFit fit = fit_study(objective, checkpoint);
+  if (fit.status != Status::converged)
+    throw UserError(fmt::format("emit has no constants: the fit is {}, {}", name(fit.status), fit.why));
+  StudyConstants constants{{}, "fitted: " + objective.words};
+  for (const double value : fit.parameters) constants.texts.push_back(fmt::format("{}", value));
+  return constants;
+}
+
+std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint) {
+  const std::string id = file.id.empty() ? "approximation" : file.id;
+  const std::string name = function_name(id, options);
+  const std::vector<Study> studies = combinations(file.study, file.given);
+  if (studies.size() > 1)
+    throw UserError(
+        fmt::format("'{}' has {} values of its given constants: name one by --given", id, studies.size()));
+  Study study = studies.front();
+  study.form = file.forms.front().formula;
+  const StudyObjective objective = objective_of(study, file.norm, file.constraints);
+  const StudyConstants chosen = constants_of(file, objective, options, checkpoint);
+  const ReadStudy read = read_study(study);
+  std::vector<double> values;
+  std::string constants;
+  for (std::size_t i = 0; i < read.parameters.size(); ++i) {
+    values.push_back(constant<double>(chosen.texts[i]));
+    constants += fmt::format("{}{} = {}", i == 0 ? "" : ", ", read.parameters[i], chosen.texts[i]);
+  }
+  ShaderFunction function{name, {}, read.form};
+  std::vector<std::vector<StudyEdge>> edges;
+  std::string ranges;
+  for (std::size_t i = 0; i < read.axes.size(); ++i) {
+    const StudyAxis& axis = read.axes[i];
+    function.arguments.push_back(axis.variable);
+    edges.push_back(edges_of(read, i));
+    ranges += fmt::format("{}{} in [{}, {}]", i == 0 ? "" : ", ", axis.variable, axis.lower, axis.upper);
+  }
+  function.result = evaluate<Symbolic>(read.form, [&](const std::string& variable) {
+    for (std::size_t i = 0; i < read.parameters.size(); ++i) {
+      if (read.parameters[i] == variable) return Symbolic::number(chosen.texts[i]);
+    }
+    return Symbolic::variable(variable);
+  });
+  const StudyExtremum largest = largest_error(read, edges, values);
+  const std::vector<std::string> comment{
+      std::string(generated_line),
+      command_of(options),
+      "",
+      fmt::format("{} for {}", study.form, study.target),
+      fmt::format("{} ({})", constants, chosen.origin),
+      fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.", largest.magnitude,
+                  ranges),
+  };
+  const std::array functions{function};
+  return shader_code(functions, *options.language, options.precision, comment);
+}
+
 }  // namespace
 
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
@@ -156,10 +233,13 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
                                   *options.check));
     return check_generated_file(*options.check, checkpoint);
   }
-  if (options.fit.id.empty()) throw UserError("emit needs the id of a form, see 'shadefit list'");
+  if (options.fit.id.empty() && !options.fit.study.form)
+    throw UserError("emit needs the id of a form, see 'shadefit list', or --form");
   if (!options.language) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
-  const std::string code = code_of(options, checkpoint, progress);
+  const auto study = chosen_study(options.fit);
+  const std::string code =
+      study ? study_code(*study, options, checkpoint) : code_of(options, checkpoint, progress);
   if (!file) return {0, code, ""};
   // A stream receives only the code, because it may be standard output.
   const std::string said = file->is_stream() ? "" : fmt::format("Code: {}\n", printable(*options.out));

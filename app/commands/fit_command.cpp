@@ -4,8 +4,10 @@
 #include <array>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/study_commands.hpp"
 #include "app/options/fit_arguments.hpp"
 #include "app/output/picture_file.hpp"
+#include "app/studies/chosen_study.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/fit_figure.hpp"
@@ -138,23 +140,6 @@ std::string fits_text(const Refit& refit, const FitOptions& options, const Metri
   return json_text_of_each(array);
 }
 
-/// Without --form the options are those of a family.
-void require_family_options(const FitOptions& options) {
-  const StudyOptions& study = options.study;
-  if (!study.target.empty() && !options.target)
-    throw UserError(
-        fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
-                    study.target));
-  if (!study.over.empty() || !study.given.empty() || !study.definitions.empty() || !study.starts.empty())
-    throw UserError(
-        fmt::format("{} belongs to --form, a formula of your own", !study.over.empty()          ? "--over"
-                                                                   : !study.given.empty()       ? "--given"
-                                                                   : !study.definitions.empty() ? "--let"
-                                                                                                : "--start"));
-  if (options.id.empty())
-    throw UserError("fit needs a family or a published constant (see 'shadefit list'), or --form");
-}
-
 /// Constraints that a form cannot satisfy are an error of the user.
 void require_feasible(const Refit& refit) {
   for (const FitReport& report : refit.fits) {
@@ -167,8 +152,9 @@ void require_feasible(const Refit& refit) {
 }  // namespace
 
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (options.study.form) return study_command(options, checkpoint, progress);
-  require_family_options(options);
+  if (const auto study = chosen_study(options)) return study_command(*study, options, checkpoint, progress);
+  if (options.id.empty())
+    throw UserError("fit needs a family, a published constant or a study (see 'shadefit list'), or --form");
   if (options.plot) require_picture(*options.plot);
   const auto [family_found, published] = find_fit(options.id);
   const FittableFamily& family = *family_found;

@@ -1,39 +1,26 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.hpp"
-#include "app/options/fit_arguments.hpp"
-#include "app/options/study_options.hpp"
-#include "fit/study/minimax_study.hpp"
+#include "app/commands/study_commands.hpp"
+#include "app/output/picture_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/rows/fit_json.hpp"
-#include "reports/rows/study_rows.hpp"
+#include "reports/studies/study_figure.hpp"
+#include "reports/studies/study_rows.hpp"
 #include "reports/table/writers.hpp"
 
+/// `fit` of a study.
 namespace shadefit {
 namespace {
 
-/// Options that belong to built-in families, or that studies do not have yet.
-void refuse_others(const FitOptions& options) {
-  const auto refuse = [](const std::string& option, const std::string& why) {
-    throw UserError(fmt::format("{} does not go with --form: {}", option, why));
-  };
-  if (!options.id.empty()) refuse(fmt::format("'{}'", options.id), "leave the family out");
-  if (options.exponents) refuse("--exponent", "name it in the formulas and give it by --given");
-  if (options.ior || options.extinction || options.f0)
-    refuse(options.ior          ? "--ior"
-           : options.extinction ? "--extinction"
-                                : "--f0",
-           "write the reflectance of the surface as the --target");
-  if (options.metric.domain != Domain{}) refuse("--domain", "give the range by --over");
-  if (options.metric.measure != Measure::cosine)
-    refuse("--measure", "give the density by --over x=0:1:angle");
-  if (options.metric.norm == Norm::least_squares) refuse_minimax_constraints(options.metric.constraints);
-  if (options.certify || options.round || options.sensitivity || options.plot)
-    refuse(options.certify       ? "--certify"
-           : options.round       ? "--round"
-           : options.sensitivity ? "--sensitivity"
-                                 : "--plot",
-           "only the constants are computed");
+/// Options that studies do not have.
+void refuse_extras(const FitOptions& options) {
+  const char* option = options.certify       ? "--certify"
+                       : options.round       ? "--round"
+                       : options.sensitivity ? "--sensitivity"
+                                             : nullptr;
+  if (option != nullptr)
+    throw UserError(fmt::format("{} does not go with a study: only the constants are computed", option));
 }
 
 std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
@@ -51,38 +38,63 @@ std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
   return lines;
 }
 
+/// The verdicts on the published sets of the first form.
+std::vector<JudgedSet> judged_sets(const StudyFile& file, const StudyObjective& objective,
+                                   const Checkpoint& checkpoint) {
+  std::vector<JudgedSet> sets;
+  for (const PublishedSet& set : file.published) {
+    if (set.form != file.forms.front().id || !is_for(set, objective.study)) continue;
+    checkpoint();
+    sets.push_back({set, judge_set(objective, set, checkpoint)});
+  }
+  return sets;
+}
+
+std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
+                         const Terminal& terminal) {
+  const StudyFit& first = studies.front().fit;
+  std::string text = file.id.empty() ? "" : file.id + ": ";
+  text += study_headline(studies.front()) + "\n" +
+          write_console(study_table(studies), Precision::report, terminal);
+  for (const FittedStudy& study : studies) text += level_text(study);
+  if (first.status != Status::converged) return text;
+  return text + (first.is_global ? "The form is linear in its parameters: the best is global.\n"
+                                 : fmt::format("The best of {} starts.\n", first.starts));
+}
+
 }  // namespace
 
-Outcome study_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  refuse_others(options);
-  if (options.study.target.empty()) throw UserError("--form needs a --target: the formula to approximate");
-  const std::vector<Study> asked = studies_of(options.study, options.metric);
+std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
+                                        const Checkpoint& next) {
   std::vector<FittedStudy> studies;
-  const Checkpoint next = stepping(checkpoint, progress, "fit", asked.size());
-  for (const Study& study : asked) {
+  for (const Study& combination : combinations(file.study, file.given)) {
     next();
-    const ReadStudy read = read_study(study);
-    const StudyFit fit = options.metric.norm == Norm::minimax
-                             ? solve_minimax_study(read, options.metric.constraints, study.starts, checkpoint)
-                             : solve_study(read, study.starts, checkpoint);
-    studies.push_back({study, read, fit});
+    Study study = combination;
+    study.form = file.forms.front().formula;
+    const StudyObjective objective = objective_of(study, file.norm, file.constraints);
+    studies.push_back({study, read_study(study), fit_study(objective, checkpoint),
+                       judged_sets(file, objective, checkpoint)});
   }
+  return studies;
+}
+
+Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
+                      const Progress& progress) {
+  refuse_extras(options);
+  if (options.plot) require_picture(*options.plot);
+  std::size_t count = 1;
+  for (const auto& [name, values] : file.given) count *= values.size();
+  const auto studies = fitted_studies(file, checkpoint, stepping(checkpoint, progress, "fit", count));
   const std::string err = not_converged_lines(studies);
   const int code = err.empty() ? 0 : 1;
-  if (options.json) return {code, json_text_of_each(study_json(studies)), err};
+  std::function<void()> put;
+  if (options.plot) put = draw_picture(study_figure(studies), *options.plot, options.force, checkpoint);
+  if (options.json) return {code, json_text_of_each(study_json(studies)), err, put};
   const Table table = study_table(studies);
-  if (options.csv) return {code, write_csv(table, Precision::full), err};
-  if (options.latex) return {code, write_latex(with_digits(table, options.digits), Precision::report), err};
-  const StudyFit& first = studies.front().fit;
-  const std::string search = first.status != Status::converged ? ""
-                             : first.is_global ? "The form is linear in its parameters: the best is global.\n"
-                                               : fmt::format("The best of {} starts.\n", first.starts);
-  std::string levels;
-  for (const FittedStudy& study : studies) levels += level_text(study);
-  return {code,
-          study_headline(studies.front()) + "\n" + write_console(table, Precision::report, options.terminal) +
-              levels + search,
-          err};
+  if (options.csv) return {code, write_csv(table, Precision::full), err, put};
+  if (options.latex)
+    return {code, write_latex(with_digits(table, options.digits), Precision::report), err, put};
+  return {code, console_text(file, studies, options.terminal), err, put};
 }
 
 }  // namespace shadefit

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,7 @@ struct ListOptions {
 };
 
 struct RunOptions {
+  std::optional<std::string> study = {};  ///< a file or an id; empty: everything that is built in
   std::string out = "out";
   std::vector<std::string> only = {};
   bool no_plots = false;
@@ -40,7 +42,7 @@ struct FitOptions {
   std::optional<std::vector<double>> exponents = {};  ///< empty: the record's own sweep
   Metric metric = {};                                 ///< not yet checked against the family
   std::optional<Surface::Formula> target = {};        ///< empty: schlick; for `better` the usual three
-  StudyOptions study = {};                            ///< of `fit` with a form of one's own
+  StudyOptions study = {};                            ///< a form of one's own, or changes to a study
   std::optional<double> f0 = {};                      ///< for relative errors of a Fresnel form
   std::optional<double> ior = {};  ///< of the surface; empty: no surface, 1.5 with an exact target
   std::optional<double> extinction = {};
@@ -53,6 +55,7 @@ struct FitOptions {
   bool sensitivity = false;
   std::optional<std::string> plot = {};  ///< a file for the picture of the fit
   bool force = false;                    ///< as in `RunOptions`
+  std::set<std::string> present = {};    ///< the options on the command line
   Terminal terminal = {};
 };
 
@@ -100,6 +103,7 @@ struct CiteOptions {
 };
 
 struct CheckOptions {
+  std::optional<std::string> study = {};  ///< as in `RunOptions`
   std::string baseline = "reports/baseline";
   bool all = false;  ///< also the slow tables
   Terminal terminal = {};

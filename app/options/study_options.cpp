@@ -43,13 +43,6 @@ std::vector<std::string> parts_of(const std::string& text, char separator, std::
   return parts;
 }
 
-std::string density_of(const std::string& text, const std::string& variable) {
-  if (text == "cosine") return "1";
-  if (text == "angle") return fmt::format("1/sqrt((1 - {0}) (1 + {0}))", variable);
-  if (text == "cosine-weighted") return variable;
-  return text;
-}
-
 }  // namespace
 
 StudyRange parse_over(const std::string& option, const std::string& text) {
@@ -88,30 +81,6 @@ StudyDefinition parse_let(const std::string& option, const std::string& text) {
   if (head.back() != ')') throw UserError(fmt::format("{} '{}' is not {}", option, text, rule));
   const std::string list = head.substr(open + 1, head.size() - open - 2);
   return {trimmed(head.substr(0, open)), parts_of(list, ',', list.size() + 1), formula};
-}
-
-std::vector<Study> studies_of(const StudyOptions& options, const Metric& metric) {
-  Study study{.target = options.target,
-              .form = *options.form,
-              .over = options.over,
-              .definitions = options.definitions,
-              .held = metric.constraints.held,
-              .starts = options.starts,
-              .weight = metric.weight.empty() ? "1" : metric.weight,
-              .error = metric.error};
-  std::vector<Study> studies{study};
-  for (const auto& [name, values] : options.given) {
-    std::vector<Study> longer;
-    for (const Study& one : studies) {
-      for (const std::string& value : values) {
-        longer.push_back(one);
-        if (!longer.back().given.emplace(name, value).second)
-          throw UserError(fmt::format("--given '{}' is given a second time", name));
-      }
-    }
-    studies = std::move(longer);
-  }
-  return studies;
 }
 
 }  // namespace shadefit

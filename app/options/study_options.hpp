@@ -30,7 +30,4 @@ std::pair<std::string, std::vector<std::string>> parse_given(const std::string& 
 /// "NAME = FORMULA" or "NAME(A, B) = FORMULA".
 StudyDefinition parse_let(const std::string& option, const std::string& text);
 
-/// Every combination of the given constants: the values of the last change fastest.
-std::vector<Study> studies_of(const StudyOptions& options, const Metric& metric);
-
 }  // namespace shadefit

@@ -101,6 +101,12 @@ bool depends_on(const Symbolic& e, const std::string& name) {
 
 }  // namespace
 
+std::string density_of(const std::string& text, const std::string& variable) {
+  if (text == "cosine") return "1";
+  if (text == "angle") return "1/sqrt((1 - " + variable + ") (1 + " + variable + "))";
+  return text == "cosine-weighted" ? variable : text;
+}
+
 ReadStudy read_study(const Study& study) {
   const std::vector<StudyAxis> axes = axes_of(study);
   std::vector<std::string> variables;

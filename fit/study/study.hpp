@@ -55,6 +55,10 @@ struct ReadStudy {
 inline constexpr std::size_t most_axes = 3;
 inline constexpr std::size_t most_study_parameters = 16;
 
+/// The density that a word names: `cosine`, `angle` and `cosine-weighted` for a cosine in [0, 1]. Any other
+/// text is a formula already.
+std::string density_of(const std::string& text, const std::string& variable);
+
 /// Reads the formulas of a study. Throws UserError with one line that names the option, its value and the
 /// rule.
 ReadStudy read_study(const Study& study);

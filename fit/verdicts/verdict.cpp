@@ -1,5 +1,7 @@
 #include "fit/verdicts/verdict.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -9,9 +11,16 @@ namespace shadefit {
 
 namespace {
 
+/// The digits after the point; fewer, or negative, where an exponent moves the point to the right.
 int decimals_of(std::string_view printed) {
-  const auto point = printed.find('.');
-  return point == std::string_view::npos ? 0 : static_cast<int>(printed.size() - point - 1);
+  const auto mark = std::min(printed.find_first_of("eE"), printed.size());
+  const auto point = std::min(printed.find('.'), mark);
+  int exponent = 0;
+  if (mark < printed.size()) {
+    const auto digits = printed.substr(mark + (printed[mark + 1] == '+' ? 2 : 1));
+    std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  }
+  return static_cast<int>(mark - std::min(point + 1, mark)) - exponent;
 }
 
 }  // namespace

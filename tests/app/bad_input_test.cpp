@@ -20,8 +20,9 @@ using testing::TemporaryDirectory;
 
 TEST(BadInput, UnknownIdsSuggestTheNearest) {
   expect_refusal({"fit", "fresnel-quadratc"},
-                 "unknown form or constant 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
-  expect_refusal({"fit", "sg-ofset"}, "unknown form or constant 'sg-ofset': did you mean 'sg-offset'?");
+                 "unknown form, constant or study 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
+  expect_refusal({"fit", "sg-ofset"},
+                 "unknown form, constant or study 'sg-ofset': did you mean 'sg-offset'?");
   expect_refusal({"explain", "sg-offset-men"},
                  "unknown claim 'sg-offset-men': did you mean 'sg-offset-mean'?");
   expect_refusal({"list", "--verdict", "wrong"},
@@ -37,7 +38,7 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
                  "unknown command 'plot': it must be one of list, run, fit, better, certify, verify, "
                  "emit, scene, explain, cite, bench, stress, check, help");
   expect_refusal({"fit", "sg\n-offset"},
-                 "unknown form or constant 'sg\\x0a-offset': did you mean 'sg-offset'?");
+                 "unknown form, constant or study 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");
 }
 
@@ -389,7 +390,8 @@ TEST(BadInput, Usage) {
   expect_refusal({"help", "fit", "more"}, "unexpected argument 'more'" + see(" help"));
   expect_refusal({"--completion", "tcsh"},
                  "--completion 'tcsh' is unknown: it must be one of bash, zsh, fish, man");
-  expect_refusal({"fit"}, "fit needs a family or a published constant (see 'shadefit list'), or --form");
+  expect_refusal({"fit"},
+                 "fit needs a family, a published constant or a study (see 'shadefit list'), or --form");
   expect_refusal({"explain"}, "id is required" + see(" explain"));
   expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + see(" run"));
   expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + see(" list"));

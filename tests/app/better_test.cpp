@@ -104,7 +104,7 @@ TEST(BetterCommand, Formats) {
 
 TEST(BetterCommand, BadInput) {
   expect_refusal({"better", "fresnel-quadratc"},
-                 "unknown form or constant 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
+                 "unknown form, constant or study 'fresnel-quadratc': did you mean 'fresnel-quadratic'?");
   expect_refusal({"better", "half-banding"},
                  "'half-banding' is a claim, not fitted: see 'shadefit explain half-banding'");
   expect_refusal({"better", "sg-offset", "--target", "schlick"},
@@ -112,7 +112,7 @@ TEST(BetterCommand, BadInput) {
   expect_refusal({"better", "sg-offset", "--ior", "1.5"},
                  "--ior '1.5' does not apply: sg-offset is not a Fresnel form");
   expect_refusal({"better", "fresnel-quadratic", "--target", "truth"},
-                 "--target 'truth' is unknown: it must be one of schlick, exact");
+                 "--target 'truth' is unknown: it must be one of schlick, exact; a formula needs a --form");
   expect_refusal({"better", "fresnel-quadratic", "--extinction", "2"},
                  "--extinction '2' does not apply: it belongs to --ior");
   expect_refusal({"better", "fresnel-quadratic", "--exponent", "5"},

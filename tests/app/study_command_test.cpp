@@ -72,7 +72,7 @@ TEST(StudyCommand, RefusesBadInput) {
   expect_refusal({"fit", "--form", "a x", "--over", "x=0:1"},
                  "--form needs a --target: the formula to approximate");
   expect_refusal({"fit", "fresnel-quadratic", "--over", "x=0:1"},
-                 "--over belongs to --form, a formula of your own");
+                 "--over belongs to --form, a formula of your own, or to a study");
   expect_refusal({"fit", "fresnel-quadratic", "--target", "acos(x)"},
                  "--target 'acos(x)' is unknown: it must be one of schlick, exact; a formula needs a --form");
   expect_refusal(with(acos_linear, {"fresnel-quadratic"}),

@@ -6,20 +6,38 @@
 #include <vector>
 
 #include "fit/study/solve_study.hpp"
-#include "fit/study/study.hpp"
+#include "fit/study/study_file.hpp"
+#include "fit/verdicts/study_verdict.hpp"
 #include "reports/table/table.hpp"
 
 /// Fits of one's own as rows.
 namespace shadefit {
+
+/// A published set with the verdict on it.
+struct JudgedSet {
+  PublishedSet set;
+  StudyJudgement judgement;
+};
 
 /// A study with its fit. All studies of a list differ in their given constants alone.
 struct FittedStudy {
   Study asked;
   ReadStudy read;
   StudyFit fit;
+  std::vector<JudgedSet> published = {};
 };
 
-/// A row for each fit: the given constants, the parameters, status, digits and errors.
+/// "other-objective: minimax, exact at x = 0", "confirmed".
+std::string verdict_text(const StudyJudgement& judgement);
+
+/// A source for a table: the authors and the year; without a year up to the first comma or colon.
+std::string short_source(const std::string& source);
+
+/// "a = 1.5707963, b = -0.156583"
+std::string printed_text(const PrintedValues& values);
+
+/// A row for each fit: the given constants, the parameters, status, digits and errors; where something was
+/// published, its digits and the verdict.
 Table study_table(const std::vector<FittedStudy>& studies);
 
 /// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1, least squares".

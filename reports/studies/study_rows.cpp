@@ -1,6 +1,9 @@
-#include "reports/rows/study_rows.hpp"
+#include "reports/studies/study_rows.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "fit/scalars/symbolic.hpp"
 
@@ -38,7 +41,49 @@ Json place_json(const FittedStudy& study) {
   return object;
 }
 
+Json published_json(const FittedStudy& study) {
+  Json array = Json::array();
+  for (const auto& [set, judgement] : study.published) {
+    Json values = Json::object();
+    for (const auto& [name, text] : set.values) values[name] = text;
+    array.push_back({{"values", values},
+                     {"source", set.source},
+                     {"verdict", name(judgement.verdict)},
+                     {"objective", judgement.objective.empty() ? Json() : Json(judgement.objective)}});
+  }
+  return array;
+}
+
+/// The texts of all sets, one after the other.
+template <class Text>
+std::string of_all_sets(const FittedStudy& study, const Text& text) {
+  std::vector<std::string> texts;
+  for (const JudgedSet& judged : study.published) texts.push_back(text(judged));
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 }  // namespace
+
+std::string verdict_text(const StudyJudgement& judgement) {
+  const std::string verdict(name(judgement.verdict));
+  return judgement.verdict == Verdict::other_objective ? verdict + ": " + judgement.objective : verdict;
+}
+
+std::string short_source(const std::string& source) {
+  constexpr std::size_t year = 4;
+  for (std::size_t at = 0; at + year <= source.size(); ++at) {
+    const std::string_view word = std::string_view(source).substr(at, year);
+    const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+    if (std::all_of(word.begin(), word.end(), is_digit)) return source.substr(0, at + year);
+  }
+  return source.substr(0, source.find_first_of(",:"));
+}
+
+std::string printed_text(const PrintedValues& values) {
+  std::vector<std::string> texts;
+  for (const auto& [name, text] : values) texts.push_back(name + " = " + text);
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
 
 Table study_table(const std::vector<FittedStudy>& studies) {
   const FittedStudy& first = studies.front();
@@ -48,6 +93,9 @@ Table study_table(const std::vector<FittedStudy>& studies) {
   for (const char* column : {"status", "digits", "rms error", "max abs error"})
     table.columns.emplace_back(column);
   for (const StudyAxis& axis : first.read.axes) table.columns.push_back("at " + axis.variable);
+  const bool has_published = std::any_of(studies.begin(), studies.end(),
+                                         [](const FittedStudy& study) { return !study.published.empty(); });
+  if (has_published) table.columns.insert(table.columns.end(), {"published", "verdict"});
   for (const FittedStudy& study : studies) {
     std::vector<Cell> row;
     for (const auto& [name, value] : study.asked.given) row.emplace_back(value);
@@ -59,6 +107,10 @@ Table study_table(const std::vector<FittedStudy>& studies) {
     row.push_back(is_answer(study) ? Cell(Number{study.fit.max_abs_error.magnitude, 4}) : Cell());
     for (std::size_t i = 0; i < study.read.axes.size(); ++i)
       row.push_back(is_answer(study) ? Cell(Number{study.fit.max_abs_error.at[i], 6}) : Cell());
+    if (has_published) {
+      row.emplace_back(of_all_sets(study, [](const JudgedSet& j) { return printed_text(j.set.values); }));
+      row.emplace_back(of_all_sets(study, [](const JudgedSet& j) { return verdict_text(j.judgement); }));
+    }
     table.rows.push_back(row);
   }
   return table;
@@ -111,7 +163,8 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
                      {"max_abs_error", has_answer ? Json(study.fit.max_abs_error.magnitude) : Json()},
                      {"at", has_answer ? place_json(study) : Json()},
                      {"level", has_answer && study.fit.level ? Json(*study.fit.level) : Json()},
-                     {"alternation", alternation_json(study)}});
+                     {"alternation", alternation_json(study)},
+                     {"published", published_json(study)}});
   }
   return array;
 }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "app/options/options.hpp"
+#include "app/options/outcome.hpp"
+#include "app/terminal/progress.hpp"
+#include "fit/study/study_file.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/studies/study_rows.hpp"
+
+/// The commands for a study. Bad input throws UserError.
+namespace shadefit {
+
+/// The fits of the first form, one for each combination of given constants, with the verdicts on the
+/// published sets. `next` is called before each.
+std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
+                                        const Checkpoint& next);
+
+Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
+                      const Progress& progress);
+Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
+                             const Progress& progress);
+Outcome emit_study_command(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint);
+Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options);
+Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint);
+Outcome check_study_command(const StudyFile& file, const CheckOptions& options, const Checkpoint& checkpoint);
+
+/// What `check` prints: the drifts as a table, or how many cells agree.
+Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const std::string& baseline,
+                      const Terminal& terminal);
+
+}  // namespace shadefit

@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/commands/study_commands.hpp"
+#include "app/output/draw_figures.hpp"
+#include "app/output/output_folder.hpp"
+#include "app/output/picture_file.hpp"
+#include "fit/better/better_study.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/studies/study_comparison.hpp"
+#include "reports/studies/study_figure.hpp"
+#include "reports/studies/study_report.hpp"
+#include "reports/table/writers.hpp"
+
+/// `better`, `explain`, `run` and `check` of a study.
+namespace shadefit {
+namespace {
+
+std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint) {
+  std::vector<StudyComparison> comparisons;
+  for (const Study& study : combinations(file.study, file.given))
+    comparisons.push_back(compare_study(file, study, checkpoint));
+  return comparisons;
+}
+
+std::string console_text(const StudyComparison& comparison, const Terminal& terminal) {
+  return target_of(comparison) + "\n" +
+         write_console(study_comparison_table(comparison), Precision::report, terminal) +
+         left_out_lines(comparison);
+}
+
+/// One line for each fit that did not converge.
+std::string failed_lines(const std::vector<StudyComparison>& comparisons) {
+  std::string lines;
+  for (const StudyComparison& comparison : comparisons) {
+    for (const std::string& line : comparison.left_out)
+      lines += fmt::format("shadefit: {}: {}\n", target_of(comparison), line);
+  }
+  return lines;
+}
+
+}  // namespace
+
+Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
+                             const Progress&) {
+  if (options.plot) require_picture(*options.plot);
+  const auto comparisons = comparisons_of(file, checkpoint);
+  if (options.plot && comparisons.size() > 1)
+    throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: give one value by --given",
+                                *options.plot, comparisons.size()));
+  std::function<void()> put;
+  if (options.plot)
+    put = draw_picture(better_study_figure(comparisons.front()), *options.plot, options.force, checkpoint);
+  if (options.csv) return {0, write_csv(study_comparisons_table(comparisons), Precision::full), "", put};
+  if (options.json) {
+    auto array = nlohmann::ordered_json::array();
+    for (const StudyComparison& comparison : comparisons) array.push_back(study_comparison_json(comparison));
+    return {0, json_text_of_each(array), "", put};
+  }
+  std::vector<std::string> parts;
+  for (const StudyComparison& comparison : comparisons) {
+    const Table table = study_comparison_table(comparison);
+    parts.push_back(options.latex ? write_latex(with_digits(table, options.digits), Precision::report)
+                                  : console_text(comparison, options.terminal));
+  }
+  return {0, fmt::format("{}", fmt::join(parts, "\n")), "", put};
+}
+
+Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options) {
+  const auto comparisons = comparisons_of(file, keep_going);
+  if (!options.json) return {0, study_explanation(file, comparisons, options.terminal), ""};
+  nlohmann::ordered_json json{{"schema", 1}, {"id", file.id}, {"title", file.title}};
+  for (const StudyComparison& comparison : comparisons)
+    json["targets"].push_back(study_comparison_json(comparison));
+  return {0, json_text(json), ""};
+}
+
+Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint) {
+  if (!options.only.empty())
+    throw UserError(fmt::format("--only '{}' does not go with a study", options.only.front()));
+  const OutputFolder folder(options.out);
+  const auto comparisons = comparisons_of(file, checkpoint);
+  std::vector<Figure> figures;
+  if (!options.no_plots && comparisons.size() == 1 && file.study.over.size() == 1)
+    figures.push_back(better_study_figure(comparisons.front()));
+  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
+  const auto pages = study_files_of(file, comparisons, figures);
+  files.insert(files.end(), pages.begin(), pages.end());
+  std::string out;
+  for (const StudyComparison& comparison : comparisons) out += console_text(comparison, options.terminal);
+  out += news.out +
+         fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
+  const std::string err = news.err + failed_lines(comparisons);
+  return {err.empty() ? 0 : 1, out, err, folder.prepare(files, missing, options.force, checkpoint)};
+}
+
+Outcome check_study_command(const StudyFile& file, const CheckOptions& options,
+                            const Checkpoint& checkpoint) {
+  const Baseline baseline = read_tables(options.baseline, {"better.csv"});
+  std::vector<File> files = study_files_of(file, comparisons_of(file, checkpoint), {});
+  std::erase_if(files, [](const File& made) { return made.name != "better.csv"; });
+  return check_outcome(compare_files(baseline, files), count_cells(files), options.baseline,
+                       options.terminal);
+}
+
+}  // namespace shadefit

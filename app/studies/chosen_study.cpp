@@ -1,0 +1,131 @@
+#include "app/studies/chosen_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/options/fit_arguments.hpp"
+#include "app/studies/find_study.hpp"
+#include "fit/run/results.hpp"
+#include "fit/support/known.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+bool is_built_in(const std::string& id) {
+  const std::vector<std::string> known = known_ids();
+  return std::find(known.begin(), known.end(), id) != known.end();
+}
+
+/// A built-in family has no formulas.
+void require_family_options(const FitOptions& options) {
+  const StudyOptions& study = options.study;
+  if (!study.target.empty() && !options.target)
+    throw UserError(
+        fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
+                    study.target));
+  if (!study.over.empty() || !study.given.empty() || !study.definitions.empty() || !study.starts.empty())
+    throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study",
+                                !study.over.empty()          ? "--over"
+                                : !study.given.empty()       ? "--given"
+                                : !study.definitions.empty() ? "--let"
+                                                             : "--start"));
+}
+
+/// Options that belong to built-in families.
+void refuse_others(const FitOptions& options, const std::string& with) {
+  const auto refuse = [&](const std::string& option, const std::string& why) {
+    throw UserError(fmt::format("{} does not go with {}: {}", option, with, why));
+  };
+  if (options.exponents) refuse("--exponent", "name it in the formulas and give it by --given");
+  if (options.ior || options.extinction || options.f0)
+    refuse(options.ior          ? "--ior"
+           : options.extinction ? "--extinction"
+                                : "--f0",
+           "write the reflectance of the surface as the --target");
+  if (options.metric.domain != Domain{}) refuse("--domain", "give the range by --over");
+  if (options.metric.measure != Measure::cosine)
+    refuse("--measure", "give the density by --over x=0:1:angle");
+}
+
+/// The values of the options in the place of those of the file.
+void change_given(StudyFile& file, const StudyOptions& options) {
+  for (const auto& [constant, values] : options.given) {
+    const auto same = [&, &name = constant](const auto& given) { return given.first == name; };
+    const auto found = std::find_if(file.given.begin(), file.given.end(), same);
+    if (found == file.given.end()) {
+      file.given.emplace_back(constant, values);
+    } else if (options.form && file.id.empty()) {
+      throw UserError(fmt::format("--given '{}' is given a second time", constant));
+    } else {
+      found->second = values;
+    }
+  }
+}
+
+/// --form names a form of the study, or is a formula of its own.
+void change_form(StudyFile& file, const std::string& form) {
+  const auto found = std::find_if(file.forms.begin(), file.forms.end(),
+                                  [&](const StudyForm& known) { return known.id == form; });
+  file.forms = {found == file.forms.end() ? StudyForm{"form", form} : *found};
+  std::erase_if(file.published, [&](const PublishedSet& set) { return set.form != file.forms.front().id; });
+}
+
+void change_metric(StudyFile& file, const FitOptions& options) {
+  const Metric& metric = options.metric;
+  if (options.present.contains("--norm")) file.norm = metric.norm;
+  if (options.present.contains("--error")) file.study.error = metric.error;
+  if (options.present.contains("--weight")) file.study.weight = metric.weight;
+  const Constraints& asked = metric.constraints;
+  if (!asked.exact_at.empty()) file.constraints.exact_at = asked.exact_at;
+  if (asked.one_sided) file.constraints.one_sided = asked.one_sided;
+  if (asked.at_most) file.constraints.at_most = asked.at_most;
+  if (asked.at_least) file.constraints.at_least = asked.at_least;
+  // The constraints of a file belong to minimax; those of the options are asked for now.
+  if (file.norm == Norm::least_squares) {
+    refuse_minimax_constraints(asked);
+    file.constraints = {};
+  }
+}
+
+}  // namespace
+
+std::optional<StudyFile> chosen_study(const FitOptions& options) {
+  const StudyOptions& own = options.study;
+  if (options.id.empty() && !own.form) {
+    require_family_options(options);
+    return std::nullopt;
+  }
+  if (is_built_in(options.id)) {
+    if (own.form)
+      throw UserError(fmt::format("'{}' does not go with --form: leave the family out", options.id));
+    require_family_options(options);
+    return std::nullopt;
+  }
+  StudyFile file;
+  if (!options.id.empty()) {
+    const auto folders = study_folders();
+    auto found = find_study(options.id, folders);
+    if (!found) {
+      std::vector<std::string> known = ids_with_a_fit();
+      for (const auto& path : study_files(folders)) known.push_back(path.stem().string());
+      require_known(options.id, known, "form, constant or study");
+    }
+    file = *std::move(found);
+  }
+  refuse_others(options, options.id.empty() ? "--form" : "a study");
+  if (!own.target.empty()) file.study.target = own.target;
+  if (file.study.target.empty()) throw UserError("--form needs a --target: the formula to approximate");
+  if (own.form) change_form(file, *own.form);
+  if (!own.over.empty()) file.study.over = own.over;
+  change_given(file, own);
+  auto& definitions = file.study.definitions;
+  definitions.insert(definitions.end(), own.definitions.begin(), own.definitions.end());
+  file.study.held = options.metric.constraints.held;
+  file.study.starts = own.starts;
+  change_metric(file, options);
+  return file;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,81 @@
+#include "app/studies/find_study.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+
+#include "app/studies/read_study_file.hpp"
+#include "fit/support/bounded_file.hpp"
+#include "fit/support/known.hpp"
+
+namespace shadefit {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The studies that came with the command: beside an installed one, or in its source tree.
+std::vector<fs::path> own_folders() {
+  std::error_code none;
+  const fs::path command = fs::read_symlink("/proc/self/exe", none);
+  if (none) return {};
+  const fs::path folder = command.parent_path();
+  return {folder / "../share/shadefit/studies", folder / "../../studies", folder / "../../../studies"};
+}
+
+}  // namespace
+
+std::vector<fs::path> study_folders(const std::vector<std::string>& given) {
+  std::vector<fs::path> folders(given.begin(), given.end());
+  if (const char* listed = std::getenv("SHADEFIT_STUDIES")) {
+    std::stringstream list{std::string(listed)};
+    for (std::string folder; std::getline(list, folder, ':');) {
+      if (!folder.empty()) folders.emplace_back(folder);
+    }
+  }
+  for (const fs::path& own : own_folders()) {
+    std::error_code none;
+    if (!fs::is_directory(own, none)) continue;
+    folders.push_back(own);
+    break;
+  }
+  return folders;
+}
+
+std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> files;
+  std::set<std::string> seen;
+  for (const fs::path& folder : folders) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder, none)) {
+      const fs::path& path = entry.path();
+      if (path.extension() == ".toml" && seen.insert(path.stem().string()).second) files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end(),
+            [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });
+  return files;
+}
+
+StudyFile load_study(const fs::path& path) {
+  return read_study_file(read_bounded(path, most_study_bytes), path.string());
+}
+
+std::optional<StudyFile> find_study(const std::string& name, const std::vector<fs::path>& folders) {
+  if (name.ends_with(".toml")) return load_study(name);
+  for (const fs::path& file : study_files(folders)) {
+    if (file.stem() == name) return load_study(file);
+  }
+  return std::nullopt;
+}
+
+StudyFile named_study(const std::string& name) {
+  const auto folders = study_folders();
+  if (auto found = find_study(name, folders)) return *std::move(found);
+  std::vector<std::string> known;
+  for (const fs::path& file : study_files(folders)) known.push_back(file.stem().string());
+  require_known(name, known, "study");
+  return {};
+}
+
+}  // namespace shadefit

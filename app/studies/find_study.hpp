@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/study/study_file.hpp"
+
+/// Where studies are found.
+namespace shadefit {
+
+/// The folders with studies, first come first found: those given, those of the environment variable
+/// SHADEFIT_STUDIES (separated by ':'), and the one that came with the command.
+std::vector<std::filesystem::path> study_folders(const std::vector<std::string>& given = {});
+
+/// The files NAME.toml of these folders, by rising name. A name that a folder before has is left out.
+std::vector<std::filesystem::path> study_files(const std::vector<std::filesystem::path>& folders);
+
+/// The study that an argument names: a file whose name ends with .toml, or the id of a file in the folders.
+/// Empty if there is no such id. Throws UserError for a file that is missing, too large or not a study.
+std::optional<StudyFile> find_study(const std::string& name,
+                                    const std::vector<std::filesystem::path>& folders);
+
+/// The same. Throws UserError for an unknown id, with the nearest one.
+StudyFile named_study(const std::string& name);
+
+/// Reads a study from its file. Throws UserError like `read_study_file`.
+StudyFile load_study(const std::filesystem::path& path);
+
+}  // namespace shadefit

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/study/solve_study.hpp"
+#include "fit/study/study_file.hpp"
+#include "fit/support/checkpoint.hpp"
+#include "fit/verdicts/study_verdict.hpp"
+
+/// The published constants of a study against the best ones of each of its forms.
+namespace shadefit {
+
+/// A form with its constants.
+struct StudyContender {
+  const PublishedSet* published = nullptr;  ///< null for a fit
+  std::string form, formula;                ///< the id and the formula
+  std::string origin;                       ///< the source, or the objective of a fit
+  std::vector<std::string> names;
+  std::vector<std::string> printed = {};  ///< of a published set
+  std::vector<double> values;
+  Operations operations;                         ///< of the form with these constants, as `emit` writes it
+  StudyExtremum max_abs_error;                   ///< sampled and refined
+  std::optional<StudyJudgement> judgement = {};  ///< of a published set
+  std::optional<Verdict> claim = {};             ///< on what the source says of its error
+  /// The published contenders, by their places in the list, that have a larger error at no fewer
+  /// instructions.
+  std::vector<std::size_t> beats = {};
+};
+
+/// All contenders for the target of one combination of given constants: the published ones first, both by
+/// rising error.
+struct StudyComparison {
+  Study study;  ///< its form is empty
+  std::vector<std::string> variables;
+  std::vector<StudyContender> contenders = {};
+  std::vector<std::string> left_out = {};  ///< fits that did not converge: form, objective and reason
+};
+
+/// Compares the published sets of a study with the fits of each of its forms: least squares, minimax where
+/// there is one variable, and what the file asks for. Throws UserError for a study that cannot be read.
+StudyComparison compare_study(const StudyFile& file, const Study& study,
+                              const Checkpoint& checkpoint = keep_going);
+
+}  // namespace shadefit

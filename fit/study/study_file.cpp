@@ -1,0 +1,33 @@
+#include "fit/study/study_file.hpp"
+
+#include <algorithm>
+
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+
+bool is_for(const PublishedSet& set, const Study& study) {
+  return std::all_of(set.given.begin(), set.given.end(), [&](const auto& given) {
+    const auto found = study.given.find(given.first);
+    return found != study.given.end() && found->second == given.second;
+  });
+}
+
+std::vector<Study> combinations(const Study& study,
+                                const std::vector<std::pair<std::string, std::vector<std::string>>>& given) {
+  std::vector<Study> studies{study};
+  for (const auto& [name, values] : given) {
+    std::vector<Study> longer;
+    for (const Study& one : studies) {
+      for (const std::string& value : values) {
+        longer.push_back(one);
+        if (!longer.back().given.emplace(name, value).second)
+          throw UserError("--given '" + name + "' is given a second time");
+      }
+    }
+    studies = std::move(longer);
+  }
+  return studies;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fit/quadrature/metric.hpp"
+#include "fit/study/study.hpp"
+
+/// A study with a name: a target, the forms that compete for it, and the constants that were published.
+namespace shadefit {
+
+struct StudyForm {
+  std::string id, formula;
+};
+
+/// Constants as printed: names and decimal texts, because the number of digits matters.
+using PrintedValues = std::vector<std::pair<std::string, std::string>>;
+
+/// What a source says about the largest error of its constants.
+struct ErrorClaim {
+  std::string max_abs_error;  ///< as printed
+  std::string says;           ///< the words of the source
+};
+
+/// A copy with another digit.
+struct MistypedCopy {
+  PrintedValues values;  ///< only those that differ
+  std::string seen;      ///< where
+};
+
+/// One published set of constants of a form.
+struct PublishedSet {
+  std::string form;                         ///< the id of a form
+  PrintedValues given = {};                 ///< the given constants that it was published for; empty: any
+  PrintedValues values;                     ///< one for each parameter
+  std::string source;                       ///< author, year, title
+  std::vector<std::string> where = {};      ///< repositories and files that use it
+  std::optional<ErrorClaim> claim = {};     ///<
+  std::vector<MistypedCopy> variants = {};  ///<
+};
+
+struct StudyFile {
+  std::string id, title, about;
+  Study study;  ///< its form is empty: it is one of `forms`
+  std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
+  std::vector<StudyForm> forms;                                              ///< the first is the usual one
+  Norm norm = Norm::least_squares;
+  Constraints constraints = {};
+  std::vector<PublishedSet> published = {};
+};
+
+/// Whether a set was published for the given constants of a study.
+bool is_for(const PublishedSet& set, const Study& study);
+
+/// Every combination of given constants: the values of the last change fastest. Throws UserError for a
+/// constant that is given twice.
+std::vector<Study> combinations(const Study& study,
+                                const std::vector<std::pair<std::string, std::vector<std::string>>>& given);
+
+}  // namespace shadefit

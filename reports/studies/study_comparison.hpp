@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "fit/better/better_study.hpp"
+#include "reports/table/table.hpp"
+
+/// The published constants of a study and the alternatives, as rows and as JSON.
+namespace shadefit {
+
+/// "acos(x), x in 0:1", with the given constants.
+std::string target_of(const StudyComparison& comparison);
+
+/// One row for each contender, numbered; `beats` has numbers of published rows. Errors have four digits, as
+/// they are sampled.
+Table study_comparison_table(const StudyComparison& comparison);
+
+/// One row for each target and contender, for a file: better.csv of a study.
+Table study_comparisons_table(const std::vector<StudyComparison>& comparisons);
+
+/// One object for each target.
+nlohmann::ordered_json study_comparison_json(const StudyComparison& comparison);
+
+/// A line for each fit without a row, because it did not converge.
+std::string left_out_lines(const StudyComparison& comparison);
+
+}  // namespace shadefit

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/better/better_study.hpp"
+#include "fit/study/study_file.hpp"
+#include "reports/figures/figure.hpp"
+#include "reports/io/files.hpp"
+#include "reports/table/writers.hpp"
+
+/// A study on a page.
+namespace shadefit {
+
+/// What a study says and what is computed: title, formulas, each published set with its verdict, its source
+/// and its places, and the comparison.
+std::string study_explanation(const StudyFile& file, const std::vector<StudyComparison>& comparisons,
+                              const Terminal& terminal);
+
+/// The files of a run: report.md, better.csv.
+std::vector<File> study_files_of(const StudyFile& file, const std::vector<StudyComparison>& comparisons,
+                                 const std::vector<Figure>& figures);
+
+}  // namespace shadefit

@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "app/commands/command_line.hpp"
+#include "app/studies/find_study.hpp"
+#include "app/studies/read_study_file.hpp"
+#include "fit/support/user_error.hpp"
+#include "tests/app/refusal.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit {
+namespace {
+
+using testing::expect_refusal;
+using testing::json_of;
+
+const std::string good = R"(schema = 1
+id = "line"
+[over]
+x = "0:1"
+[target]
+formula = "x^2"
+[[form]]
+id = "line"
+formula = "a + b x"
+[[form]]
+id = "slope"
+formula = "a x"
+[metric]
+norm = "minimax"
+[[published]]
+form = "line"
+values = { a = "-0.125", b = "1.0" }
+source = "Chebyshev 1854, on mechanisms"
+claim = { max_abs_error = "0.125", says = "an eighth" }
+)";
+
+std::string replaced(std::string text, const std::string& before, const std::string& after) {
+  const auto at = text.find(before);
+  EXPECT_NE(at, std::string::npos) << before;
+  return text.replace(at, before.size(), after);
+}
+
+std::string refusal_of(const std::string& text) {
+  try {
+    read_study_file(text, "s.toml");
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(StudyFile, ReadsWhatItSays) {
+  const StudyFile file = read_study_file(good, "s.toml");
+  EXPECT_EQ(file.id, "line");
+  EXPECT_EQ(file.study.target, "x^2");
+  ASSERT_EQ(file.forms.size(), 2u);
+  EXPECT_EQ(file.forms[1].formula, "a x");
+  EXPECT_EQ(file.norm, Norm::minimax);
+  ASSERT_EQ(file.published.size(), 1u);
+  EXPECT_EQ(file.published[0].values[0].second, "-0.125");
+  EXPECT_EQ(file.published[0].claim->says, "an eighth");
+}
+
+// Tables of TOML have no order of their own; definitions and variables have the order of the file.
+TEST(StudyFile, KeepsTheOrderOfTheFile) {
+  const StudyFile file = read_study_file(
+      "schema = 1\nid = \"o\"\n[over]\ny = { range = \"0:1\", density = \"y\" }\nx = \"0:pi/2\"\n"
+      "[given]\nk = \"3:5:1\"\n[let]\nz = \"1 - x\"\nf = { of = [\"t\"], is = \"t^2 z\" }\n"
+      "[target]\nformula = \"f(y) k\"\n[[form]]\nid = \"p\"\nformula = \"a x\"\n"
+      "[metric]\nerror = \"relative\"\nweight = \"1 + x\"\nexact_at = [0, \"1\"]\none_sided = \"above\"\n"
+      "at_most = 2.5\nat_least = \"-1\"\n",
+      "o.toml");
+  EXPECT_EQ(file.study.over[0].variable, "y");
+  EXPECT_EQ(file.study.over[0].density, "y");
+  EXPECT_EQ(file.study.over[1].upper, "pi/2");
+  EXPECT_EQ(file.given[0].second, (std::vector<std::string>{"3", "4", "5"}));
+  EXPECT_EQ(file.study.definitions[0].name, "z");
+  EXPECT_EQ(file.study.definitions[1].arguments, std::vector<std::string>{"t"});
+  EXPECT_EQ(file.study.error, Error::relative);
+  EXPECT_EQ(file.study.weight, "1 + x");
+  EXPECT_EQ(file.constraints.exact_at, (std::vector<double>{0, 1}));
+  EXPECT_EQ(file.constraints.one_sided, Side::above);
+  EXPECT_EQ(file.constraints.at_most, 2.5);
+  EXPECT_EQ(file.constraints.at_least, -1);
+}
+
+TEST(StudyFile, RefusesWithTheLine) {
+  const auto refused = [](const std::string& before, const std::string& after) {
+    return refusal_of(replaced(good, before, after));
+  };
+  EXPECT_EQ(refusal_of(good), "none");
+  EXPECT_EQ(refused("schema = 1", "schema = 2"), "study 's.toml', line 1: the key 'schema' must be 1");
+  EXPECT_EQ(refused("id = \"line\"\n[over]", "[over]"), "study 's.toml', line 1: the key 'id' is missing");
+  EXPECT_EQ(refused("formula = \"x^2\"", "formulla = \"x^2\""),
+            "study 's.toml', line 6: unknown key 'formulla': did you mean 'formula'?");
+  EXPECT_EQ(refused("[metric]", "[metrics]"),
+            "study 's.toml', line 13: unknown key 'metrics': did you mean 'metric'?");
+  EXPECT_EQ(refused("a = \"-0.125\"", "a = -0.125"),
+            "study 's.toml', line 17: 'a' must be a text in quotes, so that every digit is kept");
+  EXPECT_EQ(refused("form = \"line\"", "form = \"lime\""),
+            "study 's.toml', line 15: published form 'lime' is not the id of a form");
+  EXPECT_EQ(refused("id = \"slope\"", "id = \"line\""),
+            "study 's.toml', line 10: the form 'line' is there already");
+  EXPECT_EQ(refused("\"minimax\"", "\"mini\""),
+            "study 's.toml', line 14: norm 'mini' is unknown: it must be one of least-squares, minimax");
+  EXPECT_EQ(refused("\"0:1\"", "\"0\""),
+            "study 's.toml', line 4: over 'x=0' is not NAME=A:B or NAME=A:B:DENSITY");
+  EXPECT_EQ(refused("\"0.125\"", "\"an eighth\""),
+            "study 's.toml', line 19: max_abs_error 'an eighth' is not a number");
+  EXPECT_EQ(refused("values = {", "values = [").substr(0, 50),
+            "study 's.toml', line 17: Error while parsing value");
+  EXPECT_EQ(refusal_of("schema = 1\nid = \"a\"\n"), "study 's.toml', line 1: a study needs [over]");
+}
+
+// Each study of the project is read, each fit of it converges, and its id is its name.
+TEST(StudyFile, CommittedStudiesHold) {
+  const auto files = study_files({std::filesystem::path(SHADEFIT_SOURCE_DIR) / "studies"});
+  EXPECT_GE(files.size(), 8u);
+  for (const auto& path : files) {
+    const StudyFile file = load_study(path);
+    EXPECT_EQ(file.id, path.stem().string());
+    const Outcome outcome = run_command_line({"better", file.id, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << file.id << outcome.err;
+    EXPECT_NE(outcome.out.find("\"left_out\": []"), std::string::npos) << file.id;
+  }
+}
+
+/// A folder with the study above.
+class StudyFolder : public ::testing::Test {
+ protected:
+  StudyFolder() { write("line.toml", good); }
+
+  void write(const std::string& name, const std::string& text) { directory_.file(name, text); }
+  std::string path(const std::string& name) const { return directory_ / name; }
+
+  testing::TemporaryDirectory directory_;
+};
+
+// Chebyshev: the best line for x^2 on [0, 1] is x - 1/8, with error 1/8.
+TEST_F(StudyFolder, EveryVerbTakesAFile) {
+  const auto fit = json_of({"fit", path("line.toml")});
+  EXPECT_NEAR(fit["parameters"]["a"].get<double>(), -0.125, 1e-15);
+  EXPECT_EQ(fit["published"][0]["verdict"], "confirmed");
+  const auto other = json_of({"fit", path("line.toml"), "--form", "slope", "--norm", "least-squares"});
+  EXPECT_NEAR(other["parameters"]["a"].get<double>(), 0.75, 1e-15);
+  const auto narrower = json_of({"fit", path("line.toml"), "--over", "x=0:2"});
+  EXPECT_NEAR(narrower["parameters"]["a"].get<double>(), -0.5, 1e-15);
+
+  const auto better = json_of({"better", path("line.toml")});
+  EXPECT_EQ(better["contenders"][0]["kind"], "published");
+  EXPECT_EQ(better["contenders"][0]["claim"], "confirmed");
+  EXPECT_EQ(better["contenders"].size(), 5u);
+
+  const std::string said = run_command_line({"explain", path("line.toml")}).out;
+  EXPECT_NE(said.find("Largest error: stated 0.125, computed 0.125: confirmed\n"), std::string::npos) << said;
+
+  const Outcome code = run_command_line({"emit", path("line.toml"), "--lang", "glsl"});
+  EXPECT_NE(code.out.find("float line(float x) {\n  return -0.125 + 1.0 * x;\n}\n"), std::string::npos)
+      << code.out << code.err;
+}
+
+TEST_F(StudyFolder, ItsBaselineIsHeld) {
+  const auto run = run_command_line({"run", path("line.toml"), "--no-plots", "--out", path("out")});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run_command_line({"check", path("line.toml"), "--baseline", path("out")}).out,
+            "check passed: 60 cells agree with " + path("out") + "\n");
+  write("line.toml", replaced(good, "\"-0.125\"", "\"-0.127\""));
+  const Outcome changed = run_command_line({"check", path("line.toml"), "--baseline", path("out")});
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_NE(changed.out.find("refuted"), std::string::npos) << changed.out;
+  expect_refusal({"check", path("line.toml"), "--baseline", path("nothing")},
+                 "cannot read '" + path("nothing") + "/better.csv': there is no such file");
+}
+
+TEST_F(StudyFolder, RefusesBadInput) {
+  expect_refusal({"fit", "acos-linaer"},
+                 "unknown form, constant or study 'acos-linaer': did you mean 'acos-linear'?");
+  expect_refusal({"better", path("line.toml"), "--exponent", "5"},
+                 "--exponent does not go with a study: name it in the formulas and give it by --given");
+  expect_refusal({"emit", "hg-schlick", "--lang", "glsl"},
+                 "'hg-schlick' has 3 values of its given constants: name one by --given");
+  write("line.toml", replaced(good, "b = \"1.0\"", "c = \"1.0\""));
+  expect_refusal({"better", path("line.toml")}, "published values of 'line' lack the parameter 'b'");
+}
+
+}  // namespace
+}  // namespace shadefit
