@@ -1,5 +1,4 @@
 #include "app/commands/command_line.hpp"
-#include "app/studies/find_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/studies/find_study.hpp"
 #include "approx/ledger/ledger.hpp"
 #include "approx/phong_blinn.hpp"
 #include "fit/fit.hpp"
