@@ -158,7 +158,7 @@ void add_constraints(CLI::App& command, Metric& metric) {
   add_value(
       command, "--weight", metric.weight, parse_weight, "FORMULA",
       "multiplies the error: a formula in c, or in the variables of --over, that is nowhere negative, for "
-      "example '1 + 4 c'");
+      "example '1 + 4 c'; with --table also in value and sigma");
   Constraints& constraints = metric.constraints;
   add_values(command, "--fix", constraints.held, parse_held, "NAME=VALUE",
              "a parameter that is given, not fitted; may be repeated");
@@ -177,9 +177,13 @@ void add_study(CLI::App& command, StudyOptions& study) {
   add_value(command, "--form", study.form, parse_text, "FORMULA",
             "a formula of your own to fit to --target: every name that is not a variable or a constant is a "
             "parameter");
+  add_value(
+      command, "--table", study.table, parse_text, "FILE",
+      "measured rows to fit --form to, in the place of a --target: comma-separated values with a header; "
+      "columns named as the variables of --over, value, and, if known, the standard deviation sigma");
   add_values(command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
              "a variable of --form and its range, for example x=0:1; DENSITY, a formula, says how much each "
-             "place counts (default: 1); up to three times");
+             "place counts (default: 1); with --table only NAME; up to three times");
   add_values(command, "--given", study.given, parse_given, "NAME=LIST",
              "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
   add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",

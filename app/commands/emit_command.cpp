@@ -196,12 +196,10 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
     constants += fmt::format("{}{} = {}", i == 0 ? "" : ", ", read.parameters[i], chosen.texts[i]);
   }
   ShaderFunction function{name, {}, read.form};
-  std::vector<std::vector<StudyEdge>> edges;
   std::string ranges;
   for (std::size_t i = 0; i < read.axes.size(); ++i) {
     const StudyAxis& axis = read.axes[i];
     function.arguments.push_back(axis.variable);
-    edges.push_back(edges_of(read, i));
     ranges += fmt::format("{}{} in [{}, {}]", i == 0 ? "" : ", ", axis.variable, axis.lower, axis.upper);
   }
   function.result = evaluate<Symbolic>(read.form, [&](const std::string& variable) {
@@ -210,12 +208,12 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
     }
     return Symbolic::variable(variable);
   });
-  const StudyExtremum largest = largest_error(read, edges, values);
+  const StudyExtremum largest = largest_error(read, values);
   const std::vector<std::string> comment{
       std::string(generated_line),
       command_of(options),
       "",
-      fmt::format("{} for {}", study.form, study.target),
+      fmt::format("{} for {}", study.form, study.rows ? "the rows of " + study.rows->file : study.target),
       fmt::format("{} ({})", constants, chosen.origin),
       fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.", largest.magnitude,
                   ranges),

@@ -38,6 +38,14 @@ std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
   return lines;
 }
 
+/// The standard errors of fits of measured rows.
+std::string uncertainty_block(const std::vector<FittedStudy>& studies, const Terminal& terminal) {
+  if (studies.front().asked.rows == nullptr) return "";
+  const Table table = uncertainty_table(studies);
+  return (table.rows.empty() ? "" : "\n" + write_console(table, Precision::report, terminal)) +
+         uncertainty_text(studies);
+}
+
 /// The verdicts on the published sets of the first form.
 std::vector<JudgedSet> judged_sets(const StudyFile& file, const StudyObjective& objective,
                                    const Checkpoint& checkpoint) {
@@ -57,6 +65,7 @@ std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& 
   text += study_headline(studies.front()) + "\n" +
           write_console(study_table(studies), Precision::report, terminal);
   for (const FittedStudy& study : studies) text += level_text(study);
+  text += uncertainty_block(studies, terminal);
   if (first.status != Status::converged) return text;
   return text + (first.is_global ? "The form is linear in its parameters: the best is global.\n"
                                  : fmt::format("The best of {} starts.\n", first.starts));
@@ -90,7 +99,8 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
   std::function<void()> put;
   if (options.plot) put = draw_picture(study_figure(studies), *options.plot, options.force, checkpoint);
   if (options.json) return {code, json_text_of_each(study_json(studies)), err, put};
-  const Table table = study_table(studies);
+  Table table = study_table(studies);
+  if (file.study.rows && (options.csv || options.latex)) add_uncertainty_columns(table, studies);
   if (options.csv) return {code, write_csv(table, Precision::full), err, put};
   if (options.latex)
     return {code, write_latex(with_digits(table, options.digits), Precision::report), err, put};

@@ -46,6 +46,7 @@ std::vector<std::string> parts_of(const std::string& text, char separator, std::
 }  // namespace
 
 StudyRange parse_over(const std::string& option, const std::string& text) {
+  if (text.find('=') == std::string::npos) return {trimmed(text), "", ""};
   constexpr const char* rule = "NAME=A:B or NAME=A:B:DENSITY";
   const auto [name, range] = halves(option, text, rule);
   const auto parts = parts_of(range, ':', 3);

@@ -13,14 +13,15 @@ namespace shadefit {
 struct StudyOptions {
   std::optional<std::string> form = {};  ///< empty: the command is about a built-in family
   std::string target = {};
+  std::string table = {};  ///< a file of rows, in the place of a target
   std::vector<StudyRange> over = {};
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyDefinition> definitions = {};
   std::vector<Held> starts = {};
 };
 
-/// "NAME=A:B" or "NAME=A:B:DENSITY". A and B are formulas of numbers; DENSITY is a formula in the variable,
-/// or cosine, angle or cosine-weighted for a variable in [0, 1].
+/// "NAME=A:B" or "NAME=A:B:DENSITY", or "NAME" for a column of a table. A and B are formulas of numbers;
+/// DENSITY is a formula in the variable, or cosine, angle or cosine-weighted for a variable in [0, 1].
 StudyRange parse_over(const std::string& option, const std::string& text);
 
 /// "NAME=LIST": numbers, formulas of numbers and sweeps "3:15:1", by commas.

@@ -6,6 +6,7 @@
 
 #include "app/options/fit_arguments.hpp"
 #include "app/studies/find_study.hpp"
+#include "app/studies/load_rows.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
@@ -25,12 +26,14 @@ void require_family_options(const FitOptions& options) {
     throw UserError(
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
                     study.target));
-  if (!study.over.empty() || !study.given.empty() || !study.definitions.empty() || !study.starts.empty())
-    throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study",
-                                !study.over.empty()          ? "--over"
-                                : !study.given.empty()       ? "--given"
-                                : !study.definitions.empty() ? "--let"
-                                                             : "--start"));
+  const char* option = !study.table.empty()         ? "--table"
+                       : !study.over.empty()        ? "--over"
+                       : !study.given.empty()       ? "--given"
+                       : !study.definitions.empty() ? "--let"
+                       : !study.starts.empty()      ? "--start"
+                                                    : nullptr;
+  if (option != nullptr)
+    throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study", option));
 }
 
 /// Options that belong to built-in families.
@@ -76,7 +79,10 @@ void change_metric(StudyFile& file, const FitOptions& options) {
   const Metric& metric = options.metric;
   if (options.present.contains("--norm")) file.norm = metric.norm;
   if (options.present.contains("--error")) file.study.error = metric.error;
-  if (options.present.contains("--weight")) file.study.weight = metric.weight;
+  if (options.present.contains("--weight")) {
+    file.study.weight = metric.weight;
+    file.has_weight = true;
+  }
   const Constraints& asked = metric.constraints;
   if (!asked.exact_at.empty()) file.constraints.exact_at = asked.exact_at;
   if (asked.one_sided) file.constraints.one_sided = asked.one_sided;
@@ -115,8 +121,14 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
     file = *std::move(found);
   }
   refuse_others(options, options.id.empty() ? "--form" : "a study");
-  if (!own.target.empty()) file.study.target = own.target;
-  if (file.study.target.empty()) throw UserError("--form needs a --target: the formula to approximate");
+  if (!own.target.empty() && !own.table.empty())
+    throw UserError("--table does not go with --target: the rows are the target");
+  if (!own.target.empty()) {
+    file.study.target = own.target;
+    file.study.rows = nullptr;
+  }
+  if (file.study.target.empty() && file.study.rows == nullptr && own.table.empty())
+    throw UserError("--form needs a --target, the formula to approximate, or a --table of measured rows");
   if (own.form) change_form(file, *own.form);
   if (!own.over.empty()) file.study.over = own.over;
   change_given(file, own);
@@ -125,6 +137,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
   file.study.held = options.metric.constraints.held;
   file.study.starts = own.starts;
   change_metric(file, options);
+  if (!own.table.empty()) load_rows(file, own.table);
   return file;
 }
 

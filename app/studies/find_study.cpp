@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "app/studies/load_rows.hpp"
 #include "app/studies/read_study_file.hpp"
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
@@ -58,7 +59,9 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
 }
 
 StudyFile load_study(const fs::path& path) {
-  return read_study_file(read_bounded(path, most_study_bytes), path.string());
+  StudyFile file = read_study_file(read_bounded(path, most_study_bytes), path.string());
+  if (!file.table.empty()) load_rows(file, path.parent_path() / file.table);
+  return file;
 }
 
 std::optional<StudyFile> find_study(const std::string& name, const std::vector<fs::path>& folders) {

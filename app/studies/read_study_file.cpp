@@ -117,8 +117,10 @@ void read_over(const Reader& reader, const toml::table& over, Study& study) {
     } else {
       range = reader.text(*node, variable);
     }
-    study.over.push_back(
-        reader.parsed(*node, [&, &name = variable] { return parse_over("over", name + "=" + range); }));
+    // The range of measured rows is empty.
+    study.over.push_back(reader.parsed(*node, [&, &name = variable] {
+      return parse_over("over", range.empty() ? name : name + "=" + range);
+    }));
     if (density != "1") study.over.back().density = density;
   }
 }
@@ -171,6 +173,7 @@ void read_metric(const Reader& reader, const toml::table& metric, StudyFile& fil
     file.study.error = choice(reader, node, key, std::array{Error::absolute, Error::relative});
   });
   file.study.weight = reader.optional(metric, "weight", "1");
+  file.has_weight = metric.contains("weight");
   Constraints& constraints = file.constraints;
   for (const toml::node* place : reader.list(metric, "exact_at"))
     constraints.exact_at.push_back(number(reader, *place, "exact_at"));
@@ -260,8 +263,11 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (over == nullptr) reader.fail(whole, "a study needs [over]");
   if (target == nullptr) reader.fail(whole, "a study needs [target]");
   read_over(reader, *over, file.study);
-  reader.require_keys(*target, {"formula"});
-  file.study.target = reader.required(*target, "formula");
+  reader.require_keys(*target, {"formula", "table"});
+  file.table = reader.optional(*target, "table");
+  if (file.table.empty()) file.study.target = reader.required(*target, "formula");
+  if (!file.table.empty() && target->contains("formula"))
+    reader.fail(*target, "a target is a formula or a table, not both");
   if (const toml::table* given = part("given")) {
     for (const auto& [constant, node] : reader.in_order(*given))
       file.given.push_back(reader.parsed(*node, [&, &key = constant, &value = node] {

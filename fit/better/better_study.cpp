@@ -15,12 +15,6 @@ Study with_form(const Study& study, const StudyForm& form) {
   return result;
 }
 
-std::vector<std::vector<StudyEdge>> edges_of_all(const ReadStudy& study) {
-  std::vector<std::vector<StudyEdge>> edges;
-  for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
-  return edges;
-}
-
 Operations operations_of(const ReadStudy& study, const std::vector<double>& values) {
   return count_operations(evaluate<Symbolic>(study.form, [&](const std::string& name) {
     const auto& all = study.parameters;
@@ -33,7 +27,7 @@ Operations operations_of(const ReadStudy& study, const std::vector<double>& valu
 
 StudyContender contender_of(const StudyForm& form, const ReadStudy& read, std::string origin,
                             std::vector<double> values) {
-  const StudyExtremum largest = largest_error(read, edges_of_all(read), values);
+  const StudyExtremum largest = largest_error(read, values);
   const Operations operations = operations_of(read, values);
   return {.form = form.id,
           .formula = form.formula,
@@ -67,7 +61,7 @@ std::vector<StudyObjective> objectives_of(const StudyFile& file, const Study& st
   std::vector<StudyObjective> objectives{objective_of(study, file.norm, file.constraints)};
   for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
     const StudyObjective other = objective_of(study, norm, {});
-    const bool is_possible = norm == Norm::least_squares || study.over.size() == 1;
+    const bool is_possible = norm == Norm::least_squares || (study.over.size() == 1 && study.rows == nullptr);
     if (is_possible && other.words != objectives.front().words) objectives.push_back(other);
   }
   return objectives;

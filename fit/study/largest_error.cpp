@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "fit/study/study_problem.hpp"
+
 namespace shadefit {
 namespace {
 
@@ -119,6 +121,27 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
     around.push_back({places[i][k == 0 ? 0 : k - 1], places[i][std::min(k + 1, places[i].size() - 1)]});
   }
   return refined(magnitude, best, around);
+}
+
+StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters) {
+  if (study.rows) return largest_residual(study, parameters);
+  std::vector<std::vector<StudyEdge>> edges;
+  for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
+  return largest_error(study, edges, parameters);
+}
+
+StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>& parameters) {
+  ReadStudy plain = study;
+  plain.weight = Symbolic::number("1");
+  plain.error = Error::absolute;
+  const StudyError error(plain);
+  VectorOf<double> errors;
+  SampledStudy<double>(error, nodes_of(plain, {}, 1)).errors(parameters, errors, nullptr);
+  Eigen::Index row = 0;
+  StudyExtremum largest{errors.cwiseAbs().maxCoeff(&row), {}};
+  for (const auto& places : study.rows->places) largest.at.push_back(places[static_cast<std::size_t>(row)]);
+  largest.row = static_cast<std::size_t>(row) + 1;
+  return largest;
 }
 
 }  // namespace shadefit

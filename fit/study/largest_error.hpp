@@ -12,4 +12,10 @@ namespace shadefit {
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                             const std::vector<double>& parameters);
 
+/// The largest |form - target| of a study: over its range, or over its rows.
+StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters);
+
+/// The row with the largest |form - value|; the first of those that are equal.
+StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>& parameters);
+
 }  // namespace shadefit

@@ -143,6 +143,8 @@ std::string with_variable(std::string text, const std::string& variable) {
 }
 
 void require_one_variable(const ReadStudy& study, const Constraints& constraints) {
+  if (study.rows)
+    throw UserError("--norm 'minimax' does not go with --table: rows are fitted by least squares");
   if (study.axes.size() > 1)
     throw UserError("--norm 'minimax' takes one variable: --over '" + study.axes[1].variable +
                     "' is a second");

@@ -47,23 +47,51 @@ void require_name(const std::string& option, const std::string& name) {
   if (is_taken) throw UserError(option + " '" + name + "' is already a function or a number");
 }
 
+/// A table has names of its own.
+void require_free_of_rows(const std::string& option, const std::string& name, const Study& study) {
+  if (!study.rows) return;
+  const bool is_sigma = name == "sigma" && !study.rows->sigma.empty();
+  if (name == "value" || is_sigma)
+    throw UserError(option + " '" + name + "': a --table has this name for its " +
+                    (is_sigma ? "standard deviations" : "measured values"));
+}
+
+StudyAxis axis_of_column(const StudyRange& range, const std::vector<double>& values) {
+  if (!range.lower.empty())
+    throw UserError("--over '" + range.variable + "=" + range.lower + ":" + range.upper +
+                    "' has a range: with --table the rows give the values, so write --over " +
+                    range.variable);
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return {range.variable, *least, *most, Symbolic::number("1")};
+}
+
+StudyAxis axis_of_range(const StudyRange& range) {
+  if (range.lower.empty())
+    throw UserError("--over '" + range.variable + "' needs a range: for example --over " + range.variable +
+                    "=0:1");
+  const std::string text = range.variable + "=" + range.lower + ":" + range.upper;
+  const double lower = number_of("--over", range.lower), upper = number_of("--over", range.upper);
+  if (!(lower < upper)) throw UserError("--over '" + text + "' is empty: it must rise");
+  const Symbolic density =
+      read("--over '" + text + "'", range.density, {.variables = {range.variable}}).formula;
+  return {range.variable, lower, upper, density};
+}
+
 std::vector<StudyAxis> axes_of(const Study& study) {
   if (study.over.empty())
-    throw UserError("--form needs --over, a variable and its range: for example --over x=0:1");
+    throw UserError(study.rows ? "--form needs --over, a column of the table: for example --over x"
+                               : "--form needs --over, a variable and its range: for example --over x=0:1");
   if (study.over.size() > most_axes)
     throw UserError("--over '" + study.over[most_axes].variable + "': a study has at most three variables");
   std::vector<StudyAxis> axes;
   std::set<std::string> seen;
   for (const StudyRange& range : study.over) {
     require_name("--over", range.variable);
+    require_free_of_rows("--over", range.variable, study);
     if (!seen.insert(range.variable).second)
       throw UserError("--over '" + range.variable + "' is given a second time");
-    const std::string text = range.variable + "=" + range.lower + ":" + range.upper;
-    const double lower = number_of("--over", range.lower), upper = number_of("--over", range.upper);
-    if (!(lower < upper)) throw UserError("--over '" + text + "' is empty: it must rise");
-    const Symbolic density =
-        read("--over '" + text + "'", range.density, {.variables = {range.variable}}).formula;
-    axes.push_back({range.variable, lower, upper, density});
+    axes.push_back(study.rows ? axis_of_column(range, study.rows->places.at(axes.size()))
+                              : axis_of_range(range));
   }
   return axes;
 }
@@ -74,11 +102,13 @@ std::map<std::string, Definition, std::less<>> definitions_of(const Study& study
   std::map<std::string, Definition, std::less<>> result;
   for (const auto& [name, value] : study.given) {
     require_name("--given", name);
+    require_free_of_rows("--given", name, study);
     if (contains(variables, name)) throw UserError("--given '" + name + "' is a variable of --over");
     result.emplace(name, Definition{{}, read("--given '" + name + "'", value, {}).formula});
   }
   for (const StudyDefinition& definition : study.definitions) {
     require_name("--let", definition.name);
+    require_free_of_rows("--let", definition.name, study);
     if (contains(variables, definition.name) || result.contains(definition.name))
       throw UserError("--let '" + definition.name + "' names something else already");
     FormulaNames names{.variables = variables, .definitions = result};
@@ -99,6 +129,13 @@ bool depends_on(const Symbolic& e, const std::string& name) {
                      [&](const Symbolic& part) { return depends_on(part, name); });
 }
 
+void require_enough_rows(const ReadStudy& study) {
+  const std::size_t rows = study.rows->value.size(), parameters = study.parameters.size();
+  if (rows < parameters)
+    throw UserError("'" + study.rows->file + "' has fewer rows than --form has parameters: " +
+                    std::to_string(rows) + " and " + std::to_string(parameters));
+}
+
 }  // namespace
 
 std::string density_of(const std::string& text, const std::string& variable) {
@@ -107,17 +144,31 @@ std::string density_of(const std::string& text, const std::string& variable) {
   return text == "cosine-weighted" ? variable : text;
 }
 
+std::vector<std::string> node_variables(const ReadStudy& study) {
+  std::vector<std::string> names;
+  for (const StudyAxis& axis : study.axes) names.push_back(axis.variable);
+  if (study.rows) names.emplace_back("value");
+  if (study.rows && !study.rows->sigma.empty()) names.emplace_back("sigma");
+  return names;
+}
+
 ReadStudy read_study(const Study& study) {
   const std::vector<StudyAxis> axes = axes_of(study);
   std::vector<std::string> variables;
   for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
   const FormulaNames names{.variables = variables, .definitions = definitions_of(study, variables)};
-  const Symbolic target = read("--target", study.target, names).formula;
-  const Symbolic weight = read("--weight", study.weight, names).formula;
+  const Symbolic target =
+      study.rows ? Symbolic::variable("value") : read("--target", study.target, names).formula;
   FormulaNames of_form = names;
   of_form.takes_parameters = true;
   const ReadFormula form = read("--form", study.form, of_form);
-  ReadStudy result{axes, target, form.formula, weight, form.parameters, study.error};
+  for (const std::string& parameter : form.parameters)
+    require_free_of_rows("--form: its parameter", parameter, study);
+  const Symbolic one = Symbolic::number("1");
+  ReadStudy result{axes, target, form.formula, one, form.parameters, study.error, study.rows};
+  FormulaNames of_weight = names;
+  of_weight.variables = node_variables(result);
+  result.weight = read("--weight", study.weight, of_weight).formula;
 
   for (const Held& held : study.held) {
     if (!contains(result.parameters, held.parameter))
@@ -137,7 +188,11 @@ ReadStudy read_study(const Study& study) {
   const bool has_variable = std::any_of(variables.begin(), variables.end(), [&](const std::string& name) {
     return depends_on(target, name) || depends_on(result.form, name);
   });
-  if (!has_variable) throw UserError("--over: neither target nor form contains a variable");
+  if (study.rows) {
+    require_enough_rows(result);
+  } else if (!has_variable) {
+    throw UserError("--over: neither target nor form contains a variable");
+  }
   return result;
 }
 

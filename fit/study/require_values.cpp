@@ -10,22 +10,22 @@
 namespace shadefit {
 namespace {
 
-/// The first node where a formula has a value that does not pass, as text: "x = 0.5". Empty if there is none.
+/// The place of a node as text: "x = 0.5", or "line 3 of 'rows.csv'".
+std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_t node) {
+  if (study.rows) return "line " + std::to_string(line_of_row(node + 1)) + " of '" + study.rows->file + "'";
+  std::string place;
+  for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
+    place += (axis == 0 ? "" : ", ") + study.axes[axis].variable + " = " +
+             to_text(static_cast<double>(nodes.coordinates[axis][node]));
+  return place;
+}
+
+/// The first node where a formula has a value that does not pass, as text. Empty if there is none.
 template <class Passes>
 std::string first_place(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
                         const Passes& passes) {
   for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
-    const auto coordinate = [&](std::size_t axis) { return static_cast<double>(nodes.coordinates[axis][n]); };
-    const double value = evaluate<double>(formula, [&](const std::string& name) {
-      std::size_t axis = 0;
-      while (study.axes[axis].variable != name) ++axis;
-      return coordinate(axis);
-    });
-    if (passes(value)) continue;
-    std::string place;
-    for (std::size_t axis = 0; axis < study.axes.size(); ++axis)
-      place += (axis == 0 ? "" : ", ") + study.axes[axis].variable + " = " + to_text(coordinate(axis));
-    return place;
+    if (!passes(value_at_node(study, formula, nodes, n))) return place_of(study, nodes, n);
   }
   return "";
 }
@@ -63,18 +63,22 @@ std::string zero_of_target(const ReadStudy& study) {
 
 void require_values(const ReadStudy& study, const StudyNodes& nodes) {
   const auto is_finite = [](double value) { return std::isfinite(value); };
-  const auto is_weight = [](double value) { return value >= 0 && std::isfinite(value); };
+  // A row that does not count would count as one in the standard errors.
+  const auto is_weight = [&](double value) {
+    return (study.rows ? value > 0 : value >= 0) && std::isfinite(value);
+  };
   if (const auto place = first_place(study, study.target, nodes, is_finite); !place.empty())
     throw UserError("--target has no finite value at " + place);
   if (const auto place = first_place(study, study.weight, nodes, is_weight); !place.empty())
-    throw UserError("--weight is negative, or has no finite value, at " + place);
+    throw UserError(study.rows ? "--weight must be finite and greater than 0; it is not at " + place
+                               : "--weight is negative, or has no finite value, at " + place);
   if (study.error == Error::absolute) return;
   const auto inverse = Symbolic::number("1") / study.target;
   auto place = first_place(study, inverse, nodes, is_finite);
-  if (place.empty() && study.axes.size() == 1) place = zero_of_target(study);
+  if (place.empty() && study.axes.size() == 1 && !study.rows) place = zero_of_target(study);
   if (!place.empty())
     throw UserError("--error 'relative' divides by the target, which is 0 at " + place +
-                    ": leave that place out of --over");
+                    (study.rows ? ": leave that row out" : ": leave that place out of --over"));
 }
 
 }  // namespace shadefit

@@ -104,12 +104,18 @@ double radical_inverse(std::uint64_t n, std::uint64_t base) {
   return result;
 }
 
-/// A start of a parameter from a number in [0, 1): either sign, sizes from 1/64 to 64, as many in each
-/// octave. Constants of shading are of that size, as their variables are of the size of 1; a descent leaves
-/// the range.
-double spread(double u) {
+/// A start of a parameter from a number in [0, 1): either sign, as many in each octave. A descent leaves the
+/// range.
+double spread(double u, int octaves) {
   const double side = 2 * u - 1;
-  return std::copysign(std::exp2(12 * std::abs(side) - 6), side);
+  return std::copysign(std::exp2(octaves * (2 * std::abs(side) - 1)), side);
+}
+
+/// How many powers of two the largest of some numbers is away from 1.
+int octaves_from_one(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest == 0 ? 0 : static_cast<int>(std::ceil(std::abs(std::log2(largest))));
 }
 
 constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
@@ -125,12 +131,22 @@ std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& st
 
 }  // namespace
 
-std::size_t start_count(std::size_t nonlinear) {
-  return nonlinear == 0 ? 1 : std::min(std::size_t{16} << nonlinear, std::size_t{96});
+SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
+  constexpr int octaves_of_shading = 6;
+  SearchStarts starts{
+      nonlinear == 0 ? 1 : std::min(std::size_t{16} << nonlinear, std::size_t{96}), octaves_of_shading, {}};
+  if (!study.rows || nonlinear == 0) return starts;
+  // A rate is of the size of 1/x, a place of that of x, and a parameter of 1/(a + b x) of that of 1/value.
+  int further = octaves_from_one(study.rows->value);
+  for (const auto& places : study.rows->places) further = std::max(further, octaves_from_one(places));
+  starts.octaves += further;
+  constexpr std::size_t more = 4;
+  if (further > 1) starts.count *= more;
+  return starts;
 }
 
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& sampled,
-                                          const std::vector<std::vector<double>>& given) {
+                                          const SearchStarts& wanted) {
   const Projection problem(error, sampled);
   const std::size_t size = problem.nonlinear().size();
   std::vector<StudyCandidate> found;
@@ -165,15 +181,15 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
     const double cost = solver.Solve(problem, &q).final_cost;
     if (std::isfinite(cost)) ends.push_back({q, cost});
   };
-  for (std::size_t n = 1; n <= start_count(size); ++n) {
+  for (std::size_t n = 1; n <= wanted.count; ++n) {
     Vector q(static_cast<Eigen::Index>(size));
     for (std::size_t i = 0; i < size; ++i)
-      q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]));
+      q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]), wanted.octaves);
     descend(q, few);
   }
   std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
   std::vector<Vector> starts;
-  for (const std::vector<double>& start : given) {
+  for (const std::vector<double>& start : wanted.given) {
     Vector q(static_cast<Eigen::Index>(size));
     for (std::size_t i = 0; i < size; ++i) q[static_cast<Eigen::Index>(i)] = start[problem.nonlinear()[i]];
     starts.push_back(q);
@@ -197,18 +213,17 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
                            const std::vector<Held>& starts) {
   const StudyNodes nodes = nodes_of(study, edges, fit_rules[search_rule(study)]);
   require_values(study, nodes);
-  std::vector<std::vector<double>> given;
-  if (!starts.empty()) given.push_back(start_of(study, starts));
-  SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, false};
-  result.candidates = search_basins(error, result.sampled, given);
+  const auto& linear = error.is_linear();
+  const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
+  SearchStarts wanted = starts_of(study, nonlinear);
+  if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
+  SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
+  result.candidates = search_basins(error, result.sampled, wanted);
   if (result.candidates.empty())
     throw UserError(
         "--form has a pole, or no finite value, from every start: give another by --start, for example --start " +
         study.parameters.front() + "=2");
-  const auto& linear = error.is_linear();
-  const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
-  result.is_linear = nonlinear == 0;
-  result.starts = static_cast<int>(start_count(nonlinear) + (nonlinear == 0 ? 0 : given.size()));
+  result.starts = static_cast<int>(wanted.count + (nonlinear == 0 ? 0 : wanted.given.size()));
   return result;
 }
 

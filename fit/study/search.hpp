@@ -13,10 +13,17 @@ struct StudyCandidate {
   double square;  ///< sum of weight * error^2
 };
 
-/// The ends of descents from a low-discrepancy set and from `given` starts, best first. Those with a pole or
-/// without a finite error are left out. One entry if the form is linear in all parameters.
+/// From where descents start.
+struct SearchStarts {
+  std::size_t count;  ///< of a low-discrepancy set
+  int octaves;        ///< its values are of either sign, of sizes from 2^-octaves to 2^octaves
+  std::vector<std::vector<double>> given;
+};
+
+/// The ends of descents, best first. Those with a pole or without a finite error are left out. One entry if
+/// the form is linear in all parameters.
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& sampled,
-                                          const std::vector<std::vector<double>>& given);
+                                          const SearchStarts& starts);
 
 /// A study searched on the nodes of a small rule.
 struct SearchedStudy {
@@ -34,7 +41,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
 /// products of rules need fewer on each axis.
 std::size_t search_rule(const ReadStudy& study);
 
-/// How many starts the search has for so many parameters that do not enter linearly.
-std::size_t start_count(std::size_t nonlinear);
+/// The starts for so many parameters that do not enter linearly. Constants of shading are of sizes from 1/64
+/// to 64, as their variables are of the size of 1. Rows have units: the sizes reach further, and there are
+/// more starts, where their numbers are larger or smaller.
+SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear);
 
 }  // namespace shadefit

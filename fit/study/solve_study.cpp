@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "fit/least_squares/least_squares.hpp"
@@ -77,11 +78,15 @@ std::optional<MatrixOf<double>> polish(const SampledStudy<double>& sampled, std:
 class Rules {
  public:
   explicit Rules(const ReadStudy& study, const StudyError& error) : study_(study), error_(error) {
-    for (std::size_t i = 0; i < study.axes.size(); ++i) edges_.push_back(edges_of(study, i));
+    for (std::size_t i = 0; i < study.axes.size() && !is_of_rows(); ++i) edges_.push_back(edges_of(study, i));
   }
+
+  /// Whether the nodes are measured rows, which all rules share.
+  bool is_of_rows() const { return study_.rows != nullptr; }
 
   /// The last rule whose nodes are few enough.
   std::size_t last() const {
+    if (is_of_rows()) return search_rule(study_) + 1;
     constexpr double most_nodes = 60000;
     std::size_t result = 0;
     for (std::size_t i = 0; i < fit_rules.size(); ++i) {
@@ -104,7 +109,7 @@ class Rules {
   /// Cuts the panels of a single axis until two small rules agree on the squares of the error and its
   /// derivatives: a lobe needs narrow panels at its peak.
   void cut_panels(const std::vector<double>& parameters) {
-    if (edges_.size() > 1) return;
+    if (edges_.size() != 1) return;
     const auto whole = squares(edges_.front(), parameters, 6);
     std::vector<StudyEdge> cut{edges_.front().front()};
     for (std::size_t i = 1; i < edges_.front().size(); ++i)
@@ -185,10 +190,12 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     if (size <= settled) break;
   }
   if (fit.status != Status::converged) {
-    fit.why = "the integral of the squared error does not converge";
+    fit.why = rules.is_of_rows() ? "Newton's method does not settle in long double"
+                                 : "the integral of the squared error does not converge";
   } else if (fit.digits < least_digits) {
     fit.status = Status::not_converged;
-    fit.why = "the largest quadrature rule still moves a parameter in its sixth digit";
+    fit.why = rules.is_of_rows() ? "long double still moves a parameter in its sixth digit"
+                                 : "the largest quadrature rule still moves a parameter in its sixth digit";
   }
   return fit;
 }
@@ -214,10 +221,20 @@ bool is_same_curve(const SampledStudy<double>& sampled, const StudyCandidate& a,
   return distance <= 1e-5 * std::max(sampled.target_norm(), std::sqrt(a.square));
 }
 
-/// Of one curve with several sets of parameters the one that comes first, number by number.
-StudyCandidate canonical(const SampledStudy<double>& sampled, const std::vector<StudyCandidate>& best) {
+/// The sum of the squares of some parameters.
+double size_of(const std::vector<double>& parameters) {
+  return std::inner_product(parameters.begin(), parameters.end(), parameters.begin(), 0.0);
+}
+
+/// Of one curve with several sets of parameters the one that comes first, number by number. Of rows the
+/// smallest comes first: every faster wave through evenly spaced rows fits as well.
+StudyCandidate canonical(const ReadStudy& study, const SampledStudy<double>& sampled,
+                         const std::vector<StudyCandidate>& best) {
   StudyCandidate first = best.front();
-  const auto comes_before = [](const std::vector<double>& a, const std::vector<double>& b) {
+  const auto comes_before = [&](const std::vector<double>& a, const std::vector<double>& b) {
+    const double first_size = size_of(a), second_size = size_of(b);
+    if (study.rows && std::abs(first_size - second_size) > 1e-3 * std::max(first_size, second_size))
+      return first_size < second_size;
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (std::abs(a[i] - b[i]) > 1e-3 * std::max(std::abs(a[i]), std::abs(b[i]))) return a[i] < b[i];
     }
@@ -263,7 +280,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   checkpoint();
 
   const auto best = best_of(searched.candidates, sampled.target_norm());
-  const StudyCandidate chosen = canonical(sampled, best);
+  const StudyCandidate chosen = canonical(study, sampled, best);
   const std::string flat = flat_direction(study, sampled, chosen.parameters);
   StudyFit fit;
   if (flat.empty()) {
@@ -285,7 +302,12 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
     fit.other = candidate.parameters;
     return fit;
   }
-  fit.max_abs_error = largest_error(study, rules.edges(), fit.parameters);
+  if (study.rows) {
+    fit.max_abs_error = largest_residual(study, fit.parameters);
+    fit.statistics = row_statistics(study, error, sampled, fit.parameters);
+  } else {
+    fit.max_abs_error = largest_error(study, rules.edges(), fit.parameters);
+  }
   return fit;
 }
 

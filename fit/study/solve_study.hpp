@@ -6,6 +6,7 @@
 
 #include "fit/least_squares/status.hpp"
 #include "fit/minimax/alternation.hpp"
+#include "fit/study/row_statistics.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/checkpoint.hpp"
 
@@ -16,6 +17,7 @@ namespace shadefit {
 struct StudyExtremum {
   double magnitude = 0;
   std::vector<double> at;
+  std::size_t row = 0;  ///< of measured rows: its number, from 1
 };
 
 struct StudyFit {
@@ -26,12 +28,13 @@ struct StudyFit {
   /// How many digits of the worst parameter another quadrature rule confirms in long double, at most 14.
   int digits = 0;
   double rms_error = 0;            ///< sqrt(integral of density * error^2 / integral of density), weighted
-  StudyExtremum max_abs_error;     ///< of form - target, sampled and refined
+  StudyExtremum max_abs_error;     ///< of form - target, sampled and refined; of rows the largest residual
   int starts = 0;                  ///< from how many starts the optimum was looked for
   bool is_global = false;          ///< proven to be the best of all: the form is linear in its parameters
   std::vector<double> other = {};  ///< of an ambiguous fit: the other curve, as good
   std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest |weighted error|
   std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit, with x for the cosine; rising
+  std::optional<RowStatistics> statistics = std::nullopt;  ///< of measured rows, where they say enough
 };
 
 /// Fits a study. Parameters that enter linearly are eliminated (variable projection: Golub, Pereyra 1973,
@@ -39,7 +42,8 @@ struct StudyFit {
 /// SIAM Journal on Numerical Analysis 10; the Jacobian is Kaufman's, 1975, "A variable projection method for
 /// solving separable nonlinear least squares problems", BIT 15). The others start from a low-discrepancy set.
 /// Ceres descends, Newton with the exact Hessian finishes, and another rule in long double counts the digits.
-/// Throws UserError where a formula has no value in the range.
+/// Of measured rows the mean square is a sum over the rows, and long double counts the digits on the same
+/// rows. Throws UserError where a formula has no value in the range.
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts,
                      const Checkpoint& checkpoint = keep_going);
 

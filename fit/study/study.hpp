@@ -1,19 +1,22 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/study/measured_rows.hpp"
 
-/// A fit of one's own: a form to a target, both as formulas, over one to three variables.
+/// A fit of one's own: a form to a target, over one to three variables. The form is a formula; the target is
+/// a formula too, or the rows of a measurement.
 namespace shadefit {
 
 /// A variable, its range, and how its values are weighted.
 struct StudyRange {
   std::string variable;
-  std::string lower, upper;   ///< formulas of numbers
+  std::string lower, upper;   ///< formulas of numbers; both empty where rows give the values
   std::string density = "1";  ///< a formula in the variable
 };
 
@@ -34,9 +37,10 @@ struct Study {
   std::vector<Held> starts = {};                  ///< parameters from where a descent starts too
   std::string weight = "1";                       ///< the factor of the error, a formula in the variables
   Error error = Error::absolute;
+  std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< the target, if it is not a formula
 };
 
-/// A range whose ends are numbers.
+/// A range whose ends are numbers: with rows the least and the largest value.
 struct StudyAxis {
   std::string variable;
   double lower, upper;
@@ -49,7 +53,12 @@ struct ReadStudy {
   Symbolic target, form, weight;
   std::vector<std::string> parameters;  ///< of the form, in the order in which they first appear; free ones
   Error error;
+  std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< then the target is the variable `value`
 };
+
+/// The variables of the formulas of a study at a node: those of the axes, and with rows `value` and, where
+/// the rows have it, `sigma`. Everything else is a parameter.
+std::vector<std::string> node_variables(const ReadStudy& study);
 
 /// The most variables and the most free parameters of a study.
 inline constexpr std::size_t most_axes = 3;

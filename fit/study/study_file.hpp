@@ -43,10 +43,12 @@ struct PublishedSet {
 
 struct StudyFile {
   std::string id, title, about;
-  Study study;  ///< its form is empty: it is one of `forms`
+  Study study;             ///< its form is empty: it is one of `forms`
+  std::string table = {};  ///< the file of measured rows, beside the file of the study; empty: a formula
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyForm> forms;                                              ///< the first is the usual one
   Norm norm = Norm::least_squares;
+  bool has_weight = false;  ///< whether a weight is asked for; else measured rows with sigma get 1/sigma
   Constraints constraints = {};
   std::vector<PublishedSet> published = {};
 };

@@ -189,6 +189,15 @@ std::vector<StudyEdge> edges_at(const ReadStudy& study, std::size_t index, std::
   return merged(axis, std::move(edges));
 }
 
+StudyNodes nodes_of_rows(const MeasuredRows& rows) {
+  StudyNodes nodes;
+  for (const auto& places : rows.places) nodes.coordinates.emplace_back(places.begin(), places.end());
+  nodes.coordinates.emplace_back(rows.value.begin(), rows.value.end());
+  if (!rows.sigma.empty()) nodes.coordinates.emplace_back(rows.sigma.begin(), rows.sigma.end());
+  nodes.weights.assign(rows.value.size(), 1.0L / static_cast<long double>(rows.value.size()));
+  return nodes;
+}
+
 }  // namespace
 
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {
@@ -210,8 +219,18 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   return merged(axis, std::move(edges));
 }
 
+double value_at_node(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
+                     std::size_t node) {
+  const std::vector<std::string> names = node_variables(study);
+  return evaluate<double>(formula, [&](const std::string& name) {
+    const auto variable = std::find(names.begin(), names.end(), name) - names.begin();
+    return static_cast<double>(nodes.coordinates[static_cast<std::size_t>(variable)][node]);
+  });
+}
+
 StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                     unsigned rule_size) {
+  if (study.rows) return nodes_of_rows(*study.rows);
   StudyNodes nodes{{}, {1.0L}, 1};
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     const std::vector<Hinge> mixed = mixed_hinges(study, i);

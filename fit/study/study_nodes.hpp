@@ -23,14 +23,19 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis);
 
 struct StudyNodes {
-  std::vector<std::vector<long double>> coordinates;  ///< of each variable, at each node
+  std::vector<std::vector<long double>> coordinates;  ///< of each of `node_variables`, at each node
   std::vector<long double> weights;                   ///< the density included; they sum to 1
   long double total = 1;                              ///< the integral of the density
 };
 
+/// A formula of `node_variables` at a node.
+double value_at_node(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
+                     std::size_t node);
+
 /// The product of Gauss rules with `rule_size` nodes on each panel of each axis. An axis is also split where
 /// a hinge of it and of the axes before it is zero: max(x, y) has its kink at y = x. Throws UserError for a
 /// density that is negative or not finite.
+/// Of measured rows each is a node, all with the same weight, whatever the edges and the rule.
 StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                     unsigned rule_size);
 

@@ -10,8 +10,7 @@ namespace shadefit {
 namespace {
 
 std::vector<std::string> inputs_of(const ReadStudy& study) {
-  std::vector<std::string> inputs;
-  for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
+  std::vector<std::string> inputs = node_variables(study);
   inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
   return inputs;
 }
@@ -34,17 +33,25 @@ std::vector<bool> linear_ones(Graph& graph, std::span<const int> slopes, std::si
   return is_linear;
 }
 
-}  // namespace
-
-Symbolic error_formula(const ReadStudy& study) {
-  const Symbolic difference = study.form - study.target;
-  const Symbolic error = study.error == Error::relative ? difference / study.target : difference;
+Symbolic weighted(const ReadStudy& study, const Symbolic& error) {
   const bool is_weighted = !(study.weight.parts().empty() && study.weight.name() == "1");
   return is_weighted ? study.weight * error : error;
 }
 
+/// The error of a form that is 0, without its sign.
+Symbolic scale_formula(const ReadStudy& study) {
+  return weighted(study, study.error == Error::relative ? Symbolic::number("1") : study.target);
+}
+
+}  // namespace
+
+Symbolic error_formula(const ReadStudy& study) {
+  const Symbolic difference = study.form - study.target;
+  return weighted(study, study.error == Error::relative ? difference / study.target : difference);
+}
+
 struct StudyError::Parts {
-  explicit Parts(const ReadStudy& study) : graph(inputs_of(study)), variables(study.axes.size()) {
+  explicit Parts(const ReadStudy& study) : graph(inputs_of(study)), variables(node_variables(study).size()) {
     const int error = graph.add(error_formula(study));
     value = {error};
     gradient = value;
@@ -56,7 +63,7 @@ struct StudyError::Parts {
       for (std::size_t j = 0; j <= i; ++j) hessian.push_back(graph.derivative(slopes[i], variables + j));
     }
     is_linear = linear_ones(graph, slopes, variables);
-    target = {graph.add(study.target)};
+    target = {graph.add(scale_formula(study))};
     for (const Hinge& hinge : hinges_of(study.form)) {
       if (hinge.is_pole && contains_any(hinge.part, study.parameters))
         denominators.push_back({graph.add(hinge.part)});

@@ -34,7 +34,7 @@ class StudyError {
   const StagedTape& gradient() const { return gradient_; }  ///< and its derivatives
   /// and the second derivatives: (0, 0), (1, 0), (1, 1), (2, 0) ..
   const StagedTape& hessian() const { return hessian_; }
-  const StagedTape& target() const { return target_; }
+  const StagedTape& target() const { return target_; }  ///< the error of a form that is 0, without its sign
   /// The denominators of the form that contain a parameter. Where one is 0 the form has a pole.
   const std::vector<StagedTape>& denominators() const { return denominators_; }
 
@@ -72,7 +72,7 @@ class SampledStudy {
   StudySums<T> gradient(std::span<const T> parameters) const;
   StudySums<T> derivatives(std::span<const T> parameters) const;
 
-  /// sqrt(sum of weight * target^2): the scale of the problem.
+  /// The root mean square of the error of a form that is 0: the scale of the problem.
   T target_norm() const { return target_norm_; }
 
   /// Whether a denominator of the form vanishes or changes its sign between nodes.

@@ -90,7 +90,8 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
   const auto add = [&](const StudyObjective& objective) {
     if (objective.words != asked.words) objectives.push_back(objective);
   };
-  const bool has_one_variable = asked.study.over.size() == 1;
+  // Rows have no range: neither minimax nor a density applies.
+  const bool has_one_variable = asked.study.over.size() == 1 && asked.study.rows == nullptr;
   for (const Error error : {Error::absolute, Error::relative}) {
     Study study = asked.study;
     study.error = error;

@@ -80,6 +80,8 @@ Table without_empty_columns(const Table& table) {
 }  // namespace
 
 std::string target_of(const StudyComparison& comparison) {
+  const auto& rows = comparison.study.rows;
+  if (rows) return rows->file + (comparison.study.given.empty() ? "" : ", " + given_text(comparison));
   std::string out = comparison.study.target;
   for (const StudyRange& range : comparison.study.over)
     out += fmt::format(", {} in {}:{}", range.variable, range.lower, range.upper);

@@ -15,15 +15,17 @@ namespace {
 std::vector<std::string> statement_of(const StudyFile& file) {
   std::vector<std::string> lines;
   if (!file.about.empty()) lines.push_back(file.about);
-  lines.push_back("Target: " + file.study.target);
+  lines.push_back("Target: " +
+                  (file.study.rows ? "the rows of " + file.study.rows->file : file.study.target));
   for (const StudyDefinition& definition : file.study.definitions) {
     const std::string arguments =
         definition.arguments.empty() ? "" : fmt::format("({})", fmt::join(definition.arguments, ", "));
     lines.push_back(fmt::format("where {}{} = {}", definition.name, arguments, definition.formula));
   }
   for (const StudyRange& range : file.study.over)
-    lines.push_back(fmt::format("{} in [{}, {}]{}", range.variable, range.lower, range.upper,
-                                range.density == "1" ? "" : ", density " + range.density));
+    if (!file.study.rows)
+      lines.push_back(fmt::format("{} in [{}, {}]{}", range.variable, range.lower, range.upper,
+                                  range.density == "1" ? "" : ", density " + range.density));
   for (const StudyForm& form : file.forms) lines.push_back(fmt::format("Form {}: {}", form.id, form.formula));
   return lines;
 }

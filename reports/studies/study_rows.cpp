@@ -5,7 +5,12 @@
 
 #include <algorithm>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "fit/scalars/symbolic.hpp"
+#include "fit/support/decimal.hpp"
 
 namespace shadefit {
 namespace {
@@ -16,7 +21,43 @@ bool is_answer(const FittedStudy& study) {
   return study.fit.status == Status::converged;
 }
 
+/// The last columns: the largest error and its place; of measured rows its row, and how large the noise is.
+std::vector<std::string> last_columns(const std::vector<FittedStudy>& studies) {
+  if (!studies.front().asked.rows) {
+    std::vector<std::string> columns{"max abs error"};
+    for (const StudyAxis& axis : studies.front().read.axes) columns.push_back("at " + axis.variable);
+    return columns;
+  }
+  const bool is_absolute = std::any_of(studies.begin(), studies.end(), [](const FittedStudy& study) {
+    return study.fit.statistics && study.fit.statistics->is_absolute;
+  });
+  return {"largest residual", "row", is_absolute ? "reduced chi-square" : "s"};
+}
+
+std::vector<Cell> last_cells(const FittedStudy& study) {
+  const StudyExtremum& largest = study.fit.max_abs_error;
+  std::vector<Cell> cells{Number{largest.magnitude, 4}};
+  if (!study.asked.rows) {
+    for (const double place : largest.at) cells.emplace_back(Number{place, 6});
+    return cells;
+  }
+  cells.emplace_back(static_cast<long>(largest.row));
+  const auto& statistics = study.fit.statistics;
+  const auto size = [&] {
+    return statistics->is_absolute ? statistics->variance : std::sqrt(statistics->variance);
+  };
+  cells.push_back(statistics ? Cell(Number{size(), 6}) : Cell());
+  return cells;
+}
+
+std::string target_text(const Study& study) {
+  return study.rows ? fmt::format("'{}', {}", study.rows->file,
+                                  counted(static_cast<long>(study.rows->value.size()), "row"))
+                    : study.target;
+}
+
 std::string range_text(const StudyRange& range) {
+  if (range.lower.empty()) return "over " + range.variable;
   const std::string text = fmt::format("{} in {}:{}", range.variable, range.lower, range.upper);
   return range.density == "1" ? text : fmt::format("{}, density {}", text, range.density);
 }
@@ -62,6 +103,50 @@ std::string of_all_sets(const FittedStudy& study, const Text& text) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+/// Digits of an uncertainty: more would be noise.
+constexpr int shown_digits = 6;
+
+Cell end_cell(const std::optional<double>& end) {
+  return end ? Cell(Number{*end, shown_digits}) : word("open");
+}
+
+/// The standard error and the ends of the interval of a parameter; empty cells where there are none.
+std::vector<Cell> cells_of(const FittedStudy& study, std::size_t parameter) {
+  if (!study.fit.statistics) return std::vector<Cell>(3);
+  const RowStatistics& statistics = *study.fit.statistics;
+  const ProfileInterval& profile = statistics.profiles[parameter];
+  return {Number{statistics.standard_errors[parameter], shown_digits}, end_cell(profile.lower),
+          end_cell(profile.upper)};
+}
+
+Json end_json(const std::optional<double>& end) {
+  return end ? Json(*end) : Json();
+}
+
+/// Adds what only fits of measured rows have.
+void add_row_fields(Json& object, const FittedStudy& study) {
+  const bool has_answer = study.fit.status == Status::converged;
+  const auto& statistics = study.fit.statistics;
+  object["table"] = study.read.rows->file;
+  object["rows"] = study.read.rows->value.size();
+  object["row"] = has_answer ? Json(study.fit.max_abs_error.row) : Json();
+  object["degrees_of_freedom"] = statistics ? Json(statistics->freedom) : Json();
+  object["reduced_chi_square"] = statistics && statistics->is_absolute ? Json(statistics->variance) : Json();
+  object["residual_deviation"] =
+      statistics && !statistics->is_absolute ? Json(std::sqrt(statistics->variance)) : Json();
+  Json errors = Json::object(), covariance = Json::object(), profile = Json::object();
+  const std::vector<std::string>& names = study.fit.names;
+  for (std::size_t i = 0; statistics && i < names.size(); ++i) {
+    errors[names[i]] = statistics->standard_errors[i];
+    for (std::size_t j = 0; j < names.size(); ++j)
+      covariance[names[i]][names[j]] = statistics->covariance[i][j];
+    profile[names[i]] = {end_json(statistics->profiles[i].lower), end_json(statistics->profiles[i].upper)};
+  }
+  object["standard_error"] = statistics ? errors : Json();
+  object["covariance"] = statistics ? covariance : Json();
+  object["profile"] = statistics ? profile : Json();
+}
+
 }  // namespace
 
 std::string verdict_text(const StudyJudgement& judgement) {
@@ -90,9 +175,8 @@ Table study_table(const std::vector<FittedStudy>& studies) {
   Table table;
   for (const auto& [name, value] : first.asked.given) table.columns.push_back(name);
   for (const std::string& name : first.fit.names) table.columns.push_back(name);
-  for (const char* column : {"status", "digits", "rms error", "max abs error"})
-    table.columns.emplace_back(column);
-  for (const StudyAxis& axis : first.read.axes) table.columns.push_back("at " + axis.variable);
+  for (const char* column : {"status", "digits", "rms error"}) table.columns.emplace_back(column);
+  for (const std::string& column : last_columns(studies)) table.columns.push_back(column);
   const bool has_published = std::any_of(studies.begin(), studies.end(),
                                          [](const FittedStudy& study) { return !study.published.empty(); });
   if (has_published) table.columns.insert(table.columns.end(), {"published", "verdict"});
@@ -104,9 +188,10 @@ Table study_table(const std::vector<FittedStudy>& studies) {
     row.emplace_back(std::string(name(study.fit.status)));
     row.push_back(is_answer(study) ? Cell(static_cast<long>(study.fit.digits)) : Cell());
     row.push_back(is_answer(study) ? Cell(Number{study.fit.rms_error, 4}) : Cell());
-    row.push_back(is_answer(study) ? Cell(Number{study.fit.max_abs_error.magnitude, 4}) : Cell());
-    for (std::size_t i = 0; i < study.read.axes.size(); ++i)
-      row.push_back(is_answer(study) ? Cell(Number{study.fit.max_abs_error.at[i], 6}) : Cell());
+    if (is_answer(study)) {
+      for (const Cell& cell : last_cells(study)) row.push_back(cell);
+    }
+    row.resize(table.columns.size() - (has_published ? 2 : 0));
     if (has_published) {
       row.emplace_back(of_all_sets(study, [](const JudgedSet& j) { return printed_text(j.set.values); }));
       row.emplace_back(of_all_sets(study, [](const JudgedSet& j) { return verdict_text(j.judgement); }));
@@ -121,7 +206,7 @@ std::string study_headline(const FittedStudy& study) {
   for (const StudyRange& range : study.asked.over) over += ", " + range_text(range);
   const bool is_relative = study.asked.error == Error::relative;
   const std::string weight = study.asked.weight == "1" ? "" : ", weight " + study.asked.weight;
-  return fmt::format("{} ~ {}{}, {}{}{}", study.asked.form, study.asked.target, over,
+  return fmt::format("{} ~ {}{}, {}{}{}", study.asked.form, target_text(study.asked), over,
                      study.fit.level ? "minimax" : "least squares", is_relative ? ", relative error" : "",
                      weight);
 }
@@ -138,15 +223,71 @@ std::string level_text(const FittedStudy& study) {
   return text + "\n";
 }
 
+Table uncertainty_table(const std::vector<FittedStudy>& studies) {
+  Table table;
+  for (const auto& [name, value] : studies.front().asked.given) table.columns.push_back(name);
+  for (const char* column : {"parameter", "value", "standard error", "profile from", "profile to"})
+    table.columns.emplace_back(column);
+  for (const FittedStudy& study : studies) {
+    for (std::size_t i = 0; study.fit.statistics && i < study.fit.names.size(); ++i) {
+      std::vector<Cell> row;
+      for (const auto& [name, value] : study.asked.given) row.emplace_back(value);
+      row.emplace_back(study.fit.names[i]);
+      row.emplace_back(Number{study.fit.parameters[i], shown_digits});
+      const std::vector<Cell> cells = cells_of(study, i);
+      row.insert(row.end(), cells.begin(), cells.end());
+      table.rows.push_back(row);
+    }
+  }
+  return table;
+}
+
+void add_uncertainty_columns(Table& table, const std::vector<FittedStudy>& studies) {
+  for (const std::string& name : studies.front().fit.names) {
+    table.columns.push_back("standard error of " + name);
+    table.columns.push_back("profile of " + name + " from");
+    table.columns.push_back("profile of " + name + " to");
+  }
+  for (std::size_t row = 0; row < studies.size(); ++row) {
+    for (std::size_t i = 0; i < studies[row].fit.names.size(); ++i) {
+      const std::vector<Cell> cells = cells_of(studies[row], i);
+      table.rows[row].insert(table.rows[row].end(), cells.begin(), cells.end());
+    }
+  }
+}
+
+std::string uncertainty_text(const std::vector<FittedStudy>& studies) {
+  const auto found = std::find_if(studies.begin(), studies.end(),
+                                  [](const FittedStudy& study) { return study.fit.statistics.has_value(); });
+  if (found == studies.end()) {
+    const FittedStudy& first = studies.front();
+    if (first.fit.status != Status::converged) return "";
+    return first.read.rows->value.size() == first.fit.names.size()
+               ? "No standard errors: there are as many rows as parameters.\n"
+               : "No standard errors: the residuals are rounding.\n";
+  }
+  const RowStatistics& statistics = *found->fit.statistics;
+  return fmt::format(
+      "The standard errors follow from {}, with {} of freedom.\n"
+      "Within a profile interval the sum of squares grows by at most {}.\n",
+      statistics.is_absolute ? "sigma" : "the size s of the residuals",
+      counted(static_cast<long>(statistics.freedom), "degree"), statistics.is_absolute ? "1" : "s^2");
+}
+
 nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
   Json array = Json::array();
   for (const FittedStudy& study : studies) {
     Json over = Json::object(), given = Json::object();
     for (const StudyRange& range : study.asked.over)
       over[range.variable] = {{"range", {range.lower, range.upper}}, {"density", range.density}};
+    for (const StudyAxis& axis : study.read.axes) {
+      if (study.asked.rows)
+        over[axis.variable] = {{"range", {to_text(axis.lower), to_text(axis.upper)}}, {"density", Json()}};
+    }
     for (const auto& [name, value] : study.asked.given) given[name] = value;
     const bool has_answer = is_answer(study);
-    array.push_back({{"target", study.asked.target},
+    const auto& rows = study.asked.rows;
+    array.push_back({{"target", rows ? Json() : Json(study.asked.target)},
                      {"form", study.asked.form},
                      {"over", over},
                      {"given", given},
@@ -165,6 +306,7 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
                      {"level", has_answer && study.fit.level ? Json(*study.fit.level) : Json()},
                      {"alternation", alternation_json(study)},
                      {"published", published_json(study)}});
+    if (rows) add_row_fields(array.back(), study);
   }
   return array;
 }

@@ -46,7 +46,19 @@ std::string study_headline(const FittedStudy& study);
 /// "Level 0.00320696, the error is + at x = 0, - at x = 0.3": of a minimax fit; else empty.
 std::string level_text(const FittedStudy& study);
 
-/// An object for each fit; places are objects of variables to values.
+/// Of fits of measured rows, a row for each parameter: its standard error, and its profile interval, of which
+/// an end may be "open".
+Table uncertainty_table(const std::vector<FittedStudy>& studies);
+
+/// Adds the same numbers to the rows of `study_table`, three columns for each parameter.
+void add_uncertainty_columns(Table& table, const std::vector<FittedStudy>& studies);
+
+/// Says what the standard errors and intervals mean, or why there are none.
+std::string uncertainty_text(const std::vector<FittedStudy>& studies);
+
+/// An object for each fit; places are objects of variables to values. A fit of measured rows also has
+/// `table`, `rows`, `row` (of the largest residual, from 1), `degrees_of_freedom`, `reduced_chi_square` or
+/// `residual_deviation`, `standard_error`, `covariance` and `profile`, whose open ends are null.
 nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies);
 
 }  // namespace shadefit

@@ -1,16 +1,19 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "app/commands/command_line.hpp"
 #include "tests/app/refusal.hpp"
+#include "tests/temporary_directory.hpp"
 
 namespace shadefit {
 namespace {
 
 using testing::expect_refusal;
 using testing::json_of;
+using testing::TemporaryDirectory;
 
 const std::vector<std::string> acos_linear{"fit",    "--target", "acos(x)", "--form", "sqrt(1-x) (a + b x)",
                                            "--over", "x=0:1"};
@@ -70,7 +73,7 @@ TEST(StudyCommand, SaysWhatDidNotConverge) {
 
 TEST(StudyCommand, RefusesBadInput) {
   expect_refusal({"fit", "--form", "a x", "--over", "x=0:1"},
-                 "--form needs a --target: the formula to approximate");
+                 "--form needs a --target, the formula to approximate, or a --table of measured rows");
   expect_refusal({"fit", "fresnel-quadratic", "--over", "x=0:1"},
                  "--over belongs to --form, a formula of your own, or to a study");
   expect_refusal({"fit", "fresnel-quadratic", "--target", "acos(x)"},
@@ -92,6 +95,123 @@ TEST(StudyCommand, RefusesBadInput) {
                  "--over 'x=0' is not NAME=A:B or NAME=A:B:DENSITY");
   expect_refusal({"fit", "--target", "x^2", "--form", "a (x + 0 b)", "--over", "x=0:1"},
                  "--form does not depend on its parameter 'b'");
+}
+
+std::vector<std::string> line_through(const std::string& file) {
+  return {"fit", "--table", file, "--form", "a + b x", "--over", "x"};
+}
+
+TEST(StudyCommand, FitsMeasuredRows) {
+  const TemporaryDirectory folder;
+  // The mean slope of 1, 3, 4 is 1.5; the residuals are 1/6, -1/3, 1/6.
+  const std::string file = folder.file("line.csv", "x,value\n0,1\n1,3\n2,4\n");
+  const auto json = json_of(line_through(file));
+  EXPECT_TRUE(json["target"].is_null());
+  EXPECT_EQ(json["table"], file);
+  EXPECT_EQ(json["rows"], 3);
+  EXPECT_EQ(json["over"]["x"]["range"], (std::vector<std::string>{"0", "2"}));
+  EXPECT_EQ(json["row"], 2);
+  EXPECT_EQ(json["at"]["x"], 1);
+  EXPECT_NEAR(json["max_abs_error"].get<double>(), 1.0 / 3, 1e-15);
+  EXPECT_NEAR(json["parameters"]["b"].get<double>(), 1.5, 1e-15);
+  EXPECT_EQ(json["degrees_of_freedom"], 1);
+  EXPECT_TRUE(json["reduced_chi_square"].is_null());
+  EXPECT_NEAR(json["residual_deviation"].get<double>(), std::sqrt(1.0 / 6), 1e-15);
+  EXPECT_NEAR(json["standard_error"]["b"].get<double>(), std::sqrt(1.0 / 12), 1e-15);
+  EXPECT_NEAR(json["covariance"]["a"]["b"].get<double>(), -1.0 / 12, 1e-15);
+  EXPECT_NEAR(json["profile"]["b"][0].get<double>(), 1.5 - std::sqrt(1.0 / 12), 1e-9);
+
+  EXPECT_EQ(run_command_line(with(line_through(file), {"--csv"})).out.substr(0, 174),
+            "a,b,status,digits,rms error,largest residual,row,s,standard error of a,profile of a from,"
+            "profile of a to,standard error of b,profile of b from,profile of b to\n1.1666666666666");
+  EXPECT_NE(run_command_line(with(line_through(file), {"--latex"})).out.find("standard error of a"),
+            std::string::npos);
+  const std::string text = run_command_line(line_through(file)).out;
+  EXPECT_EQ(text.substr(0, text.find('\n')), "a + b x ~ '" + file + "', 3 rows, over x, least squares");
+  EXPECT_NE(
+      text.find("\nThe standard errors follow from the size s of the residuals, with 1 degree of freedom.\n"
+                "Within a profile interval the sum of squares grows by at most s^2.\n"),
+      std::string::npos)
+      << text;
+}
+
+// A column sigma weights the rows by 1/sigma, unless there is another weight.
+TEST(StudyCommand, WeightsRowsBySigma) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("line.csv", "x,value,sigma\n0,1,1\n1,3,1\n2,4,0.5\n");
+  const auto by_default = json_of(line_through(file)),
+             same = json_of(with(line_through(file), {"--weight", "1/sigma"})),
+             none = json_of(with(line_through(file), {"--weight", "1"}));
+  EXPECT_EQ(by_default, same);
+  EXPECT_EQ(by_default["weight"], "1/sigma");
+  EXPECT_NE(by_default["parameters"], none["parameters"]);
+  EXPECT_FALSE(by_default["reduced_chi_square"].is_null());
+  EXPECT_TRUE(by_default["residual_deviation"].is_null());
+  EXPECT_TRUE(none["reduced_chi_square"].is_null());
+  const std::string text = run_command_line(line_through(file)).out;
+  EXPECT_NE(text.find(", least squares, weight 1/sigma\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("reduced chi-square"), std::string::npos) << text;
+  expect_refusal(
+      with(line_through(file), {"--error", "relative"}),
+      "--error 'relative' needs a --weight, as the table has sigma: 1/sigma weights errors that are "
+      "absolute");
+  const auto relative = json_of(with(line_through(file), {"--error", "relative", "--weight", "1/sigma"}));
+  EXPECT_TRUE(relative["reduced_chi_square"].is_null());
+}
+
+TEST(StudyCommand, SaysWhyRowsGiveNoErrors) {
+  const TemporaryDirectory folder;
+  const std::string two = folder.file("two.csv", "x,value\n0,1\n1,3\n"),
+                    exact = folder.file("exact.csv", "x,value\n0,1\n1,3\n2,5\n"),
+                    same = folder.file("same.csv", "x,value\n1,1\n1,3\n1,5\n"),
+                    open = folder.file("open.csv", "x,value,sigma\n1,0.5,1\n");
+  EXPECT_NE(run_command_line(line_through(two))
+                .out.find("No standard errors: there are as many rows as parameters.\n"),
+            std::string::npos);
+  EXPECT_NE(
+      run_command_line(line_through(exact)).out.find("No standard errors: the residuals are rounding.\n"),
+      std::string::npos);
+  EXPECT_TRUE(json_of(line_through(exact))["standard_error"].is_null());
+  const Outcome outcome = run_command_line(line_through(same));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out.find("standard errors"), std::string::npos) << outcome.out;
+}
+
+TEST(StudyCommand, PrintsOpenIntervals) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("m.csv", "x,value,sigma\n1,-0.5,1\n2,0.5,1\n3,1.5,1\n");
+  const std::vector<std::string> words{"fit", "--table", file, "--form", "exp(a)", "--over", "x"};
+  EXPECT_TRUE(json_of(words)["profile"]["a"][0].is_null());
+  EXPECT_NE(run_command_line(words).out.find("  open  "), std::string::npos);
+}
+
+TEST(StudyCommand, TakesGivenConstantsOfRows) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("line.csv", "x,value\n0,1\n1,3\n2,4\n");
+  const std::vector<std::string> words{"fit",    "--table", file,      "--form", "a + b k x",
+                                       "--over", "x",       "--given", "k=1,2"};
+  const auto json = json_of(words);
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_NEAR(json[1]["parameters"]["b"].get<double>(), 0.75, 1e-15);
+  EXPECT_NE(run_command_line(words).out.find("\n2  b  "), std::string::npos);
+}
+
+TEST(StudyCommand, RefusesBadTables) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("line.csv", "x,value\n0,1\n1,3\n2,4\n"), none = folder / "none.csv";
+  expect_refusal(line_through(none), "cannot read '" + none + "': there is no such file");
+  expect_refusal(line_through(folder.path().string()),
+                 "cannot read '" + folder.path().string() + "': it is a directory");
+  const std::string large = folder.file("large.csv", std::string((16 << 20) + 1, ' '));
+  expect_refusal(line_through(large),
+                 "cannot read '" + large + "': it has 16777217 bytes, more than 16777216");
+  expect_refusal({"fit", "--table", file, "--form", "a + b t", "--over", "t"},
+                 "'" + file + "' has no column 't'; it has 'x', 'value'");
+  expect_refusal(with(line_through(file), {"--target", "x"}),
+                 "--table does not go with --target: the rows are the target");
+  expect_refusal(with(line_through(file), {"--norm", "minimax"}),
+                 "--norm 'minimax' does not go with --table: rows are fitted by least squares");
+  expect_refusal({"fit", "sg-offset", "--table", file}, "--table belongs to --form, a formula of your own, or to a study");
 }
 
 }  // namespace

@@ -175,6 +175,27 @@ TEST_F(StudyFolder, ItsBaselineIsHeld) {
                  "cannot read '" + path("nothing") + "/better.csv': there is no such file");
 }
 
+// The rows of a file beside the study; the line through (0, 1), (1, 3), (2, 5).
+TEST_F(StudyFolder, TakesMeasuredRows) {
+  directory_.file("rows.csv", "x,value\n0,1\n1,3\n2,5.3\n");
+  std::string text = replaced(good, "formula = \"x^2\"", "table = \"rows.csv\"");
+  text = replaced(replaced(text, "x = \"0:1\"", "x = \"\""), "norm = \"minimax\"\n", "");
+  text = replaced(replaced(text, "\"-0.125\"", "\"0.95\""), "\"1.0\"", "\"2.15\"");
+  write("line.toml", text);
+  const auto fit = json_of({"fit", path("line.toml")});
+  EXPECT_EQ(fit["rows"], 3);
+  EXPECT_NEAR(fit["parameters"]["a"].get<double>(), 0.95, 1e-14);
+  EXPECT_NEAR(fit["parameters"]["b"].get<double>(), 2.15, 1e-14);
+  EXPECT_EQ(fit["published"][0]["verdict"], "confirmed");
+  const auto better = json_of({"better", path("line.toml")});
+  EXPECT_EQ(better["contenders"].size(), 3u) << "a published set, and two fits by least squares";
+  EXPECT_NE(run_command_line({"emit", path("line.toml"), "--lang", "c"}).out.find("0.95f + 2.15f * x"),
+            std::string::npos);
+  write("line.toml", replaced(text, "[target]\n", "[target]\nformula = \"x\"\n"));
+  expect_refusal({"fit", path("line.toml")},
+                 "study '" + path("line.toml") + "', line 5: a target is a formula or a table, not both");
+}
+
 TEST_F(StudyFolder, RefusesBadInput) {
   expect_refusal({"fit", "acos-linaer"},
                  "unknown form, constant or study 'acos-linaer': did you mean 'acos-linear'?");

@@ -1,0 +1,140 @@
+#include "fit/study/measured_rows.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "fit/support/sweep.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Longer names and cells are cut in messages.
+constexpr std::size_t most_shown = 40;
+/// A line with more cells is no row of a measurement.
+constexpr std::size_t most_columns = 1000;
+
+std::string shown(std::string_view cell) {
+  return "'" + std::string(cell.substr(0, most_shown)) + (cell.size() > most_shown ? " ..'" : "'");
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blanks = " \t";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);  // npos + 1 is 0
+}
+
+/// Removes the first line of a text, its end included.
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
+}
+
+/// The text of a file of rows, line by line.
+class RowReader {
+ public:
+  RowReader(std::string_view text, const std::string& file) : file_("'" + file + "'"), rest_(text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (rest_.starts_with(mark)) rest_.remove_prefix(mark.size());
+    if (rest_.empty()) throw UserError(file_ + " is empty: its first line must name the columns");
+    columns_ = next_cells();
+    for (std::size_t i = 0; i < columns_.size(); ++i) require_column_name(i);
+  }
+
+  const std::string& file() const { return file_; }
+  bool has_more() const { return !rest_.empty(); }
+  bool has_column(std::string_view name) const {
+    return std::find(columns_.begin(), columns_.end(), name) != columns_.end();
+  }
+
+  std::size_t column(std::string_view name) const {
+    if (!has_column(name)) {
+      std::string list;
+      for (const std::string_view column : columns_) list += (list.empty() ? "" : ", ") + shown(column);
+      throw UserError(file_ + " has no column " + shown(name) + "; it has " + list);
+    }
+    return static_cast<std::size_t>(std::find(columns_.begin(), columns_.end(), name) - columns_.begin());
+  }
+
+  void next_row() {
+    cells_ = next_cells();
+    if (cells_.size() != columns_.size())
+      refuse("has " + std::to_string(cells_.size()) + (cells_.size() == 1 ? " cell" : " cells") +
+             ", the header has " + std::to_string(columns_.size()));
+  }
+
+  double number(std::size_t column) const {
+    std::string_view cell = cells_[column];
+    if (cell.starts_with('+') && !cell.starts_with("+-")) cell.remove_prefix(1);
+    const auto number = parse_number(cell);
+    if (!number) refuse_cell(column, "is not a finite number");
+    return *number;
+  }
+
+  /// What stands in the last row.
+  [[noreturn]] void refuse_cell(std::size_t column, const std::string& rule) const {
+    refuse(std::string(columns_[column]) + " " + shown(cells_[column]) + " " + rule);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw UserError(file_ + ", line " + std::to_string(line_) + ": " + what);
+  }
+
+  std::vector<std::string_view> next_cells() {
+    ++line_;
+    std::string_view line = next_line(rest_);
+    if (line.find('"') != std::string_view::npos) refuse("a quote: write numbers and names without quotes");
+    std::vector<std::string_view> cells;
+    for (;;) {
+      const std::size_t comma = line.find(',');
+      cells.push_back(trimmed(line.substr(0, comma)));
+      if (cells.size() > most_columns) refuse("more than " + std::to_string(most_columns) + " cells");
+      if (comma == std::string_view::npos) return cells;
+      line.remove_prefix(comma + 1);
+    }
+  }
+
+  void require_column_name(std::size_t i) const {
+    const std::string_view name = columns_[i];
+    if (name.empty()) refuse("column " + std::to_string(i + 1) + " has no name");
+    if (parse_number(name)) refuse(shown(name) + " is a number: the first line must name the columns");
+    if (std::count(columns_.begin(), columns_.end(), name) > 1)
+      refuse("the column " + shown(name) + " is there twice");
+  }
+
+  std::string file_;
+  std::string_view rest_;
+  std::size_t line_ = 0;
+  std::vector<std::string_view> columns_, cells_;
+};
+
+}  // namespace
+
+MeasuredRows read_measured_rows(std::string_view text, const std::string& file,
+                                const std::vector<std::string>& variables) {
+  RowReader reader(text, file);
+  MeasuredRows rows{file, std::vector<std::vector<double>>(variables.size()), {}, {}};
+  std::vector<std::size_t> places;
+  for (const std::string& variable : variables) places.push_back(reader.column(variable));
+  const std::size_t value = reader.column("value");
+  const bool has_sigma = reader.has_column("sigma");
+  const std::size_t sigma = has_sigma ? reader.column("sigma") : value;
+  while (reader.has_more()) {
+    reader.next_row();
+    if (rows.value.size() == most_rows)
+      throw UserError(reader.file() + " has more than " + std::to_string(most_rows) + " rows");
+    for (std::size_t i = 0; i < places.size(); ++i) rows.places[i].push_back(reader.number(places[i]));
+    rows.value.push_back(reader.number(value));
+    if (!has_sigma) continue;
+    rows.sigma.push_back(reader.number(sigma));
+    if (!(rows.sigma.back() > 0)) reader.refuse_cell(sigma, "must be greater than 0");
+  }
+  if (rows.value.empty()) throw UserError(reader.file() + " has no rows below its header");
+  return rows;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,199 @@
+#include "fit/study/row_statistics.hpp"
+
+#include <ceres/tiny_solver.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+namespace shadefit {
+namespace {
+
+using Vector = VectorOf<double>;
+using Matrix = MatrixOf<double>;
+
+/// Whether weight * sigma is 1 in every row.
+bool is_inverse_sigma(const ReadStudy& study, const StudyNodes& nodes) {
+  if (study.rows->sigma.empty() || study.error != Error::absolute) return false;
+  const Symbolic product = study.weight * Symbolic::variable("sigma");
+  constexpr double rounding = 1e-14;
+  for (std::size_t row = 0; row < nodes.weights.size(); ++row) {
+    if (!(std::abs(value_at_node(study, product, nodes, row) - 1) <= rounding)) return false;
+  }
+  return true;
+}
+
+/// inverse(J^T J), by a QR decomposition of J with columns of length 1.
+Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes,
+                                const std::vector<double>& parameters) {
+  const SampledStudy<long double> sampled(error, nodes);
+  VectorOf<long double> errors;
+  MatrixOf<long double> slopes;
+  sampled.errors(std::vector<long double>(parameters.begin(), parameters.end()), errors, &slopes);
+  const VectorOf<long double> shrink = slopes.colwise().norm().cwiseInverse().transpose();
+  const Eigen::HouseholderQR<MatrixOf<long double>> qr(slopes * shrink.asDiagonal());
+  const auto n = slopes.cols();
+  const MatrixOf<long double> inverse =
+      qr.matrixQR().topRows(n).triangularView<Eigen::Upper>().solve(MatrixOf<long double>::Identity(n, n));
+  return (shrink.asDiagonal() * (inverse * inverse.transpose()) * shrink.asDiagonal()).cast<double>();
+}
+
+/// The sum of squares where one parameter is held. The unknowns are the other parameters, each as its
+/// distance from the optimum in standard errors: all are of the size of 1.
+class HeldSquare {
+ public:
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+
+  HeldSquare(const SampledStudy<double>& sampled, const std::vector<double>& optimum,
+             const std::vector<double>& standard_errors, std::size_t held)
+      : sampled_(sampled), optimum_(optimum), units_(standard_errors), held_(held) {}
+
+  void hold(double distance) { distance_ = distance; }
+  int NumResiduals() const { return static_cast<int>(sampled_.size()); }
+  int NumParameters() const { return static_cast<int>(optimum_.size()) - 1; }
+
+  bool operator()(const double* q, double* residuals, double* jacobian) const {
+    Matrix slopes;
+    sampled_.errors(parameters(q), errors_, jacobian == nullptr ? nullptr : &slopes);
+    Eigen::Map<Vector> result(residuals, NumResiduals());
+    result = errors_;
+    if (!result.allFinite()) result.setConstant(HUGE_VAL);  // an infinite cost rejects a step
+    if (jacobian == nullptr) return true;
+    Eigen::Map<Matrix> columns(jacobian, NumResiduals(), NumParameters());
+    Eigen::Index column = 0;
+    for (std::size_t i = 0; i < optimum_.size(); ++i) {
+      if (i != held_) columns.col(column++) = units_[i] * slopes.col(static_cast<Eigen::Index>(i));
+    }
+    return true;
+  }
+
+  /// The sum of squares at unknowns; infinite beyond a pole.
+  double square(const Vector& q) const {
+    const std::vector<double> at = parameters(q.data());
+    const double square = sampled_.square(at) * static_cast<double>(sampled_.size());
+    return std::isfinite(square) && !sampled_.has_pole(at) ? square : HUGE_VAL;
+  }
+
+ private:
+  std::vector<double> parameters(const double* q) const {
+    std::vector<double> result = optimum_;
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] += units_[i] * (i == held_ ? distance_ : *q++);
+    return result;
+  }
+
+  const SampledStudy<double>& sampled_;
+  const std::vector<double>&optimum_, &units_;
+  std::size_t held_;
+  double distance_ = 0;
+  mutable Vector errors_;
+};
+
+/// The profile of one parameter.
+class Profile {
+ public:
+  /// `tangent`: how the unknowns follow the parameter at the optimum, standard errors per standard error.
+  Profile(HeldSquare problem, Vector tangent, double growth)
+      : problem_(std::move(problem)), tangent_(std::move(tangent)), growth_(growth) {
+    solver_.options.parameter_tolerance = 1e-10;
+    solver_.options.function_tolerance = 0;
+    solver_.options.gradient_tolerance = 0;
+    solver_.options.cost_threshold = 0;
+    solver_.options.max_num_iterations = 100;
+    problem_.hold(0);
+    least_ = problem_.square(Vector::Zero(tangent_.size()));
+  }
+
+  /// The distance in standard errors where the sum of squares has grown, in a direction 1 or -1. Empty if it
+  /// has not at the furthest distance.
+  std::optional<double> end(double direction) {
+    constexpr double furthest = 1000;
+    last_ = Vector::Zero(tangent_.size());
+    const auto excess = [&](double distance) { return grown(direction * distance) - 1; };
+    double inside = 0, outside = 1, excess_inside = -1, excess_outside = excess(outside);
+    while (excess_outside <= 0) {
+      if (outside >= furthest) return std::nullopt;
+      inside = outside;
+      excess_inside = excess_outside;
+      outside = std::min(outside * 1.5, furthest);
+      excess_outside = excess(outside);
+    }
+    if (excess_inside == 0) return direction * inside;
+    // 40 bits: more digits than are printed.
+    std::uintmax_t steps = 100;
+    const auto root =
+        boost::math::tools::toms748_solve(excess, inside, outside, excess_inside, excess_outside,
+                                          boost::math::tools::eps_tolerance<double>(40), steps);
+    return direction * (root.first + root.second) / 2;
+  }
+
+ private:
+  /// sqrt(growth of the sum of squares / `growth`): near the optimum the distance itself. 2 where the form
+  /// has no value: such parameters are outside.
+  double grown(double distance) {
+    problem_.hold(distance);
+    double least = HUGE_VAL;
+    Vector best = last_;
+    // The neighbour's answer is near; the tangent is better near the optimum.
+    for (Vector q : {last_, Vector(distance * tangent_)}) {
+      if (q.size() > 0 && std::isfinite(problem_.square(q))) solver_.Solve(problem_, &q);
+      const double square = problem_.square(q);
+      if (square < least) {
+        least = square;
+        best = q;
+      }
+    }
+    last_ = best;
+    return std::isfinite(least) ? std::sqrt(std::max(0.0, least - least_) / growth_) : 2;
+  }
+
+  HeldSquare problem_;
+  Vector tangent_, last_;
+  double growth_, least_ = 0;
+  ceres::TinySolver<HeldSquare> solver_;
+};
+
+/// How the other parameters follow one of them: the regression of their errors on its error.
+Vector tangent_of(const RowStatistics& statistics, std::size_t held) {
+  const std::vector<double>& errors = statistics.standard_errors;
+  Vector tangent(static_cast<Eigen::Index>(errors.size()) - 1);
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (i != held) tangent[row++] = statistics.covariance[i][held] / (errors[i] * errors[held]);
+  }
+  return tangent;
+}
+
+}  // namespace
+
+std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyError& error,
+                                            const SampledStudy<double>& sampled,
+                                            const std::vector<double>& parameters) {
+  const std::size_t rows = sampled.size(), count = parameters.size();
+  if (rows == count) return std::nullopt;
+  const StudyNodes nodes = nodes_of(study, {}, 1);
+  RowStatistics result{rows - count, is_inverse_sigma(study, nodes), 0, {}, {}, {}};
+  const double square = sampled.square(parameters);
+  const double rounding = 1e-24 * sampled.target_norm() * sampled.target_norm();
+  if (!result.is_absolute && square <= rounding) return std::nullopt;
+  result.variance = square * static_cast<double>(rows) / static_cast<double>(result.freedom);
+
+  const double growth = result.is_absolute ? 1 : result.variance;
+  const Matrix covariance = growth * inverse_of_normal_matrix(error, nodes, parameters);
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    result.covariance.emplace_back(covariance.row(i).begin(), covariance.row(i).end());
+    result.standard_errors.push_back(std::sqrt(covariance(i, i)));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    Profile profile({sampled, parameters, result.standard_errors, i}, tangent_of(result, i), growth);
+    ProfileInterval interval;
+    const auto place = [&](double distance) { return parameters[i] + result.standard_errors[i] * distance; };
+    if (const auto lower = profile.end(-1)) interval.lower = place(*lower);
+    if (const auto upper = profile.end(1)) interval.upper = place(*upper);
+    result.profiles.push_back(interval);
+  }
+  return result;
+}
+
+}  // namespace shadefit
