@@ -40,6 +40,9 @@ class RowReader {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     if (rest_.starts_with(mark)) rest_.remove_prefix(mark.size());
     if (rest_.empty()) throw UserError(file_ + " is empty: its first line must name the columns");
+    // It would end a message, and no text has it.
+    if (rest_.find('\0') != std::string_view::npos)
+      throw UserError(file_ + " is not a text: it has a byte 0");
     columns_ = next_cells();
     for (std::size_t i = 0; i < columns_.size(); ++i) require_column_name(i);
   }

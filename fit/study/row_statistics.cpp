@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <utility>
+
+#include "fit/study/projection.hpp"
 
 namespace shadefit {
 namespace {
@@ -39,55 +42,55 @@ Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes
   return (shrink.asDiagonal() * (inverse * inverse.transpose()) * shrink.asDiagonal()).cast<double>();
 }
 
-/// The sum of squares where one parameter is held. The unknowns are the other parameters, each as its
-/// distance from the optimum in standard errors: all are of the size of 1.
+/// The sum of squares where one parameter is held, over the parameters that do not enter linearly. Its
+/// unknowns are their distances from the optimum in standard errors: all are of the size of 1.
 class HeldSquare {
  public:
   using Scalar = double;
   enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
 
-  HeldSquare(const SampledStudy<double>& sampled, const std::vector<double>& optimum,
+  HeldSquare(const StudyError& error, const SampledStudy<double>& sampled, const std::vector<double>& optimum,
              const std::vector<double>& standard_errors, std::size_t held)
-      : sampled_(sampled), optimum_(optimum), units_(standard_errors), held_(held) {}
+      : sampled_(sampled),
+        projection_(error, sampled, held),
+        optimum_(optimum),
+        units_(standard_errors),
+        held_(held) {}
 
-  void hold(double distance) { distance_ = distance; }
-  int NumResiduals() const { return static_cast<int>(sampled_.size()); }
-  int NumParameters() const { return static_cast<int>(optimum_.size()) - 1; }
+  int NumResiduals() const { return projection_.NumResiduals(); }
+  int NumParameters() const { return projection_.NumParameters(); }
+  const std::vector<std::size_t>& unknowns() const { return projection_.nonlinear(); }
+
+  /// Holds the parameter at a distance from its optimum, in standard errors.
+  void hold(double distance) { projection_.hold(optimum_[held_] + units_[held_] * distance); }
 
   bool operator()(const double* q, double* residuals, double* jacobian) const {
-    Matrix slopes;
-    sampled_.errors(parameters(q), errors_, jacobian == nullptr ? nullptr : &slopes);
-    Eigen::Map<Vector> result(residuals, NumResiduals());
-    result = errors_;
-    if (!result.allFinite()) result.setConstant(HUGE_VAL);  // an infinite cost rejects a step
+    Vector place(NumParameters());
+    for (Eigen::Index i = 0; i < place.size(); ++i) {
+      const std::size_t unknown = unknowns()[static_cast<std::size_t>(i)];
+      place[i] = optimum_[unknown] + units_[unknown] * q[i];
+    }
+    projection_(place.data(), residuals, jacobian);
     if (jacobian == nullptr) return true;
     Eigen::Map<Matrix> columns(jacobian, NumResiduals(), NumParameters());
-    Eigen::Index column = 0;
-    for (std::size_t i = 0; i < optimum_.size(); ++i) {
-      if (i != held_) columns.col(column++) = units_[i] * slopes.col(static_cast<Eigen::Index>(i));
-    }
+    for (Eigen::Index i = 0; i < place.size(); ++i)
+      columns.col(i) *= units_[unknowns()[static_cast<std::size_t>(i)]];
     return true;
   }
 
-  /// The sum of squares at unknowns; infinite beyond a pole.
+  /// The sum of squares at unknowns; infinite where the form has no value, and beyond a pole.
   double square(const Vector& q) const {
-    const std::vector<double> at = parameters(q.data());
-    const double square = sampled_.square(at) * static_cast<double>(sampled_.size());
-    return std::isfinite(square) && !sampled_.has_pole(at) ? square : HUGE_VAL;
+    Vector residuals(NumResiduals());
+    (*this)(q.data(), residuals.data(), nullptr);
+    const double square = residuals.squaredNorm() * static_cast<double>(sampled_.size());
+    return std::isfinite(square) && !sampled_.has_pole(projection_.parameters()) ? square : HUGE_VAL;
   }
 
  private:
-  std::vector<double> parameters(const double* q) const {
-    std::vector<double> result = optimum_;
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] += units_[i] * (i == held_ ? distance_ : *q++);
-    return result;
-  }
-
   const SampledStudy<double>& sampled_;
+  Projection projection_;
   const std::vector<double>&optimum_, &units_;
   std::size_t held_;
-  double distance_ = 0;
-  mutable Vector errors_;
 };
 
 /// The profile of one parameter.
@@ -154,14 +157,14 @@ class Profile {
   ceres::TinySolver<HeldSquare> solver_;
 };
 
-/// How the other parameters follow one of them: the regression of their errors on its error.
-Vector tangent_of(const RowStatistics& statistics, std::size_t held) {
+/// How unknowns follow a parameter: the regression of their errors on its error.
+Vector tangent_of(const RowStatistics& statistics, const std::vector<std::size_t>& unknowns,
+                  std::size_t held) {
   const std::vector<double>& errors = statistics.standard_errors;
-  Vector tangent(static_cast<Eigen::Index>(errors.size()) - 1);
-  Eigen::Index row = 0;
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (i != held) tangent[row++] = statistics.covariance[i][held] / (errors[i] * errors[held]);
-  }
+  Vector tangent(static_cast<Eigen::Index>(unknowns.size()));
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    tangent[static_cast<Eigen::Index>(i)] =
+        statistics.covariance[unknowns[i]][held] / (errors[unknowns[i]] * errors[held]);
   return tangent;
 }
 
@@ -186,7 +189,8 @@ std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyE
     result.standard_errors.push_back(std::sqrt(covariance(i, i)));
   }
   for (std::size_t i = 0; i < count; ++i) {
-    Profile profile({sampled, parameters, result.standard_errors, i}, tangent_of(result, i), growth);
+    const HeldSquare problem(error, sampled, parameters, result.standard_errors, i);
+    Profile profile(problem, tangent_of(result, problem.unknowns(), i), growth);
     ProfileInterval interval;
     const auto place = [&](double distance) { return parameters[i] + result.standard_errors[i] * distance; };
     if (const auto lower = profile.end(-1)) interval.lower = place(*lower);

@@ -2,7 +2,6 @@
 
 #include <ceres/tiny_solver.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "fit/quadrature/rule_choice.hpp"
+#include "fit/study/projection.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -17,82 +17,6 @@ namespace shadefit {
 namespace {
 
 using Vector = VectorOf<double>;
-using Matrix = MatrixOf<double>;
-
-/// The reduced problem of variable projection: its unknowns are the parameters that do not enter linearly,
-/// the others are the best for them.
-class Projection {
- public:
-  using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
-
-  Projection(const StudyError& error, const SampledStudy<double>& sampled)
-      : sampled_(sampled), parameters_(error.parameter_count()) {
-    for (std::size_t i = 0; i < parameters_.size(); ++i)
-      (error.is_linear()[i] ? linear_ : nonlinear_).push_back(i);
-  }
-
-  int NumResiduals() const { return static_cast<int>(sampled_.size()); }
-  int NumParameters() const { return static_cast<int>(nonlinear_.size()); }
-  const std::vector<std::size_t>& nonlinear() const { return nonlinear_; }
-
-  /// All parameters at the last place, the linear ones being the best there.
-  const std::vector<double>& parameters() const { return parameters_; }
-
-  /// The residuals sqrt(weight) * error. Kaufman's Jacobian: the columns of the nonlinear parameters without
-  /// their parts in the space of the linear ones.
-  bool operator()(const double* q, double* residuals, double* jacobian) const {
-    for (std::size_t i = 0; i < nonlinear_.size(); ++i) parameters_[nonlinear_[i]] = q[i];
-    Eigen::Map<Vector> result(residuals, NumResiduals());
-    Matrix slopes;
-    if (linear_.empty()) {
-      sampled_.errors(parameters_, result_, jacobian == nullptr ? nullptr : &slopes);
-      result = result_.cwiseProduct(sampled_.roots());
-      if (jacobian != nullptr) {
-        Eigen::Map<Matrix> columns(jacobian, NumResiduals(), NumParameters());
-        columns = sampled_.roots().asDiagonal() * slopes;
-      }
-    } else {
-      project(result, jacobian);
-    }
-    if (!result.allFinite()) result.setConstant(HUGE_VAL);  // an infinite cost rejects a step
-    return true;
-  }
-
- private:
-  void project(Eigen::Map<Vector>& result, double* jacobian) const {
-    const auto columns_of = [&](const Matrix& slopes, const std::vector<std::size_t>& which) {
-      Matrix columns(slopes.rows(), static_cast<Eigen::Index>(which.size()));
-      for (std::size_t i = 0; i < which.size(); ++i)
-        columns.col(static_cast<Eigen::Index>(i)) =
-            slopes.col(static_cast<Eigen::Index>(which[i])).cwiseProduct(sampled_.roots());
-      return columns;
-    };
-    for (const std::size_t i : linear_) parameters_[i] = 0;
-    Matrix slopes;
-    sampled_.errors(parameters_, result_, &slopes);
-    const Matrix basis = columns_of(slopes, linear_);
-    if (!basis.allFinite() || !result_.allFinite()) {
-      result.setConstant(HUGE_VAL);
-      return;
-    }
-    const Eigen::ColPivHouseholderQR<Matrix> qr(basis);
-    const Vector best = qr.solve(-result_.cwiseProduct(sampled_.roots()));
-    for (std::size_t i = 0; i < linear_.size(); ++i)
-      parameters_[linear_[i]] = best[static_cast<Eigen::Index>(i)];
-    sampled_.errors(parameters_, result_, jacobian == nullptr ? nullptr : &slopes);
-    result = result_.cwiseProduct(sampled_.roots());
-    if (jacobian == nullptr) return;
-    Eigen::Map<Matrix> columns(jacobian, NumResiduals(), NumParameters());
-    columns = columns_of(slopes, nonlinear_);
-    columns -= basis * qr.solve(columns);
-  }
-
-  const SampledStudy<double>& sampled_;
-  std::vector<std::size_t> linear_, nonlinear_;
-  mutable std::vector<double> parameters_;
-  mutable Vector result_;
-};
 
 /// The n-th number of van der Corput's sequence in a base: Halton's points have one for each coordinate.
 double radical_inverse(std::uint64_t n, std::uint64_t base) {

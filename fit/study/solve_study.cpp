@@ -303,6 +303,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
     return fit;
   }
   if (study.rows) {
+    checkpoint();
     fit.max_abs_error = largest_residual(study, fit.parameters);
     fit.statistics = row_statistics(study, error, sampled, fit.parameters);
   } else {

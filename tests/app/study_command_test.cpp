@@ -211,7 +211,8 @@ TEST(StudyCommand, RefusesBadTables) {
                  "--table does not go with --target: the rows are the target");
   expect_refusal(with(line_through(file), {"--norm", "minimax"}),
                  "--norm 'minimax' does not go with --table: rows are fitted by least squares");
-  expect_refusal({"fit", "sg-offset", "--table", file}, "--table belongs to --form, a formula of your own, or to a study");
+  expect_refusal({"fit", "sg-offset", "--table", file},
+                 "--table belongs to --form, a formula of your own, or to a study");
 }
 
 }  // namespace

@@ -48,6 +48,7 @@ std::string refusal_of_rows(const std::string& text) {
 
 TEST(MeasuredRows, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal_of_rows(""), "'m.csv' is empty: its first line must name the columns");
+  EXPECT_EQ(refusal_of_rows(std::string("x,value\n1,\0\n", 12)), "'m.csv' is not a text: it has a byte 0");
   EXPECT_EQ(refusal_of_rows("x,value\n"), "'m.csv' has no rows below its header");
   EXPECT_EQ(refusal_of_rows("0,1\n1,2\n"),
             "'m.csv', line 1: '0' is a number: the first line must name the columns");
