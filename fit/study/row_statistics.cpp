@@ -99,7 +99,8 @@ class Profile {
   /// `tangent`: how the unknowns follow the parameter at the optimum, standard errors per standard error.
   Profile(HeldSquare problem, Vector tangent, double growth)
       : problem_(std::move(problem)), tangent_(std::move(tangent)), growth_(growth) {
-    solver_.options.parameter_tolerance = 1e-10;
+    // The square is flat at its minimum: a millionth of a standard error changes it by 1e-12.
+    solver_.options.parameter_tolerance = 1e-6;
     solver_.options.function_tolerance = 0;
     solver_.options.gradient_tolerance = 0;
     solver_.options.cost_threshold = 0;
@@ -123,11 +124,11 @@ class Profile {
       excess_outside = excess(outside);
     }
     if (excess_inside == 0) return direction * inside;
-    // 40 bits: more digits than are printed.
+    // 30 bits of the distance: an end is shown to six digits.
     std::uintmax_t steps = 100;
     const auto root =
         boost::math::tools::toms748_solve(excess, inside, outside, excess_inside, excess_outside,
-                                          boost::math::tools::eps_tolerance<double>(40), steps);
+                                          boost::math::tools::eps_tolerance<double>(30), steps);
     return direction * (root.first + root.second) / 2;
   }
 
@@ -146,6 +147,7 @@ class Profile {
         least = square;
         best = q;
       }
+      if (q.size() == 0) break;
     }
     last_ = best;
     return std::isfinite(least) ? std::sqrt(std::max(0.0, least - least_) / growth_) : 2;
@@ -188,11 +190,15 @@ std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyE
     result.covariance.emplace_back(covariance.row(i).begin(), covariance.row(i).end());
     result.standard_errors.push_back(std::sqrt(covariance(i, i)));
   }
+  constexpr double resolution = 1e-8;  // of the search for an end: nearer to 0 is 0
   for (std::size_t i = 0; i < count; ++i) {
     const HeldSquare problem(error, sampled, parameters, result.standard_errors, i);
     Profile profile(problem, tangent_of(result, problem.unknowns(), i), growth);
     ProfileInterval interval;
-    const auto place = [&](double distance) { return parameters[i] + result.standard_errors[i] * distance; };
+    const auto place = [&](double distance) {
+      const double step = result.standard_errors[i] * distance, end = parameters[i] + step;
+      return std::abs(end) <= resolution * std::abs(step) ? 0 : end;
+    };
     if (const auto lower = profile.end(-1)) interval.lower = place(*lower);
     if (const auto upper = profile.end(1)) interval.upper = place(*upper);
     result.profiles.push_back(interval);

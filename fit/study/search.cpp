@@ -42,6 +42,22 @@ int octaves_from_one(const std::vector<double>& values) {
   return largest == 0 ? 0 : static_cast<int>(std::ceil(std::abs(std::log2(largest))));
 }
 
+/// Of more rows than this only some take part in the first steps from every start: they show the same basins.
+constexpr std::size_t most_scanned = 2000;
+
+/// Nodes at even steps through the list, at most `most_scanned`, with even weights.
+StudyNodes thinned(const StudyNodes& nodes) {
+  const std::size_t size = nodes.weights.size(), step = (size + most_scanned - 1) / most_scanned;
+  StudyNodes result{std::vector<std::vector<long double>>(nodes.coordinates.size()), {}, 1};
+  for (std::size_t n = 0; n < size; n += step) {
+    for (std::size_t i = 0; i < nodes.coordinates.size(); ++i)
+      result.coordinates[i].push_back(nodes.coordinates[i][n]);
+  }
+  const std::size_t kept = result.coordinates.front().size();
+  result.weights.assign(kept, 1.0L / static_cast<long double>(kept));
+  return result;
+}
+
 constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
 
 std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
@@ -69,12 +85,12 @@ SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
   return starts;
 }
 
-std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& sampled,
-                                          const SearchStarts& wanted) {
-  const Projection problem(error, sampled);
+std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
+                                          const SampledStudy<double>& sampled, const SearchStarts& wanted) {
+  const Projection scan(error, coarse), problem(error, sampled);
   const std::size_t size = problem.nonlinear().size();
   std::vector<StudyCandidate> found;
-  Vector residuals(problem.NumResiduals());
+  Vector residuals(problem.NumResiduals());  // enough for the coarse nodes too
   const auto add = [&](const Vector& q) {
     problem(q.data(), residuals.data(), nullptr);
     const double square = residuals.squaredNorm();
@@ -98,18 +114,18 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
     double cost;
   };
   std::vector<End> ends;
-  const auto descend = [&](Vector q, int steps) {
-    problem(q.data(), residuals.data(), nullptr);
-    if (!residuals.allFinite()) return;
+  const auto descend = [&](const Projection& on, Vector q, int steps) {
+    on(q.data(), residuals.data(), nullptr);
+    if (!residuals.head(on.NumResiduals()).allFinite()) return;
     solver.options.max_num_iterations = steps;
-    const double cost = solver.Solve(problem, &q).final_cost;
+    const double cost = solver.Solve(on, &q).final_cost;
     if (std::isfinite(cost)) ends.push_back({q, cost});
   };
   for (std::size_t n = 1; n <= wanted.count; ++n) {
     Vector q(static_cast<Eigen::Index>(size));
     for (std::size_t i = 0; i < size; ++i)
       q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]), wanted.octaves);
-    descend(q, few);
+    descend(scan, q, few);
   }
   std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
   std::vector<Vector> starts;
@@ -120,7 +136,7 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   }
   for (std::size_t i = 0; i < std::min(finalists, ends.size()); ++i) starts.push_back(ends[i].q);
   ends.clear();
-  for (const Vector& start : starts) descend(start, many);
+  for (const Vector& start : starts) descend(problem, start, many);
   for (const End& end : ends) add(end.q);
   std::stable_sort(found.begin(), found.end(),
                    [](const StudyCandidate& a, const StudyCandidate& b) { return a.square < b.square; });
@@ -142,7 +158,12 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   SearchStarts wanted = starts_of(study, nonlinear);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
-  result.candidates = search_basins(error, result.sampled, wanted);
+  if (study.rows && nodes.weights.size() > most_scanned) {
+    result.candidates =
+        search_basins(error, SampledStudy<double>(error, thinned(nodes)), result.sampled, wanted);
+  } else {
+    result.candidates = search_basins(error, result.sampled, result.sampled, wanted);
+  }
   if (result.candidates.empty())
     throw UserError(
         "--form has a pole, or no finite value, from every start: give another by --start, for example --start " +

@@ -21,9 +21,10 @@ struct SearchStarts {
 };
 
 /// The ends of descents, best first. Those with a pole or without a finite error are left out. One entry if
-/// the form is linear in all parameters.
-std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& sampled,
-                                          const SearchStarts& starts);
+/// the form is linear in all parameters. `coarse`, the same or fewer nodes, is for the first steps from every
+/// start.
+std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
+                                          const SampledStudy<double>& sampled, const SearchStarts& starts);
 
 /// A study searched on the nodes of a small rule.
 struct SearchedStudy {

@@ -1,8 +1,6 @@
 #include "fit/study/solve_study.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +10,7 @@
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/study/study_problem.hpp"
@@ -50,15 +49,15 @@ std::optional<MatrixOf<double>> polish(const SampledStudy<double>& sampled, std:
   double last = HUGE_VAL;
   for (int i = 0; i < 40; ++i) {
     const auto sums = sampled.derivatives(parameters);
-    const Vector step = -sums.hessian.fullPivLu().solve(sums.gradient);
+    const ScaledHessian hessian(sums.hessian);
+    const Vector step = -(hessian.inverse() * sums.gradient);
     if (!step.allFinite()) return std::nullopt;
     const auto size =
         static_cast<double>(relative_size(step, parameters, sums.hessian, sampled.target_norm()));
     std::vector<double> next = parameters;
     for (std::size_t j = 0; j < next.size(); ++j) next[j] += step[static_cast<Eigen::Index>(j)];
     if (size < 1e-15 || (size < 1e-10 && size >= last / 2)) {
-      const Eigen::LDLT<MatrixOf<double>> pivots(sums.hessian);
-      return pivots.isPositive() ? std::optional(sums.hessian) : std::nullopt;
+      return hessian.is_positive() ? std::optional(sums.hessian) : std::nullopt;
     }
     // Far from the optimum a step may lead up, or over a pole: then it is halved.
     double scale = 1;
@@ -171,7 +170,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     const auto wide = rules.sampled<long double>(rule + 1);
     const std::vector<long double> at(parameters.begin(), parameters.end());
     const auto sums = wide.gradient(at);
-    const MatrixOf<double> inverse = hessian->fullPivLu().inverse();
+    const MatrixOf<double> inverse = ScaledHessian(*hessian).inverse();
     const VectorOf<long double> step = -(inverse.cast<long double>() * sums.gradient);
     const long double size = relative_size(step, parameters, *hessian, fine.target_norm());
     const double square = fine.square(parameters);
@@ -252,14 +251,11 @@ StudyCandidate canonical(const ReadStudy& study, const SampledStudy<double>& sam
 std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& sampled,
                            const std::vector<double>& parameters) {
   const MatrixOf<double> hessian = sampled.derivatives(parameters).hessian;
-  const Vector scale = hessian.diagonal().cwiseAbs().cwiseSqrt();
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (scale[static_cast<Eigen::Index>(i)] == 0)
+    if (hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) == 0)
       throw UserError("--form does not depend on its parameter '" + study.parameters[i] + "'");
   }
-  const MatrixOf<double> scaled =
-      scale.cwiseInverse().asDiagonal() * hessian * scale.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<MatrixOf<double>> values(scaled);
+  const Eigen::SelfAdjointEigenSolver<MatrixOf<double>> values(ScaledHessian(hessian).scaled);
   constexpr double flat = 1e-13;  // rounding of the sums
   if (std::abs(values.eigenvalues()[0]) > flat) return "";
   std::string names;
