@@ -214,6 +214,20 @@ TEST(RowStudy, RecoversADecay) {
       << "sigma is the noise";
 }
 
+// Of more than 2000 rows the search begins with some.
+TEST(RowStudy, FitsManyRows) {
+  for (const int count : {2000, 2001, 4500}) {
+    MeasuredRows rows{"decay.csv", {{}}, {}, {}};
+    for (int i = 0; i < count; ++i) {
+      rows.places[0].push_back(3.0 * i / count);
+      rows.value.push_back(2 * std::exp(-1.5 * rows.places[0].back()) + 0.25);
+    }
+    const StudyFit fit = fit_of_rows(study_of_rows("a exp(-b x) + d", rows));
+    ASSERT_EQ(name(fit.status), "converged") << count << ": " << fit.why;
+    expect_near_relative(fit.parameters[1], 1.5, 1e-13, to_text(static_cast<double>(count)));
+  }
+}
+
 // With the values m + {-1, 0, 1} the sum of squares of exp(a) is 3 (exp(a) - m)^2 + 2: with sigma = 1 it
 // grows by 1 at exp(a) = m +- 1/sqrt(3).
 TEST(RowStudy, ProfilesAreClosedOrOpen) {
