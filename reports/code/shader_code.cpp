@@ -218,17 +218,20 @@ class Body {
   }
 
   std::string call(const std::string& function, const std::vector<Symbolic>& arguments) {
-    constexpr std::array everywhere{"exp", "exp2", "log", "log2", "sqrt", "sin",
-                                    "cos", "atan", "min", "max",  "pow"};
-    constexpr std::array in_c{"expm1", "log1p", "erfc"};
+    constexpr std::array everywhere{"exp",  "exp2",  "log",  "log2", "sqrt",  "sin",  "cos",
+                                    "tan",  "asin",  "acos", "atan", "atan2", "sinh", "cosh",
+                                    "tanh", "floor", "abs",  "min",  "max",   "pow"};
+    constexpr std::array in_c{"expm1", "log1p", "erf", "erfc"};
     const auto is_in = [&](const auto& list) {
       return std::find(list.begin(), list.end(), function) != list.end();
     };
     const bool has_c_library = dialect_.name == "c" || dialect_.name == "cpp";
-    if (!is_in(everywhere) && !(has_c_library && is_in(in_c)))
+    const bool is_there = is_in(everywhere) || (has_c_library ? is_in(in_c) : function == "sign");
+    if (!is_there)
       throw UserError(fmt::format("{}: '{}' has no {}", function_.name, dialect_.name, function));
     std::string name = function;
-    if (dialect_.name == "c" && (name == "min" || name == "max")) name = "f" + name;
+    if (dialect_.name == "c" && (name == "min" || name == "max" || name == "abs")) name = "f" + name;
+    if (dialect_.name == "glsl" && name == "atan2") name = "atan";
     name = fmt::format("{}{}{}", dialect_.functions, name, dialect_.float_suffix);
     std::string list;
     for (const Symbolic& argument : arguments)

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/commands/command_line.hpp"
 #include "app/studies/find_study.hpp"
 #include "app/studies/read_study_file.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/code/shader_code.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -125,6 +127,13 @@ TEST(StudyFile, CommittedStudiesHold) {
     const Outcome outcome = run_command_line({"better", file.id, "--json"});
     EXPECT_EQ(outcome.exit_code, 0) << file.id << outcome.err;
     EXPECT_NE(outcome.out.find("\"left_out\": []"), std::string::npos) << file.id;
+    std::vector<std::string> emit{"emit", file.id, "--lang", ""};
+    for (const auto& [constant, values] : file.given)
+      emit.insert(emit.end(), {"--given", constant + "=" + values.front()});
+    for (const Language language : languages) {
+      emit[3] = name(language);
+      EXPECT_EQ(run_command_line(emit).exit_code, 0) << file.id << " " << emit[3];
+    }
   }
 }
 

@@ -43,10 +43,12 @@ ShaderFunction of_everything() {
   const Symbolic y = one - c;
   const Symbolic powers = power(y, 5) + power(c, 16) / power(y + one, -3);
   const Symbolic functions = exp(-y) + exp2(k * y) + log(c + one) + log2(c + one) + sqrt(c) + sin(c) + cos(c);
+  const Symbolic more = tan(c) + asin(c) - acos(c) + atan(k) * atan2(c, k) + sinh(c) / cosh(k * c) +
+                        tanh(y - k) + floor(k - c) * abs(y - k);
   const Symbolic chosen = select(less(c, constant<Symbolic>("0.25")), y, -power(c, k));
   return {"of_everything",
           {"c", "k"},
-          powers * (functions - (chosen - y)) + min(y, k) / max(pi<Symbolic>() * c, y) -
+          powers * (functions - (chosen - y)) + more + min(y, k) / max(pi<Symbolic>() * c, y) -
               (y - ln2<Symbolic>() / constant<Symbolic>("-3")),
           {"All of it."}};
 }
@@ -148,6 +150,9 @@ TEST(ShaderCode, NamesWhatALanguageLacks) {
   EXPECT_EQ(testing::refusal([&] { code_of(function, Language::glsl); }), "f: 'glsl' has no log1p");
   EXPECT_EQ(code_of(function, Language::c),
             "\n#include <math.h>\n\nstatic inline float f(float c) {\n  return log1pf(c);\n}\n");
+  const ShaderFunction sign{"f", {"c"}, signum(variable("c"))};
+  EXPECT_EQ(testing::refusal([&] { code_of(sign, Language::c); }), "f: 'c' has no sign");
+  EXPECT_EQ(code_of(sign, Language::wgsl), "\nfn f(c: f32) -> f32 {\n  return sign(c);\n}\n");
 }
 
 /// A whole shader around functions, which calls `of_everything`.
