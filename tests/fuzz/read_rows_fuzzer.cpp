@@ -9,7 +9,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace shadefit;
   try {
-    const MeasuredRows rows = read_measured_rows({reinterpret_cast<const char*>(data), size}, "fuzzed", {"x"});
+    const MeasuredRows rows =
+        read_measured_rows({reinterpret_cast<const char*>(data), size}, "fuzzed", {"x"});
     if (rows.value.empty() || rows.value.size() != rows.places.front().size()) __builtin_trap();
   } catch (const UserError&) {
     return 0;  // refused, as bad input has to be
