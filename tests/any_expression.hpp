@@ -37,7 +37,7 @@ class AnyExpression {
       case 8:
         return function_of(part());
       case 9:
-        return max(part(), part());
+        return function_of(part(), part());
       case 10:
         return atan2(part(), part());
       case 11:
@@ -66,6 +66,11 @@ class AnyExpression {
   Symbolic function_of(const Symbolic& x) {
     const auto& all = functions_of_one<Symbolic>;
     return all[draw(all.size())](x);
+  }
+
+  Symbolic function_of(const Symbolic& x, const Symbolic& y) {
+    const auto& all = functions_of_two<Symbolic>;
+    return all[draw(all.size())](x, y);
   }
 
   std::uint64_t state_;

@@ -252,6 +252,11 @@ class RemezExchange {
         here_.parameters[i] = static_cast<double>(wide[i] + step[i]);
       ++result_.iterations;
     }
+    if (size <= problem_.largest_step) {
+      result_.status = Status::converged;
+      record();
+      return;
+    }
     fail(Status::not_converged, "Newton's last step is still " + to_text(static_cast<double>(size)) +
                                     " of a parameter: the problem has no 14 digits in this arithmetic");
   }

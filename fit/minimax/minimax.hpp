@@ -67,6 +67,9 @@ struct MinimaxProblem {
   std::optional<Side> one_sided = std::nullopt;
   std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
   std::vector<SearchPlace> exact_at = {};
+  /// If Newton does not settle, an answer still counts whose last step is at most this share of each
+  /// parameter: `digits` says how much of it is right.
+  long double largest_step = 0;
   std::function<bool(const MinimaxParameters&)> is_admissible = [](const MinimaxParameters&) { return true; };
 };
 

@@ -56,6 +56,8 @@ struct Scalar<boost::multiprecision::number<boost::multiprecision::cpp_bin_float
   static T erf(const T& x) { return boost::math::erf(x); }
   static T floor(const T& x) { return boost::multiprecision::floor(x); }
   static T power(const T& x, const T& p) {
+    // Boost 1.74 calls itself without end if p is not a number and its sign is set.
+    if (boost::multiprecision::isnan(p)) return p;
     return x == 0 && p > 0 ? T(0) : T(boost::multiprecision::pow(x, p));
   }
   static bool less(const T& a, const T& b) { return a < b; }

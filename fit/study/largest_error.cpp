@@ -39,7 +39,8 @@ class Magnitude {
       while (study_.parameters[i] != name) ++i;
       return parameters_[i];
     }));
-    return std::isfinite(value) ? value : 0;
+    // Without a value at a place, such as x log(x) at 0. An infinite error is one.
+    return std::isnan(value) ? 0 : value;
   }
 
  private:

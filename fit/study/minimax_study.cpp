@@ -113,6 +113,8 @@ class MinimaxStudy {
     problem_.at_least = constraints.at_least;
     for (const double x : constraints.exact_at)
       problem_.exact_at.push_back(x == edges.front().at ? places_.front() : places_.back());
+    // A form as text may cancel. Then fewer digits are right, as in least squares.
+    problem_.largest_step = std::pow(10.0L, -least_study_digits);
     problem_.is_admissible = [this](const MinimaxParameters& p) { return !has_pole(p); };
   }
 
@@ -164,9 +166,9 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   require_one_variable(study, constraints);
   const StudyError error(study);
-  const std::vector<StudyEdge> edges = edges_of(study, 0);
-  const SearchedStudy searched = search_study(study, error, {edges}, starts);
+  const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts);
   checkpoint();
+  const auto edges = resolved_edges(study, error, searched.candidates.front().parameters);
   const MinimaxStudy problem(study, error, edges, constraints);
 
   // The lowest basins of least squares, one start for each different square.
@@ -199,7 +201,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   if (fit.status == Status::infeasible)
     throw UserError("the form cannot satisfy the constraints: " + fit.why);
   if (fit.status != Status::converged) return fit;
-  fit.rms_error = std::sqrt(searched.sampled.square(fit.parameters));
+  fit.rms_error = rms_error(study, error, fit.parameters);
   fit.max_abs_error = largest_error(study, {edges}, fit.parameters);
   return fit;
 }

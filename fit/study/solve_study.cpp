@@ -21,9 +21,6 @@ namespace {
 
 using Vector = VectorOf<double>;
 
-/// Fewer digits are no answer.
-constexpr int least_digits = 6;
-
 /// A parameter counts as 0 where it moves the form by less than this share of the target: then its digits are
 /// those of that share.
 constexpr double negligible = 1e-6;
@@ -191,7 +188,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
   if (fit.status != Status::converged) {
     fit.why = rules.is_of_rows() ? "Newton's method does not settle in long double"
                                  : "the integral of the squared error does not converge";
-  } else if (fit.digits < least_digits) {
+  } else if (fit.digits < least_study_digits) {
     fit.status = Status::not_converged;
     fit.why = rules.is_of_rows() ? "long double still moves a parameter in its sixth digit"
                                  : "the largest quadrature rule still moves a parameter in its sixth digit";
@@ -253,7 +250,8 @@ std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& s
   const MatrixOf<double> hessian = sampled.derivatives(parameters).hessian;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) == 0)
-      throw UserError("--form does not depend on its parameter '" + study.parameters[i] + "'");
+      throw UserError("--form does not depend on its parameter '" + study.parameters[i] +
+                      "' where it was evaluated");
   }
   const Eigen::SelfAdjointEigenSolver<MatrixOf<double>> values(ScaledHessian(hessian).scaled);
   constexpr double flat = 1e-13;  // rounding of the sums
@@ -267,6 +265,24 @@ std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& s
 }
 
 }  // namespace
+
+std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& error,
+                                      const std::vector<double>& parameters) {
+  Rules rules(study, error);
+  rules.cut_panels(parameters);
+  return rules.edges().front();
+}
+
+double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters) {
+  Rules rules(study, error);
+  rules.cut_panels(parameters);
+  double square = 0, last = -1;
+  for (std::size_t rule = 0; rule < rules.last() && std::abs(square - last) > 1e-12 * square; ++rule) {
+    last = square;
+    square = rules.sampled<double>(rule).square(parameters);
+  }
+  return std::sqrt(square);
+}
 
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   const StudyError error(study);

@@ -8,10 +8,13 @@
 #include "fit/minimax/alternation.hpp"
 #include "fit/study/row_statistics.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study/study_nodes.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// The least-squares fit of a study.
 namespace shadefit {
+
+class StudyError;
 
 /// The largest magnitude of an error, and its place: one number for each variable.
 struct StudyExtremum {
@@ -19,6 +22,9 @@ struct StudyExtremum {
   std::vector<double> at;
   std::size_t row = 0;  ///< of measured rows: its number, from 1
 };
+
+/// Fewer digits of a parameter are no answer.
+inline constexpr int least_study_digits = 6;
 
 struct StudyFit {
   std::vector<std::string> names;  ///< of all free parameters
@@ -46,5 +52,14 @@ struct StudyFit {
 /// rows. Throws UserError where a formula has no value in the range.
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts,
                      const Checkpoint& checkpoint = keep_going);
+
+/// The edges of the single variable of a study, and cuts between them: small rules agree on each panel about
+/// the squares of the error and of its derivatives at these parameters.
+std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& error,
+                                      const std::vector<double>& parameters);
+
+/// sqrt(integral of density * error^2 / integral of density) at these parameters, by rules of rising size
+/// until two agree to 1e-12. `error` is that of the study.
+double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters);
 
 }  // namespace shadefit

@@ -94,7 +94,7 @@ TEST(StudyCommand, RefusesBadInput) {
   expect_refusal({"fit", "--target", "x", "--form", "a", "--over", "x=0"},
                  "--over 'x=0' is not NAME=A:B or NAME=A:B:DENSITY");
   expect_refusal({"fit", "--target", "x^2", "--form", "a (x + 0 b)", "--over", "x=0:1"},
-                 "--form does not depend on its parameter 'b'");
+                 "--form does not depend on its parameter 'b' where it was evaluated");
 }
 
 std::vector<std::string> line_through(const std::string& file) {

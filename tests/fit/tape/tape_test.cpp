@@ -14,6 +14,7 @@
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/tape/batch.hpp"
 #include "tests/any_expression.hpp"
+#include "tests/intervals.hpp"
 
 namespace shadefit {
 namespace {
@@ -51,11 +52,28 @@ Tape tape_of(Graph& graph, std::span<const int> outputs) {
   return {graph, outputs, inputs};
 }
 
+/// x, a and b at a place. In a Jet a and b are the variables of its derivatives.
 template <class T>
 std::vector<T> inputs_at(const std::array<double, 3>& place) {
   std::vector<T> result;
-  for (const double x : place) result.push_back(static_cast<T>(x));
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if constexpr (is_jet<T>) {
+      T jet(inputs_at<typename T::Scalar>(place)[i]);
+      if (i > 0) jet.v[static_cast<int>(i) - 1] = integer<typename T::Scalar>(1);
+      result.push_back(jet);
+    } else {
+      result.push_back(static_cast<T>(place[i]));
+    }
+  }
   return result;
+}
+
+/// A formula with one of these inputs for each name.
+template <class T>
+T evaluate_at(const Symbolic& e, const std::vector<T>& inputs) {
+  return evaluate<T>(e, [&](const std::string& name) {
+    return inputs[name == "x" ? 0 : name == "a" ? 1 : 2];
+  });
 }
 
 std::string words(const Symbolic& e, const std::array<double, 3>& at) {
@@ -71,6 +89,8 @@ bool is_same(const T& a, const T& b) {
            (mpfr_equal_p(&p->left, &q->left) != 0 && mpfr_equal_p(&p->right, &q->right) != 0);
   } else if constexpr (std::same_as<T, TwoLanes>) {
     return is_same(a[0], b[0]) && is_same(a[1], b[1]);
+  } else if constexpr (is_jet<T>) {
+    return is_same(a.a, b.a) && is_same(a.v[0], b.v[0]) && is_same(a.v[1], b.v[1]);
   } else {
     return a == b || (a != a && b != b);
   }
@@ -78,8 +98,9 @@ bool is_same(const T& a, const T& b) {
 
 template <class T>
 class TapeIn : public ::testing::Test {};
-using Scalars =
-    ::testing::Types<float, double, long double, Eigen::half, TwoLanes, Decimal50, Decimal100, Interval>;
+using Jet = ceres::Jet<double, 2>;
+using Scalars = ::testing::Types<float, double, long double, Eigen::half, TwoLanes, Decimal50, Decimal100,
+                                 Interval, Jet, ceres::Jet<Jet, 2>>;
 TYPED_TEST_SUITE(TapeIn, Scalars);
 
 // The same operations in the same order: the same bits.
@@ -90,21 +111,53 @@ TYPED_TEST(TapeIn, IsWhatEvaluateReturns) {
     const Tape tape = tape_of(graph, outputs);
     for (const auto& place : places) {
       const auto inputs = inputs_at<TypeParam>(place);
-      const auto expected = evaluate<TypeParam>(e, [&](const std::string& name) {
-        return inputs[name == "x" ? 0 : name == "a" ? 1 : 2];
-      });
+      const auto expected = evaluate_at(e, inputs);
       ASSERT_TRUE(is_same(tape(std::span<const TypeParam>(inputs)).front(), expected)) << words(e, place);
     }
   }
 }
 
-/// Whether every part of a formula is a number at a place. A maximum may hide one that is not.
+/// Whether every part of a formula is a number at a place. A maximum may hide one that is not. A power of 0
+/// has derivatives by limits alone.
 bool is_defined(const Symbolic& e, const std::array<double, 3>& at) {
-  const double value = evaluate<double>(e, [&](const std::string& name) {
-    return at[name == "x" ? 0 : name == "a" ? 1 : 2];
-  });
+  const double value = evaluate_at(e, inputs_at<double>(at));
+  if (e.kind() == Symbolic::Kind::real_power && evaluate_at(e.part(0), inputs_at<double>(at)) == 0)
+    return false;
   return std::isfinite(value) && std::all_of(e.parts().begin(), e.parts().end(),
                                              [&](const Symbolic& part) { return is_defined(part, at); });
+}
+
+// Around each place, of radius 1e-9 in every input: the values at two corners and in its middle, in 50
+// digits.
+TEST(Tape, AnIntervalEnclosesWhatIsInside) {
+  constexpr double radius = 1e-9;
+  int compared = 0;
+  for (const Symbolic& e : formulas(200)) {
+    Graph graph(names);
+    const std::array outputs{graph.add(e)};
+    const Tape tape = tape_of(graph, outputs);
+    for (const auto& place : places) {
+      std::vector<Interval> box;
+      for (const double x : place)
+        box.push_back(Scalar<Interval>::hull(Interval(x - radius), Interval(x + radius)));
+      const Interval enclosure = tape(std::span<const Interval>(box)).front();
+      for (const int corner : {0, 7, 8}) {
+        std::array<double, 3> inside = place;
+        for (std::size_t i = 0; i < 3 && corner < 8; ++i)
+          inside[i] += (corner >> i) % 2 == 0 ? radius : -radius;
+        if (!is_defined(e, inside)) continue;
+        ++compared;
+        const Decimal100 value(evaluate_at(e, inputs_at<Decimal50>(inside)));
+        // At a corner the value may be an end of the interval. It is right to 40 of its digits.
+        const Decimal100 rounding = abs(value) * Decimal100("1e-40");
+        EXPECT_TRUE(testing::end(enclosure, false) - rounding <= value &&
+                    value <= testing::end(enclosure, true) + rounding)
+            << words(e, inside) << ": " << value.str(30) << " is not in ["
+            << testing::end(enclosure, false).str(30) << ", " << testing::end(enclosure, true).str(30) << "]";
+      }
+    }
+  }
+  EXPECT_GT(compared, 1000) << "most are numbers";
 }
 
 // Value, first and second derivatives by a and b against nested Jets, in 50 digits.
@@ -126,16 +179,7 @@ TEST(Graph, DerivativesAreThoseOfNestedJets) {
     const Tape tape = tape_of(graph, outputs);
     for (const auto& place : places) {
       if (!is_defined(e, place)) continue;
-      const auto seeded = [&](std::size_t i) {
-        Second jet{First(Decimal50(place[i]))};
-        if (i == 0) return jet;
-        jet.a.v[static_cast<int>(i) - 1] = 1;
-        jet.v[static_cast<int>(i) - 1] = First(Decimal50(1));
-        return jet;
-      };
-      const Second jet = evaluate<Second>(e, [&](const std::string& name) {
-        return seeded(name == "x" ? 0 : name == "a" ? 1 : 2);
-      });
+      const Second jet = evaluate_at(e, inputs_at<Second>(place));
       const std::array expected{jet.a.a,       jet.a.v[0],    jet.a.v[1],   jet.v[0].v[0],
                                 jet.v[0].v[1], jet.v[1].v[0], jet.v[1].v[1]};
       const auto inputs = inputs_at<Decimal50>(place);
@@ -151,6 +195,16 @@ TEST(Graph, DerivativesAreThoseOfNestedJets) {
     }
   }
   EXPECT_GT(compared, 1000) << "most are numbers";
+}
+
+// What is read back from its text is the same graph.
+TEST(Graph, AFormulaReadBackIsTheSameNode) {
+  const std::array<std::string_view, 3> known{"x", "a", "b"};
+  for (const Symbolic& e : formulas(200)) {
+    Graph graph(names);
+    const int node = graph.add(e);
+    EXPECT_EQ(graph.add(parse_formula(to_text(e), known)), node) << to_text(e);
+  }
 }
 
 TEST(Graph, KnowsWhatDoesNotDepend) {
