@@ -97,10 +97,6 @@ void declare_run(CLI::App& run, RunOptions& options) {
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
 }
 
-void add_id(CLI::App& command, FitOptions& fit) {
-  command.add_option("id", fit.id, form_help)->required()->type_name("FORM");
-}
-
 void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_default) {
   add_value(command, "--exponent", fit.exponents, parse_exponents, "K|A:B:STEP",
             "the exponents of a lobe, separated by commas (default: " + by_default + ")");
@@ -117,17 +113,6 @@ void add_surface(CLI::App& command, FitOptions& fit) {
             "index of refraction n of the surface, which also sets f0 (default with --target exact: 1.5)");
   add_value(command, "--extinction", fit.extinction, parse_finite, "K",
             "extinction k of a conductor with index n + i k (default: 0)");
-}
-
-/// Adds the options for the target of a Fresnel form.
-void add_target(CLI::App& command, FitOptions& fit, const std::string& by_default) {
-  add_choice(
-      command, "--target", fit.target,
-      Choices<Surface::Formula>{{"schlick", Surface::Formula::schlick}, {"exact", Surface::Formula::exact}},
-      "the function that a Fresnel form approximates: schlick is (1-c)^5, exact is the reflectance of a "
-      "surface (default: " +
-          by_default + ")");
-  add_surface(command, fit);
 }
 
 /// Adds the options for the error and its domain, for `fit`, `certify` and `emit`.
@@ -247,15 +232,18 @@ void declare_better(CLI::App& better, FitOptions& options) {
 }
 
 void declare_certify(CLI::App& certify, CertifyOptions& options) {
-  add_id(certify, options.fit);
+  certify.add_option("id", options.fit.id, form_help)->type_name("FORM");
   add_exponent(certify, options.fit, "those for which the source printed a number");
   add_metric(certify, options.fit);
-  add_target(certify, options.fit, "schlick");
+  add_target_or_formula(certify, options.fit, "schlick");
+  add_study(certify, options.fit.study);
+  add_norm(certify, options.fit);
+  add_constraints(certify, options.fit.metric);
   add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
             "the constants (default: the published ones, else fitted ones)");
   add_value(certify, "--width", options.width, parse_relative_width, "W",
-            "the greatest distance of the two bounds, as a share of the largest error")
-      ->default_str("1e-9");
+            "the greatest distance of the two bounds, as a share of the largest error (default: 1e-9; for a "
+            "--form in two variables 1e-6, in three 1e-3)");
   add_value(certify, "--out", options.out, parse_text, "FILE",
             "write the certificate, for 'shadefit verify'");
   add_force(certify, options.force);
@@ -349,7 +337,9 @@ void declare_commands(CLI::App& app, Call& call) {
   add_command<CertifyOptions>(
       app, call, "certify", "bounds of a form's largest error, proven by interval arithmetic",
       "  shadefit certify fresnel-quadratic\n"
-      "  shadefit certify fresnel-quadratic --parameters a=-5.5,b=-7 --out pair.json\n",
+      "  shadefit certify acos-linear\n"
+      "  shadefit certify fresnel-quadratic --parameters a=-5.5,b=-7 --out pair.json\n"
+      "  shadefit certify --target 'acos(x)' --form 'a sqrt(1-x)' --over x=0:1\n",
       declare_certify, [&](const CertifyOptions& options) {
         return certify_command(options, call.checkpoint, call.progress);
       });

@@ -8,13 +8,13 @@
 #include "app/options/chosen_constants.hpp"
 #include "app/output/output_file.hpp"
 #include "app/studies/chosen_study.hpp"
+#include "app/studies/study_subject.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
-#include "fit/verdicts/study_verdict.hpp"
 #include "reports/code/reserved_names.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/io/utf8.hpp"
@@ -151,30 +151,30 @@ std::string code_of(const EmitOptions& options, const Checkpoint& checkpoint, co
   return shader_code(functions, *options.language, options.precision, comment);
 }
 
-/// The constants of a study's code: names, decimal texts, and where they come from.
-struct StudyConstants {
-  std::vector<std::string> texts;
-  std::string origin;
-};
-
-/// The given constants; else those of the first set that was published for the form; else fitted ones.
-StudyConstants constants_of(const StudyFile& file, const StudyObjective& objective,
-                            const EmitOptions& options, const Checkpoint& checkpoint) {
-  const std::vector<std::string> names = read_study(objective.study).parameters;
-  if (options.parameters)
-    return {values_of({.form = file.forms.front().id, .values = *options.parameters, .source = {}}, names),
-            "given"};
-  const bool is_fit_asked = options.fit.present.contains("--norm") || options.fit.present.contains("--error");
-  for (const PublishedSet& set : file.published) {
-    if (!is_fit_asked && set.form == file.forms.front().id && is_for(set, objective.study))
-      return {values_of(set, names), "published: " + set.source};
+/// What is known of the largest error of a study's code: proven where there is a proof, else sampled.
+std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint) {
+  const Study& study = subject.study;
+  const ReadStudy read = read_formulas(study);
+  std::string ranges;
+  for (const StudyAxis& axis : read.axes)
+    ranges +=
+        fmt::format("{}{} in [{}, {}]", ranges.empty() ? "" : ", ", axis.variable, axis.lower, axis.upper);
+  if (study.rows == nullptr) {
+    try {
+      // the fourth digit of a bound is rounded up
+      const double width = std::max(1e-6, usual_study_width(study.over.size()));
+      const StudyCertificate proof = certify_study(subject, width, checkpoint).certificate;
+      return fmt::format("Proven: {}{} error at most {} for {}, in exact arithmetic.",
+                         study.weight == "1" ? "" : "weighted ", name(study.error),
+                         decimal_above(proof.upper, 4), ranges);
+    } catch (const CheckFailed&) {
+      // The formulas have no finite bound in intervals. Samples say what they can.
+    }
   }
-  const StudyFit fit = fit_study(objective, checkpoint);
-  if (fit.status != Status::converged)
-    throw UserError(fmt::format("emit has no constants: the fit is {}, {}", name(fit.status), fit.why));
-  StudyConstants constants{{}, "fitted: " + objective.words};
-  for (const double value : fit.parameters) constants.texts.push_back(fmt::format("{}", value));
-  return constants;
+  std::vector<double> values;
+  for (const auto& [name, text] : subject.parameters) values.push_back(constant<double>(as_decimal(text)));
+  return fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.",
+                     largest_error(read, values).magnitude, ranges);
 }
 
 std::string study_code(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint) {
@@ -184,39 +184,29 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
   if (studies.size() > 1)
     throw UserError(
         fmt::format("'{}' has {} values of its given constants: name one by --given", id, studies.size()));
-  Study study = studies.front();
-  study.form = file.forms.front().formula;
-  const StudyObjective objective = objective_of(study, file.norm, file.constraints);
-  const StudyConstants chosen = constants_of(file, objective, options, checkpoint);
-  const ReadStudy read = read_study(study);
-  std::vector<double> values;
+  const auto [subject, from, origin] =
+      chosen_study_subject(file, studies.front(), options.parameters, options.fit, checkpoint);
+  const Study& study = subject.study;
+  const ReadStudy read = read_formulas(study);
   std::string constants;
-  for (std::size_t i = 0; i < read.parameters.size(); ++i) {
-    values.push_back(constant<double>(chosen.texts[i]));
-    constants += fmt::format("{}{} = {}", i == 0 ? "" : ", ", read.parameters[i], chosen.texts[i]);
-  }
+  for (const auto& [parameter, value] : subject.parameters)
+    constants += fmt::format("{}{} = {}", constants.empty() ? "" : ", ", parameter, as_decimal(value));
   ShaderFunction function{name, {}, read.form};
-  std::string ranges;
-  for (std::size_t i = 0; i < read.axes.size(); ++i) {
-    const StudyAxis& axis = read.axes[i];
-    function.arguments.push_back(axis.variable);
-    ranges += fmt::format("{}{} in [{}, {}]", i == 0 ? "" : ", ", axis.variable, axis.lower, axis.upper);
-  }
-  function.result = evaluate<Symbolic>(read.form, [&](const std::string& variable) {
-    for (std::size_t i = 0; i < read.parameters.size(); ++i) {
-      if (read.parameters[i] == variable) return Symbolic::number(chosen.texts[i]);
-    }
-    return Symbolic::variable(variable);
-  });
-  const StudyExtremum largest = largest_error(read, values);
+  for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
+  function.result =
+      evaluate<Symbolic>(read.form, [&, &parameters = subject.parameters](const std::string& variable) {
+        for (const auto& [parameter, value] : parameters) {
+          if (parameter == variable) return Symbolic::number(as_decimal(value));
+        }
+        return Symbolic::variable(variable);
+      });
   const std::vector<std::string> comment{
       std::string(generated_line),
       command_of(options),
       "",
       fmt::format("{} for {}", study.form, study.rows ? "the rows of " + study.rows->file : study.target),
-      fmt::format("{} ({})", constants, chosen.origin),
-      fmt::format("Sampled: absolute error at most {:.4g} for {}, in exact arithmetic.", largest.magnitude,
-                  ranges),
+      fmt::format("{} ({})", constants, origin),
+      error_line(subject, checkpoint),
   };
   const std::array functions{function};
   return shader_code(functions, *options.language, options.precision, comment);

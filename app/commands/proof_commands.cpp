@@ -4,11 +4,14 @@
 #include <filesystem>
 
 #include "app/commands/commands.hpp"
+#include "app/commands/study_commands.hpp"
 #include "app/options/chosen_constants.hpp"
 #include "app/options/fit_arguments.hpp"
 #include "app/output/output_file.hpp"
+#include "app/studies/chosen_study.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "fit/proof/certificate.hpp"
+#include "fit/proof/enclosure.hpp"
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
@@ -18,6 +21,7 @@
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/proofs.hpp"
 #include "reports/rows/statement.hpp"
+#include "reports/studies/study_certificate_json.hpp"
 #include "reports/table/writers.hpp"
 
 /// The subcommands `certify` and `verify`.
@@ -32,13 +36,32 @@ std::string not_reached(const Certificate& certificate, double width) {
                      certificate.lower, certificate.upper);
 }
 
+/// Options of a fit that a proof of a family does not look at: they count with --form.
+void refuse_options_of_fits(const Metric& metric) {
+  const Constraints& constraints = metric.constraints;
+  const auto refuse = [](const char* option, const std::string& value) {
+    throw UserError(fmt::format("{} '{}' belongs to --form, a formula of your own", option, value));
+  };
+  if (metric.norm != Norm::least_squares) refuse("--norm", std::string(name(metric.norm)));
+  if (!metric.weight.empty()) refuse("--weight", metric.weight);
+  if (!constraints.held.empty())
+    refuse("--fix", constraints.held.front().parameter + "=" + to_text(constraints.held.front().value));
+  refuse_minimax_constraints(constraints);
+}
+
 }  // namespace
 
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
                         const Progress& progress) {
+  if (const auto study = chosen_study(options.fit))
+    return certify_study_command(*study, options, checkpoint, progress);
+  if (options.fit.id.empty())
+    throw UserError(
+        "certify needs a family, a published constant or a study (see 'shadefit list'), or --form");
+  refuse_options_of_fits(options.fit.metric);
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;
-  const double width = options.width;
+  const double width = options.width.value_or(usual_width);
   const std::vector<Setting> settings = settings_for(family, named.published, options.fit);
   const Metric metric = metric_for(options.fit, family, settings);
   const Error error = metric.error;
@@ -75,13 +98,14 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
 }
 
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  const ReadCertificate read =
-      read_certificate(read_bounded(options.file, most_certificate_bytes), options.file);
-  const Certificate& certificate = read.certificate;
   const auto done = [&, show = bar(progress, "verify")](double share) {
     checkpoint();
     show(share);
   };
+  const std::string text = read_bounded(options.file, most_certificate_bytes);
+  if (is_study_certificate(text, options.file)) return verify_study(text, options.file, done);
+  const ReadCertificate read = read_certificate(text, options.file);
+  const Certificate& certificate = read.certificate;
   const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
   const std::string file = printable(options.file);
   if (!reason.empty())

@@ -27,9 +27,8 @@ std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
   std::string lines;
   for (const FittedStudy& study : studies) {
     if (study.fit.status == Status::converged) continue;
-    std::string given;
-    for (const auto& [constant, value] : study.asked.given) given += fmt::format(" {} = {}", constant, value);
-    lines += fmt::format("shadefit: the fit{}{}: {}, {}\n", given.empty() ? "" : " of", given,
+    const std::string given = given_text(study.asked);
+    lines += fmt::format("shadefit: the fit{}{}: {}, {}\n", given.empty() ? "" : " of ", given,
                          name(study.fit.status), study.fit.why);
     for (std::size_t i = 0; i < study.fit.other.size(); ++i)
       lines += fmt::format("shadefit: {} = {} or {}\n", study.fit.names[i], to_text(study.fit.parameters[i]),

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
 #include "app/terminal/progress.hpp"
+#include "fit/proof/certificate.hpp"
 #include "fit/study/study_file.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/studies/study_rows.hpp"
@@ -21,7 +23,10 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
                       const Progress& progress);
 Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                              const Progress& progress);
-Outcome emit_study_command(const StudyFile& file, const EmitOptions& options, const Checkpoint& checkpoint);
+Outcome certify_study_command(const StudyFile& file, const CertifyOptions& options,
+                              const Checkpoint& checkpoint, const Progress& progress);
+/// `text` is the certificate in `file`.
+Outcome verify_study(const std::string& text, const std::string& file, const ShareDone& done);
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options);
 Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint);
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options, const Checkpoint& checkpoint);

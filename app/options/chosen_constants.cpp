@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "approx/ledger/catalogue.hpp"
@@ -13,17 +11,6 @@
 
 namespace shadefit {
 namespace {
-
-/// The parameters in the order of the family, if all names belong to it.
-Parameters in_order(Parameters parameters, const FittableFamily& family) {
-  const auto rank = [&](const auto& parameter) {
-    return std::find(family.parameters.begin(), family.parameters.end(), parameter.first) -
-           family.parameters.begin();
-  };
-  std::stable_sort(parameters.begin(), parameters.end(),
-                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
-  return parameters;
-}
 
 /// The published number for a parameter of a fit: from the requested record, else the first number that is a
 /// best fit in that setting.
@@ -45,7 +32,8 @@ ChosenSubject chosen_constants(const std::optional<Parameters>& parameters, cons
   const FittableFamily& family = *named.family;
   Subject subject{std::string(family.info.id), {}, setting, metric.error, metric.domain};
   if (parameters) {
-    subject.parameters = in_order(*parameters, family);
+    const std::vector<std::string> known(family.parameters.begin(), family.parameters.end());
+    subject.parameters = in_order(*parameters, known);
     return {subject, "given"};
   }
   for (const std::string_view parameter : family.parameters) {

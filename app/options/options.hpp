@@ -65,7 +65,7 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;
 struct CertifyOptions {
   FitOptions fit = {};
   std::optional<Parameters> parameters = {};  ///< empty: the published ones, else fitted
-  double width = 1e-9;                        ///< of the bounds, relative
+  std::optional<double> width = {};           ///< of the bounds, relative; empty: the usual one
   std::optional<std::string> out = {};        ///< a file for the certificate
   bool force = false;                         ///< as in `RunOptions`
 };

@@ -3,12 +3,12 @@
 #include <functional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "approx/records/record.hpp"
 #include "fit/fit.hpp"
 #include "fit/proof/box.hpp"
+#include "fit/proof/constants.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/support/checkpoint.hpp"
 
@@ -18,9 +18,7 @@ namespace shadefit {
 /// The subject of a proof: one form with its constants, and the domain.
 struct Subject {
   std::string family;
-  /// Names and values, in the order of the family's names. A printed value is a decimal text; it need not be
-  /// a double, so the proof encloses it. A fitted value is a hexadecimal double.
-  std::vector<std::pair<std::string, std::string>> parameters = {};
+  Constants parameters = {};  ///< in the order of the family's names
   Setting setting = {};
   Error error = Error::absolute;
   Domain domain = {};
@@ -90,6 +88,9 @@ struct Certified {
 
 /// The cosines of a box, rounded outward.
 Domain cosines_of(const Box& box);
+
+/// Throws UserError for a relative width of bounds outside [least_width, 1).
+void require_width(double width);
 
 /// Proves bounds of the largest error of a subject, of relative width `width`, and the properties that the
 /// record states of the form's curve. For a relative error, the domain is narrowed to where it is defined.

@@ -1,26 +1,16 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "fit/family_visit.hpp"
 #include "fit/proof/certificate.hpp"
+#include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/interval.hpp"
-#include "fit/support/hex_float.hpp"
-#include "fit/support/sweep.hpp"
 
 /// The formula that a certificate is about, in interval arithmetic. The search and the check share it.
 namespace shadefit {
-
-/// The value of a constant's text: a hexadecimal double exactly, a decimal number enclosed. Empty for other
-/// text or beyond the range of a double.
-inline std::optional<Interval> enclosed_constant(const std::string& text) {
-  if (const auto exact = parse_hex(text)) return Interval(*exact);
-  if (!parse_number(text)) return std::nullopt;
-  return constant<Interval>(text);
-}
 
 /// The target of a form in a setting, as text.
 inline std::string target_text(const FittableFamily& family, const Setting& setting) {

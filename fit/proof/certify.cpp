@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fit/families/admissible.hpp"
 #include "fit/proof/certificate.hpp"
@@ -7,6 +8,7 @@
 #include "fit/proof/curve_proof.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/support/decimal.hpp"
+#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -82,11 +84,15 @@ Domain cosines_of(const Box& box) {
   return {lower_end(one - Interval(box.upper)), upper_end(one - Interval(box.lower))};
 }
 
-Certified certify(const Subject& asked, double width, const Checkpoint& checkpoint) {
+void require_width(double width) {
   if (!(width >= least_width && width < 1)) {
     throw UserError("width '" + decimal(width, 6) + "' cannot be reached: it must be at least " +
                     decimal(least_width, 6) + ", what an enclosure by doubles can say, and less than 1");
   }
+}
+
+Certified certify(const Subject& asked, double width, const Checkpoint& checkpoint) {
+  require_width(width);
   if (const std::string fault = fault_of(asked); !fault.empty()) throw UserError(fault);
   const FittableFamily* family = find_family(asked.family);
   require_admissible(asked);

@@ -39,7 +39,10 @@ struct Scalar<Interval> {
   static Interval atan2(const Interval& y, const Interval& x) {
     Interval result;
     mpfi_atan2(result.backend().data(), y.backend().data(), x.backend().data());
-    return result;
+    // Left of the origin the angle jumps at y = 0, where it is pi. MPFI forgets that value if y <= 0.
+    const bool forgets_pi = mpfi_is_nonpos(y.backend().data()) > 0 && mpfi_has_zero(y.backend().data()) > 0 &&
+                            mpfi_is_nonneg(x.backend().data()) <= 0;
+    return forgets_pi ? hull(result, pi()) : result;
   }
   static Interval sinh(const Interval& x) { return apply(mpfi_sinh, x); }
   static Interval cosh(const Interval& x) { return apply(mpfi_cosh, x); }

@@ -1,37 +1,13 @@
-#include <algorithm>
 #include <cmath>
 
 #include "fit/proof/certificate.hpp"
-#include "fit/proof/certified_formula.hpp"
+#include "fit/proof/constants.hpp"
 
 namespace shadefit {
 namespace {
 
 bool is_positive(double x) {
   return x > 0 && std::isfinite(x);
-}
-
-std::string fault_of_parameters(const FittableFamily& family, const Subject& subject) {
-  const auto& given = subject.parameters;
-  for (const auto& [name, value] : given) {
-    if (std::find(family.parameters.begin(), family.parameters.end(), name) == family.parameters.end())
-      return "parameter '" + name + "' is unknown: " + subject.family + " has none of that name";
-    if (enclosed_constant(value)) continue;
-    const bool is_hexadecimal = value.find("0x") != std::string::npos;
-    return "parameter " + name + " '" + value + "' is not " +
-           (is_hexadecimal ? "a hexadecimal double as shadefit prints it" : "a finite number");
-  }
-  for (const std::string_view known : family.parameters) {
-    const std::string name(known);
-    const auto count =
-        std::count_if(given.begin(), given.end(), [&](const auto& p) { return p.first == name; });
-    if (count == 0) return "parameter '" + name + "' of " + subject.family + " is missing";
-    if (count > 1) return "parameter '" + name + "' is given twice";
-  }
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    if (given[i].first != family.parameters[i]) return "parameter '" + given[i].first + "' is out of order";
-  }
-  return "";
 }
 
 std::string fault_of_surface(const Surface& surface) {
@@ -54,7 +30,9 @@ std::string fault_of_surface(const Surface& surface) {
 std::string fault_of(const Subject& subject) {
   const FittableFamily* family = find_family(subject.family);
   if (family == nullptr) return "'" + subject.family + "' is no family";
-  if (std::string fault = fault_of_parameters(*family, subject); !fault.empty()) return fault;
+  const std::vector<std::string> known(family->parameters.begin(), family->parameters.end());
+  if (std::string fault = fault_of_constants(subject.parameters, known, subject.family); !fault.empty())
+    return fault;
   const Setting& setting = subject.setting;
   if (family->has_exponent() && !is_positive(setting.exponent)) return "the exponent is not greater than 0";
   if (!family->has_exponent() && setting.exponent != 0) return subject.family + " has no exponent";

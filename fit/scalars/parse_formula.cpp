@@ -17,6 +17,20 @@ namespace {
 /// Deeper nesting than any formula has; a bound on the recursion of the reader.
 constexpr int deepest = 100;
 
+/// The most operations of a formula with its definitions put in. Definitions that use each other double it
+/// with each line.
+constexpr std::size_t most_operations = 100'000;
+
+/// How many operations, names and numbers a formula has; counted only as far as `most_operations`.
+std::size_t size_of(const Symbolic& formula, std::size_t before = 0) {
+  std::size_t size = before + 1;
+  for (const Symbolic& part : formula.parts()) {
+    if (size > most_operations) break;
+    size = size_of(part, size);
+  }
+  return size;
+}
+
 /// A condition is known by what it chooses: its first argument where it holds, else its second.
 using Condition = std::function<Symbolic(const Symbolic&, const Symbolic&)>;
 using Operand = std::variant<Symbolic, Condition>;
@@ -53,6 +67,7 @@ class FormulaReader {
   ReadFormula whole() {
     const Symbolic result = limited(formula());
     if (peek(); place_ < text_.size()) fail("an operator or the end");
+    require_size(size_of(result));
     return {result, parameters_};
   }
 
@@ -144,6 +159,11 @@ class FormulaReader {
     if (result.depth() > deepest_formula)
       fail("no more than " + std::to_string(deepest_formula) + " operations inside one another");
     return result;
+  }
+
+  void require_size(std::size_t size) const {
+    if (size > most_operations)
+      fail("no more than " + std::to_string(most_operations) + " operations with all definitions put in");
   }
 
   Operand quotient() {
@@ -282,6 +302,7 @@ class FormulaReader {
     const std::vector<Symbolic> given = arguments();
     if (given.size() != definition.arguments.size())
       fail(counted({definition.arguments.size()}) + " of '" + name + "'", start);
+    for (const Symbolic& argument : given) require_size(size_of(argument) * size_of(definition.formula));
     return limited(evaluate<Symbolic>(definition.formula, [&](const std::string& variable) {
       const auto& all = definition.arguments;
       const auto found = std::find(all.begin(), all.end(), variable);

@@ -152,7 +152,7 @@ std::vector<std::string> node_variables(const ReadStudy& study) {
   return names;
 }
 
-ReadStudy read_study(const Study& study) {
+ReadStudy read_formulas(const Study& study) {
   const std::vector<StudyAxis> axes = axes_of(study);
   std::vector<std::string> variables;
   for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
@@ -182,7 +182,6 @@ ReadStudy read_study(const Study& study) {
     if (!contains(result.parameters, start.parameter))
       throw UserError("--start '" + start.parameter + "': the form has no such free parameter");
   }
-  if (result.parameters.empty()) throw UserError("--form '" + study.form + "' has no parameter to fit");
   if (result.parameters.size() > most_study_parameters)
     throw UserError("--form has " + std::to_string(result.parameters.size()) + " parameters: at most 16");
   const bool has_variable = std::any_of(variables.begin(), variables.end(), [&](const std::string& name) {
@@ -193,6 +192,12 @@ ReadStudy read_study(const Study& study) {
   } else if (!has_variable) {
     throw UserError("--over: neither target nor form contains a variable");
   }
+  return result;
+}
+
+ReadStudy read_study(const Study& study) {
+  ReadStudy result = read_formulas(study);
+  if (result.parameters.empty()) throw UserError("--form '" + study.form + "' has no parameter to fit");
   return result;
 }
 

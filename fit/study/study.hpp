@@ -72,4 +72,7 @@ std::string density_of(const std::string& text, const std::string& variable);
 /// rule.
 ReadStudy read_study(const Study& study);
 
+/// The same for a form that is not fitted: it need not have a free parameter.
+ReadStudy read_formulas(const Study& study);
+
 }  // namespace shadefit

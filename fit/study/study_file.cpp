@@ -13,6 +13,12 @@ bool is_for(const PublishedSet& set, const Study& study) {
   });
 }
 
+std::string given_text(const Study& study) {
+  std::string text;
+  for (const auto& [name, value] : study.given) text += (text.empty() ? "" : ", ") + name + " = " + value;
+  return text;
+}
+
 std::vector<Study> combinations(const Study& study,
                                 const std::vector<std::pair<std::string, std::vector<std::string>>>& given) {
   std::vector<Study> studies{study};

@@ -56,6 +56,9 @@ struct StudyFile {
 /// Whether a set was published for the given constants of a study.
 bool is_for(const PublishedSet& set, const Study& study);
 
+/// "k = 3, g = 0.5": the given constants of a study; empty without any.
+std::string given_text(const Study& study);
+
 /// Every combination of given constants: the values of the last change fastest. Throws UserError for a
 /// constant that is given twice.
 std::vector<Study> combinations(const Study& study,

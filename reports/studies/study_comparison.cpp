@@ -57,12 +57,6 @@ std::vector<std::string> columns_of(const std::vector<std::string>& variables) {
   return columns;
 }
 
-std::string given_text(const StudyComparison& comparison) {
-  std::vector<std::string> parts;
-  for (const auto& [name, value] : comparison.study.given) parts.push_back(name + " = " + value);
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 /// The table without the columns that have nothing to say.
 Table without_empty_columns(const Table& table) {
   Table result{{}, std::vector<std::vector<Cell>>(table.rows.size())};
@@ -81,11 +75,11 @@ Table without_empty_columns(const Table& table) {
 
 std::string target_of(const StudyComparison& comparison) {
   const auto& rows = comparison.study.rows;
-  if (rows) return rows->file + (comparison.study.given.empty() ? "" : ", " + given_text(comparison));
+  if (rows) return rows->file + (comparison.study.given.empty() ? "" : ", " + given_text(comparison.study));
   std::string out = comparison.study.target;
   for (const StudyRange& range : comparison.study.over)
     out += fmt::format(", {} in {}:{}", range.variable, range.lower, range.upper);
-  const std::string given = given_text(comparison);
+  const std::string given = given_text(comparison.study);
   return given.empty() ? out : out + ", " + given;
 }
 
@@ -107,7 +101,7 @@ Table study_comparisons_table(const std::vector<StudyComparison>& comparisons) {
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
   for (const StudyComparison& comparison : comparisons) {
     for (const StudyContender& contender : comparison.contenders) {
-      std::vector<Cell> row{given_text(comparison), contender.form + ", " + origin_of(contender)};
+      std::vector<Cell> row{given_text(comparison.study), contender.form + ", " + origin_of(contender)};
       for (Cell& cell : cells_of(contender)) row.push_back(std::move(cell));
       table.rows.push_back(row);
     }

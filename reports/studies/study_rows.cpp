@@ -201,14 +201,17 @@ Table study_table(const std::vector<FittedStudy>& studies) {
   return table;
 }
 
+std::string formulas_text(const Study& study) {
+  std::string text = study.form + " ~ " + target_text(study);
+  for (const StudyRange& range : study.over) text += ", " + range_text(range);
+  return text;
+}
+
 std::string study_headline(const FittedStudy& study) {
-  std::string over;
-  for (const StudyRange& range : study.asked.over) over += ", " + range_text(range);
   const bool is_relative = study.asked.error == Error::relative;
   const std::string weight = study.asked.weight == "1" ? "" : ", weight " + study.asked.weight;
-  return fmt::format("{} ~ {}{}, {}{}{}", study.asked.form, target_text(study.asked), over,
-                     study.fit.level ? "minimax" : "least squares", is_relative ? ", relative error" : "",
-                     weight);
+  return fmt::format("{}, {}{}{}", formulas_text(study.asked), study.fit.level ? "minimax" : "least squares",
+                     is_relative ? ", relative error" : "", weight);
 }
 
 std::string level_text(const FittedStudy& study) {

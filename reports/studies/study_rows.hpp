@@ -40,6 +40,9 @@ std::string printed_text(const PrintedValues& values);
 /// published, its digits and the verdict.
 Table study_table(const std::vector<FittedStudy>& studies);
 
+/// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1".
+std::string formulas_text(const Study& study);
+
 /// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1, least squares".
 std::string study_headline(const FittedStudy& study);
 

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include "app/commands/study_commands.hpp"
+#include "app/output/output_file.hpp"
+#include "app/studies/study_subject.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/studies/study_certificate_json.hpp"
+#include "reports/studies/study_proof_rows.hpp"
+#include "reports/table/writers.hpp"
+
+/// `certify` and `verify` of a study.
+namespace shadefit {
+namespace {
+
+std::string not_reached(const StudyCertificate& certificate, double width) {
+  const std::string given = given_text(certificate.subject.study);
+  return fmt::format(
+      "shadefit: the proof{}{}: the width {} was not reached: the largest error is in [{}, {}]\n",
+      given.empty() ? "" : " of ", given, width, certificate.lower, certificate.upper);
+}
+
+}  // namespace
+
+Outcome certify_study_command(const StudyFile& file, const CertifyOptions& options,
+                              const Checkpoint& checkpoint, const Progress& progress) {
+  if (file.study.rows != nullptr)
+    throw UserError(
+        fmt::format("certify proves the error over a range: '{}' has rows of measured values alone",
+                    file.study.rows->file));
+  const std::vector<Study> studies = combinations(file.study, file.given);
+  if (options.out && studies.size() != 1)
+    throw UserError(fmt::format("--out '{}' takes one certificate, not {}: give one value of each --given",
+                                *options.out, studies.size()));
+  const auto out_file =
+      options.out ? std::optional(OutputFile(*options.out, "the certificate")) : std::nullopt;
+
+  std::vector<ProvenStudy> proofs;
+  const Checkpoint next = stepping(checkpoint, progress, "certify", studies.size());
+  std::string err;
+  for (const Study& study : studies) {
+    next();
+    const auto chosen = chosen_study_subject(file, study, options.parameters, options.fit, checkpoint);
+    const double width = options.width.value_or(usual_study_width(study.over.size()));
+    proofs.push_back({certify_study(chosen.subject, width, checkpoint), chosen.from});
+    if (!proofs.back().certified.is_reached) err += not_reached(proofs.back().certified.certificate, width);
+  }
+  const StudyCertificate& first = proofs.front().certified.certificate;
+  std::function<void()> put;
+  if (out_file) put = out_file->prepare(certificate_text(first), options.force, checkpoint);
+
+  std::string out;
+  if (options.fit.json) {
+    auto array = nlohmann::ordered_json::array();
+    for (const ProvenStudy& proof : proofs) array.push_back(study_proof_json(proof));
+    out = json_text_of_each(array);
+  } else {
+    out = (file.id.empty() ? "" : file.id + ": ") + proof_headline(first) + "\n" +
+          write_console(study_proofs_table(proofs), Precision::full, options.fit.terminal) + ends_text(first);
+    if (options.out) out += fmt::format("\nCertificate: {}\n", printable(*options.out));
+  }
+  return {err.empty() ? 0 : 1, out, err, put};
+}
+
+Outcome verify_study(const std::string& text, const std::string& file, const ShareDone& done) {
+  const ReadStudyCertificate read = read_study_certificate(text, file);
+  const StudyCertificate& certificate = read.certificate;
+  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
+  if (!reason.empty())
+    return {1, "",
+            fmt::format("shadefit: certificate '{}' is refused: {}\n", printable(file), one_line(reason))};
+  const Study& study = certificate.subject.study;
+  return {0,
+          fmt::format(
+              "certificate '{}' holds: the largest {}{} error of {} is in [{}, {}], checked on {} boxes\n",
+              printable(file), study.weight == "1" ? "" : "weighted ", name(study.error),
+              printable(study.form), certificate.lower, certificate.upper, count_boxes(certificate)) +
+              statement_of(certificate),
+          ""};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,81 @@
+#include "app/studies/study_subject.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
+#include "fit/verdicts/study_verdict.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The first option on the command line that counts for a fit alone; empty if there is none.
+std::string option_of_fits(const FitOptions& options) {
+  constexpr std::array all{"--norm",      "--start",   "--fix",     "--exact-at",
+                           "--one-sided", "--at-most", "--at-least"};
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const char* option) { return options.present.contains(option); });
+  if (found != all.end()) return *found;
+  for (const StudyRange& range : options.study.over) {
+    if (range.density != "1") return fmt::format("--over '{}' with a density", range.variable);
+  }
+  return "";
+}
+
+/// The study without what counts for its fit alone.
+Study without_fit(Study study) {
+  study.held.clear();
+  study.starts.clear();
+  for (StudyRange& range : study.over) range.density = "1";
+  return study;
+}
+
+/// The fitted and the held values.
+Constants fitted_constants(const StudyObjective& objective, const Checkpoint& checkpoint) {
+  const StudyFit fit = fit_study(objective, checkpoint);
+  if (fit.status != Status::converged) {
+    const std::string given = given_text(objective.study);
+    throw UserError(fmt::format("the fit{}{}: {}, {}: give --parameters", given.empty() ? "" : " of ", given,
+                                name(fit.status), fit.why));
+  }
+  Constants constants;
+  for (std::size_t i = 0; i < fit.names.size(); ++i)
+    constants.emplace_back(fit.names[i], hex_text(fit.parameters[i]));
+  for (const Held& held : objective.study.held) constants.emplace_back(held.parameter, to_text(held.value));
+  return constants;
+}
+
+}  // namespace
+
+ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
+                                        const std::optional<Parameters>& parameters,
+                                        const FitOptions& options, const Checkpoint& checkpoint) {
+  const StudyForm& form = file.forms.front();
+  Study whole = study;
+  whole.form = form.formula;
+  const Study bare = without_fit(whole);
+  const std::vector<std::string> names = read_formulas(bare).parameters;
+  const auto chosen = [&](const Constants& constants, std::string_view from, const std::string& origin) {
+    ChosenStudySubject result{{bare, in_order(constants, names)}, from, origin};
+    if (const std::string fault = fault_of(result.subject); !fault.empty()) throw UserError(fault);
+    return result;
+  };
+  const std::string asks_for_fit = option_of_fits(options);
+  if (parameters && !asks_for_fit.empty())
+    throw UserError(fmt::format("{} does not go with --parameters: nothing is fitted", asks_for_fit));
+  if (parameters) return chosen(*parameters, "given", "given");
+  if (names.empty()) return chosen({}, "given", "no constant");
+  for (const PublishedSet& set : file.published) {
+    if (asks_for_fit.empty() && set.form == form.id && is_for(set, study))
+      return chosen(set.values, "published", "published: " + set.source);
+  }
+  const StudyObjective objective = objective_of(whole, file.norm, file.constraints);
+  return chosen(fitted_constants(objective, checkpoint), "fitted", "fitted: " + objective.words);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/options/options.hpp"
+#include "fit/study/study_file.hpp"
+#include "fit/study_proof/study_certificate.hpp"
+#include "fit/support/checkpoint.hpp"
+
+/// The constants of a study that `certify` and `emit` use.
+namespace shadefit {
+
+struct ChosenStudySubject {
+  StudySubject subject;   ///< of the first form
+  std::string_view from;  ///< the origin of its values: given, published or fitted
+  std::string origin;     ///< in more words: the source, or how they were fitted
+};
+
+/// The given `parameters`; without them the first set that was published for the form, unless an option of a
+/// fit is present; else those of a fit. `study` is one of the file's combinations. Throws UserError for
+/// constants that are not those of the form, for an option of a fit next to given constants, and if the fit
+/// did not converge.
+ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
+                                        const std::optional<Parameters>& parameters,
+                                        const FitOptions& options, const Checkpoint& checkpoint);
+
+}  // namespace shadefit

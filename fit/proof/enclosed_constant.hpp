@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "fit/proof/interval.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/sweep.hpp"
+
+namespace shadefit {
+
+/// The value of a constant's text: a hexadecimal double exactly, a decimal number enclosed. Empty for other
+/// text or beyond the range of a double.
+inline std::optional<Interval> enclosed_constant(const std::string& text) {
+  if (const auto exact = parse_hex(text)) return Interval(*exact);
+  if (!parse_number(text)) return std::nullopt;
+  return constant<Interval>(text);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,140 @@
+#include "reports/studies/study_proof_rows.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "fit/support/hex_float.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/rows/fit_json.hpp"
+#include "reports/studies/study_rows.hpp"
+
+namespace shadefit {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Cell all_of(double value) {
+  return Number{value, all_digits};
+}
+
+std::string decimal_of(const std::string& text) {
+  const auto exact = parse_hex(text);
+  return exact ? fmt::format("{}", *exact) : text;
+}
+
+std::string error_text(const Study& study) {
+  const bool is_weighted = study.weight != "1";
+  if (study.error == Error::absolute)
+    return is_weighted ? fmt::format("({}) (form - target)", study.weight) : "form - target";
+  return (is_weighted ? fmt::format("({}) ", study.weight) : "") + "(form - target)/target";
+}
+
+std::string definition_text(const StudyDefinition& definition) {
+  const std::string arguments =
+      definition.arguments.empty() ? "" : fmt::format("({})", fmt::join(definition.arguments, ", "));
+  return fmt::format("{}{} = {}", definition.name, arguments, definition.formula);
+}
+
+}  // namespace
+
+std::string proof_headline(const StudyCertificate& certificate) {
+  const Study& study = certificate.subject.study;
+  return fmt::format("{}, {} error{}, proven in {} bits", formulas_text(study), name(study.error),
+                     study.weight == "1" ? "" : ", weight " + study.weight, certificate.precision);
+}
+
+Table study_proofs_table(const std::vector<ProvenStudy>& proofs) {
+  const StudySubject& first = proofs.front().certified.certificate.subject;
+  Table table;
+  for (const auto& [name, value] : first.study.given) table.columns.push_back(name);
+  for (const auto& [name, value] : first.parameters) table.columns.push_back(name);
+  for (const char* column : {"from", "max error at least", "at most"}) table.columns.emplace_back(column);
+  for (const StudyRange& range : first.study.over) table.columns.push_back("at " + range.variable);
+  table.columns.emplace_back("boxes");
+  for (const auto& [certified, from] : proofs) {
+    const StudyCertificate& certificate = certified.certificate;
+    std::vector<Cell> row;
+    for (const auto& [name, value] : certificate.subject.study.given) row.emplace_back(value);
+    for (const auto& [name, value] : certificate.subject.parameters) row.emplace_back(value);
+    row.insert(row.end(), {std::string(from), all_of(certificate.lower), all_of(certificate.upper)});
+    for (const double coordinate : certificate.attained) row.push_back(all_of(coordinate));
+    row.emplace_back(static_cast<long>(count_boxes(certificate)));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::string ends_text(const StudyCertificate& certificate) {
+  std::string text;
+  const auto line = [&](const std::string& variable, const char* verb, const std::string& formula,
+                        double end) {
+    if (!is_exactly(formula, end))
+      text += fmt::format("{} {} at {} = {}, the double nearest to {}.\n", variable, verb, end, hex_text(end),
+                          formula);
+  };
+  const std::vector<StudyRange>& over = certificate.subject.study.over;
+  for (std::size_t i = 0; i < over.size(); ++i) {
+    line(over[i].variable, "begins", over[i].lower, certificate.ranges[i].lower);
+    line(over[i].variable, "ends", over[i].upper, certificate.ranges[i].upper);
+  }
+  return text;
+}
+
+Json study_proof_json(const ProvenStudy& proof) {
+  const StudyCertificate& certificate = proof.certified.certificate;
+  const auto& [study, constants] = certificate.subject;
+  Json over = Json::object(), given = Json::object(), parameters = Json::object(), at = Json::object();
+  for (std::size_t i = 0; i < study.over.size(); ++i) {
+    const StudyRange& range = study.over[i];
+    const Domain& doubles = certificate.ranges[i];
+    over[range.variable] = {{"range", {range.lower, range.upper}},
+                            {"doubles", {doubles.lower, doubles.upper}}};
+    at[range.variable] = certificate.attained[i];
+  }
+  for (const auto& [name, value] : study.given) given[name] = value;
+  for (const auto& [name, value] : constants) parameters[name] = value;
+  return {{"schema", fit_json_schema},
+          {"target", study.target},
+          {"form", study.form},
+          {"over", over},
+          {"given", given},
+          {"error", name(study.error)},
+          {"weight", study.weight},
+          {"parameters", parameters},
+          {"parameters_from", proof.from},
+          {"certified_max_error", {certificate.lower, certificate.upper}},
+          {"certified_max_error_at", at},
+          {"boxes", count_boxes(certificate)},
+          {"reached", proof.certified.is_reached}};
+}
+
+std::string attained_text(const StudyCertificate& certificate) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < certificate.attained.size(); ++i)
+    parts.push_back(
+        fmt::format("{} = {}", certificate.subject.study.over[i].variable, certificate.attained[i]));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string statement_of(const StudyCertificate& certificate) {
+  const auto& [study, parameters] = certificate.subject;
+  std::string text;
+  const auto line = [&](const char* what, const std::string& words) {
+    text += fmt::format("  {:<9}{}\n", what, printable(words));
+  };
+  line("form", study.form);
+  for (const auto& [name, value] : parameters) line("with", fmt::format("{} = {}", name, decimal_of(value)));
+  line("target", study.target);
+  for (const auto& [name, value] : study.given) line("given", fmt::format("{} = {}", name, value));
+  for (const StudyDefinition& definition : study.definitions) line("let", definition_text(definition));
+  line("error", fmt::format("{}: {}", name(study.error), error_text(study)));
+  for (std::size_t i = 0; i < study.over.size(); ++i) {
+    const Domain& range = certificate.ranges[i];
+    line("range", fmt::format("{} from {} to {}", study.over[i].variable, range.lower, range.upper));
+  }
+  line("largest", fmt::format("at least {}, at most {}", certificate.lower, certificate.upper));
+  line("at", attained_text(certificate));
+  return text;
+}
+
+}  // namespace shadefit
