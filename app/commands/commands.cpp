@@ -138,8 +138,8 @@ void require_known_filters(const ListOptions& options) {
 }
 
 /// A row for each study that is found.
-void add_studies(Table& list) {
-  for (const std::filesystem::path& path : study_files(study_folders())) {
+void add_studies(Table& list, const StudyFolders& folders) {
+  for (const std::filesystem::path& path : study_files(study_folders(folders))) {
     const StudyFile file = load_study(path);
     const std::string printed = file.published.empty() ? "-" : printed_text(file.published.front().values);
     std::vector<Cell> row{file.id, printed, "a study: " + file.title};
@@ -174,7 +174,7 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
   if (!with_verdicts && !options.topic && !options.family) {
     add_forms_of_comparison(list);
-    add_studies(list);
+    add_studies(list, options.studies);
   }
   if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), ""};
   if (options.csv) return {0, write_csv(list, Precision::full), ""};
@@ -186,7 +186,7 @@ Outcome explain_command(const ExplainOptions& options) {
   const auto claims = claim_ids();
   const bool is_claim = std::find(claims.begin(), claims.end(), claim_of(options.id)) != claims.end();
   if (!is_claim) {
-    if (const auto study = find_study(options.id, study_folders()))
+    if (const auto study = find_study(options.id, study_folders(options.studies)))
       return explain_study_command(*study, options);
   }
   const std::string claim = claim_of(options.id);
@@ -198,7 +198,9 @@ Outcome explain_command(const ExplainOptions& options) {
 }
 
 Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
-  if (options.study) return run_study_command(named_study(*options.study), options, checkpoint);
+  if (options.study)
+    return run_study_command(named_study(*options.study, study_folders(options.studies)), options,
+                             checkpoint);
   const OutputFolder folder(options.out);
   const Results results = compute_results(options.only, checkpoint);
   const auto [news, put] = prepare_results(options, results, folder, checkpoint);
@@ -234,7 +236,9 @@ Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const
 }
 
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (options.study) return check_study_command(named_study(*options.study), options, checkpoint);
+  if (options.study)
+    return check_study_command(named_study(*options.study, study_folders(options.studies)), options,
+                               checkpoint);
   const Baseline baseline = read_baseline(options.baseline);
   // Reads the baselines of the slow tables too, before anything is computed.
   std::vector<Baseline> slow_baselines;

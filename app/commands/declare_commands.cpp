@@ -78,12 +78,18 @@ void add_plot(CLI::App& command, FitOptions& options, const std::string& what) {
   add_force(command, options.force);
 }
 
+void add_studies(CLI::App& command, StudyFolders& folders) {
+  add_values(command, "--studies", folders, parse_text, "DIR",
+             "also find studies in this folder; may be repeated");
+}
+
 void declare_list(CLI::App& list, ListOptions& options) {
   add_choice(list, "--verdict", options.verdict, by_name(all_verdicts),
              "only the claims with this verdict (computes them all)");
   add_value(list, "--topic", options.topic, parse_text, "TEXT",
             "only the topics with this text in their title, for example fresnel");
   add_value(list, "--family", options.family, parse_text, "FAMILY", "only the claims on this family");
+  add_studies(list, options.studies);
   add_json(list, options.json);
   add_formats(list, options.csv, options.latex, "");
 }
@@ -92,6 +98,7 @@ void declare_run(CLI::App& run, RunOptions& options) {
   add_out(run, options.out);
   run.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
       ->type_name("STUDY");
+  add_studies(run, options.studies);
   run.add_option("--only", options.only, "only these families, normalisations and claims")->type_name("ID");
   add_force(run, options.force);
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
@@ -158,7 +165,9 @@ void add_constraints(CLI::App& command, Metric& metric) {
 }
 
 /// Adds the options of a study. Named studies take them too, in the place of what the file says.
-void add_study(CLI::App& command, StudyOptions& study) {
+void add_study(CLI::App& command, FitOptions& options) {
+  add_studies(command, options.studies);
+  StudyOptions& study = options.study;
   add_value(command, "--form", study.form, parse_text, "FORMULA",
             "a formula of your own to fit to --target: every name that is not a variable or a constant is a "
             "parameter");
@@ -197,7 +206,7 @@ void declare_fit(CLI::App& fit, FitOptions& options) {
   add_metric(fit, options);
   add_target_or_formula(fit, options, "schlick");
   add_norm(fit, options);
-  add_study(fit, options.study);
+  add_study(fit, options);
   add_constraints(fit, options.metric);
   add_json(fit, options.json);
   add_formats(fit, options.csv, options.latex, ": the columns of fits.csv");
@@ -223,7 +232,7 @@ void declare_better(CLI::App& better, FitOptions& options) {
       better, options,
       "the lowest and the highest for which the number was published, or of the family's usual range");
   add_target_or_formula(better, options, "schlick, then exact glass (1.5) and exact gold (0.43, 2.455)");
-  add_study(better, options.study);
+  add_study(better, options);
   add_domain(better, options);
   add_json(better, options.json);
   add_formats(better, options.csv, options.latex, ": the columns of better.csv");
@@ -236,7 +245,7 @@ void declare_certify(CLI::App& certify, CertifyOptions& options) {
   add_exponent(certify, options.fit, "those for which the source printed a number");
   add_metric(certify, options.fit);
   add_target_or_formula(certify, options.fit, "schlick");
-  add_study(certify, options.fit.study);
+  add_study(certify, options.fit);
   add_norm(certify, options.fit);
   add_constraints(certify, options.fit.metric);
   add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
@@ -267,7 +276,7 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
   add_norm(emit, options.fit);
   add_metric(emit, options.fit);
   add_target_or_formula(emit, options.fit, "schlick");
-  add_study(emit, options.fit.study);
+  add_study(emit, options.fit);
   add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
@@ -280,6 +289,7 @@ void declare_explain(CLI::App& explain, ExplainOptions& options) {
   explain.add_option("id", options.id, "a claim (see 'shadefit list'), a constant of one, or a study")
       ->required()
       ->type_name("CLAIM");
+  add_studies(explain, options.studies);
   add_json(explain, options.json);
 }
 
@@ -296,6 +306,7 @@ void declare_stress(CLI::App& stress, StressOptions& options) {
 void declare_check(CLI::App& check, CheckOptions& options) {
   check.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
       ->type_name("STUDY");
+  add_studies(check, options.studies);
   add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of those tables")
       ->default_str(options.baseline);
   check.add_flag("--all", options.all, "also the tables that take longer, of stress and bench");

@@ -6,7 +6,9 @@
 #include "fit/support/user_error.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_figure.hpp"
+#include "reports/studies/study_roundings.hpp"
 #include "reports/studies/study_rows.hpp"
+#include "reports/studies/study_sensitivities.hpp"
 #include "reports/table/writers.hpp"
 
 /// `fit` of a study.
@@ -15,12 +17,8 @@ namespace {
 
 /// Options that studies do not have.
 void refuse_extras(const FitOptions& options) {
-  const char* option = options.certify       ? "--certify"
-                       : options.round       ? "--round"
-                       : options.sensitivity ? "--sensitivity"
-                                             : nullptr;
-  if (option != nullptr)
-    throw UserError(fmt::format("{} does not go with a study: only the constants are computed", option));
+  if (options.certify)
+    throw UserError("--certify does not go with a study: 'shadefit certify' proves the error of one");
 }
 
 std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
@@ -86,6 +84,32 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
   return studies;
 }
 
+namespace {
+
+/// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
+struct StudyExtras {
+  std::vector<std::optional<RoundedStudy>> rounded;
+  std::vector<std::optional<StudySensitivity>> sensitivities;
+};
+
+StudyExtras extras_of(const StudyFile& file, const std::vector<FittedStudy>& studies,
+                      const FitOptions& options, const Checkpoint& checkpoint) {
+  StudyExtras extras;
+  for (const FittedStudy& study : studies) {
+    const bool is_answer = study.fit.status == Status::converged;
+    const StudyObjective objective = objective_of(study.asked, file.norm, file.constraints);
+    extras.rounded.emplace_back();
+    if (is_answer && options.round)
+      extras.rounded.back() = round_study(objective, study.fit, *options.round, checkpoint);
+    extras.sensitivities.emplace_back();
+    if (is_answer && options.sensitivity)
+      extras.sensitivities.back() = sensitivity_of(objective, study.fit, checkpoint);
+  }
+  return extras;
+}
+
+}  // namespace
+
 Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                       const Progress& progress) {
   refuse_extras(options);
@@ -97,13 +121,26 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
   const int code = err.empty() ? 0 : 1;
   std::function<void()> put;
   if (options.plot) put = draw_picture(study_figure(studies), *options.plot, options.force, checkpoint);
-  if (options.json) return {code, json_text_of_each(study_json(studies)), err, put};
+  const auto [rounded, sensitivities] = extras_of(file, studies, options, checkpoint);
+  if (options.json) {
+    auto json = study_json(studies);
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+      if (rounded[i]) json[i]["rounded"] = study_rounding_json(studies[i], *rounded[i]);
+      if (sensitivities[i]) json[i]["sensitivity"] = study_sensitivity_json(studies[i], *sensitivities[i]);
+    }
+    return {code, json_text_of_each(json), err, put};
+  }
   Table table = study_table(studies);
   if (file.study.rows && (options.csv || options.latex)) add_uncertainty_columns(table, studies);
   if (options.csv) return {code, write_csv(table, Precision::full), err, put};
   if (options.latex)
     return {code, write_latex(with_digits(table, options.digits), Precision::report), err, put};
-  return {code, console_text(file, studies, options.terminal), err, put};
+  std::string out = console_text(file, studies, options.terminal);
+  if (options.round) out += study_roundings_text(studies, rounded, options.terminal);
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    if (sensitivities[i]) out += study_sensitivity_text(studies[i], *sensitivities[i], options.terminal);
+  }
+  return {code, out, err, put};
 }
 
 }  // namespace shadefit

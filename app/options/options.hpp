@@ -17,10 +17,14 @@
 /// The options of the commands, parsed (app/commands/declare_commands.cpp).
 namespace shadefit {
 
+/// Folders of --studies.
+using StudyFolders = std::vector<std::string>;
+
 struct ListOptions {
   std::optional<Verdict> verdict;     ///< only the claims with this one; computes them
   std::optional<std::string> topic;   ///< only topics whose title contains this text
   std::optional<std::string> family;  ///< only the claims on this family
+  StudyFolders studies = {};
   bool json = false;
   bool csv = false;
   bool latex = false;
@@ -29,6 +33,7 @@ struct ListOptions {
 
 struct RunOptions {
   std::optional<std::string> study = {};  ///< a file or an id; empty: everything that is built in
+  StudyFolders studies = {};
   std::string out = "out";
   std::vector<std::string> only = {};
   bool no_plots = false;
@@ -39,6 +44,7 @@ struct RunOptions {
 /// The form and its target. `fit`, `better`, `certify` and `emit` share these options.
 struct FitOptions {
   std::string id = {};
+  StudyFolders studies = {};
   std::optional<std::vector<double>> exponents = {};  ///< empty: the record's own sweep
   Metric metric = {};                                 ///< not yet checked against the family
   std::optional<Surface::Formula> target = {};        ///< empty: schlick; for `better` the usual three
@@ -94,6 +100,7 @@ struct StressOptions {
 
 struct ExplainOptions {
   std::string id;
+  StudyFolders studies = {};
   bool json = false;
   Terminal terminal = {};
 };
@@ -104,6 +111,7 @@ struct CiteOptions {
 
 struct CheckOptions {
   std::optional<std::string> study = {};  ///< as in `RunOptions`
+  StudyFolders studies = {};
   std::string baseline = "reports/baseline";
   bool all = false;  ///< also the slow tables
   Terminal terminal = {};

@@ -111,7 +111,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
   }
   StudyFile file;
   if (!options.id.empty()) {
-    const auto folders = study_folders();
+    const auto folders = study_folders(options.studies);
     auto found = find_study(options.id, folders);
     if (!found) {
       std::vector<std::string> known = ids_with_a_fit();

@@ -9,6 +9,7 @@
 #include "app/studies/read_study_file.hpp"
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
@@ -28,6 +29,11 @@ std::vector<fs::path> own_folders() {
 
 std::vector<fs::path> study_folders(const std::vector<std::string>& given) {
   std::vector<fs::path> folders(given.begin(), given.end());
+  for (const fs::path& folder : folders) {
+    std::error_code none;
+    if (!fs::is_directory(folder, none))
+      throw UserError("--studies '" + folder.string() + "' is not a folder");
+  }
   if (const char* listed = std::getenv("SHADEFIT_STUDIES")) {
     std::stringstream list{std::string(listed)};
     for (std::string folder; std::getline(list, folder, ':');) {
@@ -72,8 +78,7 @@ std::optional<StudyFile> find_study(const std::string& name, const std::vector<f
   return std::nullopt;
 }
 
-StudyFile named_study(const std::string& name) {
-  const auto folders = study_folders();
+StudyFile named_study(const std::string& name, const std::vector<fs::path>& folders) {
   if (auto found = find_study(name, folders)) return *std::move(found);
   std::vector<std::string> known;
   for (const fs::path& file : study_files(folders)) known.push_back(file.stem().string());

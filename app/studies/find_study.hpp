@@ -11,8 +11,9 @@
 namespace shadefit {
 
 /// The folders with studies, first come first found: those given, those of the environment variable
-/// SHADEFIT_STUDIES (separated by ':'), and the one that came with the command.
-std::vector<std::filesystem::path> study_folders(const std::vector<std::string>& given = {});
+/// SHADEFIT_STUDIES (separated by ':'), and the one that came with the command. Throws UserError if a given
+/// one is no folder.
+std::vector<std::filesystem::path> study_folders(const std::vector<std::string>& given);
 
 /// The files NAME.toml of these folders, by rising name. A name that a folder before has is left out.
 std::vector<std::filesystem::path> study_files(const std::vector<std::filesystem::path>& folders);
@@ -23,7 +24,7 @@ std::optional<StudyFile> find_study(const std::string& name,
                                     const std::vector<std::filesystem::path>& folders);
 
 /// The same. Throws UserError for an unknown id, with the nearest one.
-StudyFile named_study(const std::string& name);
+StudyFile named_study(const std::string& name, const std::vector<std::filesystem::path>& folders);
 
 /// Reads a study from its file. Throws UserError like `read_study_file`.
 StudyFile load_study(const std::filesystem::path& path);

@@ -152,9 +152,10 @@ void Contacts::look() {
   if (!is_finite) level_ = HUGE_VAL;
 }
 
-/// The extrema of the error with alternating signs, the largest of each run of equal signs, at most `count`.
-/// Places of the search fill the rest.
-Few<Contact> Contacts::alternating(std::size_t count) const {
+/// The extrema of the error with alternating signs, the largest of each run of equal signs. Of `count`
+/// neighbours those come first that are left if the smaller end is dropped again and again. If there are
+/// fewer, places of the search fill the rest.
+Contacts::Chain Contacts::alternating(std::size_t count) const {
   Few<Contact> found;
   double largest_gradient = 0, highest = -HUGE_VAL, lowest = HUGE_VAL;
   const auto size_of = [&](const Contact& c) {
@@ -193,24 +194,42 @@ Few<Contact> Contacts::alternating(std::size_t count) const {
       chain.back() = c;
     }
   }
-  while (chain.size() > count)
-    chain.erase(std::abs(height(chain.front())) < std::abs(height(chain.back())) ? chain.begin()
-                                                                                 : chain.end() - 1);
+  std::size_t first = 0, last = chain.size();
+  while (last - first > count) {
+    if (std::abs(height(chain[first])) < std::abs(height(chain[last - 1]))) {
+      ++first;
+    } else {
+      --last;
+    }
+  }
   const std::size_t all = problem_.places.size();
   for (std::size_t i = 0; chain.size() < count && i < count; ++i) {
     Contact c{Touch::highest, problem_.places[(2 * i + 1) * all / (2 * count)], false, 0, {}};
     c.value = problem_.error.across(c.place, parameters, c.gradient);
     chain.push_back(c);
   }
-  return chain;
+  return {chain, first};
 }
 
-/// A reference: conditions on the error that no step can lower together. Any n + 1 places will do, each with
-/// the sign of its share in a combination without slope.
+/// Neighbours in the alternation. Where the error is symmetric, those around its middle depend on each other,
+/// and those of one half do not.
 bool Contacts::first_reference(Few<Condition>& conditions,
                                std::array<std::size_t, most_unknowns>& reference) {
   const std::size_t count = unknowns() - exact_.size();
-  const auto chain = alternating(count);
+  const auto [contacts, first] = alternating(count);
+  const std::span<const Contact> chain(contacts.data(), contacts.size());
+  if (refer_to(chain.subspan(first, count), conditions, reference)) return true;
+  for (std::size_t i = 0; i + count <= chain.size(); ++i) {
+    if (i != first && refer_to(chain.subspan(i, count), conditions, reference)) return true;
+  }
+  return false;
+}
+
+/// A reference: conditions on the error that no step can lower together. Any n + 1 places will do, each with
+/// the sign of its share in a combination without slope. False if they depend on each other.
+bool Contacts::refer_to(std::span<const Contact> chain, Few<Condition>& conditions,
+                        std::array<std::size_t, most_unknowns>& reference) {
+  const std::size_t count = chain.size();
   SmallMatrix matrix{}, inverse{};
   for (std::size_t i = 0; i < count; ++i) {
     matrix[i] = chain[i].gradient;

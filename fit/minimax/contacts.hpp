@@ -4,6 +4,7 @@
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -86,7 +87,14 @@ class Contacts {
  private:
   const Contact* worst_violation() const;
   void find_extrema(const MinimaxCurve& curve, Touch touch);
-  Few<Contact> alternating(std::size_t count) const;
+  /// A chain of contacts, and the place in it where those that come first begin.
+  struct Chain {
+    Few<Contact> contacts;
+    std::size_t first = 0;
+  };
+  Chain alternating(std::size_t count) const;
+  bool refer_to(std::span<const Contact> chain, Few<Condition>& conditions,
+                std::array<std::size_t, most_unknowns>& reference);
 
   const MinimaxProblem& problem_;
   std::vector<double> values_;      ///< of a curve at the search places

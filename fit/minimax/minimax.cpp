@@ -64,7 +64,14 @@ class RemezExchange {
           const double scaled = c.gradient[j] * here_.parameters[j];
           square += scaled * scaled;
         }
-        if (i == 0 && c.value == 0 && square == 0) break;  // holds for all parameters
+        WideParameters wide{};
+        std::copy(here_.parameters.begin(), here_.parameters.end(), wide.begin());
+        const auto finer = static_cast<double>(here_.curve_of(Touch::exact).wide(place, wide));
+        // 0, or the rounding of 0: sin(pi x) at 1.
+        if (std::abs(c.value) <= 2 * std::abs(c.value - finer)) {
+          is_met = i > 0 || square > 0;  // else it holds for all parameters
+          break;
+        }
         if (!(square > 0) || !std::isfinite(square)) i = 60;
         const double step = -c.value / square;
         double largest = 0;
@@ -116,6 +123,7 @@ class RemezExchange {
       if (lowest.outcome == LowestLevel::Outcome::unfinished)
         return fail(Status::not_converged, "the exchange of the reference goes round in circles");
 
+      count_parameters();
       reference_.clear();
       double held_up = 0;
       for (std::size_t i = 0; i < here_.unknowns(); ++i) {
@@ -131,7 +139,7 @@ class RemezExchange {
       for (std::size_t i = 0; i < problem_.size; ++i) {
         step[i] = lowest.unknowns[i];
         if (!std::isfinite(step[i])) return fail(Status::not_finite, "a step is not finite");
-        if (step[i] != 0) size = std::max(size, std::abs(step[i] / base[i]));
+        size = std::max(size, std::abs(step[i]) / counted_[i]);
       }
       expected_ = lowest.unknowns[problem_.size];
       go_to(base, step);
@@ -149,6 +157,23 @@ class RemezExchange {
     if (leads_out_) return stop_at_border();
     return fail(Status::not_converged,
                 "the alternation did not settle in " + std::to_string(most_steps) + " exchanges");
+  }
+
+  /// The sizes to which steps are compared: those of the parameters. One that is 0, as the odd ones of an
+  /// even function, counts as what moves the error by a thousandth of the level.
+  void count_parameters() {
+    constexpr double negligible = 1e-3;
+    for (std::size_t i = 0; i < problem_.size; ++i) {
+      counted_[i] = std::abs(here_.parameters[i]);
+      if (steepest(i) > 0) counted_[i] = std::max(counted_[i], negligible * here_.level() / steepest(i));
+    }
+  }
+
+  /// How far a parameter moves the error, for a step of 1, where it moves it most.
+  double steepest(std::size_t parameter) const {
+    double slope = 0;
+    for (const Contact& c : here_.all()) slope = std::max(slope, std::abs(c.gradient[parameter]));
+    return slope;
   }
 
   bool go_to(const MinimaxParameters& base, const MinimaxParameters& step) {
@@ -238,7 +263,7 @@ class RemezExchange {
       }
       size = 0;
       for (std::size_t i = 0; i < problem_.size; ++i) {
-        if (step[i] != 0) size = std::max(size, std::abs(step[i] / wide[i]));
+        size = std::max(size, std::abs(step[i]) / static_cast<long double>(counted_[i]));
       }
       result_.digits = correct_digits(size);
       // Half a unit in the last place of a double is 1.1e-16; a step of more than a few of these is taken
@@ -262,6 +287,10 @@ class RemezExchange {
   }
 
   void record() {
+    // What moves the error by no more than its rounding in double is the rounding of 0.
+    for (std::size_t i = 0; i < problem_.size; ++i) {
+      if (std::abs(here_.parameters[i]) * steepest(i) <= rounding_) here_.parameters[i] = 0;
+    }
     for (std::size_t i = 0; i < here_.unknowns(); ++i) {
       const Contact& c = reference_[i];
       result_.alternation.push_back(
@@ -278,6 +307,7 @@ class RemezExchange {
   Contacts here_;
   Few<Contact> reference_;
   Unknowns multipliers_{};
+  MinimaxParameters counted_{};
   double penalty_ = 1;
   double rounding_ = 0;     ///< the largest error of double where the error alternates
   double expected_ = 0;     ///< the level promised by the last programme

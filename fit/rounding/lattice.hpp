@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <string>
 
+#include "approx/scalar.hpp"
 #include "fit/scalars/narrow_result.hpp"
+#include "fit/support/decimal.hpp"
 
 /// The finite numbers of a format as a lattice: neighbouring numbers have neighbouring indices.
 namespace shadefit {
@@ -80,5 +82,29 @@ struct DecimalLattice {
   /// "-5.5547", "1.2e-07": the decimal itself.
   std::string text(std::int64_t index) const;
 };
+
+/// The least decimal digits that read back as a number of the lattice.
+template <class Lattice>
+std::string shortest(const Lattice& lattice, std::int64_t index) {
+  const double value = lattice.value(index);
+  constexpr int enough = 17;
+  for (int digits = 1; digits < enough; ++digits) {
+    const std::string text = decimal(value, digits);
+    if (lattice.nearest(constant<double>(text)) == index) return text;
+  }
+  return decimal(value, enough);
+}
+inline std::string shortest(const DecimalLattice& lattice, std::int64_t index) {
+  return lattice.text(index);
+}
+
+/// The largest number of a lattice, as text.
+template <class Format>
+std::string largest_text(const BinaryLattice<Format>&) {
+  return decimal(largest_of<Format>, 6);
+}
+inline std::string largest_text(const DecimalLattice&) {
+  return "1e" + std::to_string(DecimalLattice::largest_power + 1);
+}
 
 }  // namespace shadefit

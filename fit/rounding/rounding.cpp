@@ -7,6 +7,7 @@
 #include "fit/families/admissible.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/proof/running_error.hpp"
+#include "fit/rounding/format_search.hpp"
 #include "fit/rounding/rounding_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
@@ -23,29 +24,6 @@ Domain domain_of(const F& family, const Domain& domain, Error kind) {
   if (!end || end->cos_theta >= domain.upper)
     throw UserError("a relative error has no meaning on this domain: the target vanishes there");
   return {std::max(domain.lower, end->cos_theta), domain.upper};
-}
-
-/// The least decimal digits that read back as a number of the lattice.
-template <class Lattice>
-std::string shortest(const Lattice& lattice, std::int64_t index) {
-  const double value = lattice.value(index);
-  constexpr int enough = 17;
-  for (int digits = 1; digits < enough; ++digits) {
-    const std::string text = decimal(value, digits);
-    if (lattice.nearest(constant<double>(text)) == index) return text;
-  }
-  return decimal(value, enough);
-}
-std::string shortest(const DecimalLattice& lattice, std::int64_t index) {
-  return lattice.text(index);
-}
-
-template <class Format>
-std::string largest_text(const BinaryLattice<Format>&) {
-  return decimal(largest_of<Format>, 6);
-}
-std::string largest_text(const DecimalLattice&) {
-  return "1e" + std::to_string(DecimalLattice::largest_power + 1);
 }
 
 /// Each parameter rounded to the lattice separately.
@@ -172,63 +150,6 @@ RoundedConstants assessed(const RealProblem<F, Lattice>& problem, const F& famil
   return constants;
 }
 
-/// If the whole lattice is too large to search: steps to each side of the best point so far.
-constexpr std::int64_t neighbourhood = 16;
-/// The most parameters for which the whole lattice can be searched.
-constexpr std::size_t most_dimensions = 2;
-/// The most neighbourhoods of a search.
-constexpr int most_moves = 100;
-
-/// Marks the given parameters; they keep their value from the first start.
-template <std::size_t N>
-using GivenPlaces = std::array<bool, N>;
-
-/// Searches the whole lattice up to `last`, or else neighbourhoods until the best point is the centre of its
-/// neighbourhood.
-template <std::size_t N>
-LatticeOptimum<N> search(const LatticeProblem<N>& problem, std::int64_t last,
-                         const std::vector<LatticePoint<N>>& starts, const GivenPlaces<N>& given, long limit,
-                         const Checkpoint& checkpoint, Rounded& rounded) {
-  LatticeOptimum<N> best;
-  if constexpr (N <= most_dimensions) {
-    LatticeBox<N> all;
-    all.lower.fill(-last);
-    all.upper.fill(last);
-    for (std::size_t i = 0; i < N; ++i) {
-      if (given[i]) all.lower[i] = all.upper[i] = starts.front()[i];
-    }
-    best = search_lattice<N>(problem, all, starts, limit, checkpoint);
-    rounded.boxes = best.boxes;
-    rounded.evaluated = best.evaluated;
-    rounded.is_proven = best.is_proven;
-    rounded.searched = rounded.format.kind == NumberFormat::Kind::decimal
-                           ? "all numbers of the format from 1e-20 to 1e21 in magnitude, and 0"
-                           : "all finite numbers of the format";
-    if (best.is_proven) return best;
-  }
-  std::vector<LatticePoint<N>> from = starts;
-  if (std::isfinite(best.error)) from.push_back(best.point);
-  LatticePoint<N> centre = from.back();
-  rounded.is_proven = false;
-  rounded.searched = "the constants within " + std::to_string(neighbourhood) + " steps of the format";
-  for (int move = 0; move < most_moves; ++move) {
-    LatticeBox<N> box;
-    for (std::size_t i = 0; i < N; ++i) {
-      const std::int64_t steps = given[i] ? 0 : neighbourhood;
-      box.lower[i] = std::max(-last, centre[i] - steps);
-      box.upper[i] = std::min(last, centre[i] + steps);
-    }
-    best = search_lattice<N>(problem, box, from, limit, checkpoint);
-    rounded.boxes += best.boxes;
-    rounded.evaluated += best.evaluated;
-    rounded.is_proven = best.is_proven && best.point == centre;
-    if (best.point == centre || !best.is_proven) break;
-    centre = best.point;
-    from = {centre};
-  }
-  return best;
-}
-
 /// The parts of the answer that all kinds of problems compute in the same way.
 template <class F, class Problem, class Assess>
 void round_with(const Fit& fit, Problem& problem, const std::vector<double>& published, long limit,
@@ -243,12 +164,17 @@ void round_with(const Fit& fit, Problem& problem, const std::vector<double>& pub
   for (const Held& held : fit.metric.constraints.held) given[parameter_index(family, held.parameter)] = true;
   const bool is_free = std::find(given.begin(), given.end(), true) == given.end();
   if (!published.empty() && is_free) starts.push_back(point(published));
-  const auto best = search(lattice_problem<N>(problem), problem.lattice().last(), starts, given, limit,
-                           checkpoint, rounded);
+  const auto [best, is_proven, searched, boxes, evaluated] =
+      search_format(lattice_problem<N>(problem), problem.lattice().last(), starts, given, rounded.format,
+                    limit, checkpoint);
+  rounded.is_proven = is_proven;
+  rounded.searched = searched;
+  rounded.boxes = boxes;
+  rounded.evaluated = evaluated;
   if (!is_free) rounded.searched += ", for the parameters that are not given";
   rounded.naive = assess(starts.front());
   if (!published.empty()) rounded.published = assess(point(published));
-  rounded.best = assess(best.point);
+  rounded.best = assess(best);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "fit/study/study_problem.hpp"
 
@@ -89,39 +90,88 @@ StudyExtremum refined(const Magnitude& magnitude, StudyExtremum best,
   return best;
 }
 
+/// |form - target| on the product of the places of each axis, the first one running fastest.
+class Grid {
+ public:
+  Grid(const Magnitude& magnitude, std::vector<std::vector<double>> places) : places_(std::move(places)) {
+    std::size_t size = 1;
+    for (const auto& axis : places_) size *= axis.size();
+    values_.reserve(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      values_.push_back(magnitude(place(i)));
+      if (values_[i] > values_[largest_]) largest_ = i;
+    }
+  }
+
+  std::vector<double> place(std::size_t index) const {
+    std::vector<double> at;
+    for (const auto& axis : places_) {
+      at.push_back(axis[index % axis.size()]);
+      index /= axis.size();
+    }
+    return at;
+  }
+
+  /// The largest value, and the other tops of at least that share of it. A top is above its neighbours on
+  /// each axis.
+  std::vector<std::size_t> tops(double share) const {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      if (i == largest_ || (values_[i] >= share * values_[largest_] && is_top(i))) result.push_back(i);
+    }
+    return result;
+  }
+
+  double value(std::size_t index) const { return values_[index]; }
+
+  /// The neighbours on each axis; an end of the axis is its own.
+  std::vector<std::array<double, 2>> around(std::size_t index) const {
+    std::vector<std::array<double, 2>> result;
+    for (const auto& axis : places_) {
+      const std::size_t k = index % axis.size();
+      result.push_back({axis[k == 0 ? 0 : k - 1], axis[std::min(k + 1, axis.size() - 1)]});
+      index /= axis.size();
+    }
+    return result;
+  }
+
+ private:
+  bool is_top(std::size_t index) const {
+    std::size_t stride = 1;
+    for (const auto& axis : places_) {
+      const std::size_t k = index / stride % axis.size();
+      if (k > 0 && values_[index - stride] >= values_[index]) return false;
+      if (k + 1 < axis.size() && values_[index + stride] > values_[index]) return false;
+      stride *= axis.size();
+    }
+    return true;
+  }
+
+  std::vector<std::vector<double>> places_;
+  std::vector<double> values_;
+  std::size_t largest_ = 0;
+};
+
 }  // namespace
 
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                             const std::vector<double>& parameters) {
   constexpr std::array counts{200, 32, 12};
+  // What the grid may miss of the height of a hill: near its top the error is a parabola.
+  constexpr std::array shares{0.99, 0.95, 0.8};
   const std::size_t axes = study.axes.size();
   std::vector<std::vector<double>> places;
   for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1]));
   const Magnitude magnitude(study, parameters);
-
-  // Every place of the product, the tops kept with the neighbours between which they lie.
+  const Grid grid(magnitude, std::move(places));
+  // Of equal tops, as minimax has them, the first one counts: which one is largest is rounding.
+  constexpr double equal = 1e-9;
   StudyExtremum best;
-  std::vector<std::size_t> index(axes, 0), best_index = index;
-  for (bool goes_on = true; goes_on;) {
-    std::vector<double> at;
-    for (std::size_t i = 0; i < axes; ++i) at.push_back(places[i][index[i]]);
-    const double value = magnitude(at);
-    if (best.at.empty() || value > best.magnitude) {
-      best = {value, at};
-      best_index = index;
-    }
-    goes_on = false;
-    for (std::size_t i = 0; i < axes && !goes_on; ++i) {
-      goes_on = ++index[i] < places[i].size();
-      if (!goes_on) index[i] = 0;
-    }
+  for (const std::size_t top : grid.tops(shares[axes - 1])) {
+    const StudyExtremum found = refined(magnitude, {grid.value(top), grid.place(top)}, grid.around(top));
+    if (best.at.empty() || found.magnitude > best.magnitude * (1 + equal)) best = found;
   }
-  std::vector<std::array<double, 2>> around;
-  for (std::size_t i = 0; i < axes; ++i) {
-    const std::size_t k = best_index[i];
-    around.push_back({places[i][k == 0 ? 0 : k - 1], places[i][std::min(k + 1, places[i].size() - 1)]});
-  }
-  return refined(magnitude, best, around);
+  return best;
 }
 
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters) {
@@ -129,6 +179,13 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& p
   std::vector<std::vector<StudyEdge>> edges;
   for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
   return largest_error(study, edges, parameters);
+}
+
+StudyExtremum largest_weighted_error(const ReadStudy& study, const std::vector<double>& parameters) {
+  ReadStudy weighted = study;
+  weighted.form = error_formula(study);
+  weighted.target = Symbolic::number("0");
+  return largest_error(weighted, parameters);
 }
 
 StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>& parameters) {

@@ -15,6 +15,9 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
 /// The largest |form - target| of a study: over its range, or over its rows.
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters);
 
+/// The largest |weight * (form - target)|, or that divided by the target: what minimax minimises.
+StudyExtremum largest_weighted_error(const ReadStudy& study, const std::vector<double>& parameters);
+
 /// The row with the largest |form - value|; the first of those that are equal.
 StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>& parameters);
 

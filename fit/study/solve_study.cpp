@@ -177,9 +177,13 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     if (!(size < best)) continue;
     best = size;
     // The step of the larger rule, in the wider arithmetic, is the better answer.
-    for (std::size_t i = 0; i < parameters.size(); ++i)
-      fit.parameters[i] =
-          static_cast<double>(static_cast<long double>(parameters[i]) + step[static_cast<Eigen::Index>(i)]);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      fit.parameters[i] = static_cast<double>(static_cast<long double>(parameters[i]) + step[k]);
+      // What moves the form by less than 1e-16 of the target is the rounding of 0.
+      if (std::abs(fit.parameters[i]) * std::sqrt((*hessian)(k, k)) < 1e-16 * fine.target_norm())
+        fit.parameters[i] = 0;
+    }
     fit.digits = correct_digits(size);
     fit.rms_error = static_cast<double>(std::sqrt(sums.square));
     fit.status = Status::converged;

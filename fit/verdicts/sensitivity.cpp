@@ -29,57 +29,14 @@ std::array<double, 2> neighbours(double value, int digits) {
   return {nearest, rounded(nearest + (nearest > value ? -unit : unit), digits)};
 }
 
-bool is_held(const Fit& fit, std::string_view parameter) {
-  const auto& held = fit.metric.constraints.held;
-  return std::any_of(held.begin(), held.end(), [&](const Held& h) { return h.parameter == parameter; });
-}
-
-/// The objective of a fit's problem at other constants.
-class Objective {
- public:
-  explicit Objective(const Fit& fit)
-      : family_(*find_family(fit.family->id)),
-        setting_(setting_of(fit)),
-        metric_(fit.metric),
-        at_optimum_(at(fit.parameters)) {}
-
-  double at(const std::vector<double>& parameters) const {
-    return family_.objective(setting_, metric_, parameters);
-  }
-
-  /// The least objective with one parameter held; NaN if that fit fails.
-  double profile(std::size_t parameter, double value) const {
-    if (family_.parameters.size() == 1) return at({value});
-    Metric metric = metric_;
-    metric.constraints.held.push_back({std::string(family_.parameters[parameter]), value});
-    const auto held = static_cast<std::size_t>(metric.constraints.held.size());
-    if (held == family_.parameters.size()) {
-      std::vector<double> all(held);
-      for (const Held& h : metric.constraints.held) all[parameter_index(family_, h.parameter)] = h.value;
-      return at(all);
-    }
-    const Fit fit = family_.fit(setting_, metric);
-    return fit.status == Status::converged ? at(fit.parameters) : std::numeric_limits<double>::quiet_NaN();
-  }
-
-  const FittableFamily& family() const { return family_; }
-  double at_optimum() const { return at_optimum_; }
-
- private:
-  const FittableFamily& family_;
-  Setting setting_;
-  Metric metric_;
-  double at_optimum_;
-};
-
 /// The shortest decimal for one constant that keeps the objective below a limit.
-std::string shortest(const Objective& objective, std::vector<double> parameters, std::size_t i,
-                     double limit) {
+std::string shortest(const FittedConstants& constants, std::size_t i, double limit) {
+  std::vector<double> parameters = constants.values;
   const double value = parameters[i];
   for (int digits = 1; digits < digits_that_tell_apart; ++digits) {
     for (const double neighbour : neighbours(value, digits)) {
       parameters[i] = neighbour;
-      if (objective.at(parameters) <= limit) return to_text(neighbour);
+      if (constants.objective(parameters) <= limit) return to_text(neighbour);
     }
   }
   return to_text(value);
@@ -87,15 +44,15 @@ std::string shortest(const Objective& objective, std::vector<double> parameters,
 
 /// All constants that were fitted, rounded to the fewest digits that keep the objective below a limit. Given
 /// constants stay.
-std::optional<CommonDigits> common(const Objective& objective, const Fit& fit, double limit) {
+std::optional<CommonDigits> common(const FittedConstants& constants, double limit) {
   for (int digits = 1; digits <= digits_that_tell_apart; ++digits) {
     CommonDigits found{digits, {}, 0};
-    std::vector<double> values = fit.parameters;
+    std::vector<double> values = constants.values;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      if (!is_held(fit, objective.family().parameters[i])) values[i] = rounded(values[i], digits);
+      if (!constants.is_given[i]) values[i] = rounded(values[i], digits);
       found.parameters.push_back(to_text(values[i]));
     }
-    found.objective = objective.at(values);
+    found.objective = constants.objective(values);
     if (found.objective <= limit) return found;
   }
   return std::nullopt;
@@ -103,17 +60,18 @@ std::optional<CommonDigits> common(const Objective& objective, const Fit& fit, d
 
 /// The place where the profile of the objective reaches a limit, in one direction from the fitted constant.
 /// Empty if it does not within a hundred times the constant, or if a fit on the way fails.
-std::optional<double> profile_end(const Objective& objective, std::size_t i, double value, double direction,
-                                  double limit) {
+std::optional<double> profile_end(const FittedConstants& constants, std::size_t i, double direction,
+                                  double objective, double limit) {
+  const double value = constants.values[i];
   const double scale = value != 0 ? std::abs(value) : 1;
   bool has_failed = false;
   const auto excess = [&](double step) {
-    const double found = objective.profile(i, value + direction * step) - limit;
+    const double found = constants.profile(i, value + direction * step) - limit;
     if (std::isfinite(found)) return found;
     has_failed = true;
     return limit;  // any number above 0 ends the search
   };
-  double inside = 0, excess_inside = objective.at_optimum() - limit;
+  double inside = 0, excess_inside = objective - limit;
   double outside = 1e-4 * scale, excess_outside = excess(outside);
   while (excess_outside <= 0) {
     if (outside > 100 * scale) return std::nullopt;
@@ -153,28 +111,61 @@ std::vector<Metric> other_contracts(const Metric& own) {
   return contracts;
 }
 
+/// The constants of a fit of a family. `fit` must outlive them.
+FittedConstants constants_of(const Fit& fit) {
+  const FittableFamily& family = *find_family(fit.family->id);
+  const Setting setting = setting_of(fit);
+  FittedConstants constants{{family.parameters.begin(), family.parameters.end()}, fit.parameters, {}, {}, {}};
+  const std::vector<Held>& given = fit.metric.constraints.held;
+  for (const std::string& name : constants.names)
+    constants.is_given.push_back(
+        std::any_of(given.begin(), given.end(), [&](const Held& h) { return h.parameter == name; }));
+  const auto objective = [&family, setting, &fit](const std::vector<double>& parameters) {
+    return family.objective(setting, fit.metric, parameters);
+  };
+  constants.objective = objective;
+  constants.profile = [&family, setting, &fit, objective](std::size_t i, double value) {
+    if (family.parameters.size() == 1) return objective({value});
+    Metric metric = fit.metric;
+    std::vector<Held>& held = metric.constraints.held;
+    held.push_back({std::string(family.parameters[i]), value});
+    if (held.size() == family.parameters.size()) {
+      std::vector<double> all(held.size());
+      for (const Held& h : held) all[parameter_index(family, h.parameter)] = h.value;
+      return objective(all);
+    }
+    const Fit again = family.fit(setting, metric);
+    return again.status == Status::converged ? objective(again.parameters)
+                                             : std::numeric_limits<double>::quiet_NaN();
+  };
+  return constants;
+}
+
 }  // namespace
 
-Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint) {
-  const Objective objective(fit);
-  Sensitivity result{.objective = objective.at_optimum()};
+Sensitivity sensitivity_of(const FittedConstants& constants, const Checkpoint& checkpoint) {
+  Sensitivity result{.objective = constants.objective(constants.values)};
   const double noticeable_limit = result.objective * (1 + noticeable),
                slight_limit = result.objective * (1 + slight);
-  for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+  for (std::size_t i = 0; i < constants.values.size(); ++i) {
     checkpoint();
-    const double value = fit.parameters[i];
-    const std::string_view name = objective.family().parameters[i];
-    if (is_held(fit, name)) continue;  // a given constant has no sensitivity
-    result.parameters.push_back({name, value, shortest(objective, fit.parameters, i, noticeable_limit),
-                                 shortest(objective, fit.parameters, i, slight_limit),
-                                 profile_end(objective, i, value, -1, noticeable_limit),
-                                 profile_end(objective, i, value, 1, noticeable_limit)});
+    if (constants.is_given[i]) continue;  // it has no sensitivity
+    result.parameters.push_back({constants.names[i], constants.values[i],
+                                 shortest(constants, i, noticeable_limit),
+                                 shortest(constants, i, slight_limit),
+                                 profile_end(constants, i, -1, result.objective, noticeable_limit),
+                                 profile_end(constants, i, 1, result.objective, noticeable_limit)});
   }
-  result.noticeable_digits = common(objective, fit, noticeable_limit);
-  result.slight_digits = common(objective, fit, slight_limit);
+  result.noticeable_digits = common(constants, noticeable_limit);
+  result.slight_digits = common(constants, slight_limit);
+  return result;
+}
+
+Sensitivity sensitivity_of(const Fit& fit, const Checkpoint& checkpoint) {
+  Sensitivity result = sensitivity_of(constants_of(fit), checkpoint);
   for (const Metric& metric : other_contracts(fit.metric)) {
     checkpoint();
-    result.contracts.push_back({metric, objective.family().fit(setting_of(fit), metric)});
+    result.contracts.push_back({metric, find_family(fit.family->id)->fit(setting_of(fit), metric)});
   }
   return result;
 }

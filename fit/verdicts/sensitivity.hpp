@@ -1,8 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "fit/fit.hpp"
@@ -17,7 +18,7 @@ namespace shadefit {
 inline constexpr double noticeable = 0.01, slight = 0.001;
 
 struct ParameterSensitivity {
-  std::string_view parameter;
+  std::string parameter;
   double value;
   /// The shortest decimals that worsen the objective by less than `noticeable` and `slight`, with the other
   /// constants as fitted.
@@ -46,6 +47,20 @@ struct Sensitivity {
   std::optional<CommonDigits> noticeable_digits = std::nullopt, slight_digits = std::nullopt;
   std::vector<OtherContract> contracts = {};
 };
+
+/// Fitted constants and what they cost.
+struct FittedConstants {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  std::vector<bool> is_given;  ///< of a constant that was not fitted and stays
+  /// The objective at other values.
+  std::function<double(const std::vector<double>&)> objective;
+  /// The least objective with the constant of that place held at a value; NaN if that fit fails.
+  std::function<double(std::size_t, double)> profile;
+};
+
+/// The sensitivity of fitted constants, without other contracts.
+Sensitivity sensitivity_of(const FittedConstants& constants, const Checkpoint& checkpoint = keep_going);
 
 /// The sensitivity of a converged fit. Given parameters are the only constraints that are possible, because
 /// rounded constants do not meet others. The metrics: the fit's own, then other measures if the norm has one,

@@ -52,14 +52,6 @@ std::string_view short_name(Error error) {
   return error == Error::relative ? "rel" : "abs";
 }
 
-/// A bound with 6 digits, rounded up, so that the printed number is a bound too.
-Cell at_most(double bound) {
-  constexpr int digits = 6;
-  if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
-  const double unit = std::pow(10.0, std::floor(std::log10(bound)) - (digits - 1));
-  return Number{std::ceil(bound / unit) * unit, digits};
-}
-
 std::vector<Cell> row_of(const std::string_view name, const RoundedConstants& constants) {
   std::vector<Cell> row{std::string(name)};
   for (std::size_t i = 0; i < constants.parameters.size(); ++i) {
@@ -96,6 +88,13 @@ std::string meaning_of_best(const Rounded& rounded) {
 }
 
 }  // namespace
+
+Cell at_most(double bound) {
+  constexpr int digits = 6;
+  if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
+  const double unit = std::pow(10.0, std::floor(std::log10(bound)) - (digits - 1));
+  return Number{std::ceil(bound / unit) * unit, digits};
+}
 
 RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint) {
   if (report.fit.status != Status::converged) return {.reason = "the fit did not converge"};

@@ -10,8 +10,14 @@ namespace shadefit {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Names = std::vector<std::string>;
 
 constexpr int end_digits = 6;  ///< of an interval's end, which is found to nine
+
+Names names_of(const Fit& fit) {
+  const auto names = find_family(fit.family->id)->parameters;
+  return {names.begin(), names.end()};
+}
 
 std::string objective_name(const Metric& metric) {
   const std::string error = metric.error == Error::relative ? "relative error" : "error";
@@ -32,25 +38,24 @@ Table digits_table(const Sensitivity& sensitivity) {
                in_percent(noticeable) + " from", "to"},
               {}};
   for (const ParameterSensitivity& p : sensitivity.parameters) {
-    table.rows.push_back({std::string(p.parameter), converged(p.value), p.noticeable_digits, p.slight_digits,
-                          end(p.lower), end(p.upper)});
+    table.rows.push_back(
+        {p.parameter, converged(p.value), p.noticeable_digits, p.slight_digits, end(p.lower), end(p.upper)});
   }
   return table;
 }
 
 /// "a = -5.6, b = -6.9".
-std::string named(const Fit& fit, const std::vector<std::string>& values) {
-  const auto names = find_family(fit.family->id)->parameters;
+std::string named(const Names& names, const std::vector<std::string>& values) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < names.size(); ++i) parts.push_back(fmt::format("{} = {}", names[i], values[i]));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string common_text(const Fit& fit, const std::optional<CommonDigits>& common, double part,
+std::string common_text(const Names& names, const std::optional<CommonDigits>& common, double part,
                         double objective) {
   if (!common) return fmt::format("All constants within {}: no digits of a double do.\n", in_percent(part));
   return fmt::format("All constants within {}: {} digit{}, {}: worse by {:.2g} %\n", in_percent(part),
-                     common->digits, common->digits == 1 ? "" : "s", named(fit, common->parameters),
+                     common->digits, common->digits == 1 ? "" : "s", named(names, common->parameters),
                      objective > 0 ? 100 * (common->objective / objective - 1) : 0.0);
 }
 
@@ -72,11 +77,10 @@ Table contracts_table(const Sensitivity& sensitivity) {
   return table;
 }
 
-Json common_json(const Fit& fit, const std::optional<CommonDigits>& common) {
+Json common_json(const Names& names, const std::optional<CommonDigits>& common) {
   if (!common) return {};
-  const auto names = find_family(fit.family->id)->parameters;
   Json parameters = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i) parameters[std::string(names[i])] = common->parameters[i];
+  for (std::size_t i = 0; i < names.size(); ++i) parameters[names[i]] = common->parameters[i];
   return {{"digits", common->digits}, {"parameters", parameters}, {"objective", common->objective}};
 }
 
@@ -98,31 +102,40 @@ Json contract_json(const OtherContract& contract) {
 
 }  // namespace
 
-std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity, const Terminal& terminal) {
-  const std::string exponent = fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "";
+std::string digits_text(const std::string& objective, const std::string& setting, const Names& names,
+                        const Sensitivity& sensitivity, const Terminal& terminal) {
   return fmt::format("\nHow far the constants may move until the {}, {:.4g}, is worse by {} or {}{}:\n",
-                     objective_name(fit.metric), sensitivity.objective, in_percent(noticeable),
-                     in_percent(slight), exponent) +
+                     objective, sensitivity.objective, in_percent(noticeable), in_percent(slight), setting) +
          write_console(digits_table(sensitivity), Precision::report, terminal) +
-         common_text(fit, sensitivity.noticeable_digits, noticeable, sensitivity.objective) +
-         common_text(fit, sensitivity.slight_digits, slight, sensitivity.objective) + "\n" +
-         write_console(contracts_table(sensitivity), Precision::report, terminal);
+         common_text(names, sensitivity.noticeable_digits, noticeable, sensitivity.objective) +
+         common_text(names, sensitivity.slight_digits, slight, sensitivity.objective);
+}
+
+std::string sensitivity_text(const Fit& fit, const Sensitivity& sensitivity, const Terminal& terminal) {
+  return digits_text(objective_name(fit.metric), fit.exponent ? fmt::format(", k = {}", *fit.exponent) : "",
+                     names_of(fit), sensitivity, terminal) +
+         "\n" + write_console(contracts_table(sensitivity), Precision::report, terminal);
+}
+
+Json digits_json(const Names& names, const Sensitivity& sensitivity) {
+  Json parameters = Json::object();
+  for (const ParameterSensitivity& p : sensitivity.parameters) {
+    parameters[p.parameter] = {{"within_1_percent", p.noticeable_digits},
+                               {"within_0.1_percent", p.slight_digits},
+                               {"profile_1_percent", {optional_json(p.lower), optional_json(p.upper)}}};
+  }
+  return {{"objective", sensitivity.objective},
+          {"parameters", parameters},
+          {"all_within_1_percent", common_json(names, sensitivity.noticeable_digits)},
+          {"all_within_0.1_percent", common_json(names, sensitivity.slight_digits)}};
 }
 
 Json sensitivity_json(const Fit& fit, const Sensitivity& sensitivity) {
-  Json parameters = Json::object(), contracts = Json::array();
-  for (const ParameterSensitivity& p : sensitivity.parameters) {
-    parameters[std::string(p.parameter)] = {
-        {"within_1_percent", p.noticeable_digits},
-        {"within_0.1_percent", p.slight_digits},
-        {"profile_1_percent", {optional_json(p.lower), optional_json(p.upper)}}};
-  }
+  Json json = digits_json(names_of(fit), sensitivity);
+  Json contracts = Json::array();
   for (const OtherContract& contract : sensitivity.contracts) contracts.push_back(contract_json(contract));
-  return {{"objective", sensitivity.objective},
-          {"parameters", parameters},
-          {"all_within_1_percent", common_json(fit, sensitivity.noticeable_digits)},
-          {"all_within_0.1_percent", common_json(fit, sensitivity.slight_digits)},
-          {"contracts", contracts}};
+  json["contracts"] = contracts;
+  return json;
 }
 
 }  // namespace shadefit

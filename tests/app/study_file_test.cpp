@@ -171,6 +171,34 @@ TEST_F(StudyFolder, EveryVerbTakesAFile) {
       << code.out << code.err;
 }
 
+TEST_F(StudyFolder, IsSearchedForItsStudies) {
+  const std::string folder = path(".");
+  EXPECT_EQ(json_of({"fit", "line", "--studies", folder})["published"][0]["verdict"], "confirmed");
+  EXPECT_EQ(json_of({"certify", "line", "--studies", folder})["parameters_from"], "published");
+  EXPECT_EQ(run_command_line({"explain", "line", "--studies", folder}).exit_code, 0);
+  EXPECT_NE(run_command_line({"list", "--studies", folder}).out.find("\nline "), std::string::npos);
+  const Outcome code = run_command_line({"emit", "line", "--studies", folder, "--lang", "c"});
+  EXPECT_NE(code.out.find("// Proven: absolute error at most 0.125 for x in [0, 1], in exact arithmetic.\n"),
+            std::string::npos)
+      << code.out << code.err;
+  expect_refusal({"fit", "line", "--studies", path("none")},
+                 "--studies '" + path("none") + "' is not a folder");
+}
+
+TEST_F(StudyFolder, HasTheDigitsThatMatter) {
+  const auto fit = json_of({"fit", path("line.toml"), "--round", "decimal:2", "--sensitivity"});
+  EXPECT_EQ(fit["rounded"]["decimal"]["b"], "1.0");
+  EXPECT_EQ(fit["rounded"]["proven"], true);
+  EXPECT_NEAR(fit["rounded"]["max_error"].get<double>(), 0.13, 1e-6);
+  EXPECT_EQ(fit["sensitivity"]["parameters"]["a"]["within_1_percent"], "-0.125");
+  EXPECT_EQ(fit["sensitivity"]["contracts"].size(), 4u);
+  const std::string said =
+      run_command_line({"fit", path("line.toml"), "--round", "float", "--sensitivity"}).out;
+  EXPECT_NE(said.find("\nBest: proven, among all finite numbers of the format.\n"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("\nthe same form under"), std::string::npos) << said;
+}
+
 TEST_F(StudyFolder, ItsBaselineIsHeld) {
   const auto run = run_command_line({"run", path("line.toml"), "--no-plots", "--out", path("out")});
   ASSERT_EQ(run.exit_code, 0) << run.err;

@@ -191,6 +191,45 @@ TEST(MinimaxStudy, FindsWhatIsKnown) {
   EXPECT_NEAR(fit.max_abs_error.magnitude / *fit.level, 1, 1e-9);
 }
 
+// The extrema of a symmetric error come in pairs, which move together; and what is odd has no part in it.
+TEST(MinimaxStudy, KnowsSymmetry) {
+  const auto fit = [](const char* target, const char* form, const char* lower, const char* upper) {
+    const Study study{.target = target, .form = form, .over = {{"x", lower, upper}}};
+    StudyFit found = solve_minimax_study(read_study(study), {}, {});
+    EXPECT_EQ(name(found.status), "converged") << form << ": " << found.why;
+    return found;
+  };
+  // The even polynomial on [-1, 1] is that on [0, 1].
+  const StudyFit whole = fit("cos(x)", "a + b x^2 + d x^4", "-1", "1");
+  const StudyFit half = fit("cos(x)", "a + b x^2 + d x^4", "0", "1");
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(whole.parameters[i] / half.parameters[i], 1, 1e-14);
+  const StudyFit with_odd = fit("cos(x)", "a + b x^2 + g x + h x^3 + d x^4", "-1", "1");
+  EXPECT_NEAR(*with_odd.level / *half.level, 1, 1e-12);
+  EXPECT_EQ(with_odd.parameters[2], 0);
+  // Chebyshev: x^3 - 3/4 x.
+  const StudyFit cubic = fit("x^3", "a + b x + d x^2", "-1", "1");
+  EXPECT_EQ(cubic.parameters[0], 0);
+  EXPECT_NEAR(cubic.parameters[1], 0.75, 1e-15);
+  EXPECT_EQ(cubic.parameters[2], 0);
+  EXPECT_NEAR(*cubic.level, 0.25, 1e-15);
+  // A kink in the middle.
+  EXPECT_NEAR(*fit("abs(x)", "a + b x^2", "-1", "1").level, 0.125, 1e-15);
+}
+
+// Exact where a parameter has to become 0; and where the error is the rounding of 0, whatever the parameters.
+TEST(MinimaxStudy, IsExactAtAZeroOfTheTarget) {
+  const auto fit = [](const Study& study, double place) {
+    return solve_minimax_study(read_study(study), {.exact_at = {place}}, {});
+  };
+  const StudyFit square = fit({.target = "x^2", .form = "a + b x", .over = {{"x", "0", "1"}}}, 0);
+  ASSERT_EQ(name(square.status), "converged") << square.why;
+  EXPECT_EQ(square.parameters[0], 0);
+  EXPECT_NEAR(square.parameters[1], 2 * std::sqrt(2.0) - 2, 1e-15);
+  const StudyFit sine =
+      fit({.target = "sin(pi x)", .form = "(1 - x) (a + b x)", .over = {{"x", "0.1", "1"}}}, 1);
+  EXPECT_EQ(name(sine.status), "converged") << sine.why;
+}
+
 TEST(MinimaxStudy, KeepsItsConstraints) {
   const Study line{.target = "exp(x)", .form = "a + b x", .over = {{"x", "0", "1"}}};
   const auto fit_under = [&](const Constraints& constraints) {
