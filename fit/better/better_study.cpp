@@ -56,12 +56,12 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
   }
 }
 
-/// What the file asks for, least squares, and minimax where there is one variable.
-std::vector<StudyObjective> objectives_of(const StudyFile& file, const Study& study) {
+/// What the file asks for, least squares, and minimax if the target is a formula.
+std::vector<StudyObjective> objectives_of(const StudyFile& file, const Study& study, const ReadStudy& read) {
   std::vector<StudyObjective> objectives{objective_of(study, file.norm, file.constraints)};
   for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
     const StudyObjective other = objective_of(study, norm, {});
-    const bool is_possible = norm == Norm::least_squares || (study.over.size() == 1 && study.rows == nullptr);
+    const bool is_possible = norm == Norm::least_squares || can_be_minimax(read);
     if (is_possible && other.words != objectives.front().words) objectives.push_back(other);
   }
   return objectives;
@@ -71,7 +71,7 @@ void append_fits(StudyComparison& comparison, const StudyFile& file, const Study
                  const Checkpoint& checkpoint) {
   const Study study = with_form(comparison.study, form);
   const ReadStudy read = read_study(study);
-  for (const StudyObjective& objective : objectives_of(file, study)) {
+  for (const StudyObjective& objective : objectives_of(file, study, read)) {
     checkpoint();
     const StudyFit fit = fit_study(objective, checkpoint);
     if (fit.status == Status::converged) {

@@ -38,8 +38,8 @@ struct StudyComparison {
   std::vector<std::string> left_out = {};  ///< fits that did not converge: form, objective and reason
 };
 
-/// Compares the published sets of a study with the fits of each of its forms: least squares, minimax where
-/// there is one variable, and what the file asks for. Throws UserError for a study that cannot be read.
+/// Compares the published sets of a study with the fits of each of its forms: least squares, minimax if the
+/// target is a formula, and what the file asks for. Throws UserError for a study that cannot be read.
 StudyComparison compare_study(const StudyFile& file, const Study& study,
                               const Checkpoint& checkpoint = keep_going);
 

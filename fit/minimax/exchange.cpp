@@ -8,12 +8,15 @@
 namespace shadefit {
 namespace {
 
-/// Two to ten exchanges are usual. Sixty end a cycle.
-constexpr int most_exchanges = 60;
+/// Two to ten exchanges are usual. Sixty, and two for each condition, end a cycle.
+constexpr std::size_t least_cycle = 60;
 /// A condition counts as violated from here on: the elimination leaves this much of an equality. A condition
 /// on the error is relative to the largest bound of these, or to the level. A constraint has the unit of the
 /// form or of its logarithm, and is relative to 1 or to its own bound.
 constexpr double violation_floor = 1e-13;
+
+/// What the conditions of a cycle may exceed the answer by, relative to the largest bound or to the level.
+constexpr double cycle_excess = 1e-9;
 
 double product(const Unknowns& a, const Unknowns& b, std::size_t size) {
   double sum = 0;
@@ -73,7 +76,7 @@ bool invert(const SmallMatrix& matrix, std::size_t size, SmallMatrix& inverse) {
 }
 
 LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unknowns,
-                         std::span<const std::size_t> first_reference) {
+                         std::span<const std::size_t> first_reference, double rounding) {
   LowestLevel result;
   std::copy(first_reference.begin(), first_reference.end(), result.reference.begin());
   double largest_bound = 0;
@@ -82,7 +85,8 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
       largest_bound = std::max(largest_bound, std::abs(condition.bound));
   }
 
-  for (int exchange = 0; exchange < most_exchanges; ++exchange) {
+  const std::size_t most_exchanges = std::max(least_cycle, 2 * conditions.size());
+  for (std::size_t exchange = 0; exchange < most_exchanges; ++exchange) {
     SmallMatrix matrix{}, inverse{};
     Unknowns bounds{};
     for (std::size_t i = 0; i < unknowns; ++i) {
@@ -107,12 +111,16 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
       const double size = conditions[j].slope[unknowns - 1] != 0
                               ? std::max(largest_bound, std::abs(result.unknowns[unknowns - 1]))
                               : std::max(1.0, std::abs(conditions[j].bound));
-      if (excess > most && excess > violation_floor * size) {
+      if (excess > most && excess > std::max(violation_floor * size, rounding)) {
         most = excess;
         entering = j;
       }
     }
-    if (entering == conditions.size()) {
+    // References that differ by rounding follow each other in a cycle: each of them is the answer.
+    const bool is_cycle =
+        exchange + 1 == most_exchanges &&
+        most <= cycle_excess * std::max(largest_bound, std::abs(result.unknowns[unknowns - 1]));
+    if (entering == conditions.size() || is_cycle) {
       result.outcome = LowestLevel::Outcome::found;
       return result;
     }

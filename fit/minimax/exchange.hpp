@@ -9,12 +9,12 @@
 namespace shadefit {
 
 /// The most parameters of a form with a minimax fit: exp2 by a polynomial of degree 6 has this many.
-inline constexpr std::size_t most_parameters = 6;
+inline constexpr std::size_t most_parameters = 9;
 inline constexpr std::size_t most_unknowns = most_parameters + 1;
 
 using Unknowns = std::array<double, most_unknowns>;
 
-/// A square matrix of at most seven rows. Entries beyond its size are not used.
+/// A square matrix. Entries beyond its size are not used.
 using SmallMatrix = std::array<Unknowns, most_unknowns>;
 
 /// The inverse of the leading `size` rows and columns by elimination with full pivoting. False if a pivot is
@@ -50,7 +50,9 @@ struct LowestLevel {
 /// multiplier falls to zero first leaves it. This is Stiefel's exchange, the dual simplex method. The level
 /// rises with each exchange. Source: Stiefel 1960, "Note on Jordan elimination, linear programming and
 /// Tchebycheff approximation", Numerische Mathematik 2.
+///
+/// A condition on the error counts as violated if it is by more than `rounding`, that of the errors.
 LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unknowns,
-                         std::span<const std::size_t> first_reference);
+                         std::span<const std::size_t> first_reference, double rounding = 0);
 
 }  // namespace shadefit

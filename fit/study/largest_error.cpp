@@ -55,7 +55,10 @@ class Magnitude {
 StudyExtremum refined(const Magnitude& magnitude, StudyExtremum best,
                       const std::vector<std::array<double, 2>>& around) {
   constexpr double golden = 0.6180339887498949;
-  for (int pass = 0; pass < (around.size() == 1 ? 1 : 6); ++pass) {
+  // A ridge across the axes takes many passes.
+  constexpr int most_passes = 40;
+  for (int pass = 0; pass < (around.size() == 1 ? 1 : most_passes); ++pass) {
+    const double before = best.magnitude;
     for (std::size_t axis = 0; axis < around.size(); ++axis) {
       auto [low, high] = around[axis];
       std::vector<double> at = best.at;
@@ -80,12 +83,13 @@ StudyExtremum refined(const Magnitude& magnitude, StudyExtremum best,
       }
       const double top = low + (high - low) / 2;
       // Less is rounding: then the place of the grid, an end perhaps, is the better answer.
-      constexpr double gain = 1e-12;
+      constexpr double gain = 1e-14;
       if (const double found = value(top); found > best.magnitude * (1 + gain)) {
         best.magnitude = found;
         best.at[axis] = top;
       }
     }
+    if (best.magnitude == before) break;
   }
   return best;
 }
@@ -154,8 +158,9 @@ class Grid {
 
 }  // namespace
 
-StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
-                            const std::vector<double>& parameters) {
+std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
+                                         const std::vector<std::vector<StudyEdge>>& edges,
+                                         const std::vector<double>& parameters, double share) {
   constexpr std::array counts{200, 32, 12};
   // What the grid may miss of the height of a hill: near its top the error is a parabola.
   constexpr std::array shares{0.99, 0.95, 0.8};
@@ -164,12 +169,19 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vecto
   for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1]));
   const Magnitude magnitude(study, parameters);
   const Grid grid(magnitude, std::move(places));
+  std::vector<StudyExtremum> tops;
+  for (const std::size_t top : grid.tops(std::min(share, shares[axes - 1])))
+    tops.push_back(refined(magnitude, {grid.value(top), grid.place(top)}, grid.around(top)));
+  return tops;
+}
+
+StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
+                            const std::vector<double>& parameters) {
   // Of equal tops, as minimax has them, the first one counts: which one is largest is rounding.
   constexpr double equal = 1e-9;
   StudyExtremum best;
-  for (const std::size_t top : grid.tops(shares[axes - 1])) {
-    const StudyExtremum found = refined(magnitude, {grid.value(top), grid.place(top)}, grid.around(top));
-    if (best.at.empty() || found.magnitude > best.magnitude * (1 + equal)) best = found;
+  for (const StudyExtremum& top : tops_of_error(study, edges, parameters, 1)) {
+    if (best.at.empty() || top.magnitude > best.magnitude * (1 + equal)) best = top;
   }
   return best;
 }
@@ -181,11 +193,15 @@ StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& p
   return largest_error(study, edges, parameters);
 }
 
-StudyExtremum largest_weighted_error(const ReadStudy& study, const std::vector<double>& parameters) {
+ReadStudy weighted_error_of(const ReadStudy& study) {
   ReadStudy weighted = study;
   weighted.form = error_formula(study);
   weighted.target = Symbolic::number("0");
-  return largest_error(weighted, parameters);
+  return weighted;
+}
+
+StudyExtremum largest_weighted_error(const ReadStudy& study, const std::vector<double>& parameters) {
+  return largest_error(weighted_error_of(study), parameters);
 }
 
 StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>& parameters) {

@@ -12,6 +12,15 @@ namespace shadefit {
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                             const std::vector<double>& parameters);
 
+/// The tops of |form - target| that may be the largest, or at least `share` of it, in the order of their
+/// places. Each is the best of its hill of the same grid.
+std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
+                                         const std::vector<std::vector<StudyEdge>>& edges,
+                                         const std::vector<double>& parameters, double share);
+
+/// The study whose form is weight * (form - target), or that divided by the target, and whose target is 0.
+ReadStudy weighted_error_of(const ReadStudy& study);
+
 /// The largest |form - target| of a study: over its range, or over its rows.
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<double>& parameters);
 

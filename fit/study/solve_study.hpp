@@ -23,6 +23,12 @@ struct StudyExtremum {
   std::size_t row = 0;  ///< of measured rows: its number, from 1
 };
 
+/// A place, and the weighted error there.
+struct StudyContact {
+  std::vector<double> at;
+  double error = 0;
+};
+
 /// Fewer digits of a parameter are no answer.
 inline constexpr int least_study_digits = 6;
 
@@ -40,6 +46,8 @@ struct StudyFit {
   std::vector<double> other = {};  ///< of an ambiguous fit: the other curve, as good
   std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest |weighted error|
   std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit, with x for the cosine; rising
+  std::vector<StudyContact> touching =
+      {};  ///< of a minimax fit in several variables: where it is at its level
   std::optional<RowStatistics> statistics = std::nullopt;  ///< of measured rows, where they say enough
 };
 

@@ -90,15 +90,14 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
   const auto add = [&](const StudyObjective& objective) {
     if (objective.words != asked.words) objectives.push_back(objective);
   };
-  // Rows have no range: neither minimax nor a density applies.
-  const bool has_one_variable = asked.study.over.size() == 1 && asked.study.rows == nullptr;
+  const bool has_rows = asked.study.rows != nullptr;
   for (const Error error : {Error::absolute, Error::relative}) {
     Study study = asked.study;
     study.error = error;
     add(objective_of(study, Norm::least_squares, {}));
-    if (has_one_variable) add(objective_of(study, Norm::minimax, {}));
+    if (!has_rows) add(objective_of(study, Norm::minimax, {}));
   }
-  if (!has_one_variable) return objectives;
+  if (has_rows || asked.study.over.size() > 1) return objectives;
   const StudyAxis axis = read_study(asked.study).axes.front();
   if (0 <= axis.lower && axis.upper <= 1) {
     for (const char* word : {"angle", "cosine-weighted"}) {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/minimax_study.hpp"
 #include "fit/study/study_file.hpp"
+#include "fit/study_minimax/minimax_study.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/verdict.hpp"
 

@@ -72,6 +72,12 @@ Json alternation_json(const FittedStudy& study) {
   Json points = Json::array();
   for (const AlternationPoint& point : study.fit.alternation)
     points.push_back({{study.read.axes.front().variable, point.at.cos_theta}, {"error", point.error}});
+  for (const StudyContact& contact : study.fit.touching) {
+    points.push_back(Json::object());
+    for (std::size_t i = 0; i < contact.at.size(); ++i)
+      points.back()[study.read.axes[i].variable] = contact.at[i];
+    points.back()["error"] = contact.error;
+  }
   return points;
 }
 
@@ -222,6 +228,13 @@ std::string level_text(const FittedStudy& study) {
     const AlternationPoint& point = study.fit.alternation[i];
     text += fmt::format("{} {} at {} = {:.6g}", i == 0 ? "" : ",", point.error < 0 ? "-" : "+", variable,
                         point.at.cos_theta);
+  }
+  for (std::size_t i = 0; i < study.fit.touching.size(); ++i) {
+    const StudyContact& contact = study.fit.touching[i];
+    std::vector<std::string> at;
+    for (const double coordinate : contact.at) at.push_back(fmt::format("{:.6g}", coordinate));
+    text +=
+        fmt::format("{} {} at ({})", i == 0 ? "" : ",", contact.error < 0 ? "-" : "+", fmt::join(at, ", "));
   }
   return text + "\n";
 }

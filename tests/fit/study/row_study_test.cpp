@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/study/minimax_study.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
+#include "fit/study_minimax/minimax_study.hpp"
 #include "fit/support/user_error.hpp"
 
 // Studies whose target is measured rows.

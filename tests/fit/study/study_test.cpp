@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "fit/fit.hpp"
-#include "fit/study/minimax_study.hpp"
 #include "fit/study/solve_study.hpp"
+#include "fit/study_minimax/minimax_study.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -242,8 +242,6 @@ TEST(MinimaxStudy, KeepsItsConstraints) {
   ASSERT_EQ(name(below.status), "converged") << below.why;
   EXPECT_NEAR(below.parameters[1], std::exp(1) - 1, 1e-14);
   EXPECT_THROW(fit_under({.exact_at = {0.5}}), UserError);
-  const Study plane{.target = "x y", .form = "a", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
-  EXPECT_THROW(solve_minimax_study(read_study(plane), {}, {}), UserError);
 }
 
 TEST(Study, SaysWhatIsGlobalAndWhatIsNotDetermined) {

@@ -1,4 +1,4 @@
-#include "fit/study/minimax_study.hpp"
+#include "fit/study_minimax/minimax_study.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study_minimax/minimax_surface.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/tape/tape.hpp"
 
@@ -144,15 +145,25 @@ std::string with_variable(std::string text, const std::string& variable) {
   return text;
 }
 
-void require_one_variable(const ReadStudy& study, const Constraints& constraints) {
+/// Constraints of several variables have no exchange.
+void require_no_constraint(const ReadStudy& study, const Constraints& constraints) {
+  const char* option = !constraints.exact_at.empty() ? "--exact-at"
+                       : constraints.one_sided       ? "--one-sided"
+                       : constraints.at_most         ? "--at-most"
+                       : constraints.at_least        ? "--at-least"
+                                                     : nullptr;
+  if (option != nullptr)
+    throw UserError(std::string(option) + " goes with one variable: --over '" + study.axes[1].variable +
+                    "' is a second");
+}
+
+void require_minimax(const ReadStudy& study, const Constraints& constraints) {
   if (study.rows)
     throw UserError("--norm 'minimax' does not go with --table: rows are fitted by least squares");
-  if (study.axes.size() > 1)
-    throw UserError("--norm 'minimax' takes one variable: --over '" + study.axes[1].variable +
-                    "' is a second");
   if (study.parameters.size() > most_parameters)
-    throw UserError("--norm 'minimax' takes at most 6 parameters: the form has " +
-                    std::to_string(study.parameters.size()));
+    throw UserError("--norm 'minimax' takes at most " + std::to_string(most_parameters) +
+                    " parameters: the form has " + std::to_string(study.parameters.size()));
+  if (study.axes.size() > 1) return require_no_constraint(study, constraints);
   const StudyAxis& axis = study.axes.front();
   for (const double x : constraints.exact_at) {
     if (x != axis.lower && x != axis.upper)
@@ -162,9 +173,14 @@ void require_one_variable(const ReadStudy& study, const Constraints& constraints
 
 }  // namespace
 
+bool can_be_minimax(const ReadStudy& study) {
+  return study.rows == nullptr && study.parameters.size() <= most_parameters;
+}
+
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
-  require_one_variable(study, constraints);
+  require_minimax(study, constraints);
+  if (study.axes.size() > 1) return solve_minimax_surface(study, starts, checkpoint);
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts);
   checkpoint();

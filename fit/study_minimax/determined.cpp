@@ -1,0 +1,65 @@
+#include "fit/study_minimax/determined.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+
+namespace shadefit {
+namespace {
+
+/// A multiplier, or a share of one, below this is the rounding of 0. Their sum is 1.
+constexpr double none = 1e-9;
+
+/// How far a row may enter before a multiplier of the support is 0. `shares`: what the support gives way.
+double room(const VectorOf<double>& multipliers, const VectorOf<double>& shares) {
+  double least = 1;
+  for (Eigen::Index i = 0; i < shares.size(); ++i) {
+    if (shares[i] > none) least = std::min(least, std::max(0.0, multipliers[i]) / shares[i]);
+  }
+  return least;
+}
+
+}  // namespace
+
+bool are_determined(const MatrixOf<double>& slopes, std::span<const std::size_t> support,
+                    std::span<const double> first_multipliers) {
+  const Eigen::Index unknowns = slopes.cols(), rows = slopes.rows();
+  const VectorOf<double> scale = slopes.cwiseAbs().colwise().maxCoeff();
+  // The last coordinate keeps the sum of the multipliers.
+  MatrixOf<double> columns(unknowns + 1, rows);
+  columns.topRows(unknowns) = (slopes * scale.cwiseInverse().asDiagonal()).transpose();
+  columns.bottomRows(1).setOnes();
+
+  MatrixOf<double> of_support(unknowns + 1, unknowns + 1);
+  VectorOf<double> multipliers(unknowns + 1);
+  for (Eigen::Index i = 0; i <= unknowns; ++i) {
+    of_support.col(i) = columns.col(static_cast<Eigen::Index>(support[static_cast<std::size_t>(i)]));
+    multipliers[i] = first_multipliers[static_cast<std::size_t>(i)];
+  }
+  const Eigen::ColPivHouseholderQR<MatrixOf<double>> qr(of_support);
+  std::vector<bool> is_in(static_cast<std::size_t>(rows), false);
+  for (const std::size_t row : support) is_in[row] = true;
+
+  std::vector<Eigen::Index> held;
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      if (is_in[static_cast<std::size_t>(row)]) continue;
+      const VectorOf<double> shares = qr.solve(columns.col(row));
+      const double step = room(multipliers, shares) / 2;
+      if (step <= none) continue;
+      multipliers -= step * shares;
+      is_in[static_cast<std::size_t>(row)] = has_moved = true;
+      held.push_back(row);
+    }
+  }
+  for (Eigen::Index i = 0; i <= unknowns; ++i) {
+    if (multipliers[i] > none)
+      held.push_back(static_cast<Eigen::Index>(support[static_cast<std::size_t>(i)]));
+  }
+  MatrixOf<double> spanning(unknowns, static_cast<Eigen::Index>(held.size()));
+  for (std::size_t i = 0; i < held.size(); ++i)
+    spanning.col(static_cast<Eigen::Index>(i)) = columns.col(held[i]).head(unknowns);
+  return !held.empty() && Eigen::ColPivHouseholderQR<MatrixOf<double>>(spanning).rank() == unknowns;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fit/study/study.hpp"
+#include "fit/study/study_nodes.hpp"
+#include "fit/tape/tape.hpp"
+
+namespace shadefit {
+
+/// Moves places to where the error has no slope along the variables that are not at an edge.
+class TopPolish {
+ public:
+  /// `weighted` is a study whose form is the error (`weighted_error_of`).
+  TopPolish(const ReadStudy& weighted, const std::vector<std::vector<StudyEdge>>& edges);
+
+  /// By Newton's method. A place that it does not improve stays as it is.
+  std::vector<double> operator()(std::vector<double> place, const std::vector<double>& parameters) const;
+
+ private:
+  std::vector<double> at(const std::vector<double>& place, const std::vector<double>& parameters) const;
+  bool snap(std::vector<double>& place, std::size_t axis, const std::vector<double>& parameters) const;
+  bool step(std::vector<double>& place, const std::vector<bool>& is_free,
+            const std::vector<double>& parameters) const;
+
+  std::vector<StudyAxis> axes_;
+  std::vector<std::vector<StudyEdge>> edges_;
+  Tape tape_;  ///< the error, its slopes, and its second slopes: (0, 0), (1, 0), (1, 1), (2, 0) ..
+};
+
+}  // namespace shadefit
