@@ -25,7 +25,7 @@ std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
   std::string lines;
   for (const FittedStudy& study : studies) {
     if (study.fit.status == Status::converged) continue;
-    const std::string given = given_text(study.asked);
+    const std::string given = given_text(study.asked());
     lines += fmt::format("shadefit: the fit{}{}: {}, {}\n", given.empty() ? "" : " of ", given,
                          name(study.fit.status), study.fit.why);
     for (std::size_t i = 0; i < study.fit.other.size(); ++i)
@@ -37,7 +37,7 @@ std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
 
 /// The standard errors of fits of measured rows.
 std::string uncertainty_block(const std::vector<FittedStudy>& studies, const Terminal& terminal) {
-  if (studies.front().asked.rows == nullptr) return "";
+  if (studies.front().asked().rows == nullptr) return "";
   const Table table = uncertainty_table(studies);
   return (table.rows.empty() ? "" : "\n" + write_console(table, Precision::report, terminal)) +
          uncertainty_text(studies);
@@ -78,7 +78,7 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
     Study study = combination;
     study.form = file.forms.front().formula;
     const StudyObjective objective = objective_of(study, file.norm, file.constraints);
-    studies.push_back({study, read_study(study), fit_study(objective, checkpoint),
+    studies.push_back({objective, read_study(study), fit_study(objective, checkpoint),
                        judged_sets(file, objective, checkpoint)});
   }
   return studies;
@@ -92,12 +92,12 @@ struct StudyExtras {
   std::vector<std::optional<StudySensitivity>> sensitivities;
 };
 
-StudyExtras extras_of(const StudyFile& file, const std::vector<FittedStudy>& studies,
-                      const FitOptions& options, const Checkpoint& checkpoint) {
+StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions& options,
+                      const Checkpoint& checkpoint) {
   StudyExtras extras;
   for (const FittedStudy& study : studies) {
     const bool is_answer = study.fit.status == Status::converged;
-    const StudyObjective objective = objective_of(study.asked, file.norm, file.constraints);
+    const StudyObjective& objective = study.objective;
     extras.rounded.emplace_back();
     if (is_answer && options.round)
       extras.rounded.back() = round_study(objective, study.fit, *options.round, checkpoint);
@@ -121,7 +121,7 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
   const int code = err.empty() ? 0 : 1;
   std::function<void()> put;
   if (options.plot) put = draw_picture(study_figure(studies), *options.plot, options.force, checkpoint);
-  const auto [rounded, sensitivities] = extras_of(file, studies, options, checkpoint);
+  const auto [rounded, sensitivities] = extras_of(studies, options, checkpoint);
   if (options.json) {
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {

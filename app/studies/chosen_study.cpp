@@ -26,12 +26,13 @@ void require_family_options(const FitOptions& options) {
     throw UserError(
         fmt::format("--target '{}' is unknown: it must be one of schlick, exact; a formula needs a --form",
                     study.target));
-  const char* option = !study.table.empty()         ? "--table"
-                       : !study.over.empty()        ? "--over"
-                       : !study.given.empty()       ? "--given"
-                       : !study.definitions.empty() ? "--let"
-                       : !study.starts.empty()      ? "--start"
-                                                    : nullptr;
+  const char* option = !study.table.empty()                  ? "--table"
+                       : !study.over.empty()                 ? "--over"
+                       : !study.given.empty()                ? "--given"
+                       : !study.definitions.empty()          ? "--let"
+                       : !study.starts.empty()               ? "--start"
+                       : options.metric.constraints.monotone ? "--monotone"
+                                                             : nullptr;
   if (option != nullptr)
     throw UserError(fmt::format("{} belongs to --form, a formula of your own, or to a study", option));
 }
@@ -88,11 +89,7 @@ void change_metric(StudyFile& file, const FitOptions& options) {
   if (asked.one_sided) file.constraints.one_sided = asked.one_sided;
   if (asked.at_most) file.constraints.at_most = asked.at_most;
   if (asked.at_least) file.constraints.at_least = asked.at_least;
-  // The constraints of a file belong to minimax; those of the options are asked for now.
-  if (file.norm == Norm::least_squares) {
-    refuse_minimax_constraints(asked);
-    file.constraints = {};
-  }
+  if (asked.monotone) file.constraints.monotone = asked.monotone;
 }
 
 }  // namespace

@@ -162,7 +162,8 @@ T choice(const Reader& reader, const toml::node& node, const std::string& key,
 }
 
 void read_metric(const Reader& reader, const toml::table& metric, StudyFile& file) {
-  reader.require_keys(metric, {"norm", "error", "weight", "exact_at", "one_sided", "at_most", "at_least"});
+  reader.require_keys(
+      metric, {"norm", "error", "weight", "exact_at", "one_sided", "at_most", "at_least", "monotone"});
   const auto with = [&](const char* key, const auto& use) {
     if (const toml::node* node = metric.get(key)) use(*node, key);
   };
@@ -184,6 +185,9 @@ void read_metric(const Reader& reader, const toml::table& metric, StudyFile& fil
        [&](const toml::node& node, const char* key) { constraints.at_most = number(reader, node, key); });
   with("at_least",
        [&](const toml::node& node, const char* key) { constraints.at_least = number(reader, node, key); });
+  with("monotone", [&](const toml::node& node, const char* key) {
+    constraints.monotone = choice(reader, node, key, std::array{Course::falls, Course::rises});
+  });
 }
 
 PublishedSet read_published(const Reader& reader, const toml::table& table,

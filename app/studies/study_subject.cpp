@@ -16,8 +16,8 @@ namespace {
 
 /// The first option on the command line that counts for a fit alone; empty if there is none.
 std::string option_of_fits(const FitOptions& options) {
-  constexpr std::array all{"--norm",      "--start",   "--fix",     "--exact-at",
-                           "--one-sided", "--at-most", "--at-least"};
+  constexpr std::array all{"--norm",      "--start",   "--fix",      "--exact-at",
+                           "--one-sided", "--at-most", "--at-least", "--monotone"};
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const char* option) { return options.present.contains(option); });
   if (found != all.end()) return *found;

@@ -12,6 +12,8 @@ enum class Touch {
   exact,     ///< the form is its target here by constraint
   at_most,   ///< the form is at its upper bound
   at_least,  ///< the form is at its lower bound
+  falls,     ///< the form, which never rises, has the slope 0
+  rises,     ///< the form, which never falls, has the slope 0
 };
 
 struct AlternationPoint {

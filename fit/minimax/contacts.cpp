@@ -40,6 +40,7 @@ double Contacts::share_of_level(Touch touch) const {
 
 const MinimaxCurve& Contacts::curve_of(Touch touch) const {
   if (is_of_form(touch)) return problem_.bounded;
+  if (is_of_slope(touch)) return problem_.sloping;
   return share_of_level(touch) > 0 ? problem_.error : problem_.deviation;
 }
 
@@ -67,14 +68,18 @@ Condition Contacts::condition(const Contact& c) const {
   return result;
 }
 
-/// An end of the domain where a bounded curve is at its bound for all parameters. They change only its slope
-/// there, so the slope is bounded.
+/// An end of the domain where a bounded curve is at its bound for all parameters, or by the constraint to be
+/// exact. They change only its slope there, so the slope is bounded.
 void Contacts::find_tangents() {
   const auto consider = [&](Touch touch) {
     const SearchPlace ends[] = {problem_.places.front(), problem_.places.back()};
     for (const SearchPlace& place : ends) {
       const Contact c = contact(touch, place);
-      if (!is_fixed(c) || c.value != static_cast<double>(bound_of(touch))) continue;
+      const bool is_exact = !is_of_form(touch) && !is_of_slope(touch) &&
+                            std::any_of(exact_.begin(), exact_.end(), [&](const SearchPlace& held) {
+                              return held.panel == place.panel && held.s == place.s;
+                            });
+      if (!is_exact && (!is_fixed(c) || c.value != static_cast<double>(bound_of(touch)))) continue;
       const Contact tangent = contact(touch, place, true);
       if (!is_fixed(tangent)) tangents_.push_back(tangent);
     }
@@ -82,9 +87,50 @@ void Contacts::find_tangents() {
   if (problem_.one_sided) consider(one_sided_touch());
   if (problem_.at_most) consider(Touch::at_most);
   if (problem_.at_least) consider(Touch::at_least);
+  if (problem_.monotone) consider(slope_touch());
 }
 
-/// The extrema of a curve that a touch needs: maxima for `highest` and `at_most`, else minima.
+Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
+  constexpr int most_newton_steps = 60;
+  for (int i = 0; i < most_newton_steps; ++i) {
+    const Contact c = contact(Touch::exact, place);
+    double square = 0;
+    for (std::size_t j = 0; j < problem_.size; ++j) {
+      const double scaled = c.gradient[j] * parameters[j];
+      square += scaled * scaled;
+    }
+    WideParameters wide{};
+    std::copy(parameters.begin(), parameters.end(), wide.begin());
+    const auto finer = static_cast<double>(curve_of(Touch::exact).wide(place, wide));
+    // 0, or the rounding of 0: sin(pi x) at 1.
+    if (std::abs(c.value) <= 2 * std::abs(c.value - finer))
+      return i > 0 || square > 0 ? CanBe::exact : CanBe::exact_for_all;
+    if (!(square > 0) || !std::isfinite(square)) return CanBe::never;
+    const double step = -c.value / square;
+    double largest = 0;
+    for (std::size_t j = 0; j < problem_.size; ++j) {
+      const double relative = step * c.gradient[j] * parameters[j];
+      largest = std::max(largest, std::abs(relative));
+      parameters[j] *= 1 + relative;
+    }
+    if (largest < 1e-10) return CanBe::exact;
+  }
+  return CanBe::never;
+}
+
+std::string Contacts::hold_exact() {
+  for (const SearchPlace& place : problem_.exact_at) {
+    const MinimaxParameters start = parameters;
+    const CanBe found = can_be_exact(place);
+    parameters = start;
+    if (found == CanBe::never)
+      return "the form cannot be exact at c = " + to_text(problem_.cosine_at(place).cos_theta);
+    if (found == CanBe::exact) exact_.push_back(place);
+  }
+  return exact_.size() > problem_.size ? "more places to be exact at than free parameters" : "";
+}
+
+/// The extrema of a curve that a touch needs: maxima if it bounds from above, else minima.
 void Contacts::find_extrema(const MinimaxCurve& curve, Touch touch) {
   const double sign = sign_of(touch);
   const auto& places = problem_.places;
@@ -135,6 +181,10 @@ void Contacts::look() {
     if (problem_.at_most) find_extrema(problem_.bounded, Touch::at_most);
     if (problem_.at_least) find_extrema(problem_.bounded, Touch::at_least);
   }
+  if (problem_.monotone) {
+    problem_.sloping.everywhere(parameters, values_);
+    find_extrema(problem_.sloping, slope_touch());
+  }
   for (const SearchPlace& place : exact_) all_.push_back(contact(Touch::exact, place));
   for (const Contact& c : tangents_) all_.push_back(contact(c.touch, c.place, true));
 
@@ -164,7 +214,7 @@ Contacts::Chain Contacts::alternating(std::size_t count) const {
     return size;
   };
   for (Contact c : all_) {
-    if (is_of_form(c.touch) || c.touch == Touch::exact || c.is_tangent) continue;
+    if (is_of_form(c.touch) || is_of_slope(c.touch) || c.touch == Touch::exact || c.is_tangent) continue;
     if (problem_.one_sided) {
       // A place where no positive form can touch its target holds nothing.
       if (!std::isfinite(contact(one_sided_touch(), c.place).value)) continue;
@@ -281,6 +331,10 @@ bool Contacts::is_violation_fixed() const {
 std::string Contacts::most_violated() const {
   const Contact* worst = worst_violation();
   if (worst == nullptr) return "satisfy the constraints";
+  if (is_of_slope(worst->touch)) {
+    const std::string course = worst->touch == Touch::rises ? "rising" : "falling";
+    return "keep the form " + course + " at c = " + place_text(*worst);
+  }
   const std::string relation = sign_of(worst->touch) > 0 ? "<= " : ">= ";
   const std::string bound = worst->touch == Touch::at_most    ? to_text(*problem_.at_most)
                             : worst->touch == Touch::at_least ? to_text(*problem_.at_least)

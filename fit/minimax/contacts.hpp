@@ -31,12 +31,17 @@ using Few = boost::container::small_vector<T, 24>;
 
 /// 1 where a touch bounds its curve from above, -1 from below.
 inline double sign_of(Touch touch) {
-  return touch == Touch::lowest || touch == Touch::at_least ? -1 : 1;
+  return touch == Touch::lowest || touch == Touch::at_least || touch == Touch::rises ? -1 : 1;
 }
 
 /// Whether a touch bounds the form itself, not its error.
 inline bool is_of_form(Touch touch) {
   return touch == Touch::at_most || touch == Touch::at_least;
+}
+
+/// Whether a touch bounds the slope of the form.
+inline bool is_of_slope(Touch touch) {
+  return touch == Touch::falls || touch == Touch::rises;
 }
 
 /// The maximum of sign * curve between low and high, from s: Newton on the slope, inside the interval that is
@@ -62,6 +67,7 @@ class Contacts {
   double share_of_level(Touch touch) const;
   /// How a one-sided form touches its target.
   Touch one_sided_touch() const { return problem_.one_sided == Side::below ? Touch::highest : Touch::lowest; }
+  Touch slope_touch() const { return problem_.monotone == Course::falls ? Touch::falls : Touch::rises; }
   double share_of_level(const Contact& c) const { return c.is_tangent ? 0 : share_of_level(c.touch); }
   const MinimaxCurve& curve_of(Touch touch) const;
   long double bound_of(Touch touch) const;
@@ -71,8 +77,9 @@ class Contacts {
   Condition condition(const Contact& c) const;
 
   void find_tangents();
-  /// From now on the form equals its target there.
-  void hold_exact(const SearchPlace& place) { exact_.push_back(place); }
+  /// From now on the form equals its target at the problem's places. A place where it does so for all
+  /// parameters is left out. A line that says why the form cannot, or an empty text.
+  std::string hold_exact();
   std::size_t held_exact() const { return exact_.size(); }
   void look();
 
@@ -85,6 +92,9 @@ class Contacts {
   std::string place_text(const Contact& c) const;
 
  private:
+  enum class CanBe { exact, exact_for_all, never };
+  /// Newton's method tells: exp(a) is 0 for no a, so its steps stay long. Changes the parameters.
+  CanBe can_be_exact(const SearchPlace& place);
   const Contact* worst_violation() const;
   void find_extrema(const MinimaxCurve& curve, Touch touch);
   /// A chain of contacts, and the place in it where those that come first begin.

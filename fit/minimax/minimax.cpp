@@ -26,8 +26,9 @@ class RemezExchange {
       : problem_(problem), here_(problem, start) {}
 
   MinimaxOptimum solve() {
+    const std::string why = here_.hold_exact();
     here_.find_tangents();
-    if (can_be_exact() && descend()) settle();
+    if (why.empty() ? descend() : fail(Status::infeasible, why)) settle();
     result_.parameters = here_.parameters;
     return std::move(result_);
   }
@@ -50,48 +51,6 @@ class RemezExchange {
 
   /// The level, plus a penalty for violated constraints that is larger than the level they could gain.
   double merit() const { return here_.level() + penalty_ * here_.violation(); }
-
-  /// Constraints of interpolation. Those that hold for all parameters are dropped. For the others, Newton
-  /// tells whether the form can meet them: exp(a) is 0 for no a, so Newton's steps stay long.
-  bool can_be_exact() {
-    for (const SearchPlace& place : problem_.exact_at) {
-      const MinimaxParameters start = here_.parameters;
-      bool is_met = false;
-      for (int i = 0; i < 60 && !is_met; ++i) {
-        const Contact c = here_.contact(Touch::exact, place);
-        double square = 0;
-        for (std::size_t j = 0; j < problem_.size; ++j) {
-          const double scaled = c.gradient[j] * here_.parameters[j];
-          square += scaled * scaled;
-        }
-        WideParameters wide{};
-        std::copy(here_.parameters.begin(), here_.parameters.end(), wide.begin());
-        const auto finer = static_cast<double>(here_.curve_of(Touch::exact).wide(place, wide));
-        // 0, or the rounding of 0: sin(pi x) at 1.
-        if (std::abs(c.value) <= 2 * std::abs(c.value - finer)) {
-          is_met = i > 0 || square > 0;  // else it holds for all parameters
-          break;
-        }
-        if (!(square > 0) || !std::isfinite(square)) i = 60;
-        const double step = -c.value / square;
-        double largest = 0;
-        for (std::size_t j = 0; j < problem_.size && i < 60; ++j) {
-          const double relative = step * c.gradient[j] * here_.parameters[j];
-          largest = std::max(largest, std::abs(relative));
-          here_.parameters[j] *= 1 + relative;
-        }
-        is_met = i < 60 && largest < 1e-10;
-        if (i >= 59 && !is_met)
-          return fail(Status::infeasible,
-                      "the form cannot be exact at c = " + to_text(problem_.cosine_at(place).cos_theta));
-      }
-      if (is_met) here_.hold_exact(place);
-      here_.parameters = start;
-    }
-    if (here_.held_exact() > problem_.size)
-      return fail(Status::infeasible, "more places to be exact at than free parameters");
-    return true;
-  }
 
   /// Finds the extrema, takes the step of their linear programme, and repeats until the step is negligible. A
   /// step that does not lower the merit is halved.

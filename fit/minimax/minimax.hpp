@@ -60,12 +60,14 @@ struct MinimaxProblem {
   /// These are the form and its error; for a positive form log(form) and log(form/target), which may be
   /// linear in the parameters.
   MinimaxCurve bounded, deviation;
+  MinimaxCurve sloping = {};  ///< the slope of the form, if `monotone` is set
   bool is_exponential = false;
   /// Constraints are linear in the parameters: if they cannot be satisfied together at some places, no
   /// parameters satisfy them.
   bool is_linear = false;
   std::optional<Side> one_sided = std::nullopt;
   std::optional<double> at_most = std::nullopt, at_least = std::nullopt;
+  std::optional<Course> monotone = std::nullopt;
   std::vector<SearchPlace> exact_at = {};
   /// If Newton does not settle, an answer still counts whose last step is at most this share of each
   /// parameter: `digits` says how much of it is right.

@@ -34,6 +34,9 @@ enum class Error {
 /// The side of its target on which a form must stay.
 enum class Side { above, below };
 
+/// How a form runs over its range, weakly.
+enum class Course { falls, rises };
+
 /// The range of c that counts, 0 <= lower < upper <= 1.
 struct Domain {
   double lower = 0;
@@ -59,13 +62,15 @@ struct Held {
   auto operator<=>(const Held&) const = default;
 };
 
-/// The constraints of a fit. Least squares supports `held` only.
+/// The constraints of a fit. Families support `held` under both norms, the others except `monotone` under
+/// minimax. Studies of one variable support all of them under both norms.
 struct Constraints {
   std::vector<Held> held = {};                    ///< parameters with given values
   std::vector<double> exact_at = {};              ///< ends of the domain where the form is its target
   std::optional<Side> one_sided = std::nullopt;   ///< the form is never below, or never above, its target
   std::optional<double> at_most = std::nullopt;   ///< the form's value, all over the domain
   std::optional<double> at_least = std::nullopt;  ///< the same from below
+  std::optional<Course> monotone = std::nullopt;  ///< the form never rises, or never falls
   auto operator<=>(const Constraints&) const = default;
 };
 
@@ -143,6 +148,16 @@ constexpr std::string_view name(Side side) {
   throw std::logic_error("a side without a name");
 }
 
+constexpr std::string_view name(Course course) {
+  switch (course) {
+    case Course::falls:
+      return "falls";
+    case Course::rises:
+      return "rises";
+  }
+  throw std::logic_error("a course without a name");
+}
+
 /// The constraints as a reader names them, each after a comma: ", b = -7, form <= 1".
 inline std::string describe(const Constraints& constraints) {
   std::string text;
@@ -152,6 +167,7 @@ inline std::string describe(const Constraints& constraints) {
     text += *constraints.one_sided == Side::above ? ", form >= target" : ", form <= target";
   if (constraints.at_most) text += ", form <= " + to_text(*constraints.at_most);
   if (constraints.at_least) text += ", form >= " + to_text(*constraints.at_least);
+  if (constraints.monotone) text += ", form " + std::string(name(*constraints.monotone));
   return text;
 }
 

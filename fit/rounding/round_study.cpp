@@ -25,7 +25,7 @@ void require_plain(const StudyObjective& objective, const NumberFormat& format) 
   };
   refuse(format.is_narrow(), "a study: take float or decimal:N");
   refuse(objective.study.rows != nullptr, "--table: rows are measured, and have no largest error to keep");
-  refuse(objective.constraints != Constraints{}, "a constraint of minimax: rounding would break it");
+  refuse(objective.constraints != Constraints{}, "a constraint: rounding would break it");
 }
 
 /// The place of an evenly spaced grid over the ranges with so many places on each.

@@ -83,7 +83,7 @@ StudyExtremum refined(const Magnitude& magnitude, StudyExtremum best,
       }
       const double top = low + (high - low) / 2;
       // Less is rounding: then the place of the grid, an end perhaps, is the better answer.
-      constexpr double gain = 1e-14;
+      constexpr double gain = 1e-12;
       if (const double found = value(top); found > best.magnitude * (1 + gain)) {
         best.magnitude = found;
         best.at[axis] = top;

@@ -172,4 +172,16 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   return result;
 }
 
+std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched) {
+  constexpr std::size_t most = 4;
+  // Descents end this near to each other in one basin.
+  constexpr double same = 1e-6;
+  std::vector<StudyCandidate> basins;
+  for (const StudyCandidate& candidate : searched.candidates) {
+    if (basins.size() < most && (basins.empty() || candidate.square > basins.back().square * (1 + same)))
+      basins.push_back(candidate);
+  }
+  return basins;
+}
+
 }  // namespace shadefit

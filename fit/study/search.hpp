@@ -34,6 +34,10 @@ struct SearchedStudy {
   bool is_linear;  ///< in all parameters: then the only candidate is the best of all
 };
 
+/// The lowest basins, at most four: where another problem with the same form may start. One candidate for
+/// each different square.
+std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched);
+
 /// Throws UserError where a formula has no value in the range, and if no start has a finite error.
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
                            const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts);

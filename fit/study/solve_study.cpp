@@ -21,25 +21,6 @@ namespace {
 
 using Vector = VectorOf<double>;
 
-/// A parameter counts as 0 where it moves the form by less than this share of the target: then its digits are
-/// those of that share.
-constexpr double negligible = 1e-6;
-
-/// The largest step, each relative to its parameter.
-template <class Step>
-long double relative_size(const Step& step, const std::vector<double>& parameters,
-                          const MatrixOf<double>& hessian, double target_norm) {
-  long double largest = 0;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const double least = negligible * target_norm / std::sqrt(std::abs(hessian(row, row)));
-    const double size = std::max(std::abs(parameters[i]), least);
-    largest =
-        std::max(largest, std::abs(static_cast<long double>(step[row]) / static_cast<long double>(size)));
-  }
-  return largest;
-}
-
 /// Newton in double from a candidate to the bottom of its basin. The exact Hessian there, or empty if there
 /// is no minimum.
 std::optional<MatrixOf<double>> polish(const SampledStudy<double>& sampled, std::vector<double>& parameters) {

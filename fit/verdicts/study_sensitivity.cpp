@@ -15,8 +15,7 @@ void require_plain(const StudyObjective& objective) {
   if (objective.study.rows)
     throw UserError("--sensitivity does not go with --table: the profile intervals of a fit of rows say it");
   if (objective.constraints != Constraints{})
-    throw UserError(
-        "--sensitivity does not go with a constraint of minimax: rounded constants do not meet it");
+    throw UserError("--sensitivity does not go with a constraint: rounded constants do not meet it");
 }
 
 FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit) {

@@ -69,7 +69,7 @@ StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint
   const ReadStudy read = read_study(objective.study);
   return objective.norm == Norm::minimax
              ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
-             : solve_study(read, objective.study.starts, checkpoint);
+             : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
 }
 
 StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints) {
@@ -82,6 +82,7 @@ StudyObjective objective_of(const Study& study, Norm norm, const Constraints& co
     objective.words += *constraints.one_sided == Side::above ? ", form >= target" : ", form <= target";
   if (constraints.at_most) objective.words += ", form <= " + to_text(*constraints.at_most);
   if (constraints.at_least) objective.words += ", form >= " + to_text(*constraints.at_least);
+  if (constraints.monotone) objective.words += ", form " + std::string(name(*constraints.monotone));
   return objective;
 }
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "fit/study/study_file.hpp"
-#include "fit/study_minimax/minimax_study.hpp"
+#include "fit/study_exchange/constrained_study.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
 #include "fit/support/checkpoint.hpp"
 #include "fit/verdicts/verdict.hpp"
 

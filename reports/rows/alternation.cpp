@@ -28,28 +28,44 @@ std::string what_holds(const AlternationPoint& point, const Constraints& constra
       return "form <= " + to_text(*constraints.at_most) + by_slope;
     case Touch::at_least:
       return "form >= " + to_text(*constraints.at_least) + by_slope;
+    case Touch::falls:
+      return "form falls";
+    case Touch::rises:
+      return "form rises";
   }
   throw std::logic_error("an alternation point without a reason");
 }
 
+std::string level_places(const std::vector<AlternationPoint>& alternation, const Constraints& constraints,
+                         const std::string& variable) {
+  std::vector<std::string> places;
+  for (const AlternationPoint& point : alternation) {
+    const int sign = sign_of_error(point, constraints);
+    if (sign != 0)
+      places.push_back(fmt::format("{} at {} = {:.6g}", sign > 0 ? "+" : "-", variable, point.at.cos_theta));
+  }
+  return fmt::format("{}", fmt::join(places, ", "));
+}
+
+std::string touching_lines(const std::vector<AlternationPoint>& alternation, const Constraints& constraints,
+                           const std::string& variable) {
+  std::string lines;
+  for (const AlternationPoint& point : alternation) {
+    if (sign_of_error(point, constraints) == 0)
+      lines += fmt::format("The optimum sits on the constraint {} at {} = {:.6g}\n",
+                           what_holds(point, constraints), variable, point.at.cos_theta);
+  }
+  return lines;
+}
+
 std::string alternation_text(const Fit& fit) {
   if (!fit.level || fit.status != Status::converged) return "";
-  const Constraints& constraints = fit.metric.constraints;
-  std::vector<std::string> places, lines;
-  for (const AlternationPoint& point : fit.alternation) {
-    const int sign = sign_of_error(point, constraints);
-    const std::string where = fmt::format("at c = {:.6g}", point.at.cos_theta);
-    if (sign != 0) {
-      places.push_back((sign > 0 ? "+ " : "- ") + where);
-    } else {
-      lines.push_back(
-          fmt::format("The optimum sits on the constraint {} {}\n", what_holds(point, constraints), where));
-    }
-  }
   if (fit.alternation.empty()) return "Level 0: the form is its target on all of the domain\n";
+  const Constraints& constraints = fit.metric.constraints;
   const std::string exponent = fit.exponent ? fmt::format("k = {}: ", *fit.exponent) : "";
-  return fmt::format("{}Level {:.10g}, the error is {}\n{}", exponent, *fit.level, fmt::join(places, ", "),
-                     fmt::join(lines, ""));
+  return fmt::format("{}Level {:.10g}, the error is {}\n{}", exponent, *fit.level,
+                     level_places(fit.alternation, constraints, "c"),
+                     touching_lines(fit.alternation, constraints, "c"));
 }
 
 }  // namespace shadefit

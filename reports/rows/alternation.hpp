@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "fit/fit.hpp"
 
@@ -12,6 +13,14 @@ int sign_of_error(const AlternationPoint& point, const Constraints& constraints)
 
 /// "level", or the active constraint: "form <= 1", "form = target".
 std::string what_holds(const AlternationPoint& point, const Constraints& constraints);
+
+/// "+ at c = 0.3, - at c = 0.7": where the error is at the level.
+std::string level_places(const std::vector<AlternationPoint>& alternation, const Constraints& constraints,
+                         const std::string& variable);
+
+/// A line for each place where a constraint touches.
+std::string touching_lines(const std::vector<AlternationPoint>& alternation, const Constraints& constraints,
+                           const std::string& variable);
 
 /// A line with the level and the places of the alternation, and one for each active constraint; empty for a
 /// fit without an alternation.

@@ -51,7 +51,7 @@ std::string range_of(const StudyAxis& axis) {
 /// "g = 0.5", or the constants of the only fit.
 std::string label_of(const FittedStudy& study) {
   std::vector<std::string> parts;
-  for (const auto& [name, value] : study.asked.given) parts.push_back(name + " = " + value);
+  for (const auto& [name, value] : study.asked().given) parts.push_back(name + " = " + value);
   for (std::size_t i = 0; parts.empty() && i < study.fit.names.size(); ++i)
     parts.push_back(study.fit.names[i] + " = " + text(Number{study.fit.parameters[i], 7}, Precision::report));
   return fmt::format("{}", fmt::join(parts, ", "));

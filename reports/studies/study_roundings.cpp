@@ -21,19 +21,19 @@ Table roundings_table(const std::vector<FittedStudy>& studies,
                       const std::vector<std::optional<RoundedStudy>>& rounded) {
   const FittedStudy& first = studies.front();
   Table table;
-  for (const auto& [constant, value] : first.asked.given) table.columns.push_back(constant);
+  for (const auto& [constant, value] : first.asked().given) table.columns.push_back(constant);
   table.columns.emplace_back("constants");
   for (const std::string& parameter : first.fit.names) {
     table.columns.push_back(parameter);
     table.columns.push_back(parameter + " hex");
   }
-  table.columns.push_back(error_name(first.asked) + " at most");
-  for (const StudyRange& range : first.asked.over) table.columns.push_back("at " + range.variable);
+  table.columns.push_back(error_name(first.asked()) + " at most");
+  for (const StudyRange& range : first.asked().over) table.columns.push_back("at " + range.variable);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (!rounded[i]) continue;
     const auto add = [&](const char* what, const RoundedStudySet& set) {
       std::vector<Cell> row;
-      for (const auto& [constant, value] : studies[i].asked.given) row.emplace_back(value);
+      for (const auto& [constant, value] : studies[i].asked().given) row.emplace_back(value);
       row.emplace_back(what);
       for (std::size_t k = 0; k < set.values.size(); ++k)
         row.insert(row.end(), {set.texts[k], hex_text(set.values[k])});
@@ -77,7 +77,7 @@ Json study_rounding_json(const FittedStudy& study, const RoundedStudy& rounded) 
       decimals[parameter] = set.texts[i];
       hexes[parameter] = hex_text(set.values[i]);
     }
-    for (std::size_t i = 0; i < set.at.size(); ++i) at[study.asked.over[i].variable] = set.at[i];
+    for (std::size_t i = 0; i < set.at.size(); ++i) at[study.asked().over[i].variable] = set.at[i];
     return Json{{"parameters", parameters},
                 {"decimal", decimals},
                 {"hex", hexes},

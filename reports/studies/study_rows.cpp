@@ -4,13 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "fit/scalars/symbolic.hpp"
 #include "fit/support/decimal.hpp"
+#include "reports/rows/alternation.hpp"
 
 namespace shadefit {
 namespace {
@@ -23,7 +22,7 @@ bool is_answer(const FittedStudy& study) {
 
 /// The last columns: the largest error and its place; of measured rows its row, and how large the noise is.
 std::vector<std::string> last_columns(const std::vector<FittedStudy>& studies) {
-  if (!studies.front().asked.rows) {
+  if (!studies.front().asked().rows) {
     std::vector<std::string> columns{"max abs error"};
     for (const StudyAxis& axis : studies.front().read.axes) columns.push_back("at " + axis.variable);
     return columns;
@@ -37,7 +36,7 @@ std::vector<std::string> last_columns(const std::vector<FittedStudy>& studies) {
 std::vector<Cell> last_cells(const FittedStudy& study) {
   const StudyExtremum& largest = study.fit.max_abs_error;
   std::vector<Cell> cells{Number{largest.magnitude, 4}};
-  if (!study.asked.rows) {
+  if (!study.asked().rows) {
     for (const double place : largest.at) cells.emplace_back(Number{place, 6});
     return cells;
   }
@@ -70,13 +69,18 @@ Json parameters_json(const FittedStudy& study, const std::vector<double>& values
 
 Json alternation_json(const FittedStudy& study) {
   Json points = Json::array();
-  for (const AlternationPoint& point : study.fit.alternation)
-    points.push_back({{study.read.axes.front().variable, point.at.cos_theta}, {"error", point.error}});
+  const Constraints& constraints = study.objective.constraints;
+  for (const AlternationPoint& point : study.fit.alternation) {
+    points.push_back({{study.read.axes.front().variable, point.at.cos_theta},
+                      {"error", point.error},
+                      {"holds", what_holds(point, constraints)}});
+  }
   for (const StudyContact& contact : study.fit.touching) {
     points.push_back(Json::object());
     for (std::size_t i = 0; i < contact.at.size(); ++i)
       points.back()[study.read.axes[i].variable] = contact.at[i];
     points.back()["error"] = contact.error;
+    points.back()["holds"] = "level";
   }
   return points;
 }
@@ -179,7 +183,7 @@ std::string printed_text(const PrintedValues& values) {
 Table study_table(const std::vector<FittedStudy>& studies) {
   const FittedStudy& first = studies.front();
   Table table;
-  for (const auto& [name, value] : first.asked.given) table.columns.push_back(name);
+  for (const auto& [name, value] : first.asked().given) table.columns.push_back(name);
   for (const std::string& name : first.fit.names) table.columns.push_back(name);
   for (const char* column : {"status", "digits", "rms error"}) table.columns.emplace_back(column);
   for (const std::string& column : last_columns(studies)) table.columns.push_back(column);
@@ -188,7 +192,7 @@ Table study_table(const std::vector<FittedStudy>& studies) {
   if (has_published) table.columns.insert(table.columns.end(), {"published", "verdict"});
   for (const FittedStudy& study : studies) {
     std::vector<Cell> row;
-    for (const auto& [name, value] : study.asked.given) row.emplace_back(value);
+    for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
     for (const double p : study.fit.parameters)
       row.push_back(is_answer(study) ? Cell(Number{p, all_digits}) : Cell());
     row.emplace_back(std::string(name(study.fit.status)));
@@ -214,40 +218,36 @@ std::string formulas_text(const Study& study) {
 }
 
 std::string study_headline(const FittedStudy& study) {
-  const bool is_relative = study.asked.error == Error::relative;
-  const std::string weight = study.asked.weight == "1" ? "" : ", weight " + study.asked.weight;
-  return fmt::format("{}, {}{}{}", formulas_text(study.asked), study.fit.level ? "minimax" : "least squares",
-                     is_relative ? ", relative error" : "", weight);
+  const std::string weight = study.asked().weight == "1" ? "" : ", weight " + study.asked().weight;
+  return fmt::format("{}, {}{}", formulas_text(study.asked()), study.objective.words, weight);
 }
 
 std::string level_text(const FittedStudy& study) {
-  if (!study.fit.level || !is_answer(study)) return "";
-  std::string text = fmt::format("Level {:.10g}, the error is", *study.fit.level);
+  if (!is_answer(study)) return "";
+  const StudyFit& fit = study.fit;
+  const Constraints& constraints = study.objective.constraints;
   const std::string& variable = study.read.axes.front().variable;
-  for (std::size_t i = 0; i < study.fit.alternation.size(); ++i) {
-    const AlternationPoint& point = study.fit.alternation[i];
-    text += fmt::format("{} {} at {} = {:.6g}", i == 0 ? "" : ",", point.error < 0 ? "-" : "+", variable,
-                        point.at.cos_theta);
-  }
-  for (std::size_t i = 0; i < study.fit.touching.size(); ++i) {
-    const StudyContact& contact = study.fit.touching[i];
+  const std::string touching = touching_lines(fit.alternation, constraints, variable);
+  if (!fit.level) return touching;
+  std::vector<std::string> places;
+  for (const StudyContact& contact : fit.touching) {
     std::vector<std::string> at;
     for (const double coordinate : contact.at) at.push_back(fmt::format("{:.6g}", coordinate));
-    text +=
-        fmt::format("{} {} at ({})", i == 0 ? "" : ",", contact.error < 0 ? "-" : "+", fmt::join(at, ", "));
+    places.push_back(fmt::format("{} at ({})", contact.error < 0 ? "-" : "+", fmt::join(at, ", ")));
   }
-  return text + "\n";
+  return fmt::format("Level {:.10g}, the error is {}{}\n{}", *fit.level,
+                     level_places(fit.alternation, constraints, variable), fmt::join(places, ", "), touching);
 }
 
 Table uncertainty_table(const std::vector<FittedStudy>& studies) {
   Table table;
-  for (const auto& [name, value] : studies.front().asked.given) table.columns.push_back(name);
+  for (const auto& [name, value] : studies.front().asked().given) table.columns.push_back(name);
   for (const char* column : {"parameter", "value", "standard error", "profile from", "profile to"})
     table.columns.emplace_back(column);
   for (const FittedStudy& study : studies) {
     for (std::size_t i = 0; study.fit.statistics && i < study.fit.names.size(); ++i) {
       std::vector<Cell> row;
-      for (const auto& [name, value] : study.asked.given) row.emplace_back(value);
+      for (const auto& [name, value] : study.asked().given) row.emplace_back(value);
       row.emplace_back(study.fit.names[i]);
       row.emplace_back(Number{study.fit.parameters[i], shown_digits});
       const std::vector<Cell> cells = cells_of(study, i);
@@ -294,22 +294,22 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
   Json array = Json::array();
   for (const FittedStudy& study : studies) {
     Json over = Json::object(), given = Json::object();
-    for (const StudyRange& range : study.asked.over)
+    for (const StudyRange& range : study.asked().over)
       over[range.variable] = {{"range", {range.lower, range.upper}}, {"density", range.density}};
     for (const StudyAxis& axis : study.read.axes) {
-      if (study.asked.rows)
+      if (study.asked().rows)
         over[axis.variable] = {{"range", {to_text(axis.lower), to_text(axis.upper)}}, {"density", Json()}};
     }
-    for (const auto& [name, value] : study.asked.given) given[name] = value;
+    for (const auto& [name, value] : study.asked().given) given[name] = value;
     const bool has_answer = is_answer(study);
-    const auto& rows = study.asked.rows;
-    array.push_back({{"target", rows ? Json() : Json(study.asked.target)},
-                     {"form", study.asked.form},
+    const auto& rows = study.asked().rows;
+    array.push_back({{"target", rows ? Json() : Json(study.asked().target)},
+                     {"form", study.asked().form},
                      {"over", over},
                      {"given", given},
                      {"norm", study.fit.level ? "minimax" : "least-squares"},
-                     {"error", name(study.asked.error)},
-                     {"weight", study.asked.weight},
+                     {"error", name(study.asked().error)},
+                     {"weight", study.asked().weight},
                      {"status", name(study.fit.status)},
                      {"why", study.fit.why.empty() ? Json() : Json(study.fit.why)},
                      {"starts", study.fit.starts},

@@ -21,10 +21,12 @@ struct JudgedSet {
 
 /// A study with its fit. All studies of a list differ in their given constants alone.
 struct FittedStudy {
-  Study asked;
+  StudyObjective objective;
   ReadStudy read;
   StudyFit fit;
   std::vector<JudgedSet> published = {};
+
+  const Study& asked() const { return objective.study; }
 };
 
 /// "other-objective: minimax, exact at x = 0", "confirmed".
@@ -46,7 +48,8 @@ std::string formulas_text(const Study& study);
 /// "sqrt(1 - x) (a + b x) ~ acos(x), x in 0:1, least squares".
 std::string study_headline(const FittedStudy& study);
 
-/// "Level 0.00320696, the error is + at x = 0, - at x = 0.3": of a minimax fit; else empty.
+/// "Level 0.00320696, the error is + at x = 0, - at x = 0.3" of a minimax fit, and a line for each place
+/// where a constraint touches.
 std::string level_text(const FittedStudy& study);
 
 /// Of fits of measured rows, a row for each parameter: its standard error, and its profile interval, of which

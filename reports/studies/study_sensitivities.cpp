@@ -11,8 +11,8 @@ using Json = nlohmann::ordered_json;
 
 std::string objective_name(const FittedStudy& study) {
   return std::string(study.fit.level ? "largest " : "rms ") +
-         (study.asked.error == Error::relative ? "relative error" : "error") +
-         (study.asked.weight == "1" ? "" : " times the weight");
+         (study.asked().error == Error::relative ? "relative error" : "error") +
+         (study.asked().weight == "1" ? "" : " times the weight");
 }
 
 Table others_table(const FittedStudy& study, const StudySensitivity& sensitivity) {
@@ -48,7 +48,7 @@ Json other_json(const FittedStudy& study, const OtherStudy& other) {
 
 std::string study_sensitivity_text(const FittedStudy& study, const StudySensitivity& sensitivity,
                                    const Terminal& terminal) {
-  const std::string given = given_text(study.asked);
+  const std::string given = given_text(study.asked());
   const std::string text = digits_text(objective_name(study), given.empty() ? "" : ", " + given,
                                        study.fit.names, sensitivity.constants, terminal);
   if (sensitivity.others.empty()) return text;

@@ -85,8 +85,10 @@ TEST(StudyCommand, RefusesBadInput) {
                  "--given");
   expect_refusal(with(acos_linear, {"--domain", "0.2:1"}),
                  "--domain does not go with --form: give the range by --over");
-  expect_refusal(with(acos_linear, {"--one-sided", "above"}),
-                 "--one-sided 'above' does not apply to least squares: it belongs to --norm minimax");
+  expect_refusal(with(acos_linear, {"--exact-at", "0.5"}),
+                 "--exact-at '0.5' is not an end of the range of x");
+  expect_refusal({"fit", "fresnel-quadratic", "--monotone", "falls"},
+                 "--monotone belongs to --form, a formula of your own, or to a study");
   expect_refusal(with(acos_linear, {"--given", "k"}), "--given 'k' is not NAME=LIST");
   expect_refusal(with(acos_linear, {"--given", "k=1,,2"}), "--given 'k=1,,2' has an empty value");
   expect_refusal(with(acos_linear, {"--let", "g(t = t"}),

@@ -158,8 +158,8 @@ TEST(CertifyStudy, RefusesBadInput) {
                  "parameter 'd' is unknown: the form has none of that name");
   expect_refusal(with(acos_linear, {"--parameters", "a=1,b=0xg"}),
                  "parameter b '0xg' is not a hexadecimal double as shadefit prints it");
-  expect_refusal(with(acos_linear, {"--one-sided", "above"}),
-                 "--one-sided 'above' does not apply to least squares: it belongs to --norm minimax");
+  expect_refusal(with(acos_linear, {"--parameters", "a=1,b=2", "--monotone", "falls"}),
+                 "--monotone does not go with --parameters: nothing is fitted");
   expect_refusal({"certify", "--target", "x^k", "--form", "a x", "--over", "x=0:1", "--given", "k=2,3",
                   "--out", "x.json"},
                  "--out 'x.json' takes one certificate, not 2: give one value of each --given");

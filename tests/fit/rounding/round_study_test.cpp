@@ -95,7 +95,7 @@ TEST(RoundStudy, RefusesWhatRoundingBreaks) {
   EXPECT_EQ(refusal(line_of_square, {NumberFormat::Kind::half}),
             "--round 'half' does not go with a study: take float or decimal:N");
   EXPECT_EQ(refusal(line_of_square, single, {.exact_at = {0}}),
-            "--round 'float' does not go with a constraint of minimax: rounding would break it");
+            "--round 'float' does not go with a constraint: rounding would break it");
   Study quintic = line_of_square;
   quintic.form = "a + b x + d x^2 + g x^3 + h x^4";
   quintic.target = "exp(x)";

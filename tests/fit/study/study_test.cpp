@@ -11,7 +11,7 @@
 
 #include "fit/fit.hpp"
 #include "fit/study/solve_study.hpp"
-#include "fit/study_minimax/minimax_study.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -8,7 +8,7 @@
 
 #include "fit/proof/interval_ends.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study_minimax/minimax_study.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/hex_float.hpp"

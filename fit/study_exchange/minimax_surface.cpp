@@ -1,4 +1,4 @@
-#include "fit/study_minimax/minimax_surface.hpp"
+#include "fit/study_exchange/minimax_surface.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_minimax/determined.hpp"
-#include "fit/study_minimax/top_polish.hpp"
+#include "fit/study_exchange/determined.hpp"
+#include "fit/study_exchange/top_polish.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {
@@ -335,18 +335,13 @@ StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& 
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, all_edges_of(study), starts);
 
-  constexpr std::size_t most_basins = 4;
-  StudyFit best;
-  double last = -1;
-  std::size_t tried = 0;
-  for (const StudyCandidate& candidate : searched.candidates) {
-    if (tried == most_basins || candidate.square <= last * (1 + 1e-6)) continue;
-    last = candidate.square;
-    ++tried;
+  std::optional<StudyFit> lowest;
+  for (const StudyCandidate& candidate : lowest_basins(searched)) {
     StudyFit fit = SurfaceExchange(study, error, searched.sampled, candidate.parameters).solve(checkpoint);
-    const bool is_better = tried == 1 || (fit.level && (!best.level || *fit.level < *best.level));
-    if (is_better) best = std::move(fit);
+    const bool is_better = !lowest || (fit.level && (!lowest->level || *fit.level < *lowest->level));
+    if (is_better) lowest = std::move(fit);
   }
+  StudyFit best = std::move(*lowest);
   best.names = study.parameters;
   best.starts = searched.starts;
   best.is_global = searched.is_linear;

@@ -1,4 +1,4 @@
-#include "fit/study_minimax/determined.hpp"
+#include "fit/study_exchange/determined.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "fit/study_minimax/top_polish.hpp"
+#include "fit/study_exchange/top_polish.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

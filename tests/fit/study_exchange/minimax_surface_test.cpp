@@ -1,4 +1,4 @@
-#include "fit/study_minimax/minimax_surface.hpp"
+#include "fit/study_exchange/minimax_surface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "fit/fit.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study_minimax/minimax_study.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"

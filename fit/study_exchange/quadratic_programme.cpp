@@ -1,0 +1,139 @@
+#include "fit/study_exchange/quadratic_programme.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+namespace shadefit {
+namespace {
+
+using Vector = VectorOf<double>;
+using Matrix = MatrixOf<double>;
+
+/// The rounding of a condition, relative to the sizes of its terms.
+constexpr double rounding = 1e-13;
+/// A direction that lowers a condition by less than this share of what its slope could is across it: the
+/// conditions that are met determine this one.
+constexpr double across = 1e-12;
+
+class DualMethod {
+ public:
+  /// In units in which the Hessian's diagonal is 1.
+  DualMethod(const Matrix& hessian, const Vector& gradient, std::span<const Condition> conditions)
+      : conditions_(conditions),
+        units_(hessian.diagonal().cwiseSqrt().cwiseInverse()),
+        factors_(units_.asDiagonal() * hessian * units_.asDiagonal()),
+        step_(-factors_.solve(Vector(units_.cwiseProduct(gradient)))) {}
+
+  std::optional<QuadraticAnswer> solve() {
+    // Each pass meets a condition. A cycle is rounding: then the step is no answer.
+    for (std::size_t pass = 0; pass < 10 * (conditions_.size() + 1); ++pass) {
+      const auto worst = most_violated();
+      if (!worst) return QuadraticAnswer{units_.cwiseProduct(step_), active_};
+      if (!meet(*worst)) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  Vector slope(std::size_t condition) const {
+    Vector result(units_.size());
+    for (Eigen::Index i = 0; i < result.size(); ++i)
+      result[i] = conditions_[condition].slope[static_cast<std::size_t>(i)] * units_[i];
+    return result;
+  }
+
+  double excess(std::size_t condition) const {
+    return slope(condition).dot(step_) - conditions_[condition].bound;
+  }
+
+  bool is_active(std::size_t condition) const {
+    return std::any_of(active_.begin(), active_.end(),
+                       [&](const ActiveCondition& a) { return a.condition == condition; });
+  }
+
+  /// Equations come first, so that nothing lets them go.
+  std::optional<std::size_t> most_violated() const {
+    std::optional<std::size_t> worst;
+    double most = 0;
+    for (std::size_t i = 0; i < conditions_.size(); ++i) {
+      if (is_active(i)) continue;
+      const double size = std::abs(conditions_[i].bound) + slope(i).cwiseAbs().dot(step_.cwiseAbs());
+      const double over = conditions_[i].is_equation ? std::abs(excess(i)) : excess(i);
+      if (conditions_[i].is_equation) return i;
+      if (over > most && over > rounding * size) {
+        most = over;
+        worst = i;
+      }
+    }
+    return worst;
+  }
+
+  /// Moves the step until a condition is met. False if it contradicts those that are met already.
+  bool meet(std::size_t entering) {
+    const double sign = conditions_[entering].is_equation && excess(entering) < 0 ? -1 : 1;
+    const Vector normal = sign * slope(entering);
+    double multiplier = 0;
+    for (;;) {
+      const auto count = static_cast<Eigen::Index>(active_.size());
+      Matrix normals(normal.size(), count);
+      for (Eigen::Index i = 0; i < count; ++i)
+        normals.col(i) = slope(active_[static_cast<std::size_t>(i)].condition);
+      const Matrix solved = factors_.solve(normals);
+      const Vector direct = factors_.solve(normal);
+      const Vector shares = count == 0 ? Vector()
+                                       : Vector((normals.transpose() * solved)
+                                                    .colPivHouseholderQr()
+                                                    .solve(Vector(normals.transpose() * direct)));
+      const Vector direction = count == 0 ? direct : Vector(direct - solved * shares);
+      const double gain = direction.dot(normal);
+      const bool is_across = !(gain > across * direct.dot(normal)) || count == normal.size();
+
+      double length = is_across ? HUGE_VAL : std::max(0.0, sign * excess(entering)) / gain;
+      std::optional<std::size_t> leaving;
+      for (std::size_t i = 0; i < active_.size(); ++i) {
+        const double share = shares[static_cast<Eigen::Index>(i)];
+        if (conditions_[active_[i].condition].is_equation || !(share > across)) continue;
+        if (active_[i].multiplier / share < length) {
+          length = std::max(0.0, active_[i].multiplier) / share;
+          leaving = i;
+        }
+      }
+      if (length == HUGE_VAL) return is_met_anyway(entering);
+      if (!is_across) step_ -= length * direction;
+      for (std::size_t i = 0; i < active_.size(); ++i)
+        active_[i].multiplier -= length * shares[static_cast<Eigen::Index>(i)];
+      multiplier += length;
+      if (!leaving) {
+        active_.push_back({entering, sign * multiplier});
+        return true;
+      }
+      active_.erase(active_.begin() + static_cast<std::ptrdiff_t>(*leaving));
+    }
+  }
+
+  /// Two equations may say the same.
+  bool is_met_anyway(std::size_t condition) {
+    const double size =
+        std::abs(conditions_[condition].bound) + slope(condition).cwiseAbs().dot(step_.cwiseAbs());
+    if (!conditions_[condition].is_equation || std::abs(excess(condition)) > 1e-9 * size) return false;
+    active_.push_back({condition, 0});
+    return true;
+  }
+
+  std::span<const Condition> conditions_;
+  Vector units_;
+  Eigen::LLT<Matrix> factors_;
+  Vector step_;
+  std::vector<ActiveCondition> active_ = {};
+};
+
+}  // namespace
+
+std::optional<QuadraticAnswer> least_step(const MatrixOf<double>& hessian, const VectorOf<double>& gradient,
+                                          std::span<const Condition> conditions) {
+  return DualMethod(hessian, gradient, conditions).solve();
+}
+
+}  // namespace shadefit

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fit/minimax/exchange.hpp"
+#include "fit/study/study_problem.hpp"
+
+namespace shadefit {
+
+/// A condition that the answer meets with equality, and its multiplier: >= 0 but for an equation.
+struct ActiveCondition {
+  std::size_t condition;
+  double multiplier;
+};
+
+struct QuadraticAnswer {
+  VectorOf<double> step;
+  std::vector<ActiveCondition> active;
+};
+
+/// The step d of least d^T hessian d / 2 + gradient^T d under the conditions slope^T d <= bound, or = bound.
+/// `hessian` is positive definite; the slope by the level is not used. Empty if no step meets the conditions.
+///
+/// The dual method of Goldfarb, Idnani 1983, "A numerically stable dual method for solving strictly convex
+/// quadratic programs", Mathematical Programming 27: from the step without conditions, the most violated one
+/// is met after the other, and a condition whose multiplier falls to 0 on the way is let go.
+std::optional<QuadraticAnswer> least_step(const MatrixOf<double>& hessian, const VectorOf<double>& gradient,
+                                          std::span<const Condition> conditions);
+
+}  // namespace shadefit

@@ -1,0 +1,185 @@
+#include "fit/study_exchange/constrained_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fit/fit.hpp"
+#include "fit/scalars/jet.hpp"
+#include "fit/study/largest_error.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+Study study_of(const char* target, const char* form, const char* lower = "0", const char* upper = "1") {
+  return {.target = target, .form = form, .over = {{"x", lower, upper}}};
+}
+
+StudyFit fit_of(const Study& study, const Constraints& constraints) {
+  return solve_constrained_study(read_study(study), constraints, {});
+}
+
+/// A fit under constraints whose answer is known.
+struct KnownFit {
+  const char* name;
+  Study study;
+  Constraints constraints;
+  std::vector<double> parameters;
+  std::size_t touching;
+};
+
+std::vector<KnownFit> known_fits() {
+  return {
+      // b is the mean of x (e^x - 1) over that of x^2.
+      {"exact at an end", study_of("exp(x)", "a + b x"), {.exact_at = {0}}, {1, 1.5}, 1},
+      // A tangent at t leaves (x - t)^2, whose square is least for t = 1/2.
+      {"below a parabola", study_of("x^2", "a + b x"), {.one_sided = Side::below}, {-0.25, 1}, 1},
+      // With u = 1 - x the form is 1/2 - b u, and (1 - b) u - 1/2 is least for 1 - b = 3/4.
+      {"at most a half", study_of("x", "a + b x"), {.at_most = 0.5}, {0.25, 0.25}, 1},
+      {"at least a half", study_of("x", "a + b x"), {.at_least = 0.5}, {0.5, 0.25}, 1},
+      {"between two bounds", study_of("x", "a + b x"), {.at_most = 0.7, .at_least = 0.5}, {0.5, 0.2}, 2},
+      // Of the lines that fall the mean is nearest.
+      {"a rising target by a falling line",
+       study_of("x", "a + b x"),
+       {.monotone = Course::falls},
+       {0.5, 0},
+       1},
+      // b >= 2 |d|. With b = 2 d and a = (1 - d)/3 the square is 8/3 d^2 + 8/45 (1 - d)^2.
+      {"a bowl by a rising parabola",
+       study_of("x^2", "a + b x + d x^2", "-1", "1"),
+       {.monotone = Course::rises},
+       {5.0 / 16, 1.0 / 8, 1.0 / 16},
+       1},
+      // Near x = 1 both are a multiple of sqrt(1 - x): sqrt(2) for the arc cosine.
+      {"above the arc cosine at its root, and exact",
+       study_of("acos(x)", "sqrt(1-x) (a + b x)"),
+       {.exact_at = {0}, .one_sided = Side::above},
+       {std::acos(0.0), std::sqrt(2.0) - std::acos(0.0)},
+       2},
+      // The slope at 0, where it is exact, decides: b - a/2 = -1.
+      {"below the arc cosine, and exact",
+       study_of("acos(x)", "sqrt(1-x) (a + b x)"),
+       {.exact_at = {0}, .one_sided = Side::below},
+       {std::acos(0.0), std::acos(0.0) / 2 - 1},
+       2},
+      {"a constraint that does not touch",
+       study_of("exp(x)", "a + b x"),
+       {.at_least = 0},
+       {4 * std::exp(1.0) - 10, 18 - 6 * std::exp(1.0)},
+       0},
+  };
+}
+
+TEST(ConstrainedStudy, FindsWhatIsKnown) {
+  for (const KnownFit& known : known_fits()) {
+    const StudyFit fit = fit_of(known.study, known.constraints);
+    ASSERT_EQ(name(fit.status), "converged") << known.name << ": " << fit.why;
+    EXPECT_GE(fit.digits, 13) << known.name;
+    EXPECT_TRUE(fit.is_global) << known.name;
+    ASSERT_EQ(fit.parameters.size(), known.parameters.size()) << known.name;
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i)
+      EXPECT_NEAR(fit.parameters[i], known.parameters[i], 2e-15) << known.name << ", " << fit.names[i];
+    EXPECT_EQ(fit.alternation.size(), known.touching) << known.name;
+  }
+}
+
+/// By how much the form breaks a constraint at any of many places.
+double violation(const Study& study, const Constraints& constraints, const std::vector<double>& parameters) {
+  const ReadStudy read = read_study(study);
+  using Jet = ceres::Jet<double, 1>;
+  const auto along = [&](const Symbolic& formula, double x) {
+    return evaluate<Jet>(formula, [&](const std::string& name) {
+      for (std::size_t i = 0; i < parameters.size(); ++i) {
+        if (name == read.parameters[i]) return Jet(parameters[i]);
+      }
+      return Jet(x, 0);
+    });
+  };
+  double worst = 0;
+  constexpr int places = 400;
+  for (int i = 0; i <= places; ++i) {
+    const StudyAxis& axis = read.axes.front();
+    const double x = axis.lower + (axis.upper - axis.lower) * i / places;
+    const Jet form = along(read.form, x), target = along(read.target, x);
+    if (constraints.one_sided)
+      worst = std::max(worst, (form.a - target.a) * (*constraints.one_sided == Side::above ? -1 : 1));
+    if (constraints.at_most) worst = std::max(worst, form.a - *constraints.at_most);
+    if (constraints.at_least) worst = std::max(worst, *constraints.at_least - form.a);
+    if (constraints.monotone)
+      worst = std::max(worst, form.v[0] * (*constraints.monotone == Course::rises ? -1 : 1));
+  }
+  return worst;
+}
+
+// Nothing beside the answer that keeps the constraints has a smaller square, and the answer keeps them.
+TEST(ConstrainedStudy, IsALeastSquareOfThoseThatKeepTheConstraints) {
+  const Study pair = study_of("(1 - x)^5", "exp2((a x + b) x)");
+  const Study step = study_of("smoothstep(0.3, 0.6, x)", "a + b x + d x^2 + g x^3");
+  const Study logistic = study_of("smoothstep(0.3, 0.6, x)", "d + 1/(1 + exp(-a (x - b)))");
+  const std::vector<std::pair<Study, Constraints>> fits{
+      {pair, {.one_sided = Side::above}},
+      {step, {.monotone = Course::rises}},
+      {step, {.at_most = 1, .at_least = 0}},
+      {step, {.at_most = 1, .at_least = 0, .monotone = Course::rises}},
+      {logistic, {.one_sided = Side::below}},
+  };
+  for (const auto& [study, constraints] : fits) {
+    const StudyFit fit = fit_of(study, constraints);
+    ASSERT_EQ(name(fit.status), "converged") << study.form << describe(constraints) << ": " << fit.why;
+    EXPECT_LT(violation(study, constraints, fit.parameters), 1e-12) << study.form << describe(constraints);
+    EXPECT_FALSE(fit.alternation.empty()) << study.form << describe(constraints);
+    const ReadStudy read = read_study(study);
+    const StudyError error(read);
+    for (unsigned i = 0; i < 100; ++i) {
+      std::vector<double> beside = fit.parameters;
+      for (std::size_t j = 0; j < beside.size(); ++j)
+        beside[j] += 1e-3 * std::sin(1.0 + 7.3 * i + 2.1 * static_cast<double>(j * j + 1) * (i % 7 + 1));
+      if (violation(study, constraints, beside) > 0) continue;
+      EXPECT_GE(rms_error(read, error, beside), fit.rms_error * (1 - 1e-12))
+          << study.form << describe(constraints);
+    }
+  }
+}
+
+TEST(ConstrainedStudy, IsMonotoneUnderMinimax) {
+  const Study step = study_of("smoothstep(0.3, 0.6, x)", "a + b x + d x^2 + g x^3");
+  const Constraints rises{.monotone = Course::rises};
+  const StudyFit free = solve_minimax_study(read_study(step), {}, {});
+  const StudyFit rising = solve_minimax_study(read_study(step), rises, {});
+  ASSERT_EQ(name(rising.status), "converged") << rising.why;
+  EXPECT_GT(violation(step, rises, free.parameters), 1e-3);
+  EXPECT_LT(violation(step, rises, rising.parameters), 1e-12);
+  EXPECT_GT(*rising.level, *free.level);
+  EXPECT_LT(*rising.level, fit_of(step, rises).max_abs_error.magnitude);
+}
+
+TEST(ConstrainedStudy, RefusesWhatCannotBe) {
+  // At x = 1 the target is 0, which is below every exponential.
+  const StudyFit below = fit_of(study_of("(1 - x)^5", "exp2((a x + b) x)"), {.one_sided = Side::below});
+  EXPECT_EQ(name(below.status), "not-converged");
+  EXPECT_EQ(below.why.substr(0, 67), "no step leads to parameters that keep the form <= target at x = 0.9");
+  const auto refusal = [](const Study& study, const Constraints& constraints) -> std::string {
+    try {
+      fit_of(study, constraints);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const Study line = study_of("exp(x)", "a + b x");
+  EXPECT_EQ(refusal(line, {.exact_at = {0.5}}), "--exact-at '0.5' is not an end of the range of x");
+  EXPECT_EQ(refusal(line, {.exact_at = {0, 1}, .at_most = 2}),
+            "the form cannot satisfy the constraints: no parameters keep the form <= 2 at x = 1");
+  EXPECT_EQ(refusal(study_of("exp(x)", "a x + b x^2"), {.exact_at = {0}}),
+            "the form cannot satisfy the constraints: the form cannot be exact at x = 0");
+  const Study plane{.target = "x y", .form = "a + b x", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
+  EXPECT_EQ(refusal(plane, {.monotone = Course::rises}),
+            "--monotone goes with one variable: --over 'y' is a second");
+}
+
+}  // namespace
+}  // namespace shadefit
