@@ -181,6 +181,9 @@ Outcome put_files(Outcome outcome) {
   } catch (const UserError& error) {
     outcome.exit_code = 2;
     outcome.err += fmt::format("shadefit: {}\n", one_line(error.what()));
+  } catch (const CheckFailed& error) {
+    outcome.exit_code = 1;
+    outcome.err += fmt::format("shadefit: {}\n", one_line(error.what()));
   } catch (const Interrupted& interrupted) {
     outcome.exit_code = 128 + interrupted.signal;
     outcome.err += "shadefit: interrupted before all was written\n";

@@ -7,6 +7,7 @@
 #include "app/options/bench_options.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/scene_options.hpp"
+#include "app/terminal/time_limit.hpp"
 
 namespace shadefit {
 namespace {
@@ -37,8 +38,8 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->present; }) options->present = present_in(*command);
     if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
     if constexpr (requires { options->words; })
-      options->words =
-          words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--shade", "--json"});
+      options->words = words_of(
+          *command, {"file", "--lang", "--out", "--force", "--check", "--shade", "--json", "--time-limit"});
     call.outcome = run(*options);
   });
 }
@@ -316,6 +317,18 @@ void declare_check(CLI::App& check, CheckOptions& options) {
   check.add_flag("--all", options.all, "also the tables that take longer, of stress and bench");
 }
 
+/// For everything that searches.
+void add_time_limit(CLI::App& app, Call& call) {
+  for (const char* name : {"run", "fit", "better", "certify", "verify", "emit", "scene", "stress", "check"}) {
+    const auto limit = [&call](const std::string& text) {
+      call.checkpoint = limited(call.checkpoint, parse_seconds("--time-limit", text));
+    };
+    app.get_subcommand(name)
+        ->add_option_function<std::string>("--time-limit", limit, "stop, with exit code 1, after this time")
+        ->type_name("SECONDS");
+  }
+}
+
 }  // namespace
 
 void declare_commands(CLI::App& app, Call& call) {
@@ -406,6 +419,7 @@ void declare_commands(CLI::App& app, Call& call) {
       "recompute everything and compare it with the tables of an earlier run; writes nothing",
       "  shadefit check\n  shadefit check --baseline out\n", declare_check,
       [&](const CheckOptions& options) { return check_command(options, call.checkpoint, call.progress); });
+  add_time_limit(app, call);
   auto* help = app.add_subcommand("help", "the help of a command")->group("Commands");
   help->add_option("command", "one of the commands")->type_name("COMMAND");
   help->footer("Examples:\n  shadefit help fit\n");

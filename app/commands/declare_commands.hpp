@@ -15,7 +15,7 @@ namespace shadefit {
 
 /// The environment of a command, and its outcome.
 struct Call {
-  const Checkpoint& checkpoint;
+  Checkpoint checkpoint;
   const Progress& progress;
   Terminal terminal = {};
   Outcome outcome = {};

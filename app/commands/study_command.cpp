@@ -3,9 +3,11 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
 #include "app/output/picture_file.hpp"
+#include "app/studies/study_subject.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_figure.hpp"
+#include "reports/studies/study_proof_rows.hpp"
 #include "reports/studies/study_roundings.hpp"
 #include "reports/studies/study_rows.hpp"
 #include "reports/studies/study_sensitivities.hpp"
@@ -16,9 +18,9 @@ namespace shadefit {
 namespace {
 
 /// Options that studies do not have.
-void refuse_extras(const FitOptions& options) {
-  if (options.certify)
-    throw UserError("--certify does not go with a study: 'shadefit certify' proves the error of one");
+void refuse_extras(const StudyFile& file, const FitOptions& options) {
+  if (options.certify && file.study.rows)
+    throw UserError("--certify does not go with --table: rows have no error between them");
 }
 
 std::string not_converged_lines(const std::vector<FittedStudy>& studies) {
@@ -88,6 +90,7 @@ namespace {
 
 /// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
 struct StudyExtras {
+  std::vector<std::optional<ProvenStudy>> proofs;
   std::vector<std::optional<RoundedStudy>> rounded;
   std::vector<std::optional<StudySensitivity>> sensitivities;
 };
@@ -98,6 +101,12 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
   for (const FittedStudy& study : studies) {
     const bool is_answer = study.fit.status == Status::converged;
     const StudyObjective& objective = study.objective;
+    extras.proofs.emplace_back();
+    if (is_answer && options.certify) {
+      const double width = usual_study_width(study.read.axes.size());
+      extras.proofs.back() = {certify_study(fitted_subject(study.asked(), study.fit), width, checkpoint),
+                              "fitted"};
+    }
     extras.rounded.emplace_back();
     if (is_answer && options.round)
       extras.rounded.back() = round_study(objective, study.fit, *options.round, checkpoint);
@@ -108,11 +117,24 @@ StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions&
   return extras;
 }
 
+/// A table of the proofs of those fits that converged.
+std::string proofs_block(const std::vector<std::optional<ProvenStudy>>& all, const Terminal& terminal) {
+  std::vector<ProvenStudy> proofs;
+  for (const auto& proof : all) {
+    if (proof) proofs.push_back(*proof);
+  }
+  if (proofs.empty()) return "";
+  const StudyCertificate& first = proofs.front().certified.certificate;
+  return fmt::format("\nThe largest {} error, proven in {} bits:\n", name(first.subject.study.error),
+                     first.precision) +
+         write_console(study_proofs_table(proofs), Precision::full, terminal) + ends_text(first);
+}
+
 }  // namespace
 
 Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                       const Progress& progress) {
-  refuse_extras(options);
+  refuse_extras(file, options);
   if (options.plot) require_picture(*options.plot);
   std::size_t count = 1;
   for (const auto& [name, values] : file.given) count *= values.size();
@@ -121,10 +143,11 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
   const int code = err.empty() ? 0 : 1;
   std::function<void()> put;
   if (options.plot) put = draw_picture(study_figure(studies), *options.plot, options.force, checkpoint);
-  const auto [rounded, sensitivities] = extras_of(studies, options, checkpoint);
+  const auto [proofs, rounded, sensitivities] = extras_of(studies, options, checkpoint);
   if (options.json) {
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {
+      if (proofs[i]) add_study_proof(json[i], *proofs[i]);
       if (rounded[i]) json[i]["rounded"] = study_rounding_json(studies[i], *rounded[i]);
       if (sensitivities[i]) json[i]["sensitivity"] = study_sensitivity_json(studies[i], *sensitivities[i]);
     }
@@ -136,6 +159,7 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
   if (options.latex)
     return {code, write_latex(with_digits(table, options.digits), Precision::report), err, put};
   std::string out = console_text(file, studies, options.terminal);
+  out += proofs_block(proofs, options.terminal);
   if (options.round) out += study_roundings_text(studies, rounded, options.terminal);
   for (std::size_t i = 0; i < studies.size(); ++i) {
     if (sensitivities[i]) out += study_sensitivity_text(studies[i], *sensitivities[i], options.terminal);

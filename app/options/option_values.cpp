@@ -33,6 +33,12 @@ double parse_finite(const std::string& option, const std::string& text) {
   return *value;
 }
 
+double parse_seconds(const std::string& option, const std::string& text) {
+  const double seconds = parse_finite(option, text);
+  if (!(seconds > 0)) throw UserError(fmt::format("{} '{}' must be greater than 0", option, text));
+  return seconds;
+}
+
 double parse_share(const std::string& option, const std::string& text, double most) {
   const std::size_t slash = text.find('/');
   double value = parse_finite(option, text.substr(0, slash));

@@ -73,6 +73,7 @@ std::string parse_text(const std::string& option, const std::string& text);
 
 /// A finite number.
 double parse_finite(const std::string& option, const std::string& text);
+double parse_seconds(const std::string& option, const std::string& text);
 
 /// A finite number, or a quotient of two ("1/255"), above 0 and at most `most`.
 double parse_share(const std::string& option, const std::string& text, double most);

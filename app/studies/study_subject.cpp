@@ -36,21 +36,28 @@ Study without_fit(Study study) {
 }
 
 /// The fitted and the held values.
-Constants fitted_constants(const StudyObjective& objective, const Checkpoint& checkpoint) {
-  const StudyFit fit = fit_study(objective, checkpoint);
-  if (fit.status != Status::converged) {
-    const std::string given = given_text(objective.study);
-    throw UserError(fmt::format("the fit{}{}: {}, {}: give --parameters", given.empty() ? "" : " of ", given,
-                                name(fit.status), fit.why));
-  }
+Constants constants_of(const Study& study, const StudyFit& fit) {
   Constants constants;
   for (std::size_t i = 0; i < fit.names.size(); ++i)
     constants.emplace_back(fit.names[i], hex_text(fit.parameters[i]));
-  for (const Held& held : objective.study.held) constants.emplace_back(held.parameter, to_text(held.value));
+  for (const Held& held : study.held) constants.emplace_back(held.parameter, to_text(held.value));
   return constants;
 }
 
+Constants fitted_constants(const StudyObjective& objective, const Checkpoint& checkpoint) {
+  const StudyFit fit = fit_study(objective, checkpoint);
+  if (fit.status == Status::converged) return constants_of(objective.study, fit);
+  const std::string given = given_text(objective.study);
+  throw UserError(fmt::format("the fit{}{}: {}, {}: give --parameters", given.empty() ? "" : " of ", given,
+                              name(fit.status), fit.why));
+}
+
 }  // namespace
+
+StudySubject fitted_subject(const Study& study, const StudyFit& fit) {
+  const Study bare = without_fit(study);
+  return {bare, in_order(constants_of(study, fit), read_formulas(bare).parameters)};
+}
 
 ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
                                         const std::optional<Parameters>& parameters,

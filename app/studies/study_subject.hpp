@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/options/options.hpp"
+#include "fit/study/solve_study.hpp"
 #include "fit/study/study_file.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/checkpoint.hpp"
@@ -25,5 +26,8 @@ struct ChosenStudySubject {
 ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& study,
                                         const std::optional<Parameters>& parameters,
                                         const FitOptions& options, const Checkpoint& checkpoint);
+
+/// The fitted and the held constants of a fit, as a proof takes them.
+StudySubject fitted_subject(const Study& study, const StudyFit& fit);
 
 }  // namespace shadefit

@@ -86,7 +86,8 @@ SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
 }
 
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
-                                          const SampledStudy<double>& sampled, const SearchStarts& wanted) {
+                                          const SampledStudy<double>& sampled, const SearchStarts& wanted,
+                                          const Checkpoint& checkpoint) {
   const Projection scan(error, coarse), problem(error, sampled);
   const std::size_t size = problem.nonlinear().size();
   std::vector<StudyCandidate> found;
@@ -115,6 +116,7 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   };
   std::vector<End> ends;
   const auto descend = [&](const Projection& on, Vector q, int steps) {
+    checkpoint();
     on(q.data(), residuals.data(), nullptr);
     if (!residuals.head(on.NumResiduals()).allFinite()) return;
     solver.options.max_num_iterations = steps;
@@ -149,8 +151,8 @@ std::size_t search_rule(const ReadStudy& study) {
 }
 
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
-                           const std::vector<std::vector<StudyEdge>>& edges,
-                           const std::vector<Held>& starts) {
+                           const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts,
+                           const Checkpoint& checkpoint) {
   const StudyNodes nodes = nodes_of(study, edges, fit_rules[search_rule(study)]);
   require_values(study, nodes);
   const auto& linear = error.is_linear();
@@ -160,9 +162,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
   if (study.rows && nodes.weights.size() > most_scanned) {
     result.candidates =
-        search_basins(error, SampledStudy<double>(error, thinned(nodes)), result.sampled, wanted);
+        search_basins(error, SampledStudy<double>(error, thinned(nodes)), result.sampled, wanted, checkpoint);
   } else {
-    result.candidates = search_basins(error, result.sampled, result.sampled, wanted);
+    result.candidates = search_basins(error, result.sampled, result.sampled, wanted, checkpoint);
   }
   if (result.candidates.empty())
     throw UserError(

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "fit/study/study_problem.hpp"
+#include "fit/support/checkpoint.hpp"
 
 /// The basins of a study's least squares.
 namespace shadefit {
@@ -24,7 +25,8 @@ struct SearchStarts {
 /// the form is linear in all parameters. `coarse`, the same or fewer nodes, is for the first steps from every
 /// start.
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
-                                          const SampledStudy<double>& sampled, const SearchStarts& starts);
+                                          const SampledStudy<double>& sampled, const SearchStarts& starts,
+                                          const Checkpoint& checkpoint = keep_going);
 
 /// A study searched on the nodes of a small rule.
 struct SearchedStudy {
@@ -40,7 +42,8 @@ std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched);
 
 /// Throws UserError where a formula has no value in the range, and if no start has a finite error.
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
-                           const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts);
+                           const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts,
+                           const Checkpoint& checkpoint = keep_going);
 
 /// The rule of the search, an index of `fit_rules`: 30 nodes on a panel see every basin of a smooth form, and
 /// products of rules need fewer on each axis.

@@ -272,7 +272,7 @@ double rms_error(const ReadStudy& study, const StudyError& error, const std::vec
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   const StudyError error(study);
   Rules rules(study, error);
-  const SearchedStudy searched = search_study(study, error, rules.edges(), starts);
+  const SearchedStudy searched = search_study(study, error, rules.edges(), starts, checkpoint);
   const SampledStudy<double>& sampled = searched.sampled;
   checkpoint();
 

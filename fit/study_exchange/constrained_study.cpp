@@ -352,7 +352,7 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
   if (!has_constraints(constraints)) return solve_study(study, starts, checkpoint);
   require_possible(study, constraints);
   const StudyError error(study);
-  const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts);
+  const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts, checkpoint);
   const auto edges = resolved_edges(study, error, searched.candidates.front().parameters);
   const ExchangedStudy exchanged(study, error, edges, constraints);
 

@@ -35,7 +35,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   require_minimax(study, constraints);
   if (study.axes.size() > 1) return solve_minimax_surface(study, starts, checkpoint);
   const StudyError error(study);
-  const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts);
+  const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts, checkpoint);
   checkpoint();
   const auto edges = resolved_edges(study, error, searched.candidates.front().parameters);
   const ExchangedStudy exchanged(study, error, edges, constraints);

@@ -333,7 +333,7 @@ class SurfaceExchange {
 StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& starts,
                                const Checkpoint& checkpoint) {
   const StudyError error(study);
-  const SearchedStudy searched = search_study(study, error, all_edges_of(study), starts);
+  const SearchedStudy searched = search_study(study, error, all_edges_of(study), starts, checkpoint);
 
   std::optional<StudyFit> lowest;
   for (const StudyCandidate& candidate : lowest_basins(searched)) {

@@ -108,6 +108,11 @@ Json study_proof_json(const ProvenStudy& proof) {
           {"reached", proof.certified.is_reached}};
 }
 
+void add_study_proof(Json& fit, const ProvenStudy& proof) {
+  const Json all = study_proof_json(proof);
+  for (const char* key : {"certified_max_error", "certified_max_error_at", "boxes"}) fit[key] = all[key];
+}
+
 std::string attained_text(const StudyCertificate& certificate) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < certificate.attained.size(); ++i)

@@ -31,6 +31,9 @@ std::string ends_text(const StudyCertificate& certificate);
 /// A proof without its boxes.
 nlohmann::ordered_json study_proof_json(const ProvenStudy& proof);
 
+/// Adds the proven bounds to the JSON of a fit: `certified_max_error`, `certified_max_error_at`, `boxes`.
+void add_study_proof(nlohmann::ordered_json& fit, const ProvenStudy& proof);
+
 /// "x = 0.5, y = 1": the place where the lower bound is attained.
 std::string attained_text(const StudyCertificate& certificate);
 

@@ -56,6 +56,38 @@ TEST(StudyCommand, TakesGivenConstants) {
   EXPECT_TRUE(fixed["parameters"].contains("b"));
 }
 
+// What a constraint touches, in words and in JSON.
+TEST(StudyCommand, NamesWhereAConstraintTouches) {
+  const std::vector<std::string> line{"fit",    "--target", "exp(x)",     "--form", "a + b x",
+                                      "--over", "x=0:1",    "--exact-at", "0"};
+  const std::string text = run_command_line(line).out;
+  EXPECT_NE(text.find("least squares, exact at x = 0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("The optimum sits on the constraint form = target at x = 0\n"), std::string::npos)
+      << text;
+  const auto json = json_of(line);
+  ASSERT_EQ(json["alternation"].size(), 1u);
+  EXPECT_EQ(json["alternation"][0]["x"], 0);
+  EXPECT_EQ(json["alternation"][0]["holds"], "form = target");
+}
+
+TEST(StudyCommand, ProvesTheErrorOfAFit) {
+  const auto json = json_of(with(acos_linear, {"--certify"}));
+  const double lower = json["certified_max_error"][0], upper = json["certified_max_error"][1];
+  EXPECT_LE(lower, upper);
+  EXPECT_NEAR(json["max_abs_error"].get<double>() / lower, 1, 1e-12);
+  const std::string text = run_command_line(with(acos_linear, {"--certify"})).out;
+  EXPECT_NE(text.find("The largest absolute error, proven in 168 bits:\n"), std::string::npos) << text;
+}
+
+TEST(StudyCommand, StopsAtTheTimeLimit) {
+  const Outcome stopped = run_command_line(with(acos_linear, {"--time-limit", "1e-9"}));
+  EXPECT_EQ(stopped.exit_code, 1);
+  EXPECT_EQ(stopped.out, "");
+  EXPECT_EQ(stopped.err, "shadefit: stopped: the --time-limit of 1e-09 seconds is over\n");
+  EXPECT_EQ(run_command_line(with(acos_linear, {"--time-limit", "3600"})).exit_code, 0);
+  expect_refusal(with(acos_linear, {"--time-limit", "0"}), "--time-limit '0' must be greater than 0");
+}
+
 TEST(StudyCommand, AngleIsADensity) {
   // E cos(theta) with theta uniform in [0, pi/2] is 2/pi.
   const auto json = json_of({"fit", "--target", "c", "--form", "a + 0 c", "--over", "c=0:1:angle"});
@@ -87,6 +119,10 @@ TEST(StudyCommand, RefusesBadInput) {
                  "--domain does not go with --form: give the range by --over");
   expect_refusal(with(acos_linear, {"--exact-at", "0.5"}),
                  "--exact-at '0.5' is not an end of the range of x");
+  const TemporaryDirectory directory;
+  const std::string rows = directory.file("rows.csv", "x,value\n0,1\n1,2\n2,2\n");
+  expect_refusal({"fit", "--table", rows, "--form", "a x + b", "--over", "x", "--certify"},
+                 "--certify does not go with --table: rows have no error between them");
   expect_refusal({"fit", "fresnel-quadratic", "--monotone", "falls"},
                  "--monotone belongs to --form, a formula of your own, or to a study");
   expect_refusal(with(acos_linear, {"--given", "k"}), "--given 'k' is not NAME=LIST");

@@ -141,6 +141,9 @@ TEST(Tape, AnIntervalEnclosesWhatIsInside) {
       for (const double x : place)
         box.push_back(Scalar<Interval>::hull(Interval(x - radius), Interval(x + radius)));
       const Interval enclosure = tape(std::span<const Interval>(box)).front();
+      // x < x is not decided for a box: both branches count, and one may leave the domain of a root. Then
+      // the ends are no numbers, and no proof uses them.
+      if (isnan(testing::end(enclosure, false)) || isnan(testing::end(enclosure, true))) continue;
       for (const int corner : {0, 7, 8}) {
         std::array<double, 3> inside = place;
         for (std::size_t i = 0; i < 3 && corner < 8; ++i)
