@@ -18,6 +18,7 @@
 #include "app/commands/generated_file.hpp"
 #include "app/options/option_values.hpp"
 #include "app/terminal/interrupt.hpp"
+#include "app/terminal/time_limit.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/utf8.hpp"
@@ -139,6 +140,10 @@ Outcome parse_and_run(const std::vector<std::string>& arguments, const Checkpoin
   return call.outcome;
 }
 
+std::string time_is_over(const TimeIsOver& over) {
+  return fmt::format("shadefit: the --time-limit of {} seconds is over", over.seconds);
+}
+
 /// An unexpected error. The user can fix an error of the file system: a name that is too long, a cycle of
 /// links, a folder without permission. Missing memory or threads are the machine's fault.
 Outcome unforeseen(const std::exception& error, const std::vector<std::string>& arguments) {
@@ -169,6 +174,8 @@ Outcome prepare_command_line(const std::vector<std::string>& arguments, const Ch
     return {1, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
   } catch (const Interrupted& interrupted) {
     return {128 + interrupted.signal, "", "shadefit: interrupted, nothing was written\n"};
+  } catch (const TimeIsOver& over) {
+    return {1, "", time_is_over(over) + ", nothing was written\n"};
   } catch (const std::exception& error) {
     return unforeseen(error, arguments);
   }
@@ -181,9 +188,9 @@ Outcome put_files(Outcome outcome) {
   } catch (const UserError& error) {
     outcome.exit_code = 2;
     outcome.err += fmt::format("shadefit: {}\n", one_line(error.what()));
-  } catch (const CheckFailed& error) {
+  } catch (const TimeIsOver& over) {
     outcome.exit_code = 1;
-    outcome.err += fmt::format("shadefit: {}\n", one_line(error.what()));
+    outcome.err += time_is_over(over) + " before all was written\n";
   } catch (const Interrupted& interrupted) {
     outcome.exit_code = 128 + interrupted.signal;
     outcome.err += "shadefit: interrupted before all was written\n";

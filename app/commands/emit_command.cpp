@@ -11,7 +11,9 @@
 #include "app/studies/study_subject.hpp"
 #include "approx/ledger/catalogue.hpp"
 #include "fit/proof/certificate.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
@@ -159,7 +161,7 @@ std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint
   for (const StudyAxis& axis : read.axes)
     ranges +=
         fmt::format("{}{} in [{}, {}]", ranges.empty() ? "" : ", ", axis.variable, axis.lower, axis.upper);
-  if (study.rows == nullptr) {
+  if (study.rows == nullptr && !has_integral(error_formula(read))) {
     try {
       // the fourth digit of a bound is rounded up
       const double width = std::max(1e-6, usual_study_width(study.over.size()));
@@ -188,6 +190,8 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
       chosen_study_subject(file, studies.front(), options.parameters, options.fit, checkpoint);
   const Study& study = subject.study;
   const ReadStudy read = read_formulas(study);
+  if (has_integral(read.form))
+    throw UserError(fmt::format("emit has no code for 'integral' in the form '{}'", study.form));
   std::string constants;
   for (const auto& [parameter, value] : subject.parameters)
     constants += fmt::format("{}{} = {}", constants.empty() ? "" : ", ", parameter, as_decimal(value));

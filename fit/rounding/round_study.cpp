@@ -6,6 +6,7 @@
 
 #include "fit/proof/interval_ends.hpp"
 #include "fit/rounding/format_search.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
@@ -25,6 +26,7 @@ void require_plain(const StudyObjective& objective, const NumberFormat& format) 
   };
   refuse(format.is_narrow(), "a study: take float or decimal:N");
   refuse(objective.study.rows != nullptr, "--table: rows are measured, and have no largest error to keep");
+  refuse(has_integral(error_formula(read_formulas(objective.study))), "'integral': it has no proof");
   refuse(objective.constraints != Constraints{}, "a constraint: rounding would break it");
 }
 

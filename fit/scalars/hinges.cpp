@@ -37,8 +37,27 @@ void collect_of_function(const Symbolic& e, std::vector<Hinge>& hinges) {
   }
 }
 
+void collect(const Symbolic& e, std::vector<Hinge>& hinges);
+
+/// What its body is not smooth at, an integral is smooth at, except where that place is an end of the
+/// integral.
+void collect_of_integral(const Symbolic& e, std::vector<Hinge>& hinges) {
+  std::vector<Hinge> of_body;
+  collect(e.part(0), of_body);
+  for (const std::size_t end : {1, 2}) {
+    collect(e.part(end), hinges);
+    for (const Hinge& hinge : of_body) {
+      const Symbolic at_end = evaluate<Symbolic>(hinge.part, [&](const std::string& name) {
+        return name == e.name() ? e.part(end) : Symbolic::variable(name);
+      });
+      hinges.push_back({at_end, hinge.is_root, hinge.is_pole});
+    }
+  }
+}
+
 /// The recursion is as deep as the formula, which is limited.
 void collect(const Symbolic& e, std::vector<Hinge>& hinges) {
+  if (e.kind() == Kind::integral) return collect_of_integral(e, hinges);
   for (const Symbolic& part : e.parts()) collect(part, hinges);
   if (e.kind() == Kind::choice) {
     hinges.push_back({e.part(0) - e.part(1), false, false});

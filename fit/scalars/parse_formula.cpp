@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "fit/scalars/integral.hpp"
 #include "fit/scalars/shader_calls.hpp"
 #include "fit/support/nearest.hpp"
 
@@ -23,6 +24,10 @@ constexpr std::size_t most_operations = 100'000;
 
 /// How many operations, names and numbers a formula has; counted only as far as `most_operations`.
 std::size_t size_of(const Symbolic& formula, std::size_t before = 0) {
+  if (formula.kind() == Symbolic::Kind::integral) {
+    const std::size_t body = size_of(formula.part(0));
+    return size_of(formula.part(2), size_of(formula.part(1), before + integral_nodes * body));
+  }
   std::size_t size = before + 1;
   for (const Symbolic& part : formula.parts()) {
     if (size > most_operations) break;
@@ -287,12 +292,68 @@ class FormulaReader {
         fail(counted(counts) + " of '" + std::string(name) + "'", start);
       return call(name, given);
     }
+    if (name == "integral" && is_before_parenthesis && names_.takes_integrals) return integral_of(start);
+    if (std::find(bound_.begin(), bound_.end(), name) != bound_.end()) return Symbolic::variable(name);
+    if (std::find(past_.begin(), past_.end(), name) != past_.end())
+      fail("'" + std::string(name) + "' inside its integral alone", start);
     if (names_.takes_parameters && !(is_before_parenthesis && name.size() > 1)) {
       if (std::find(parameters_.begin(), parameters_.end(), name) == parameters_.end())
         parameters_.emplace_back(name);
       return Symbolic::variable(name);
     }
     refuse(name, start);
+  }
+
+  /// integral(body, t, lower, upper). The variable is read first, since the body uses it.
+  Symbolic integral_of(std::size_t start) {
+    constexpr std::size_t most_inside = 2;
+    expect('(');
+    const std::size_t body_start = place_;
+    place_ = end_of_argument();
+    expect(',');
+    const std::string variable = new_name();
+    const std::size_t rest = place_;
+    if (bound_.size() == most_inside) fail("no more than two integrals inside one another", start);
+    place_ = body_start;
+    bound_.push_back(variable);
+    const Symbolic body = formula();
+    bound_.pop_back();
+    past_.push_back(variable);
+    expect(',');
+    place_ = rest;
+    expect(',');
+    const Symbolic lower = formula();
+    expect(',');
+    const Symbolic upper = formula();
+    expect(')');
+    return limited(integral(body, variable, lower, upper));
+  }
+
+  /// The place of the comma or parenthesis that ends an argument.
+  std::size_t end_of_argument() const {
+    std::size_t end = place_;
+    for (int open = 0; end < text_.size(); ++end) {
+      if (text_[end] == '(') ++open;
+      if (text_[end] == ')' && --open < 0) break;
+      if (text_[end] == ',' && open == 0) break;
+    }
+    return end;
+  }
+
+  /// A name that nothing else has.
+  std::string new_name() {
+    peek();
+    const std::size_t start = place_;
+    while (begins_name(at(place_)) || (place_ > start && is_digit(at(place_)))) ++place_;
+    const std::string name(text_.substr(start, place_ - start));
+    const auto has = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const bool is_taken = has(names_.variables) || has(parameters_) || has(bound_) ||
+                          names_.definitions.contains(name) || !argument_counts(name).empty() ||
+                          has({"pi", "ln2", "PI", "M_PI", "integral"});
+    if (name.empty() || is_taken) fail("a new name for the variable of the integral", start);
+    return name;
   }
 
   /// A definition with its arguments put in.
@@ -396,6 +457,8 @@ class FormulaReader {
   std::string_view text_;
   const FormulaNames& names_;
   std::vector<std::string> parameters_;
+  std::vector<std::string> bound_;  ///< variables of the integrals around the place
+  std::vector<std::string> past_;   ///< and of those before it
   std::size_t place_ = 0;
   int depth_ = 0;
 };

@@ -30,6 +30,7 @@ struct FormulaNames {
   /// Whether any other name is a parameter. Two or more letters directly before a parenthesis are not a
   /// parameter but an unknown function.
   bool takes_parameters = false;
+  bool takes_integrals = false;  ///< whether `integral(body, t, lower, upper)` is read
 };
 
 struct ReadFormula {
@@ -48,8 +49,9 @@ struct ReadFormula {
 ///   power      atom, or atom ^ exponent; an exponent is an atom or a signed number; after an operator a sign
 ///              may stand before it
 ///   atom       a number (2, .5, 1e-3, 2.4f), pi, ln2, a name, a call, or a formula in parentheses
-/// A power with a whole exponent is computed by multiplications. Any other is a real power; its base must not
-/// be negative. Calls are those of fit/scalars/shader_calls.hpp and of the definitions.
+/// `integral(t^2, t, 0, x)` is the integral of t^2 from 0 to x; t is a new name. At most two are inside one
+/// another. A power with a whole exponent is computed by multiplications. Any other is a real power; its base
+/// must not be negative. Calls are those of fit/scalars/shader_calls.hpp and of the definitions.
 ///
 /// A text that people read in two ways is refused: "1/2 pi", "a^b^c" and "2 3" need parentheses or a `*`;
 /// "2f" is refused too.

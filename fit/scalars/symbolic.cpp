@@ -26,6 +26,8 @@ struct Notation {
   std::string (*power)(const std::string& base, const std::string& exponent);
   std::string (*select)(const std::string& a, const std::string& b, const std::string& yes,
                         const std::string& no);
+  std::pair<std::string, Binding> (*integral)(const std::string& body, const std::string& variable,
+                                              const std::string& lower, const std::string& upper);
   std::string times_number;  ///< between a factor and a factor that begins with a digit
   bool fraction_bar;         ///< a quotient needs no parentheses, inside or outside
   bool raised_exponent;      ///< an exponent needs none either
@@ -82,6 +84,8 @@ std::pair<std::string, Binding> write(const Symbolic& e, const Notation& notatio
       return {notation.power(at_least(0, Binding::atom), e.name()), Binding::power};
     case Kind::choice:
       return {notation.select(whole(0), whole(1), whole(2), whole(3)), Binding::atom};
+    case Kind::integral:
+      return notation.integral(whole(0), notation.variable(e.name()), whole(1), whole(2));
     case Kind::function:
       break;
   }
@@ -103,6 +107,11 @@ const Notation plain{
     .power = [](const std::string& base, const std::string& exponent) { return base + "^" + exponent; },
     .select = [](const std::string& a, const std::string& b, const std::string& yes,
                  const std::string& no) { return "(" + a + " < " + b + " ? " + yes + " : " + no + ")"; },
+    .integral =
+        [](const std::string& body, const std::string& t, const std::string& a, const std::string& b) {
+          const std::string text = "integral(" + joined({body, t, a, b}) + ")";
+          return std::pair(text, Binding::atom);
+        },
     .times_number = " * ",
     .fraction_bar = false,
     .raised_exponent = false,
@@ -160,6 +169,11 @@ const Notation latex{
         [](const std::string& a, const std::string& b, const std::string& yes, const std::string& no) {
           return "\\begin{cases}" + yes + " & " + a + " < " + b + " \\\\ " + no +
                  " & \\text{otherwise}\\end{cases}";
+        },
+    .integral =
+        [](const std::string& body, const std::string& t, const std::string& a, const std::string& b) {
+          const std::string text = "\\int_{" + a + "}^{" + b + "} " + latex_parentheses(body) + " \\, d" + t;
+          return std::pair(text, Binding::sum);
         },
     .times_number = " \\cdot ",
     .fraction_bar = true,
@@ -299,6 +313,9 @@ class Counter {
 
   void count(const Symbolic& e) {
     switch (e.kind()) {
+      case Kind::integral:
+        ++count_.other;
+        break;
       case Kind::add:
       case Kind::subtract:
         if (is_fused(e.part(0)) || is_fused(e.part(1))) {

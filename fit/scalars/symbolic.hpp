@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -33,6 +35,7 @@ class Symbolic {
     real_power,     ///< part 0 to the power of part 1, part 0 not negative
     integer_power,  ///< part 0 to the power `exponent`
     choice,         ///< part 0 < part 1 ? part 2 : part 3
+    integral,       ///< of part 0 over the variable `name` from part 1 to part 2 (fit/scalars/integral.hpp)
   };
 
   static Symbolic variable(std::string_view name) { return {Kind::variable, std::string(name), {}}; }
@@ -41,6 +44,9 @@ class Symbolic {
   static Symbolic operation(Kind kind, std::vector<Symbolic> parts) { return {kind, "", std::move(parts)}; }
   static Symbolic function(std::string_view name, std::vector<Symbolic> parts) {
     return {Kind::function, std::string(name), std::move(parts)};
+  }
+  static Symbolic integral(std::string_view variable, std::vector<Symbolic> parts) {
+    return {Kind::integral, std::string(variable), std::move(parts)};
   }
   static Symbolic integer_power(const Symbolic& x, int n) {
     return {Kind::integer_power, std::to_string(n), {x}};
@@ -176,8 +182,48 @@ Operations count_operations(std::span<const Symbolic> results, const Instruction
 /// "MAD, MUL, EXP2": each as many times as it is executed.
 std::string to_text(const Operations& operations);
 
-/// The expression in the scalar T; `value_of(name)` gives a variable. Throws std::logic_error for a function
-/// that is not of the vocabulary.
+/// A node of the rule for integrals, in [0, 1], by its distance from the nearer end, and its weight.
+template <class T>
+struct IntegralNode {
+  T distance;
+  bool is_from_upper;
+  T weight;
+};
+
+/// The usual rule; its numbers as decimal text.
+const std::vector<IntegralNode<std::string>>& usual_integral_nodes();
+
+/// An integral with its variables replaced, but for the one that it runs over.
+Symbolic with_parts(const Symbolic& integral, const std::function<Symbolic(const std::string&)>& value_of);
+
+template <class T, class ValueOf>
+T evaluate(const Symbolic& expression, const ValueOf& value_of);
+
+/// The value of an integral by the usual rule.
+template <class T>
+T value_of_integral(const Symbolic& e, const std::function<T(const std::string&)>& value_of) {
+  static const std::vector<IntegralNode<T>> nodes = [] {
+    std::vector<IntegralNode<T>> result;
+    for (const auto& node : usual_integral_nodes())
+      result.push_back({constant<T>(node.distance), node.is_from_upper, constant<T>(node.weight)});
+    return result;
+  }();
+  const T lower = evaluate<T>(e.part(1), value_of), upper = evaluate<T>(e.part(2), value_of);
+  const T length = upper - lower;
+  T place = lower, sum = integer<T>(0);
+  const std::function<T(const std::string&)> inside = [&](const std::string& name) {
+    return name == e.name() ? place : value_of(name);
+  };
+  for (const IntegralNode<T>& node : nodes) {
+    place = node.is_from_upper ? upper - length * node.distance : lower + length * node.distance;
+    sum = sum + node.weight * evaluate<T>(e.part(0), inside);
+  }
+  return length * sum;
+}
+
+/// The expression in the scalar T; `value_of(name)` gives a variable. An integral is computed by the usual
+/// rule, so in intervals its value is no enclosure. Throws std::logic_error for a function that is not of the
+/// vocabulary.
 template <class T, class ValueOf>
 T evaluate(const Symbolic& expression, const ValueOf& value_of) {
   using Kind = Symbolic::Kind;
@@ -206,6 +252,12 @@ T evaluate(const Symbolic& expression, const ValueOf& value_of) {
       return power(part(0), expression.exponent());
     case Kind::choice:
       return select(less(part(0), part(1)), part(2), part(3));
+    case Kind::integral:
+      if constexpr (std::same_as<T, Symbolic>) {
+        return with_parts(expression, value_of);
+      } else {
+        return value_of_integral<T>(expression, value_of);
+      }
     case Kind::function:
       break;
   }

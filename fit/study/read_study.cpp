@@ -3,6 +3,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "fit/scalars/integral.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/scalars/shader_calls.hpp"
@@ -40,7 +41,7 @@ void require_name(const std::string& option, const std::string& name) {
       std::all_of(name.begin(), name.end(), [&](char c) { return begins(c) || ('0' <= c && c <= '9'); });
   if (!is_name)
     throw UserError(option + " '" + name + "' is not a name: a letter, then letters, digits and underscores");
-  constexpr const char* constants[] = {"pi", "ln2", "PI", "M_PI"};
+  constexpr const char* constants[] = {"pi", "ln2", "PI", "M_PI", "integral"};
   const bool is_taken =
       !argument_counts(name).empty() || std::any_of(std::begin(constants), std::end(constants),
                                                     [&](const char* constant) { return name == constant; });
@@ -111,7 +112,7 @@ std::map<std::string, Definition, std::less<>> definitions_of(const Study& study
     require_free_of_rows("--let", definition.name, study);
     if (contains(variables, definition.name) || result.contains(definition.name))
       throw UserError("--let '" + definition.name + "' names something else already");
-    FormulaNames names{.variables = variables, .definitions = result};
+    FormulaNames names{.variables = variables, .definitions = result, .takes_integrals = true};
     for (const std::string& argument : definition.arguments) {
       require_name("--let '" + definition.name + "', argument", argument);
       names.definitions.erase(argument);
@@ -121,12 +122,6 @@ std::map<std::string, Definition, std::less<>> definitions_of(const Study& study
     result.emplace(definition.name, Definition{definition.arguments, formula});
   }
   return result;
-}
-
-bool depends_on(const Symbolic& e, const std::string& name) {
-  if (e.kind() == Symbolic::Kind::variable) return e.name() == name;
-  return std::any_of(e.parts().begin(), e.parts().end(),
-                     [&](const Symbolic& part) { return depends_on(part, name); });
 }
 
 void require_enough_rows(const ReadStudy& study) {
@@ -156,7 +151,8 @@ ReadStudy read_formulas(const Study& study) {
   const std::vector<StudyAxis> axes = axes_of(study);
   std::vector<std::string> variables;
   for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
-  const FormulaNames names{.variables = variables, .definitions = definitions_of(study, variables)};
+  const FormulaNames names{
+      .variables = variables, .definitions = definitions_of(study, variables), .takes_integrals = true};
   const Symbolic target =
       study.rows ? Symbolic::variable("value") : read("--target", study.target, names).formula;
   FormulaNames of_form = names;
@@ -185,7 +181,7 @@ ReadStudy read_formulas(const Study& study) {
   if (result.parameters.size() > most_study_parameters)
     throw UserError("--form has " + std::to_string(result.parameters.size()) + " parameters: at most 16");
   const bool has_variable = std::any_of(variables.begin(), variables.end(), [&](const std::string& name) {
-    return depends_on(target, name) || depends_on(result.form, name);
+    return free_variables(target).contains(name) || free_variables(result.form).contains(name);
   });
   if (study.rows) {
     require_enough_rows(result);

@@ -9,6 +9,7 @@
 
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/quadrature/rule_choice.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
@@ -258,6 +259,27 @@ std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& 
   return rules.edges().front();
 }
 
+void confirm_integrals(const ReadStudy& study, StudyFit& fit) {
+  const Symbolic formula = error_formula(study);
+  if (fit.status != Status::converged || !has_integral(formula)) return;
+  const StudyError usual_error(study);
+  const StudyNodes nodes = Rules(study, usual_error).nodes(search_rule(study));
+  const auto errors_by = [&](IntegralRule rule) {
+    const StudyError error(study, rule);
+    const SampledStudy<double> sampled(error, nodes);
+    Vector errors;
+    sampled.errors(fit.parameters, errors, nullptr);
+    return std::pair(errors, sampled.target_norm());
+  };
+  const auto [usual, norm] = errors_by(IntegralRule::usual);
+  const Vector check = errors_by(IntegralRule::check).first;
+  const double difference = (usual - check).cwiseAbs().maxCoeff();
+  fit.digits = std::min(fit.digits, correct_digits(difference / norm));
+  if (fit.digits >= least_study_digits) return;
+  fit.status = Status::not_converged;
+  fit.why = "two rules for 'integral' agree to fewer than 6 digits: split it where its body is not smooth";
+}
+
 double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters) {
   Rules rules(study, error);
   rules.cut_panels(parameters);
@@ -306,6 +328,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   } else {
     fit.max_abs_error = largest_error(study, rules.edges(), fit.parameters);
   }
+  confirm_integrals(study, fit);
   return fit;
 }
 

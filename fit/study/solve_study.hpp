@@ -61,6 +61,10 @@ struct StudyFit {
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts,
                      const Checkpoint& checkpoint = keep_going);
 
+/// If a formula of the study has integrals: at most as many digits as two rules for them agree in, as a share
+/// of the target. Too few are no answer.
+void confirm_integrals(const ReadStudy& study, StudyFit& fit);
+
 /// The edges of the single variable of a study, and cuts between them: small rules agree on each panel about
 /// the squares of the error and of its derivatives at these parameters.
 std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& error,

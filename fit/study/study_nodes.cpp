@@ -8,6 +8,7 @@
 
 #include "fit/quadrature/gauss.hpp"
 #include "fit/scalars/hinges.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/user_error.hpp"
@@ -21,14 +22,8 @@ constexpr int power_at_root = 8;
 constexpr std::size_t most_study_edges = 64;
 
 bool depends_only_on(const Symbolic& e, const std::string& name) {
-  if (e.kind() == Symbolic::Kind::variable) return e.name() == name;
-  return std::all_of(e.parts().begin(), e.parts().end(),
-                     [&](const Symbolic& part) { return depends_only_on(part, name); });
-}
-
-void collect_names(const Symbolic& e, std::set<std::string>& names) {
-  if (e.kind() == Symbolic::Kind::variable) names.insert(e.name());
-  for (const Symbolic& part : e.parts()) collect_names(part, names);
+  const auto names = free_variables(e);
+  return names.empty() || (names.size() == 1 && names.contains(name));
 }
 
 template <class T>
@@ -162,8 +157,7 @@ std::vector<Hinge> mixed_hinges(const ReadStudy& study, std::size_t index) {
   std::vector<Hinge> result;
   for (const Symbolic* formula : {&study.target, &study.form, &study.weight}) {
     for (const Hinge& hinge : hinges_of(*formula)) {
-      std::set<std::string> names;
-      collect_names(hinge.part, names);
+      const auto names = free_variables(hinge.part);
       const bool is_mixed = names.size() > 1 && names.contains(study.axes[index].variable) &&
                             std::includes(known.begin(), known.end(), names.begin(), names.end());
       if (is_mixed) result.push_back(hinge);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "fit/scalars/hinges.hpp"
+#include "fit/scalars/integral.hpp"
 
 namespace shadefit {
 namespace {
@@ -16,10 +17,9 @@ std::vector<std::string> inputs_of(const ReadStudy& study) {
 }
 
 bool contains_any(const Symbolic& e, const std::vector<std::string>& names) {
-  if (e.kind() == Symbolic::Kind::variable)
-    return std::find(names.begin(), names.end(), e.name()) != names.end();
-  return std::any_of(e.parts().begin(), e.parts().end(),
-                     [&](const Symbolic& part) { return contains_any(part, names); });
+  const auto variables = free_variables(e);
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return variables.contains(name); });
 }
 
 /// The parameters in which an error is linear together: each in turn that keeps them so.
@@ -51,7 +51,8 @@ Symbolic error_formula(const ReadStudy& study) {
 }
 
 struct StudyError::Parts {
-  explicit Parts(const ReadStudy& study) : graph(inputs_of(study)), variables(node_variables(study).size()) {
+  Parts(const ReadStudy& study, IntegralRule rule)
+      : graph(inputs_of(study), rule), variables(node_variables(study).size()) {
     const int error = graph.add(error_formula(study));
     value = {error};
     gradient = value;
@@ -77,7 +78,7 @@ struct StudyError::Parts {
   std::vector<bool> is_linear;
 };
 
-StudyError::StudyError(const ReadStudy& study) : StudyError(Parts(study)) {}
+StudyError::StudyError(const ReadStudy& study, IntegralRule rule) : StudyError(Parts(study, rule)) {}
 
 StudyError::StudyError(Parts parts)
     : parameter_count_(parts.gradient.size() - 1),

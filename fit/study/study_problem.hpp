@@ -21,10 +21,10 @@ using MatrixOf = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 /// weight * (form - target), or that divided by the target.
 Symbolic error_formula(const ReadStudy& study);
 
-/// The error of a study with its derivatives by the parameters.
+/// The error of a study with its derivatives by the parameters. Its integrals are computed by `rule`.
 class StudyError {
  public:
-  explicit StudyError(const ReadStudy& study);
+  explicit StudyError(const ReadStudy& study, IntegralRule rule = IntegralRule::usual);
 
   std::size_t parameter_count() const { return parameter_count_; }
   /// Whether the form is linear in all parameters that are marked here, together.

@@ -373,6 +373,7 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
     throw UserError("the form cannot satisfy the constraints: " + best->why);
   if (best->status == Status::converged)
     best->max_abs_error = largest_error(study, {edges}, best->parameters);
+  confirm_integrals(study, *best);
   return std::move(*best);
 }
 

@@ -67,6 +67,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   if (fit.status != Status::converged) return fit;
   fit.rms_error = rms_error(study, error, fit.parameters);
   fit.max_abs_error = largest_error(study, {edges}, fit.parameters);
+  confirm_integrals(study, fit);
   return fit;
 }
 

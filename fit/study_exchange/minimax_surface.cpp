@@ -348,6 +348,7 @@ StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& 
   if (best.status != Status::converged) return best;
   best.rms_error = rms_error(study, error, best.parameters);
   best.max_abs_error = largest_error(study, best.parameters);
+  confirm_integrals(study, best);
   return best;
 }
 

@@ -3,7 +3,9 @@
 
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/interval_ends.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/scalars/parse_formula.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/hex_float.hpp"
@@ -91,6 +93,7 @@ std::size_t count_boxes(const StudyCertificate& certificate) {
 std::string reason_to_refuse(const StudyCertificate& certificate, const ShareDone& done) {
   if (std::string fault = fault_of(certificate.subject); !fault.empty()) return fault;
   const ReadStudy study = read_formulas(certificate.subject.study);
+  if (has_integral(error_formula(study))) return std::string(no_proof_of_integrals);
   if (std::string reason = check_ranges(certificate, study); !reason.empty()) return reason;
   if (std::string reason = check_bounds(certificate); !reason.empty()) return reason;
   std::vector<Interval> parameters;

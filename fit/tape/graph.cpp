@@ -63,6 +63,8 @@ int Graph::add(const Symbolic& e) {
     case Kind::number:
     case Kind::constant:
       return constant(e);
+    case Kind::integral:
+      return add(summed(e, rule_));
     default:
       break;
   }

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "fit/scalars/integral.hpp"
 #include "fit/scalars/symbolic.hpp"
 
 /// Formulas as one graph, in which each subexpression stands once, and their derivatives.
@@ -43,7 +44,9 @@ struct GraphNode {
 
 class Graph {
  public:
-  explicit Graph(std::span<const std::string> inputs) : inputs_(inputs.begin(), inputs.end()) {}
+  /// Integrals are computed by this rule.
+  explicit Graph(std::span<const std::string> inputs, IntegralRule rule = IntegralRule::usual)
+      : inputs_(inputs.begin(), inputs.end()), rule_(rule) {}
 
   /// The node of an expression. Its variables are inputs of the graph. An expression of numbers alone becomes
   /// one constant. Throws std::logic_error for a variable that is no input.
@@ -80,6 +83,7 @@ class Graph {
   int derived_function(std::string_view name, int x, int self);
 
   std::vector<std::string> inputs_;
+  IntegralRule rule_;
   std::vector<GraphNode> nodes_;
   std::map<GraphNode, int> known_;
   std::vector<Symbolic> constants_;

@@ -190,6 +190,7 @@ class Body {
         return choice(e);
       case Kind::function:
         return {call(e.name(), e.parts()), Tightness::atom};
+      case Kind::integral:
       case Kind::integer_power:
       case Kind::variable:
       case Kind::number:

@@ -83,7 +83,7 @@ TEST(StudyCommand, StopsAtTheTimeLimit) {
   const Outcome stopped = run_command_line(with(acos_linear, {"--time-limit", "1e-9"}));
   EXPECT_EQ(stopped.exit_code, 1);
   EXPECT_EQ(stopped.out, "");
-  EXPECT_EQ(stopped.err, "shadefit: stopped: the --time-limit of 1e-09 seconds is over\n");
+  EXPECT_EQ(stopped.err, "shadefit: the --time-limit of 1e-09 seconds is over, nothing was written\n");
   EXPECT_EQ(run_command_line(with(acos_linear, {"--time-limit", "3600"})).exit_code, 0);
   expect_refusal(with(acos_linear, {"--time-limit", "0"}), "--time-limit '0' must be greater than 0");
 }

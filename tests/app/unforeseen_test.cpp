@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -118,19 +119,26 @@ TEST(Progress, IsShownOfWorkThatTakesLongAndToATerminal) {
   ASSERT_EQ(::unlockpt(terminal), 0);
   const int shown = ::open(::ptsname(terminal), O_RDWR | O_NOCTTY);
   ASSERT_GE(shown, 0);
-  const auto said = [&] {
-    std::array<char, 256> buffer{};
-    const auto length = ::read(terminal, buffer.data(), buffer.size());
-    return std::string(buffer.data(), length > 0 ? static_cast<std::size_t>(length) : 0);
+  // The kernel hands on what was written a little later.
+  const auto said = [&](std::size_t expected) {
+    std::string text;
+    pollfd readable{terminal, POLLIN, 0};
+    do {
+      std::array<char, 256> buffer{};
+      const auto length = ::read(terminal, buffer.data(), buffer.size());
+      if (length > 0) text.append(buffer.data(), static_cast<std::size_t>(length));
+    } while (text.size() < expected && ::poll(&readable, 1, 10'000) > 0);
+    return text;
   };
   const Progress patient = terminal_progress(shown, std::chrono::hours(1));
   patient("fit .. 0 s");
   patient("");
-  EXPECT_EQ(said(), "") << "work that ends soon shows nothing";
+  EXPECT_EQ(said(0), "") << "work that ends soon shows nothing";
   const Progress at_once = terminal_progress(shown, std::chrono::milliseconds(0));
   at_once("fit .. 2 s");
   at_once("");
-  EXPECT_EQ(said(), "\r\x1b[Kfit .. 2 s\r\x1b[K");
+  const std::string expected = "\r\x1b[Kfit .. 2 s\r\x1b[K";
+  EXPECT_EQ(said(expected.size()), expected);
   ::close(shown);
   ::close(terminal);
 }

@@ -33,6 +33,11 @@ def bumps(m, x):
     return m.exp(-8 * (x - number(m, "0.2")) ** 2) + number(m, "0.9") * m.exp(-30 * (x - 1) ** 2)
 
 
+def inverse_mean(m, x):
+    """The integral of 1/(1 + x t^2) over t from 0 to 1."""
+    return m.atan(m.sqrt(x)) / m.sqrt(x) if x > 0 else number(m, "1")
+
+
 UNIT, QUARTER_TURNS = (0, 1), (-mp.pi / 2, mp.pi / 2)
 
 
@@ -70,6 +75,7 @@ def studies_of_one_variable():
               factor=lambda m, x: m.exp(3 * x)),
         Study("weighted", lambda m, x: m.exp(x) - 1, lambda m, p, x: p[0] * x, "a b", [(0, 2)],
               lambda m, p, x: 1 + p[1] * x, scan=(grid(-0.499, 20, 400),), factor=lambda m, x: x * (2 - x)),
+        Study("integral", inverse_mean, line, "a b d", [UNIT], slope, scan=(grid(-0.99, 40, 400),)),
     ]
 
 

@@ -175,6 +175,22 @@ TEST(ParseFormula, ReadsBackWhatExpressionsPrint) {
   }
 }
 
+// A definition is put into an integral, and the variable of the integral keeps its own meaning.
+TEST(ReadFormula, ReadsBackIntegrals) {
+  FormulaNames names{.variables = {"x", "t"}, .takes_integrals = true};
+  const auto printed = [&](std::string_view text) { return to_text(read_formula(text, names).formula); };
+  for (const std::string text :
+       {"integral(x s, s, 0, x)", "2 integral(integral(x s u, u, 0, s), s, 0, 1)", "integral(s, s, 0, t)^2"})
+    EXPECT_EQ(printed(text), text);
+  names.definitions = {{"g", {{"y"}, parse_formula("y + 1", std::array<std::string_view, 1>{"y"})}}};
+  EXPECT_EQ(printed("integral(g(s x), s, 0, g(t))"), "integral(s x + 1, s, 0, t + 1)");
+  names.definitions = {
+      {"h",
+       {{"y"},
+        read_formula("integral(y s, s, 0, 1)", {.variables = {"y"}, .takes_integrals = true}).formula}}};
+  EXPECT_EQ(printed("integral(h(s), s, 0, 1)"), "integral(integral(s s_, s_, 0, 1), s, 0, 1)");
+}
+
 // The same value in 50 digits, term by term: reading does not rearrange.
 TEST(ParseFormula, TheReadingHasTheSameValue) {
   const auto value = [](const Symbolic& e) {

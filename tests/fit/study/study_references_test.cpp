@@ -44,6 +44,8 @@ std::map<std::string, Study> studies() {
        {.target = "exp(-3 x)", .form = line_over_line, .over = {{"x", "0", "1"}}, .error = Error::relative}},
       {"weighted",
        {.target = "exp(x) - 1", .form = "a x/(1 + b x)", .over = {{"x", "0", "2"}}, .weight = "x (2 - x)"}},
+      {"integral",
+       {.target = "integral(1/(1 + x t^2), t, 0, 1)", .form = line_over_line, .over = {{"x", "0", "1"}}}},
       {"plane",
        {.target = "exp(-x y)",
         .form = "a + b x + d y + g x y + h (x y)^2",

@@ -82,6 +82,26 @@ std::vector<KnownStudy> known_studies() {
       {"a choice in the target",
        {.target = "x <= 0.5 ? 0 : 1", .form = "a + b x", .over = {{"x", "0", "1"}}},
        {-0.25, 1.5}},
+      {"an integral up to the variable",
+       {.target = "integral(sin(t), t, 0, x)", .form = "a + b cos(x)", .over = {{"x", "0", "1"}}},
+       {1, -1},
+       1e-14},
+      {"an integral of the form, with a parameter",
+       {.target = "(1 - exp(-2 x))/2", .form = "integral(exp(-a t), t, 0, x)", .over = {{"x", "0", "1"}}},
+       {2},
+       1e-14},
+      // The integral of sqrt(x t) over t is 2/3 sqrt(x).
+      {"a root at an end of the integral",
+       {.target = "3/2 * integral(sqrt(x t), t, 0, 1)", .form = "a + b x", .over = {{"x", "0", "1"}}},
+       {4.0 / 15, 0.8},
+       1e-14},
+      {"integrals inside one another, by a definition with the same name",
+       {.target = "integral(f(t) t, t, 0, 1)",
+        .form = "a + b x",
+        .over = {{"x", "0", "1"}},
+        .definitions = {{"f", {"y"}, "integral((1 + x y) s, s, 0, 2)"}}},
+       {1, 2.0 / 3},
+       1e-14},
       {"a relative error: the mean of (a/x - 1)^2 on [1, 2]",
        {.target = "x", .form = "a", .over = {{"x", "1", "2"}}, .error = Error::relative},
        {2 * std::log(2)}},
@@ -259,6 +279,17 @@ TEST(Study, SaysWhatIsGlobalAndWhatIsNotDetermined) {
   EXPECT_NEAR(two.other[0], -two.parameters[0], 1e-5);
 }
 
+// Where the rules for an integral disagree, nothing is called right.
+TEST(Study, KnowsWhatAnIntegralIsWorth) {
+  const auto digits = [](const char* target) {
+    const StudyFit fit = fit_of({.target = target, .form = "a + b x", .over = {{"x", "0", "1"}}});
+    return fit.status == Status::converged ? fit.digits : 0;
+  };
+  EXPECT_GE(digits("integral(log(t) + x t, t, 0, 1)"), 13);
+  EXPECT_LE(digits("integral(1/sqrt(t) + x t, t, 0, 1)"), 8);
+  EXPECT_LE(digits("integral(abs(t - 0.3) + x t, t, 0, 1)"), 5);
+}
+
 TEST(Study, AnswersBadInputWithOneLine) {
   const Study good{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
   const auto refusal = [&](const std::function<void(Study&)>& change) -> std::string {
@@ -278,6 +309,14 @@ TEST(Study, AnswersBadInputWithOneLine) {
       "'acos'?) at place 1");
   EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x (a + b x)"; }),
             "--form: formula 'sqrt(1-x (a + b x)': expected ')' at place 19");
+  EXPECT_EQ(
+      refusal([](Study& s) { s.target = "integral(x, x, 0, 1)"; }),
+      "--target: formula 'integral(x, x, 0, 1)': expected a new name for the variable of the integral at "
+      "place 13");
+  EXPECT_EQ(refusal([](Study& s) { s.target = "integral(t x, t, 0)"; }),
+            "--target: formula 'integral(t x, t, 0)': expected ',' at place 19");
+  EXPECT_EQ(refusal([](Study& s) { s.form = "integral(t, t, 0, x) t"; }),
+            "--form: formula 'integral(t, t, 0, x) t': expected 't' inside its integral alone at place 22");
   EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x)"; }), "--form 'sqrt(1-x)' has no parameter to fit");
   EXPECT_EQ(refusal([](Study& s) { s.form = "a + (b - b) x"; }),
             "--form does not depend on its parameter 'b' where it was evaluated");
