@@ -44,7 +44,7 @@ void collect(const Symbolic& e, std::vector<Hinge>& hinges);
 void collect_of_integral(const Symbolic& e, std::vector<Hinge>& hinges) {
   std::vector<Hinge> of_body;
   collect(e.part(0), of_body);
-  for (const std::size_t end : {1, 2}) {
+  for (const std::size_t end : {std::size_t{1}, std::size_t{2}}) {
     collect(e.part(end), hinges);
     for (const Hinge& hinge : of_body) {
       const Symbolic at_end = evaluate<Symbolic>(hinge.part, [&](const std::string& name) {
