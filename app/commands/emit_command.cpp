@@ -161,7 +161,7 @@ std::string error_line(const StudySubject& subject, const Checkpoint& checkpoint
   for (const StudyAxis& axis : read.axes)
     ranges +=
         fmt::format("{}{} in [{}, {}]", ranges.empty() ? "" : ", ", axis.variable, axis.lower, axis.upper);
-  if (study.rows == nullptr && !has_integral(error_formula(read))) {
+  if (study.rows == nullptr && integral_depth(error_formula(read)) < 2) {
     try {
       // the fourth digit of a bound is rounded up
       const double width = std::max(1e-6, usual_study_width(study.over.size()));
@@ -190,7 +190,7 @@ std::string study_code(const StudyFile& file, const EmitOptions& options, const 
       chosen_study_subject(file, studies.front(), options.parameters, options.fit, checkpoint);
   const Study& study = subject.study;
   const ReadStudy read = read_formulas(study);
-  if (has_integral(read.form))
+  if (integral_depth(read.form) > 0)
     throw UserError(fmt::format("emit has no code for 'integral' in the form '{}'", study.form));
   std::string constants;
   for (const auto& [parameter, value] : subject.parameters)

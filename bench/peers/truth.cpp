@@ -44,6 +44,17 @@ Truth read(const std::filesystem::path& path, const std::string& constant, const
   return truth;
 }
 
+/// The parameters of a study.
+Truth parameters_of(const std::filesystem::path& path, const std::string& study) {
+  Truth truth;
+  for (const auto& row : rows_of(path)) {
+    const bool is_parameter = row[0] == study && row[1] != "rms" && row[1] != "largest";
+    if (is_parameter) truth[answer_name(row[1], "")] = row[2];
+  }
+  if (truth.empty()) throw std::runtime_error(path.string() + " lacks " + study);
+  return truth;
+}
+
 std::string text(const Decimal50& value) {
   return value.str(50);
 }
@@ -134,7 +145,11 @@ std::vector<Task> tasks(const std::filesystem::path& references) {
        .truth = {{"level -", largest_error()}}},
       {.id = "T6",
        .title = "normalisation constants, four integrals at each of 8 exponents, 0.1 .. 1e6",
-       .truth = constants}};
+       .truth = constants},
+      {.id = "T7",
+       .title = "a rational form of two variables with eight parameters, for exp(-x - y/2) + x y/2",
+       .start = "a = 1, the others 0",
+       .truth = parameters_of(references / "studies.csv", "plane-rational")}};
 }
 
 double correct_digits(const std::string& answer, const std::string& truth) {

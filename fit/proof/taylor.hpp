@@ -163,11 +163,16 @@ struct Scalar<Taylor<Order>> {
   /// x^p = exp(p log x), x > 0; at x = 0 it has no series.
   static T power(const T& x, const T& p) { return exp(p * log(x)); }
 
-  /// Single points do not change an integral, so touching intervals count as decided.
+  /// Single points do not change an integral, so touching intervals count as decided. Where a and b are equal
+  /// at a middle, the first coefficient in which they differ says which is less beside it.
   static Certainty less(const T& a, const T& b) {
-    const Interval difference = b.value() - a.value();
-    if (is_never_negative(difference)) return Certainty::yes;
-    return is_never_positive(difference) ? Certainty::no : Certainty::unknown;
+    const T difference = b - a;
+    for (int i = 0; i <= difference.degree(); ++i) {
+      if (Scalar<Interval>::is_zero(difference[i])) continue;
+      if (is_never_negative(difference[i])) return Certainty::yes;
+      return is_never_positive(difference[i]) ? Certainty::no : Certainty::unknown;
+    }
+    return Certainty::no;
   }
   /// An undecided condition would need two functions, so the result has no series.
   static T select(Certainty condition, const T& a, const T& b) {

@@ -26,7 +26,8 @@ void require_plain(const StudyObjective& objective, const NumberFormat& format) 
   };
   refuse(format.is_narrow(), "a study: take float or decimal:N");
   refuse(objective.study.rows != nullptr, "--table: rows are measured, and have no largest error to keep");
-  refuse(has_integral(error_formula(read_formulas(objective.study))), "'integral': it has no proof");
+  refuse(integral_depth(error_formula(read_formulas(objective.study))) > 0,
+         "'integral': no enclosure of it is fast enough");
   refuse(objective.constraints != Constraints{}, "a constraint: rounding would break it");
 }
 
@@ -96,7 +97,7 @@ class StudyProblem {
 
   const ReadStudy& study_;
   Lattice lattice_;
-  IntervalProgram error_;
+  TapeProgram<Interval> error_;
   std::vector<std::vector<double>> places_;
 };
 

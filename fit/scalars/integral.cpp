@@ -93,9 +93,10 @@ std::set<std::string> free_variables(const Symbolic& e) {
   return names;
 }
 
-bool has_integral(const Symbolic& e) {
-  return e.kind() == Symbolic::Kind::integral ||
-         std::any_of(e.parts().begin(), e.parts().end(), has_integral);
+int integral_depth(const Symbolic& e) {
+  int depth = 0;
+  for (const Symbolic& part : e.parts()) depth = std::max(depth, integral_depth(part));
+  return depth + (e.kind() == Symbolic::Kind::integral ? 1 : 0);
 }
 
 }  // namespace shadefit

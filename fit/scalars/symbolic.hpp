@@ -52,6 +52,9 @@ class Symbolic {
     return {Kind::integer_power, std::to_string(n), {x}};
   }
 
+  /// The same operation of other parts.
+  Symbolic with_parts(std::vector<Symbolic> parts) const { return {kind(), name(), std::move(parts)}; }
+
   Kind kind() const { return node_->kind; }
   const std::string& name() const { return node_->name; }
   int exponent() const { return std::stoi(node_->name); }

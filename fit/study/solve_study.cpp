@@ -261,7 +261,7 @@ std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& 
 
 void confirm_integrals(const ReadStudy& study, StudyFit& fit) {
   const Symbolic formula = error_formula(study);
-  if (fit.status != Status::converged || !has_integral(formula)) return;
+  if (fit.status != Status::converged || integral_depth(formula) == 0) return;
   const StudyError usual_error(study);
   const StudyNodes nodes = Rules(study, usual_error).nodes(search_rule(study));
   const auto errors_by = [&](IntegralRule rule) {

@@ -6,7 +6,6 @@
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/enclosure.hpp"
 #include "fit/proof/interval_ends.hpp"
-#include "fit/scalars/integral.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"
@@ -146,14 +145,14 @@ CertifiedStudy certify_study(const StudySubject& subject, double width, const Ch
   require_width(width);
   if (const std::string fault = fault_of(subject); !fault.empty()) throw UserError(fault);
   const ReadStudy study = read_formulas(subject.study);
-  if (has_integral(error_formula(study))) throw UserError(std::string(no_proof_of_integrals));
   std::vector<Interval> parameters;
   for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
   EnclosedError error(study, parameters);
   LargestStudyError largest(error);
   CertifiedStudy result;
   // One variable never needs more than the search of a built-in family (fit/proof/enclosure.hpp).
-  const std::size_t most = study.axes.size() == 1 ? most_boxes : most_study_boxes;
+  std::size_t most = study.axes.size() == 1 ? most_boxes : most_study_boxes;
+  if (error.has_integrals()) most = most_boxes_of_integrals;
   result.is_reached = largest.search(width, std::min(box_limit, most), checkpoint);
   if (!std::isfinite(largest.upper()))
     throw CheckFailed(

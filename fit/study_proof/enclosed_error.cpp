@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include "fit/proof/interval_ends.hpp"
@@ -12,82 +11,56 @@
 namespace shadefit {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string_view name_of(const GraphNode& node) {
-  const auto index = static_cast<std::size_t>(node.index);
-  if (node.operation == Operation::function) return functions_of_one<double>[index].name;
-  return node.operation == Operation::function_of_two ? functions_of_two<double>[index].name : "";
+/// The name that stands for an integral. No formula has it: a name has no space.
+std::string name_of_integral(std::size_t i) {
+  return "integral " + std::to_string(i);
 }
 
-/// Whether an operation is not continuous in its operands. Poles need no care: there values or slopes are
-/// unbounded.
-bool can_jump(const GraphNode& node) {
-  const std::string_view name = name_of(node);
-  return node.operation == Operation::choice || name == "sign" || name == "floor" || name == "atan2";
-}
-
-/// How many operands decide on which side of its jump an operation is.
-std::size_t deciding(const GraphNode& node) {
-  return node.operation == Operation::function ? 1 : 2;
-}
-
-bool is_one_number(const Interval& x) {
-  return is_bounded(x) && lower_end(x) == upper_end(x);
-}
-
-/// Whether an operation may jump for operands in `a` and `b`.
-bool jumps_on(const GraphNode& node, const Interval& a, const Interval& b) {
-  const std::string_view name = name_of(node);
-  if (name == "sign") return !is_one_number(signum(a));
-  if (name == "floor") return !is_one_number(floor(a));
-  // The angle jumps at y = 0, x <= 0, and is continuous on the side of y > 0.
-  if (name == "atan2") return !(is_never_negative(a) || upper_end(a) < 0 || lower_end(b) > 0);
-  return less(a, b) == Certainty::unknown;
+/// A formula whose integrals are variables; they are added to a list.
+Symbolic separated(const Symbolic& e, std::vector<Symbolic>& integrals) {
+  using Kind = Symbolic::Kind;
+  if (e.kind() == Kind::integral) {
+    const auto is_same = [text = to_text(e)](const Symbolic& other) { return to_text(other) == text; };
+    const auto found = std::find_if(integrals.begin(), integrals.end(), is_same);
+    const auto i = static_cast<std::size_t>(found - integrals.begin());
+    if (found == integrals.end()) integrals.push_back(e);
+    return Symbolic::variable(name_of_integral(i));
+  }
+  std::vector<Symbolic> parts;
+  for (const Symbolic& part : e.parts()) parts.push_back(separated(part, integrals));
+  return parts.empty() ? e : e.with_parts(std::move(parts));
 }
 
 }  // namespace
 
-IntervalProgram::IntervalProgram(const Tape& tape, std::span<const Interval> parameters)
-    : tape_(tape), values_(tape_.register_count() + tape_.input_count() - parameters.size()) {
-  values_.insert(values_.end(), parameters.begin(), parameters.end());
-  for (const Interval& constant : tape_.constants<Interval>()) values_.push_back(constant);
-  for (Interval& value : values_) table_.push_back(&value);
-  for (std::size_t i = 0; i < tape_.register_count(); ++i) registers_.push_back(&values_[i]);
-}
-
-void IntervalProgram::run(std::span<const Interval> variables) {
-  std::copy(variables.begin(), variables.end(),
-            values_.begin() + static_cast<std::ptrdiff_t>(tape_.register_count()));
-  tape_.run_over<Interval>(table_, registers_, 1);
-}
-
-/// The tapes of the value and of the slopes by the variables.
+/// The tapes of the value and of the slopes by the variables and by the integrals.
 struct EnclosedError::Programs {
-  explicit Programs(const ReadStudy& study) : graph(inputs_of(study)) {
-    const int error = graph.add(error_formula(study));
-    value = {error};
-    for (const GraphNode& node : graph.nodes()) {
-      if (!can_jump(node)) continue;
-      jumps.push_back(node);
-      for (std::size_t i = 0; i < deciding(node); ++i) value.push_back(node.operands[i]);
-    }
-    for (std::size_t i = 0; i < study.axes.size(); ++i) slopes.push_back(graph.derivative(error, i));
+  explicit Programs(const ReadStudy& study)
+      : error(separated(error_formula(study), integrals)),
+        graph(inputs_of(study, integrals.size())),
+        value{graph.add(error)},
+        jumps(graph) {
+    for (std::size_t i = 0; i < study.axes.size() + integrals.size(); ++i)
+      slopes.push_back(graph.derivative(value.front(), i));
+    for (const int node : jumps.deciding_nodes()) value.push_back(node);
     for (std::size_t i = 0; i < graph.inputs().size(); ++i) given.push_back(graph.add(input(i)));
   }
 
-  static std::vector<std::string> inputs_of(const ReadStudy& study) {
+  static std::vector<std::string> inputs_of(const ReadStudy& study, std::size_t integrals) {
     std::vector<std::string> inputs;
     for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
+    for (std::size_t i = 0; i < integrals; ++i) inputs.push_back(name_of_integral(i));
     inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
     return inputs;
   }
   Symbolic input(std::size_t i) const { return Symbolic::variable(graph.inputs()[i]); }
   Tape tape(std::span<const int> outputs) const { return {graph, outputs, given}; }
 
+  std::vector<Symbolic> integrals;
+  Symbolic error;
   Graph graph;
   std::vector<int> value, slopes, given;
-  std::vector<GraphNode> jumps;
+  Jumps jumps;
 };
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters)
@@ -98,30 +71,39 @@ EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> p
       value_(programs.tape(programs.value), parameters),
       slopes_(programs.tape(programs.slopes), parameters) {
   for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
+  for (const Symbolic& integral : programs.integrals) integrals_.emplace_back(study, integral, parameters);
+}
+
+const Interval& EnclosedError::value_for(std::vector<Interval> variables) {
+  const std::size_t count = variables.size();
+  for (StudyIntegral& integral : integrals_)
+    variables.push_back(integral.value(std::span(variables).first(count)));
+  value_.run(variables);
+  return value_.output(0);
+}
+
+std::vector<Interval> EnclosedError::slopes_for(std::vector<Interval> variables) {
+  const std::size_t count = variables.size();
+  for (StudyIntegral& integral : integrals_)
+    variables.push_back(integral.value(std::span(variables).first(count)));
+  slopes_.run(variables);
+  std::vector<Interval> slopes;
+  for (std::size_t i = 0; i < count; ++i) slopes.push_back(slopes_.output(i));
+  for (std::size_t k = 0; k < integrals_.size(); ++k) {
+    const std::vector<Interval> inner = integrals_[k].slopes(std::span(variables).first(count));
+    for (std::size_t i = 0; i < count; ++i) slopes[i] = slopes[i] + slopes_.output(count + k) * inner[i];
+  }
+  return slopes;
 }
 
 Interval EnclosedError::at(std::span<const double> place) {
-  const std::vector<Interval> variables(place.begin(), place.end());
-  value_.run(variables);
-  return value_.output(0);
+  return value_for({place.begin(), place.end()});
 }
 
-bool EnclosedError::may_jump() const {
-  std::size_t next = 1;
-  for (const GraphNode& node : jumps_) {
-    const Interval& a = value_.output(next);
-    const Interval& b = value_.output(next + deciding(node) - 1);
-    next += deciding(node);
-    if (jumps_on(node, a, b)) return true;
-  }
-  return false;
-}
-
-const Interval& EnclosedError::value_on(const StudyBox& box) {
-  std::vector<Interval> variables;
-  for (std::size_t i = 0; i < box.size(); ++i) variables.push_back(numbers_of(box[i], ranges_[i]));
-  value_.run(variables);
-  return value_.output(0);
+std::vector<Interval> EnclosedError::numbers_on(const StudyBox& box) const {
+  std::vector<Interval> numbers;
+  for (std::size_t i = 0; i < box.size(); ++i) numbers.push_back(numbers_of(box[i], ranges_[i]));
+  return numbers;
 }
 
 /// The variable with the largest part of its range in a box.
@@ -137,21 +119,19 @@ std::size_t EnclosedError::widest(const StudyBox& box) const {
 }
 
 BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
-  const Interval value = value_on(box);
+  const Interval value = value_for(numbers_on(box));
   const double natural = largest_magnitude_in(value);
   BoxBound result{natural, widest(box), place_in(box, ranges_), natural};
-  if (natural <= enough || !is_bounded(value) || may_jump()) return result;
+  if (natural <= enough || !is_bounded(value) || jumps_.may_happen(value_, 1)) return result;
 
-  std::vector<Interval> variables;
-  for (std::size_t i = 0; i < box.size(); ++i) variables.push_back(numbers_of(box[i], ranges_[i]));
-  slopes_.run(variables);
+  const std::vector<Interval> slopes = slopes_for(numbers_on(box));
   // The places of the largest and of the smallest value, as far as the slopes tell, and the rest of the sum.
   StudyBox high = box, low = box;
   Interval rest(0);
   double widest_term = 0;
   bool has_rest = false;
   for (std::size_t i = 0; i < box.size(); ++i) {
-    const Interval& slope = slopes_.output(i);
+    const Interval& slope = slopes[i];
     if (!is_bounded(slope)) continue;
     const double from = box[i].lower, to = box[i].upper;
     if (is_never_negative(slope) || is_never_positive(slope)) {
@@ -169,7 +149,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
     }
     has_rest = true;
   }
-  const Interval top = value_on(high) + rest, bottom = value_on(low) + rest;
+  const Interval top = value_for(numbers_on(high)) + rest, bottom = value_for(numbers_on(low)) + rest;
   if (!is_bounded(top) || !is_bounded(bottom)) return result;
   const bool is_top = largest_magnitude_in(top) >= largest_magnitude_in(bottom);
   result.place = place_in(is_top ? high : low, ranges_);

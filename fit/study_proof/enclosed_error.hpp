@@ -7,30 +7,13 @@
 #include "fit/proof/interval.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study_proof/jumps.hpp"
 #include "fit/study_proof/study_box.hpp"
-#include "fit/tape/tape.hpp"
+#include "fit/study_proof/study_integral.hpp"
+#include "fit/tape/tape_program.hpp"
 
 /// The error of a study in interval arithmetic.
 namespace shadefit {
-
-/// A tape with its table, for many places one after the other.
-class IntervalProgram {
- public:
-  /// `parameters` are inputs after the variables.
-  IntervalProgram(const Tape& tape, std::span<const Interval> parameters);
-  IntervalProgram(const IntervalProgram&) = delete;  // the table points into the values
-  IntervalProgram& operator=(const IntervalProgram&) = delete;
-
-  /// Computes the outputs for the variables.
-  void run(std::span<const Interval> variables);
-  const Interval& output(std::size_t i) const { return values_[tape_.output(i)]; }
-
- private:
-  Tape tape_;
-  std::vector<Interval> values_;  ///< registers, inputs, constants
-  std::vector<const Interval*> table_;
-  std::vector<Interval*> registers_;
-};
 
 /// A bound of |error| on a box.
 struct BoxBound {
@@ -43,6 +26,7 @@ struct BoxBound {
 /// weight * (form - target), or that divided by the target, on boxes and at places. Search and check share
 /// it.
 ///
+/// Integrals are enclosed first (fit/study_proof/study_integral.hpp), and the chain rule has their slopes.
 /// A formula with min, max or abs has slopes that enclose those of both sides. Where a choice, sign, floor or
 /// atan2 may jump on a box, only values are enclosed, no slopes.
 class EnclosedError {
@@ -51,6 +35,7 @@ class EnclosedError {
   EnclosedError(const ReadStudy& study, std::span<const Interval> parameters);
 
   std::span<const Domain> ranges() const { return ranges_; }
+  bool has_integrals() const { return !integrals_.empty(); }
 
   /// The error at a place of doubles.
   Interval at(std::span<const double> place);
@@ -65,13 +50,15 @@ class EnclosedError {
   struct Programs;
   EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, Programs programs);
 
-  bool may_jump() const;
-  const Interval& value_on(const StudyBox& box);
+  const Interval& value_for(std::vector<Interval> variables);
+  std::vector<Interval> slopes_for(std::vector<Interval> variables);
+  std::vector<Interval> numbers_on(const StudyBox& box) const;
   std::size_t widest(const StudyBox& box) const;
 
   std::vector<Domain> ranges_;
-  std::vector<GraphNode> jumps_;  ///< their operands are the outputs of `value_` after the error, in order
-  IntervalProgram value_, slopes_;
+  Jumps jumps_;  ///< the outputs of `value_` after the error are those of their deciding nodes
+  std::vector<StudyIntegral> integrals_;
+  TapeProgram<Interval> value_, slopes_;  ///< functions of the variables and the integrals
 };
 
 }  // namespace shadefit

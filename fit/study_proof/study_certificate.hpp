@@ -21,8 +21,8 @@ struct StudySubject {
   Constants parameters = {};  ///< of the form, in the order in which they first appear
 };
 
-/// One line that says why a subject is invalid, or an empty text: formulas that cannot be read, or other
-/// parameters than those of the form.
+/// One line that says why a subject is invalid, or an empty text: formulas that cannot be read, an
+/// integral inside another one, or other parameters than those of the form.
 std::string fault_of(const StudySubject& subject);
 
 /// max |weight * error| lies in [lower, upper].
@@ -49,14 +49,13 @@ double usual_study_width(std::size_t variables);
 /// (fit/proof/enclosure.hpp). A box is two characters of a certificate.
 inline constexpr std::size_t most_study_boxes = 200'000;
 
-/// Why a study with an integral has no proof: a sum of values is no enclosure.
-inline constexpr std::string_view no_proof_of_integrals =
-    "intervals do not enclose 'integral': it has no proof";
+/// The most boxes if a formula has an integral: each takes milliseconds.
+inline constexpr std::size_t most_boxes_of_integrals = 4'000;
 
 /// Proves bounds of the largest error by branch and bound over boxes of the variables, of relative width
 /// `width` or as near as `box_limit` boxes allow. The checkpoint is called for each box that is cut. Throws
-/// UserError for a `fault_of` the subject, for an integral, and for a width outside [least_width, 1);
-/// CheckFailed, with the place, if no finite bound was proven.
+/// UserError for a `fault_of` the subject and for a width outside [least_width, 1); CheckFailed, with the
+/// place, if no finite bound was proven.
 CertifiedStudy certify_study(const StudySubject& subject, double width,
                              const Checkpoint& checkpoint = keep_going,
                              std::size_t box_limit = most_study_boxes);

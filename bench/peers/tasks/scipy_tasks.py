@@ -270,6 +270,33 @@ def constants(in_angle):
     return answer
 
 
+# ---- T7: a rational form of two variables --------------------------------------------------------------------
+
+
+def plane_fit(tight):
+    t, w = np.polynomial.legendre.leggauss(32)
+    t, w = (1 + t) / 2, w / 2
+    x, y = (v.ravel() for v in np.meshgrid(t, t))
+    root, target = np.sqrt(np.outer(w, w)).ravel(), np.exp(-x - y / 2) + x * y / 2
+    above, below = np.stack([np.ones_like(x), x, y, x * y]), np.stack([x, y, x * y, x * x])
+    scaled_above, minus_below = root * above, -root * below
+
+    def error(p):
+        return root * (p[:4] @ above / (1 + p[4:] @ below) - target)
+
+    def slopes(p):
+        inverse = 1 / (1 + p[4:] @ below)
+        return np.concatenate([scaled_above * inverse, minus_below * (p[:4] @ above * inverse * inverse)]).T
+
+    start = np.array([1.0, 0, 0, 0, 0, 0, 0, 0])
+    options = {"xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15} if tight else {}
+    fit = optimize.least_squares(error, start, jac=slopes, method="lm", **options)
+    answer = Answer()
+    for name, value in zip("abdghkmn", fit.x):
+        answer.add(name, value)
+    return answer
+
+
 TIGHT = {"xatol": 1e-14, "fatol": 1e-18, "maxiter": 2000, "maxfev": 2000}
 VARIANTS = [
     ("T1", "curve_fit, 1001 samples", pair_curve_fit),
@@ -308,6 +335,8 @@ VARIANTS += [
     ("T5", "grid of 1001, bounded Brent", largest_refined),
     ("T6", "quad in the angle", lambda: constants(True)),
     ("T6", "quad in the cosine", lambda: constants(False)),
+    ("T7", "least_squares lm, 32 x 32 nodes, analytic Jacobian", lambda: plane_fit(False)),
+    ("T7", "least_squares lm, 32 x 32 nodes, analytic Jacobian, tight", lambda: plane_fit(True)),
 ]
 
 

@@ -1,4 +1,6 @@
 #include <array>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,8 @@
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/solve/under.hpp"
+#include "fit/study/search.hpp"
+#include "fit/study/solve_study.hpp"
 
 namespace peer_tasks {
 namespace {
@@ -58,18 +62,57 @@ Answer constants() {
   return answer;
 }
 
+Answer answer_of(const std::vector<std::string>& names, const std::vector<double>& parameters) {
+  Answer answer;
+  for (std::size_t i = 0; i < names.size(); ++i) answer.add(names[i], parameters[i]);
+  return answer;
+}
+
+/// From formulas as text: read, compiled to tapes, searched, polished and checked.
+Answer fit_of(const shadefit::Study& study) {
+  const shadefit::StudyFit fit = shadefit::solve_study(shadefit::read_formulas(study));
+  Answer answer = answer_of(fit.names, fit.parameters);
+  if (fit.status != shadefit::Status::converged) answer.remark("the fit did not converge");
+  return answer;
+}
+
+/// One descent from a start on 32 x 32 nodes that are made outside the timed part, as a peer does it.
+std::function<Answer()> descent(const shadefit::Study& study) {
+  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_formulas(study));
+  const auto error = std::make_shared<const shadefit::StudyError>(*read);
+  const std::vector<shadefit::StudyEdge> unit{{0}, {1}};
+  constexpr unsigned nodes_on_axis = 32;
+  const auto sampled = std::make_shared<const shadefit::SampledStudy<double>>(
+      *error, shadefit::nodes_of(*read, {unit, unit}, nodes_on_axis));
+  std::vector<double> start(read->parameters.size());
+  start.front() = 1;
+  return [=] {
+    const auto ends = shadefit::search_basins(*error, *sampled, *sampled, {0, 0, {start}});
+    return answer_of(read->parameters, ends.front().parameters);
+  };
+}
+
 }  // namespace
 
 std::vector<Variant> other_tasks() {
+  const shadefit::Study pair_study{
+      .target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
+  const shadefit::Study plane{.target = "exp(-x - y/2) + x y/2",
+                              .form = "(a + b x + d y + g x y)/(1 + h x + k y + m x y + n x^2)",
+                              .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
   const std::string pair = "fit fresnel-quadratic --norm minimax --json",
                     published = "certify fresnel-quadratic --json --width ";
-  return {{"T4-absolute", "from nothing", Standing::judged, [] { return minimax(Error::absolute); }, pair},
-          {"T4-relative", "from nothing", Standing::judged, [] { return minimax(Error::relative); },
-           pair + " --error relative"},
-          {"T5", "search, sampled", Standing::judged, search},
-          {"T5", "certified to 1e-9", Standing::judged, [] { return prove(1e-9); }, published + "1e-9"},
-          {"T5", "certified to 1e-12", Standing::judged, [] { return prove(1e-12); }, published + "1e-12"},
-          {"T6", "two rules in two variables, each constant", Standing::judged, constants}};
+  return {
+      {"T4-absolute", "from nothing", Standing::judged, [] { return minimax(Error::absolute); }, pair},
+      {"T4-relative", "from nothing", Standing::judged, [] { return minimax(Error::relative); },
+       pair + " --error relative"},
+      {"T5", "search, sampled", Standing::judged, search},
+      {"T5", "certified to 1e-9", Standing::judged, [] { return prove(1e-9); }, published + "1e-9"},
+      {"T5", "certified to 1e-12", Standing::judged, [] { return prove(1e-12); }, published + "1e-12"},
+      {"T6", "two rules in two variables, each constant", Standing::judged, constants},
+      {"T1", "as a study, from text, with a search", Standing::listed, [=] { return fit_of(pair_study); }},
+      {"T7", "from text, with a search", Standing::judged, [=] { return fit_of(plane); }},
+      {"T7", "one descent, 32 x 32 nodes ready", Standing::listed, descent(plane)}};
 }
 
 }  // namespace peer_tasks

@@ -32,6 +32,8 @@ struct KnownMaximum {
 
 std::vector<KnownMaximum> known_maxima() {
   const StudyRange unit{"x", "0", "1"}, other_unit{"y", "0", "1"};
+  constexpr double h = 1.0 / 64;
+  const auto integral_of_atan = [](double x) { return x * std::atan(x) - std::log1p(x * x) / 2; };
   return {
       {"a line for a square: 1/8 at both ends and between",
        {{.target = "x^2", .form = "a + b x", .over = {unit}}, {{"a", "-0.125"}, {"b", "1"}}},
@@ -81,6 +83,38 @@ std::vector<KnownMaximum> known_maxima() {
       {"a weight: x (1 - x)",
        {{.target = "x", .form = "a", .over = {unit}, .weight = "x"}, {{"a", "1"}}},
        0.25},
+      // The integral of t from 0 to x is x^2/2; the difference x/2 - x^2/2 is largest at 1/2.
+      {"an integral up to the variable",
+       {{.target = "integral(t, t, 0, x)", .form = "a x", .over = {unit}}, {{"a", "0.5"}}},
+       0.125},
+      {"a relative error to an integral with a root at its end: x/4 - 1 at 0",
+       {{.target = "3/2 * integral(sqrt(t), t, 0, 1)",
+         .form = "a x",
+         .over = {unit},
+         .error = Error::relative},
+        {{"a", "0.25"}}},
+       1},
+      // The integral is x^2 + (1 - x)^2 over 2; less 1/4 it is largest at both ends.
+      {"a kink that moves through the integral",
+       {{.target = "integral(abs(t - x), t, 0, 1)", .form = "a", .over = {unit}}, {{"a", "0.25"}}},
+       0.25},
+      // The argument of abs touches 0 in the middle of the only panel. With h = 1/64 the integral is 2 h - 2
+      // sin h.
+      {"abs of what touches 0",
+       {{.target = "x integral(abs(1 - cos(t - 0.5)), t, 31/64, 33/64)", .form = "a", .over = {unit}},
+        {{"a", "0"}}},
+       h * h * h / 3 * (1 - h * h / 20 * (1 - h * h / 42))},
+      // At x = 1 the body is 1, and before it is 0.
+      {"a condition that holds at one place alone",
+       {{.target = "integral(x < 1 ? t - t^2 : 1, t, 0, 1)", .form = "a", .over = {unit}}, {{"a", "0"}}},
+       1},
+      // The angle is -pi - atan(t) below 0 and pi - atan(t) above.
+      {"an angle that jumps inside",
+       {{.target = "x integral(atan2(t, -1), t, -2, 1)", .form = "a", .over = {unit}}, {{"a", "0"}}},
+       pi - integral_of_atan(2) + integral_of_atan(1)},
+      {"an integral in two variables: x y^2/2",
+       {{.target = "integral(x t, t, 0, y)", .form = "a x", .over = {unit, other_unit}}, {{"a", "0"}}},
+       0.5},
       {"a definition and a given constant: 2 x - 2 x^2",
        {{.target = "f(x, k)",
          .form = "k x",
@@ -104,6 +138,20 @@ TEST(StudyProof, EnclosesWhatIsKnown) {
     EXPECT_LE(certificate.upper, certificate.lower * (1 + width) * (1 + rounding)) << known.name;
     EXPECT_EQ(reason_to_refuse(certificate), "") << known.name;
   }
+}
+
+// Where a jump moves through an integral, the slope of the body is 0 and that of the integral is not. x - x^2
+// is largest at 1/2.
+TEST(StudyProof, TakesNoSlopeOfAnIntegralThatMayJump) {
+  const StudySubject subject{
+      {.target = "integral(t < x ? 1 : 0, t, 0, 1)", .form = "a x^2", .over = {{"x", "0", "1"}}},
+      {{"a", "1"}}};
+  constexpr std::size_t few = 100;
+  const StudyCertificate certificate = certify_study(subject, 1e-9, keep_going, few).certificate;
+  EXPECT_LE(certificate.lower, 0.25);
+  EXPECT_GE(certificate.upper, 0.25);
+  EXPECT_LE(certificate.upper, 0.26);
+  EXPECT_EQ(reason_to_refuse(certificate), "");
 }
 
 /// A search in doubles and the proof agree.
@@ -217,6 +265,8 @@ TEST(StudyProof, NamesTheFaultOfItsSubject) {
             "parameter 'd' is unknown: the form has none of that name");
   EXPECT_EQ(fault_of({study, {{"a", "one"}, {"b", "1"}}}), "parameter a 'one' is not a finite number");
   Study other = study;
+  other.target = "integral(integral(s t, s, 0, x), t, 0, 1)";
+  EXPECT_EQ(fault_of({other, {}}), "an 'integral' inside another one has no proof");
   other.target = "cosine(x)";
   EXPECT_NE(fault_of({other, {}}).find("--target"), std::string::npos);
 }

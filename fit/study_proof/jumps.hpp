@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fit/proof/interval.hpp"
+#include "fit/tape/graph.hpp"
+#include "fit/tape/tape_program.hpp"
+
+/// Where a formula is not continuous.
+namespace shadefit {
+
+/// The operations of a graph that are not continuous in their operands. Poles need no care: there values or
+/// slopes are unbounded.
+class Jumps {
+ public:
+  explicit Jumps(const Graph& graph);
+
+  bool empty() const { return nodes_.empty(); }
+
+  /// The nodes that decide on which side of its jump each operation is: outputs for a tape.
+  std::vector<int> deciding_nodes() const;
+
+  /// Whether an operation may jump within the intervals for which a program ran. Its outputs from `first` on
+  /// are those of the deciding nodes.
+  bool may_happen(const TapeProgram<Interval>& program, std::size_t first) const;
+
+ private:
+  std::vector<GraphNode> nodes_;
+};
+
+}  // namespace shadefit
