@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "app/commands/study_commands.hpp"
 #include "app/options/bench_options.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_folder.hpp"
 #include "app/output/slow_tables.hpp"
+#include "app/studies/find_study.hpp"
 #include "bench/forms/accuracy.hpp"
+#include "bench/studies/measure_study.hpp"
 #include "bench/tradeoff/google_json.hpp"
 #include "bench/tradeoff/grid_errors.hpp"
 #include "bench/tradeoff/measure.hpp"
@@ -45,6 +48,31 @@ std::string widths_line(const BenchOptions& options) {
       forms::name(here.back()));
 }
 
+std::string report_line(const BenchOptions& options) {
+  return fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "bench.md").string()));
+}
+
+/// The forms of a study.
+Outcome bench_study(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const OutputFolder folder(options.out);
+  const StudyFile file = named_study(*options.study, study_folders(options.studies));
+  const bench::Trade trade = bench::measure_study(
+      file.id, comparisons_of(file, checkpoint), options.quick ? bench::quick_plan : bench::full_plan,
+      bench::now, [&, show = bar(progress, "bench")](double share) {
+        checkpoint();
+        show(share);
+      });
+  const auto put = folder.prepare(bench::study_bench_files(trade), {}, options.force, checkpoint);
+  if (options.json) return {0, google_json(trade, bench::this_occasion()), "", put};
+  std::string text;
+  for (const bench::TimedTarget& target : trade.targets) {
+    text +=
+        fmt::format("{}{}\n{}", text.empty() ? "" : "\n", target.title,
+                    write_console(bench::study_times(trade, target.id), Precision::report, options.terminal));
+  }
+  return {0, text + report_line(options), "", put};
+}
+
 std::string console_text(const bench::Trade& trade, const Terminal& terminal) {
   std::string text;
   for (const bench::TimedTarget& target : trade.targets) {
@@ -64,6 +92,7 @@ std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& 
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
                       const Progress& progress) {
   if (options.exhaustive) return exhaustive_command(options, version, checkpoint, progress);
+  if (options.study) return bench_study(options, checkpoint, progress);
   const OutputFolder folder(options.out);
   const auto widths = widths_of(options);
   const forms::Catalogue catalogue = forms::catalogue();
@@ -91,9 +120,7 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
   const auto put = folder.prepare(files, missing, options.force, checkpoint);
   const std::string err = widths_line(options) + news.err;
   if (options.json) return {news.err.empty() ? 0 : 1, google_json(trade, bench::this_occasion()), err, put};
-  return {news.err.empty() ? 0 : 1,
-          console_text(trade, options.terminal) + news.out +
-              fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "bench.md").string())),
+  return {news.err.empty() ? 0 : 1, console_text(trade, options.terminal) + news.out + report_line(options),
           err, put};
 }
 

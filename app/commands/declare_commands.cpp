@@ -400,10 +400,12 @@ void declare_commands(CLI::App& app, Call& call) {
   add_command<BenchOptions>(
       app, call, "bench", "run time against error of every form, on this machine",
       "  shadefit bench --quick --only schlick --no-plots\n"
+      "  shadefit bench --quick acos-linear --no-plots\n"
       "  shadefit bench --exhaustive schlick --range 0x3f000000:0x3f001000\n",
       [](CLI::App& bench, BenchOptions& options) {
         add_out(bench, options.out);
         declare_bench(bench, options);
+        add_studies(bench, options.studies);
         add_force(bench, options.force);
       },
       [&](const BenchOptions& options) {

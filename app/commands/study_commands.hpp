@@ -6,6 +6,7 @@
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
 #include "app/terminal/progress.hpp"
+#include "fit/better/better_study.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/study/study_file.hpp"
 #include "reports/check/baseline.hpp"
@@ -18,6 +19,9 @@ namespace shadefit {
 /// published sets. `next` is called before each.
 std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
                                         const Checkpoint& next);
+
+/// The published sets of a study against the fits of its forms, one for each combination of given constants.
+std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint);
 
 Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                       const Progress& progress);

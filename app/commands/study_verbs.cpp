@@ -5,7 +5,6 @@
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_folder.hpp"
 #include "app/output/picture_file.hpp"
-#include "fit/better/better_study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/io/utf8.hpp"
@@ -18,13 +17,6 @@
 /// `better`, `explain`, `run` and `check` of a study.
 namespace shadefit {
 namespace {
-
-std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint) {
-  std::vector<StudyComparison> comparisons;
-  for (const Study& study : combinations(file.study, file.given))
-    comparisons.push_back(compare_study(file, study, checkpoint));
-  return comparisons;
-}
 
 std::string console_text(const StudyComparison& comparison, const Terminal& terminal) {
   return target_of(comparison) + "\n" +
@@ -43,6 +35,13 @@ std::string failed_lines(const std::vector<StudyComparison>& comparisons) {
 }
 
 }  // namespace
+
+std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint) {
+  std::vector<StudyComparison> comparisons;
+  for (const Study& study : combinations(file.study, file.given))
+    comparisons.push_back(compare_study(file, study, checkpoint));
+  return comparisons;
+}
 
 Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                              const Progress&) {

@@ -50,10 +50,18 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
 }  // namespace
 
 void declare_bench(CLI::App& bench, BenchOptions& options) {
+  auto* study = bench
+                    .add_option("study", options.study,
+                                "the forms of a study or its file, NAME.toml (default: the built-in ones)")
+                    ->type_name("STUDY");
   auto* exhaustive =
       add_value(bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
                 "evaluate this form at every float in [0, 1] and compare with its target in double");
-  bench.add_option("--only", options.only, "only these targets")->type_name("TARGET")->excludes(exhaustive);
+  exhaustive->excludes(study);
+  bench.add_option("--only", options.only, "only these targets")
+      ->type_name("TARGET")
+      ->excludes(exhaustive)
+      ->excludes(study);
   bench.add_flag("--quick", options.quick, "fewer and shorter rounds: seconds")->excludes(exhaustive);
   bench.add_flag("--json", options.json,
                  "print the times as Google Benchmark does; with --exhaustive the result");
@@ -61,7 +69,8 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
       ->excludes(exhaustive);
   add_value(bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
             "the vector registers to time, besides scalar (default: all); with --exhaustive the ones to use "
-            "(default: sse2)");
+            "(default: sse2)")
+      ->excludes(study);
   add_value(bench, "--constants", options.constants, parse_text, "ID",
             "with --exhaustive: the constants of the form (default: its first)")
       ->needs(exhaustive);

@@ -18,6 +18,8 @@ class App;
 namespace shadefit {
 
 struct BenchOptions {
+  std::optional<std::string> study = {};  ///< the id or the file of a study, in the place of the catalogue
+  std::vector<std::string> studies = {};  ///< folders that have it too
   std::string out = "out";
   std::vector<std::string> only = {};  ///< ids of targets
   bool force = false;                  ///< as in `RunOptions`

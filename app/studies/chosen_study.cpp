@@ -48,9 +48,8 @@ void refuse_others(const FitOptions& options, const std::string& with) {
            : options.extinction ? "--extinction"
                                 : "--f0",
            "write the reflectance of the surface as the --target");
-  if (options.metric.domain != Domain{}) refuse("--domain", "give the range by --over");
-  if (options.metric.measure != Measure::cosine)
-    refuse("--measure", "give the density by --over x=0:1:angle");
+  if (options.present.contains("--domain")) refuse("--domain", "give the range by --over");
+  if (options.present.contains("--measure")) refuse("--measure", "give the density by --over x=0:1:angle");
 }
 
 /// The values of the options in the place of those of the file.

@@ -14,13 +14,13 @@ namespace {
 
 /// The pair by its largest error, from nothing: sampling, a start by Ceres, the exchange, the polish.
 void register_pair(Error error) {
-  const Under<FresnelQuadratic, 2> pair{.family = {}, .error_kind = error};
+  const Under<FresnelQuadratic> pair{.family = {}, .error_kind = error};
   const Metric metric{.norm = Norm::minimax, .error = error};
   const auto name = "minimax/fresnel-quadratic/" + std::string(shadefit::name(error));
   benchmark::RegisterBenchmark(name.c_str(), [pair, metric](benchmark::State& state) {
     MinimaxOptimum optimum;
     for (auto _ : state) {
-      optimum = Minimax<Under<FresnelQuadratic, 2>>(pair, metric, {1, 0}, {0, 1}).solve();
+      optimum = Minimax<Under<FresnelQuadratic>>(pair, metric, {1, 0}, {0, 1}).solve();
       benchmark::DoNotOptimize(optimum);
     }
     if (optimum.status != Status::converged) state.SkipWithError("a fit did not converge");

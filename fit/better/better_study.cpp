@@ -15,26 +15,27 @@ Study with_form(const Study& study, const StudyForm& form) {
   return result;
 }
 
-Operations operations_of(const ReadStudy& study, const std::vector<double>& values) {
-  return count_operations(evaluate<Symbolic>(study.form, [&](const std::string& name) {
+Symbolic form_with(const ReadStudy& study, const std::vector<double>& values) {
+  return evaluate<Symbolic>(study.form, [&](const std::string& name) {
     const auto& all = study.parameters;
     const auto found = std::find(all.begin(), all.end(), name);
     return found == all.end()
                ? Symbolic::variable(name)
                : Symbolic::number(to_text(values[static_cast<std::size_t>(found - all.begin())]));
-  }));
+  });
 }
 
 StudyContender contender_of(const StudyForm& form, const ReadStudy& read, std::string origin,
                             std::vector<double> values) {
   const StudyExtremum largest = largest_error(read, values);
-  const Operations operations = operations_of(read, values);
+  const Symbolic code = form_with(read, values);
   return {.form = form.id,
           .formula = form.formula,
           .origin = std::move(origin),
           .names = read.parameters,
           .values = std::move(values),
-          .operations = operations,
+          .code = code,
+          .operations = count_operations(code),
           .max_abs_error = largest};
 }
 

@@ -20,7 +20,8 @@ struct StudyContender {
   std::vector<std::string> names;
   std::vector<std::string> printed = {};  ///< of a published set
   std::vector<double> values;
-  Operations operations;                         ///< of the form with these constants, as `emit` writes it
+  Symbolic code;                                 ///< the form with these constants, as `emit` writes it
+  Operations operations;                         ///< of that
   StudyExtremum max_abs_error;                   ///< sampled and refined
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
   std::optional<Verdict> claim = {};             ///< on what the source says of its error

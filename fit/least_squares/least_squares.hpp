@@ -147,14 +147,16 @@ class LeastSquares {
   Optimum<N> solve() const { return solve(family_.starts()); }
 
   /// The same from given starts.
-  Optimum<N> solve(const Starts<N>& starts) const {
+  Optimum<N> solve(const Starts<N>& starts) const { return solve_least_squares<N>(problem(), starts); }
+
+  /// This must not move while its problem is in use.
+  LeastSquaresProblem<N> problem() const {
     const auto wide = [this](std::size_t rule, const std::array<long double, N>& p) {
       if (rule == first_) return wide_.gradient(p);
       return SampledProblem<F, long double>(family_, panels_, fit_rules[rule]).gradient(p);
     };
-    return solve_least_squares<N>(
-        {descent_problem(basin_, family_, domain_), descent_problem(fine_, family_, domain_), wide, first_},
-        starts);
+    return {descent_problem(basin_, family_, domain_), descent_problem(fine_, family_, domain_), wide,
+            first_};
   }
 
  private:

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/first_parameters.hpp"
 #include "fit/minimax/minimax.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/quadrature/substitution.hpp"
@@ -71,8 +71,8 @@ class Minimax {
   /// From least squares under the same error: Ceres from one start, polished on few nodes.
   MinimaxOptimum solve() const {
     const auto basin = sampled_for_basin(family_, metric_, family_.shape());
-    const auto start = common_optimum<static_cast<int>(N)>(
-        family_.starts(), descent_problem(basin, family_, metric_.domain), 1);
+    const auto start = descend_first<static_cast<int>(N)>(descent_problem(basin, family_, metric_.domain),
+                                                          family_.starts(), family_.free_count());
     MinimaxParameters p{};
     // At the border of the admissible parameters the error has a pole, and no step leads back from there.
     const auto from = start.status == Status::at_border ? family_.starts()[0] : start.parameters;
@@ -98,7 +98,7 @@ class Minimax {
         return f.error(sample, p);
       }
     };
-    MinimaxProblem result{.size = N,
+    MinimaxProblem result{.size = family_.free_count(),
                           .places = places_,
                           .cosine_at = [this](const SearchPlace& at) { return cosine(at.panel, at.s); },
                           .error = curve(error),

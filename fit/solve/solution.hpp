@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "fit/errors/extremum.hpp"
+#include "fit/least_squares/first_parameters.hpp"
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/status.hpp"
 #include "fit/minimax/minimax_problem.hpp"
@@ -69,8 +70,8 @@ inline double scale_of(const Weight& weight, const Metric& metric) {
 
 /// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2) at given parameters: a
 /// weighted mean of the error, never above the largest error.
-template <class F, std::size_t M>
-double rms_of(const Under<F, M>& family, const Metric& metric, const std::array<double, M>& p) {
+template <class F>
+double rms_of(const Under<F>& family, const Metric& metric, const std::array<double, Under<F>::all>& p) {
   return scaled_rms_of(family, metric, p) / scale_of(family.weight, metric);
 }
 
@@ -79,7 +80,7 @@ template <class F>
 double objective_at(const F& family, const Metric& metric, const Cosine<double>& top,
                     const Cosine<double>& bottom, const std::array<double, F::parameters.size()>& p) {
   constexpr std::size_t N = F::parameters.size();
-  const Under<F, N> under{family, metric.error, Weight(metric.weight, {bottom.cos_theta, top.cos_theta}), {}};
+  const Under<F> under{family, metric.error, Weight(metric.weight, {bottom.cos_theta, top.cos_theta}), {}};
   Metric narrowed = metric;
   narrowed.domain = {bottom.cos_theta, top.cos_theta};
   if (metric.norm == Norm::least_squares) return rms_of(under, narrowed, p);
@@ -94,32 +95,34 @@ double objective_at(const F& family, const Metric& metric, const Cosine<double>&
              : largest_magnitude(error, Substitution::panels({.domain = narrowed.domain}, shape)).magnitude;
 }
 
-/// A family with M free parameters, between two places.
-template <class F, std::size_t M>
-Solution solve_free(const Under<F, M>& family, const Metric& metric, const Cosine<double>& top,
-                    const Cosine<double>& bottom) {
+/// A family between two places.
+template <class F>
+Solution solve_between(const Under<F>& family, const Metric& metric, const Cosine<double>& top,
+                       const Cosine<double>& bottom) {
   Metric narrowed = metric;
   narrowed.domain = {bottom.cos_theta, top.cos_theta};
-  std::array<double, M> p{};
-  const auto all = [&] {
+  const auto all = [&](const auto& free) {
+    std::array<double, Under<F>::all> p;
+    std::copy_n(free.begin(), p.size(), p.begin());
     const auto q = family.with_given(p);
     return std::vector<double>(q.begin(), q.end());
   };
   if (metric.norm == Norm::least_squares) {
-    const auto optimum = solve_least_squares(family, narrowed);
-    p = optimum.parameters;
-    return {.parameters = all(),
+    const LeastSquares<Under<F>> sampled(family, narrowed);
+    const auto optimum = solve_first(sampled.problem(), family.starts(), family.free_count());
+    return {.parameters = all(optimum.parameters),
             .status = optimum.status,
             .iterations = optimum.iterations,
             .digits = optimum.digits,
             .rms_error = optimum.rms_error / scale_of(family.weight, narrowed),
             .why = std::string(optimum.why)};
   }
-  const MinimaxOptimum optimum = Minimax<Under<F, M>>(family, metric, top, bottom).solve();
-  std::copy_n(optimum.parameters.begin(), M, p.begin());
+  const MinimaxOptimum optimum = Minimax<Under<F>>(family, metric, top, bottom).solve();
+  std::array<double, Under<F>::all> p;
+  std::copy_n(optimum.parameters.begin(), p.size(), p.begin());
   const double rms = optimum.status == Status::converged ? rms_of(family, narrowed, p) : 0;
-  return {all(), optimum.status, optimum.iterations,  optimum.digits,
-          rms,   optimum.level,  optimum.alternation, optimum.why};
+  return {all(p), optimum.status, optimum.iterations,  optimum.digits,
+          rms,    optimum.level,  optimum.alternation, optimum.why};
 }
 
 }  // namespace shadefit

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <string_view>
 
 #include "fit/quadrature/metric.hpp"
 #include "fit/quadrature/substitution.hpp"
@@ -18,14 +18,13 @@ namespace shadefit {
 template <std::size_t N>
 using GivenParameters = std::array<std::optional<double>, N>;
 
-/// A family with M free parameters and the error of a metric: absolute or relative, times the weight. The
-/// solvers use it as a family.
-template <class F, std::size_t M>
+/// A family with the error of a metric: absolute or relative, times the weight. The solvers use it as a
+/// family. Of the parameters that they pass, the first `free_count()` are the free ones in their order; the
+/// others are not read.
+template <class F>
 struct Under {
-  static constexpr std::size_t all = F::parameters.size();
-  static_assert(0 < M && M <= all);
-  /// One name per free parameter. `given` tells which parameters these are.
-  static constexpr std::array<std::string_view, M> parameters{};
+  static constexpr auto parameters = F::parameters;
+  static constexpr std::size_t all = parameters.size();
   static constexpr bool is_linear = F::is_linear;
 
   F family;
@@ -45,26 +44,26 @@ struct Under {
   }
 
   template <class T, class P>
-  P error(const Sample<T>& s, const std::array<P, M>& p) const {
+  P error(const Sample<T>& s, const std::array<P, all>& p) const {
     const auto q = with_given(p);
     const P e = error_kind == Error::relative ? family.relative_error(s.inner, q) : family.error(s.inner, q);
     return weight.is_one() ? e : lift<P>(s.weight) * e;
   }
 
   template <class T, class P>
-  P form(const Sample<T>& s, const std::array<P, M>& p) const {
+  P form(const Sample<T>& s, const std::array<P, all>& p) const {
     return family.form(s.inner, with_given(p));
   }
 
   template <class T, class P>
-  P log_form(const Sample<T>& s, const std::array<P, M>& p) const requires
+  P log_form(const Sample<T>& s, const std::array<P, all>& p) const requires
       requires(const std::array<P, all>& q) {
     family.log_form(s.inner, q);
   }
   { return family.log_form(s.inner, with_given(p)); }
 
   template <class T, class P>
-  P log_ratio(const Sample<T>& s, const std::array<P, M>& p) const requires
+  P log_ratio(const Sample<T>& s, const std::array<P, all>& p) const requires
       requires(const std::array<P, all>& q) {
     family.log_ratio(s.inner, q);
   }
@@ -91,22 +90,26 @@ struct Under {
   }
 
   template <class P>
-  P denominator(const P& c, const std::array<P, M>& p) const requires
+  P denominator(const P& c, const std::array<P, all>& p) const requires
       requires(const F& f, const std::array<P, all>& q) {
     f.denominator(c, q);
   }
   { return family.denominator(c, with_given(p)); }
 
-  std::array<std::array<double, M>, 3> starts() const {
-    std::array<std::array<double, M>, 3> result{};
-    const auto of_family = family.starts();
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] = without_given(of_family[i]);
+  /// With the free parameters first.
+  std::array<std::array<double, all>, 3> starts() const {
+    auto result = family.starts();
+    for (auto& start : result) start = without_given(start);
     return result;
+  }
+
+  std::size_t free_count() const {
+    return static_cast<std::size_t>(std::count(given.begin(), given.end(), std::nullopt));
   }
 
   /// All parameters in the family's order, the given ones in their places.
   template <class P>
-  std::array<P, all> with_given(const std::array<P, M>& p) const {
+  std::array<P, all> with_given(const std::array<P, all>& p) const {
     std::array<P, all> q;
     std::size_t next = 0;
     for (std::size_t i = 0; i < all; ++i) q[i] = given[i] ? lift<P>(*given[i]) : p[next++];
@@ -114,8 +117,8 @@ struct Under {
   }
 
  private:
-  std::array<double, M> without_given(const std::array<double, all>& q) const {
-    std::array<double, M> p{};
+  std::array<double, all> without_given(const std::array<double, all>& q) const {
+    std::array<double, all> p{};
     std::size_t next = 0;
     for (std::size_t i = 0; i < all; ++i) {
       if (!given[i]) p[next++] = q[i];

@@ -3,6 +3,7 @@
 #include <bit>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -65,6 +66,39 @@ TEST(BenchCommand, WritesTimesReportAndPictureData) {
   EXPECT_EQ(targets, (std::set<std::string>{"", "schlick"}));
   EXPECT_EQ(widths, (std::set<std::string>{"scalar", "SSE2"}));
   EXPECT_EQ(places, (std::set<std::string>{"L1", "memory"}));
+}
+
+// The C compiler of this machine compiles the code that `emit` writes.
+TEST(BenchCommand, TimesTheFormsOfAStudy) {
+  const TemporaryDirectory directory;
+  const std::string out = directory / "out";
+  const Outcome outcome = bench({"hg-schlick", "--quick", "--out", out});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("hg(c, g), c in -1:1, g = 0.6"), std::string::npos) << outcome.out;
+  const auto files = snapshot(out);
+  ASSERT_TRUE(files.contains("bench.md"));
+  ASSERT_TRUE(files.contains("bench.csv"));
+  const CsvTable csv = parse_csv(files.at("bench.csv"), "bench.csv");
+  std::set<std::string> targets, constants;
+  for (const auto& row : csv.rows) {
+    targets.insert(row[0]);
+    constants.insert(row[2]);
+    EXPECT_GT(std::stod(row[7]), 0) << "a time of " << row[1];
+  }
+  EXPECT_EQ(targets, (std::set<std::string>{"", "hg-schlick-1", "hg-schlick-2", "hg-schlick-3"}));
+  EXPECT_TRUE(constants.contains("minimax"));
+}
+
+TEST(BenchCommand, RefusesStudiesWithoutCode) {
+  const TemporaryDirectory directory;
+  const std::string out = directory / "out", file = directory / "own.toml";
+  EXPECT_NE(refusal({"acos-linear", "--only", "schlick", "--out", out}).find("--only"), std::string::npos);
+  EXPECT_NE(refusal({"acos-linar", "--out", out}).find("did you mean 'acos-linear'"), std::string::npos);
+  std::ofstream(file) << "schema = 1\nid = \"own\"\n[over]\nx = \"0:1\"\n[target]\nformula = \"exp(x)\"\n"
+                         "[[form]]\nid = \"sum\"\nformula = \"a + integral(exp(t), t, 0, x)\"\n";
+  EXPECT_EQ(refusal({file, "--out", out}),
+            "shadefit: bench has no code for 'integral' in the form 'a + integral(exp(t), t, 0, x)'\n");
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST(BenchCommand, RefusesWhatItDoesNotKnow) {

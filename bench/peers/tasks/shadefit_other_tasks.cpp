@@ -22,7 +22,7 @@ using shadefit::Error;
 using shadefit::FresnelQuadratic;
 
 Answer minimax(Error error) {
-  using Pair = shadefit::Under<FresnelQuadratic, 2>;
+  using Pair = shadefit::Under<FresnelQuadratic>;
   const Pair pair{.family = {}, .error_kind = error};
   const shadefit::Metric metric{.norm = shadefit::Norm::minimax, .error = error};
   const auto optimum = shadefit::Minimax<Pair>(pair, metric, {1, 0}, {0, 1}).solve();

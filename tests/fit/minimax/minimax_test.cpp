@@ -223,6 +223,7 @@ TEST(Minimax, SaysWhatCannotBeSatisfied) {
 template <class G>
 struct Synthetic {
   static constexpr std::array<std::string_view, 2> parameters{"p0", "p1"};
+  static std::size_t free_count() { return 2; }
   template <class T>
   struct Sample {
     T c;

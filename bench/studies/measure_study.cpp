@@ -1,0 +1,229 @@
+#include "bench/studies/measure_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <iterator>
+#include <map>
+#include <memory>
+
+#include "bench/studies/compiled_code.hpp"
+#include "bench/timing/workload.hpp"
+#include "fit/scalars/integral.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/code/shader_code.hpp"
+#include "reports/studies/study_comparison.hpp"
+
+namespace shadefit::bench {
+namespace {
+
+/// Calls a function for every element of arrays, the same for any number of variables.
+using Loop = void (*)(const float* const* in, float* out, long size);
+
+/// A function of the code, and the rows that have its time.
+struct TimedFunction {
+  std::string name;
+  std::vector<TimedForm> rows;
+  std::size_t comparison;
+};
+
+std::string loop_of(const std::string& function, std::size_t variables) {
+  std::string arguments;
+  for (std::size_t i = 0; i < variables; ++i) arguments += fmt::format("{}in[{}][i]", i == 0 ? "" : ", ", i);
+  return fmt::format(
+      "void loop_{}(const float* const* in, float* out, long size) {{\n"
+      "  for (long i = 0; i < size; ++i) out[i] = {};\n}}\n",
+      function, function == "copy" ? arguments : fmt::format("{}({})", function, arguments));
+}
+
+/// The name of the compiler, by itself.
+constexpr const char* compiler_code =
+    "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
+    "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
+
+std::string target_id(const std::string& id, std::size_t comparison, std::size_t count) {
+  return count == 1 ? id : fmt::format("{}-{}", id, comparison + 1);
+}
+
+/// "linear, minimax", "cubic, Unity Technologies": of a source its author.
+std::string label_of(const StudyContender& contender) {
+  const std::string& origin = contender.origin;
+  return contender.form + ", " +
+         (contender.published == nullptr ? origin : origin.substr(0, origin.find(',')));
+}
+
+/// The functions of a study in C, and what they stand for.
+class StudyCode {
+ public:
+  StudyCode(const std::string& id, const std::vector<StudyComparison>& comparisons) {
+    for (std::size_t i = 0; i < comparisons.size(); ++i) {
+      const StudyComparison& comparison = comparisons[i];
+      const std::string target = target_id(id, i, comparisons.size());
+      add_target(comparison, target, i);
+      for (const StudyContender& contender : comparison.contenders) add(contender, comparison, target, i);
+    }
+    const std::array<std::string, 1> comment{"Timed by shadefit bench."};
+    code = shader_code(functions_, Language::c, ShaderPrecision::float32, comment) + compiler_code +
+           loop_of("copy", 1);
+    for (const TimedFunction& function : timed)
+      code += loop_of(function.name, comparisons[function.comparison].variables.size());
+  }
+
+  std::vector<TimedFunction> timed;
+  std::string code;
+
+ private:
+  /// The target itself, if it is a formula that C has.
+  void add_target(const StudyComparison& comparison, const std::string& target, std::size_t place) {
+    if (comparison.study.rows != nullptr || comparison.contenders.empty()) return;
+    Study study = comparison.study;
+    study.form = comparison.contenders.front().formula;
+    const Symbolic formula = read_formulas(study).target;
+    if (integral_depth(formula) > 0) return;
+    TimedForm row;
+    row.target = target;
+    row.form = "target";
+    row.label = "the target: " + study.target;
+    row.is_reference = true;
+    add(fmt::format("target_{}", place), formula, comparison.variables, place, row);
+  }
+
+  void add(const StudyContender& contender, const StudyComparison& comparison, const std::string& target,
+           std::size_t place) {
+    if (integral_depth(contender.code) > 0)
+      throw UserError(fmt::format("bench has no code for 'integral' in the form '{}'", contender.formula));
+    TimedForm row;
+    row.target = target;
+    row.form = contender.form;
+    row.constants = contender.origin;
+    row.label = label_of(contender);
+    row.max_abs_error = contender.max_abs_error.magnitude;
+    for (TimedFunction& other : timed) {
+      if (other.comparison == place && other.rows.front().form == contender.form &&
+          operations_[other.name] == contender.operations)
+        return other.rows.push_back(row);
+    }
+    const std::string name = fmt::format("form_{}", timed.size());
+    operations_[name] = contender.operations;
+    add(name, contender.code, comparison.variables, place, row);
+  }
+
+  void add(const std::string& name, const Symbolic& formula, const std::vector<std::string>& variables,
+           std::size_t place, const TimedForm& row) {
+    functions_.push_back({name, variables, formula});
+    timed.push_back({name, {row}, place});
+  }
+
+  std::vector<ShaderFunction> functions_;
+  std::map<std::string, Operations> operations_;
+};
+
+/// Places spread evenly over the ranges of the variables, unsorted: additive recurrence. Its shares are the
+/// powers of 1/x with x^(n+1) = x + 1, which generalise the golden ratio (Roberts 2018, "The Unreasonable
+/// Effectiveness of Quasirandom Sequences", extremelearning.com.au).
+class Places {
+ public:
+  explicit Places(const StudyComparison& comparison) {
+    Study study = comparison.study;
+    study.form = comparison.contenders.front().formula;
+    const std::vector<StudyAxis> axes = read_formulas(study).axes;
+    const std::size_t size = first_cache_bytes / (sizeof(float) * (axes.size() + 1)) / 64 * 64;
+    double root = 2;
+    for (int i = 0; i < 50; ++i) root = std::pow(1 + root, 1 / static_cast<double>(axes.size() + 1));
+    double share = 1;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      share /= root;
+      // Arrays at different places of their pages: loads do not wait for stores.
+      auto& in = in_.emplace_back(size, axis * 512);
+      for (std::size_t i = 0; i < size; ++i) {
+        const double part = std::fmod(share * static_cast<double>(i + 1), 1.0);
+        in.data()[i] = static_cast<float>(axes[axis].lower + part * (axes[axis].upper - axes[axis].lower));
+      }
+      pointers_.push_back(in.data());
+    }
+    out_ = std::make_unique<Array<float>>(size, in_.size() * 512);
+  }
+
+  Work work(Loop loop) {
+    return {[=, this] {
+              loop(pointers_.data(), out_->data(), static_cast<long>(out_->size()));
+              keep(out_->data());
+            },
+            out_->size()};
+  }
+
+ private:
+  std::vector<Array<float>> in_;
+  std::vector<const float*> pointers_;
+  std::unique_ptr<Array<float>> out_;
+};
+
+TimedForm with_time(TimedForm row, const Samples& samples, const Work& work) {
+  row.real = samples.real;
+  row.cpu = samples.cpu;
+  row.ns = spread_of(row.real);
+  row.elements = samples.calls * static_cast<long>(work.elements);
+  return row;
+}
+
+Cell ratio_cell(const std::optional<double>& ratio) {
+  return ratio ? Cell{Number{*ratio, 3}} : Cell{};
+}
+
+}  // namespace
+
+Trade measure_study(const std::string& id, const std::vector<StudyComparison>& comparisons,
+                    const TimingPlan& plan, const Clock& clock, const std::function<void(double)>& between) {
+  const StudyCode source(id, comparisons);
+  between(0);
+  const CompiledCode code(source.code);
+  const auto loop = [&](const std::string& name) { return reinterpret_cast<Loop>(code.at("loop_" + name)); };
+  std::deque<Places> places;  // work points to them
+  for (const StudyComparison& comparison : comparisons) {
+    if (comparison.contenders.empty())
+      throw UserError("no fit of '" + id +
+                      "' converged, and nothing was published: there is nothing to time");
+    places.emplace_back(comparison);
+  }
+  std::vector<Work> work{places.front().work(loop("copy"))};
+  for (const TimedFunction& function : source.timed)
+    work.push_back(places[function.comparison].work(loop(function.name)));
+  const std::vector<Samples> samples = time_interleaved(work, plan, clock, between);
+
+  Trade trade;
+  trade.machine = this_machine();
+  trade.machine.compiler = static_cast<const char*>(code.at("compiler"));
+  trade.widths = {forms::Width::scalar};
+  for (std::size_t i = 0; i < comparisons.size(); ++i)
+    trade.targets.push_back({target_id(id, i, comparisons.size()), target_of(comparisons[i])});
+  TimedForm copy;
+  copy.form = copy.label = "copy";
+  trade.copies.push_back(with_time(copy, samples.front(), work.front()));
+  for (std::size_t i = 0; i < source.timed.size(); ++i) {
+    for (const TimedForm& row : source.timed[i].rows)
+      trade.forms.push_back(with_time(row, samples[i + 1], work[i + 1]));
+  }
+  relate(trade);
+  return trade;
+}
+
+Table study_times(const Trade& trade, const std::string& target) {
+  Table table{{"form", "max abs error", "ns", "spread", "x copy", "x faster than the target"}, {}};
+  std::vector<TimedForm> rows;
+  std::copy_if(trade.forms.begin(), trade.forms.end(), std::back_inserter(rows),
+               [&](const TimedForm& timed) { return timed.target == target; });
+  std::stable_sort(rows.begin(), rows.end(), [](const TimedForm& a, const TimedForm& b) {
+    return a.ns.median != b.ns.median ? a.ns.median < b.ns.median : a.max_abs_error < b.max_abs_error;
+  });
+  for (const TimedForm& timed : rows) {
+    table.rows.push_back({timed.label, timed.max_abs_error ? Cell{Number{*timed.max_abs_error, 4}} : Cell{},
+                          Number{timed.ns.median, 3}, Number{timed.ns.width(), 3}, ratio_cell(timed.copies),
+                          ratio_cell(timed.pows)});
+  }
+  return table;
+}
+
+}  // namespace shadefit::bench
