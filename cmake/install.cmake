@@ -23,14 +23,14 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/shadefitConfig.cmake ${PROJECT_BINARY_
 
 if(TARGET shadefit_fit)
   # The folders of the proofs belong to a library that is not installed.
-  shadefit_install_library(fit PATTERN proof EXCLUDE PATTERN rounding EXCLUDE PATTERN better EXCLUDE PATTERN run EXCLUDE)
+  shadefit_install_library(fit PATTERN proof EXCLUDE PATTERN study_proof EXCLUDE PATTERN rounding EXCLUDE PATTERN better EXCLUDE PATTERN run EXCLUDE)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/FindCeresHeaders.cmake DESTINATION ${shadefit_package} COMPONENT fit)
 endif()
 if(TARGET shadefit)
   install(TARGETS shadefit RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT command)
   # The command looks for them beside itself, in ../share.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/studies DESTINATION ${CMAKE_INSTALL_DATADIR}/shadefit COMPONENT command
-    FILES_MATCHING PATTERN "*.toml")
+    FILES_MATCHING PATTERN "*.toml" PATTERN "*.csv")
   # The command writes its own manual page and completions, each time it is linked.
   foreach(page IN ITEMS man=${CMAKE_INSTALL_MANDIR}/man1/shadefit.1 bash=${CMAKE_INSTALL_DATADIR}/bash-completion/completions/shadefit
       zsh=${CMAKE_INSTALL_DATADIR}/zsh/site-functions/_shadefit fish=${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d/shadefit.fish)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -22,16 +23,23 @@ constexpr int deepest = 100;
 /// with each line.
 constexpr std::size_t most_operations = 100'000;
 
+/// The size of what stands for a name.
+using SizeOfName = std::function<std::size_t(const std::string&)>;
+
 /// How many operations, names and numbers a formula has; counted only as far as `most_operations`.
-std::size_t size_of(const Symbolic& formula, std::size_t before = 0) {
+std::size_t size_of(
+    const Symbolic& formula, const SizeOfName& size_of_name = [](const std::string&) { return 1; },
+    std::size_t before = 0) {
+  if (formula.kind() == Symbolic::Kind::variable) return before + size_of_name(formula.name());
   if (formula.kind() == Symbolic::Kind::integral) {
-    const std::size_t body = size_of(formula.part(0));
-    return size_of(formula.part(2), size_of(formula.part(1), before + integral_nodes * body));
+    const std::size_t body = size_of(formula.part(0), size_of_name);
+    return size_of(formula.part(2), size_of_name,
+                   size_of(formula.part(1), size_of_name, before + integral_nodes * body));
   }
   std::size_t size = before + 1;
   for (const Symbolic& part : formula.parts()) {
     if (size > most_operations) break;
-    size = size_of(part, size);
+    size = size_of(part, size_of_name, size);
   }
   return size;
 }
@@ -363,12 +371,20 @@ class FormulaReader {
     const std::vector<Symbolic> given = arguments();
     if (given.size() != definition.arguments.size())
       fail(counted({definition.arguments.size()}) + " of '" + name + "'", start);
-    for (const Symbolic& argument : given) require_size(size_of(argument) * size_of(definition.formula));
-    return limited(evaluate<Symbolic>(definition.formula, [&](const std::string& variable) {
+    const auto argument = [&](const std::string& variable) -> const Symbolic* {
       const auto& all = definition.arguments;
       const auto found = std::find(all.begin(), all.end(), variable);
-      return found == all.end() ? Symbolic::variable(variable)
-                                : given[static_cast<std::size_t>(found - all.begin())];
+      return found == all.end() ? nullptr : &given[static_cast<std::size_t>(found - all.begin())];
+    };
+    std::map<std::string, std::size_t> sizes;
+    for (std::size_t i = 0; i < given.size(); ++i) sizes[definition.arguments[i]] = size_of(given[i]);
+    require_size(size_of(definition.formula, [&](const std::string& variable) {
+      const auto found = sizes.find(variable);
+      return found == sizes.end() ? std::size_t{1} : found->second;
+    }));
+    return limited(evaluate<Symbolic>(definition.formula, [&](const std::string& variable) {
+      const Symbolic* given_as = argument(variable);
+      return given_as == nullptr ? Symbolic::variable(variable) : *given_as;
     }));
   }
 

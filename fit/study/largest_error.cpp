@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include "fit/study/study_problem.hpp"
+#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {
@@ -29,30 +31,29 @@ std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count) 
 class Magnitude {
  public:
   Magnitude(const ReadStudy& study, const std::vector<double>& parameters)
-      : study_(study), parameters_(parameters), difference_(study.form - study.target) {}
+      : difference_(tape_of(study.form - study.target, inputs_of(study)), parameters) {}
 
-  double operator()(const std::vector<double>& at) const {
-    const double value = std::abs(evaluate<double>(difference_, [&](const std::string& name) {
-      for (std::size_t i = 0; i < study_.axes.size(); ++i) {
-        if (study_.axes[i].variable == name) return at[i];
-      }
-      std::size_t i = 0;
-      while (study_.parameters[i] != name) ++i;
-      return parameters_[i];
-    }));
+  double operator()(const std::vector<double>& at) {
+    difference_.run(at);
+    const double value = std::abs(difference_.output(0));
     // Without a value at a place, such as x log(x) at 0. An infinite error is one.
     return std::isnan(value) ? 0 : value;
   }
 
  private:
-  const ReadStudy& study_;
-  const std::vector<double>& parameters_;
-  Symbolic difference_;
+  static std::vector<std::string> inputs_of(const ReadStudy& study) {
+    std::vector<std::string> inputs;
+    for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
+    inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
+    return inputs;
+  }
+
+  TapeProgram<double> difference_;
 };
 
 /// A place moved to the top of its hill, one variable after the other, by golden sections between its
 /// neighbours on the grid.
-StudyExtremum refined(const Magnitude& magnitude, StudyExtremum best,
+StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
                       const std::vector<std::array<double, 2>>& around) {
   constexpr double golden = 0.6180339887498949;
   // A ridge across the axes takes many passes.
@@ -97,7 +98,7 @@ StudyExtremum refined(const Magnitude& magnitude, StudyExtremum best,
 /// |form - target| on the product of the places of each axis, the first one running fastest.
 class Grid {
  public:
-  Grid(const Magnitude& magnitude, std::vector<std::vector<double>> places) : places_(std::move(places)) {
+  Grid(Magnitude& magnitude, std::vector<std::vector<double>> places) : places_(std::move(places)) {
     std::size_t size = 1;
     for (const auto& axis : places_) size *= axis.size();
     values_.reserve(size);
@@ -167,7 +168,7 @@ std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
   const std::size_t axes = study.axes.size();
   std::vector<std::vector<double>> places;
   for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1]));
-  const Magnitude magnitude(study, parameters);
+  Magnitude magnitude(study, parameters);
   const Grid grid(magnitude, std::move(places));
   std::vector<StudyExtremum> tops;
   for (const std::size_t top : grid.tops(std::min(share, shares[axes - 1])))

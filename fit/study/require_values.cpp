@@ -24,10 +24,10 @@ std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_
 template <class Passes>
 std::string first_place(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
                         const Passes& passes) {
-  for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
-    if (!passes(value_at_node(study, formula, nodes, n))) return place_of(study, nodes, n);
-  }
-  return "";
+  const std::vector<double> values = values_at_nodes(study, formula, nodes);
+  const auto found = std::find_if_not(values.begin(), values.end(), passes);
+  return found == values.end() ? ""
+                               : place_of(study, nodes, static_cast<std::size_t>(found - values.begin()));
 }
 
 Decimal50 magnitude_at(const ReadStudy& study, const Symbolic& formula, const Decimal50& x) {

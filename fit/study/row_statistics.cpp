@@ -21,10 +21,9 @@ bool is_inverse_sigma(const ReadStudy& study, const StudyNodes& nodes) {
   if (study.rows->sigma.empty() || study.error != Error::absolute) return false;
   const Symbolic product = study.weight * Symbolic::variable("sigma");
   constexpr double rounding = 1e-14;
-  for (std::size_t row = 0; row < nodes.weights.size(); ++row) {
-    if (!(std::abs(value_at_node(study, product, nodes, row) - 1) <= rounding)) return false;
-  }
-  return true;
+  const std::vector<double> values = values_at_nodes(study, product, nodes);
+  return std::all_of(values.begin(), values.end(),
+                     [](double value) { return std::abs(value - 1) <= rounding; });
 }
 
 /// inverse(J^T J), by a QR decomposition of J with columns of length 1.

@@ -218,7 +218,9 @@ StudyCandidate canonical(const ReadStudy& study, const SampledStudy<double>& sam
     if (study.rows && std::abs(first_size - second_size) > 1e-3 * std::max(first_size, second_size))
       return first_size < second_size;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      if (std::abs(a[i] - b[i]) > 1e-3 * std::max(std::abs(a[i]), std::abs(b[i]))) return a[i] < b[i];
+      const double same = 1e-3 * std::max(std::abs(a[i]), std::abs(b[i]));
+      if (std::abs(a[i] - b[i]) <= same) continue;
+      return std::abs(a[i] + b[i]) <= same ? a[i] > b[i] : a[i] < b[i];
     }
     return false;
   };

@@ -2,16 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <set>
+#include <span>
 #include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "fit/quadrature/gauss.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/scalars/jet.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {
@@ -21,15 +25,37 @@ constexpr int power_at_root = 8;
 /// More edges than this are no formula of shading: each is one more panel.
 constexpr std::size_t most_study_edges = 64;
 
-bool depends_only_on(const Symbolic& e, const std::string& name) {
-  const auto names = free_variables(e);
-  return names.empty() || (names.size() == 1 && names.contains(name));
-}
+/// A formula along the last of its variables, where those before it have given values.
+class HingeCurve {
+ public:
+  HingeCurve(const Symbolic& formula, std::span<const StudyAxis> axes)
+      : program_(tape_of(formula, last_first(axes), 1), {}), values_(axes.size()) {}
 
-template <class T>
-T value_at(const Symbolic& formula, const T& x) {
-  return evaluate<T>(formula, [&](const std::string&) { return x; });
-}
+  /// Gives the variables before the last their values.
+  void set_before(std::span<const long double> before) {
+    std::copy(before.begin(), before.end(), values_.begin() + 1);
+  }
+
+  double value(double x) {
+    values_.front() = x;
+    program_.run(values_);
+    return program_.output(0);
+  }
+  double slope(double x) {
+    value(x);
+    return program_.output(1);
+  }
+
+ private:
+  static std::vector<std::string> last_first(std::span<const StudyAxis> axes) {
+    std::vector<std::string> names{axes.back().variable};
+    for (const StudyAxis& axis : axes.first(axes.size() - 1)) names.push_back(axis.variable);
+    return names;
+  }
+
+  TapeProgram<double> program_;
+  std::vector<double> values_;
+};
 
 /// Even places, and powers of two towards both ends.
 std::vector<double> places_on(double lower, double upper) {
@@ -56,31 +82,31 @@ double bisected(double low, double high, const Predicate& predicate) {
   }
 }
 
-void append_zeros(const Hinge& hinge, double lower, double upper, std::vector<StudyEdge>& edges) {
-  const std::vector<double> places = places_on(lower, upper);
+/// `part` is the hinge's.
+void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
+                  std::vector<StudyEdge>& edges) {
+  const std::vector<double> places = places_on(axis.lower, axis.upper);
   std::vector<double> values;
   double largest = 0;
   for (const double x : places) {
-    values.push_back(value_at(hinge.part, x));
+    values.push_back(part.value(x));
     if (std::isfinite(values.back())) largest = std::max(largest, std::abs(values.back()));
   }
   const int power = hinge.is_root ? power_at_root : 1;
   const auto is_zero = [&](double v) { return std::abs(v) <= 1e-14 * largest; };
   if (std::all_of(values.begin(), values.end(), is_zero)) return;
-  const auto is_below = [&](double x) { return value_at(hinge.part, x) < 0; };
-  using Jet = ceres::Jet<double, 1>;
-  const auto slope = [&](double x) { return value_at(hinge.part, Jet(x, 0)).v[0]; };
+  const auto is_below = [&](double x) { return part.value(x) < 0; };
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool is_end = i == 0 || i + 1 == places.size();
     if (is_zero(values[i]) && (hinge.is_root || !is_end)) edges.push_back({places[i], power});
     if (i == 0 || is_zero(values[i]) || is_zero(values[i - 1])) continue;
     if ((values[i - 1] < 0) != (values[i] < 0)) {
       edges.push_back({bisected(places[i - 1], places[i], is_below), power});
-    } else if (slope(places[i - 1]) * values[i - 1] < 0 && slope(places[i]) * values[i] > 0) {
+    } else if (part.slope(places[i - 1]) * values[i - 1] < 0 && part.slope(places[i]) * values[i] > 0) {
       // an extremum between, which may touch zero
       const double x =
-          bisected(places[i - 1], places[i], [&](double at) { return slope(at) * values[i - 1] < 0; });
-      if (std::abs(value_at(hinge.part, x)) <= 1e-12 * largest) edges.push_back({x, power});
+          bisected(places[i - 1], places[i], [&](double at) { return part.slope(at) * values[i - 1] < 0; });
+      if (std::abs(part.value(x)) <= 1e-12 * largest) edges.push_back({x, power});
     }
   }
 }
@@ -101,7 +127,8 @@ void append_panel(const StudyAxis& axis, double root, double other, int power, u
     if (!is_uniform) {
       // In 50 digits: 1/sqrt(1 - x^2) near x = 1 would cancel.
       const Decimal50 x = Decimal50(root) + Decimal50(distance);
-      const auto density = static_cast<long double>(value_at(axis.density, x));
+      const auto density =
+          static_cast<long double>(evaluate<Decimal50>(axis.density, [&](const std::string&) { return x; }));
       if (!(density >= 0) || !std::isfinite(density))
         throw UserError("--over '" + axis.variable + "': its density must be finite and not negative; at " +
                         axis.variable + " = " + to_text(static_cast<double>(x)) + " it is " +
@@ -150,35 +177,47 @@ std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edge
   return result;
 }
 
-/// The hinges that depend on an axis and on axes before it, and on nothing after it.
-std::vector<Hinge> mixed_hinges(const ReadStudy& study, std::size_t index) {
-  std::set<std::string> known;
-  for (std::size_t i = 0; i <= index; ++i) known.insert(study.axes[i].variable);
+/// The hinges of formulas whose variables pass, each once.
+template <class Passes>
+std::vector<Hinge> hinges_where(std::initializer_list<const Symbolic*> formulas, const Passes& passes) {
   std::vector<Hinge> result;
-  for (const Symbolic* formula : {&study.target, &study.form, &study.weight}) {
+  std::set<std::tuple<std::string, bool, bool>> known;
+  for (const Symbolic* formula : formulas) {
     for (const Hinge& hinge : hinges_of(*formula)) {
-      const auto names = free_variables(hinge.part);
-      const bool is_mixed = names.size() > 1 && names.contains(study.axes[index].variable) &&
-                            std::includes(known.begin(), known.end(), names.begin(), names.end());
-      if (is_mixed) result.push_back(hinge);
+      if (passes(free_variables(hinge.part)) &&
+          known.emplace(to_text(hinge.part), hinge.is_root, hinge.is_pole).second)
+        result.push_back(hinge);
     }
   }
   return result;
 }
 
+/// A hinge of an axis and of axes before it, and of nothing after it.
+struct MixedHinge {
+  Hinge hinge;
+  HingeCurve part;
+};
+
+std::vector<MixedHinge> mixed_hinges(const ReadStudy& study, std::size_t index) {
+  const auto axes = std::span(study.axes).first(index + 1);
+  std::set<std::string> known;
+  for (const StudyAxis& axis : axes) known.insert(axis.variable);
+  const auto is_mixed = [&](const std::set<std::string>& names) {
+    return names.size() > 1 && names.contains(axes.back().variable) &&
+           std::includes(known.begin(), known.end(), names.begin(), names.end());
+  };
+  std::vector<MixedHinge> result;
+  for (const Hinge& hinge : hinges_where({&study.target, &study.form, &study.weight}, is_mixed))
+    result.push_back({hinge, HingeCurve(hinge.part, axes)});
+  return result;
+}
+
 /// The edges of an axis where the variables before it have given values.
-std::vector<StudyEdge> edges_at(const ReadStudy& study, std::size_t index, std::vector<StudyEdge> edges,
-                                const std::vector<Hinge>& mixed, const std::vector<long double>& before) {
-  if (mixed.empty()) return edges;
-  const StudyAxis& axis = study.axes[index];
-  for (Hinge hinge : mixed) {
-    hinge.part = evaluate<Symbolic>(hinge.part, [&](const std::string& name) {
-      for (std::size_t i = 0; i < index; ++i) {
-        if (study.axes[i].variable == name) return Symbolic::number(to_text(static_cast<double>(before[i])));
-      }
-      return Symbolic::variable(name);
-    });
-    append_zeros(hinge, axis.lower, axis.upper, edges);
+std::vector<StudyEdge> edges_at(const StudyAxis& axis, std::vector<StudyEdge> edges,
+                                std::vector<MixedHinge>& mixed, std::span<const long double> before) {
+  for (auto& [hinge, part] : mixed) {
+    part.set_before(before);
+    append_zeros(hinge, part, axis, edges);
   }
   return merged(axis, std::move(edges));
 }
@@ -196,7 +235,8 @@ StudyNodes nodes_of_rows(const MeasuredRows& rows) {
 
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {
   std::vector<StudyEdge> edges;
-  append_zeros({.part = formula, .is_root = true, .is_pole = false}, axis.lower, axis.upper, edges);
+  HingeCurve part(formula, std::span(&axis, 1));
+  append_zeros({.part = formula, .is_root = true, .is_pole = false}, part, axis, edges);
   std::vector<double> zeros;
   for (const StudyEdge& edge : edges) zeros.push_back(edge.at);
   return zeros;
@@ -205,21 +245,27 @@ std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {
 std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
   const StudyAxis& axis = study.axes[index];
   std::vector<StudyEdge> edges{{axis.lower}, {axis.upper}};
-  for (const Symbolic* formula : {&study.target, &study.form, &study.weight, &axis.density}) {
-    for (const Hinge& hinge : hinges_of(*formula)) {
-      if (depends_only_on(hinge.part, axis.variable)) append_zeros(hinge, axis.lower, axis.upper, edges);
-    }
+  const auto is_of_axis = [&](const std::set<std::string>& names) {
+    return names.empty() || (names.size() == 1 && names.contains(axis.variable));
+  };
+  for (const Hinge& hinge :
+       hinges_where({&study.target, &study.form, &study.weight, &axis.density}, is_of_axis)) {
+    HingeCurve part(hinge.part, std::span(&axis, 1));
+    append_zeros(hinge, part, axis, edges);
   }
   return merged(axis, std::move(edges));
 }
 
-double value_at_node(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
-                     std::size_t node) {
-  const std::vector<std::string> names = node_variables(study);
-  return evaluate<double>(formula, [&](const std::string& name) {
-    const auto variable = std::find(names.begin(), names.end(), name) - names.begin();
-    return static_cast<double>(nodes.coordinates[static_cast<std::size_t>(variable)][node]);
-  });
+std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula,
+                                    const StudyNodes& nodes) {
+  TapeProgram<double> program(tape_of(formula, node_variables(study)), {});
+  std::vector<double> values, place(nodes.coordinates.size());
+  for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
+    for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<double>(nodes.coordinates[i][n]);
+    program.run(place);
+    values.push_back(program.output(0));
+  }
+  return values;
 }
 
 StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
@@ -227,14 +273,14 @@ StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyE
   if (study.rows) return nodes_of_rows(*study.rows);
   StudyNodes nodes{{}, {1.0L}, 1};
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
-    const std::vector<Hinge> mixed = mixed_hinges(study, i);
+    std::vector<MixedHinge> mixed = mixed_hinges(study, i);
     std::vector<AxisNode> of_axis = axis_nodes(study.axes[i], edges[i], rule_size);
     StudyNodes product{std::vector<std::vector<long double>>(i + 1), {}, 1};
     for (std::size_t n = 0; n < nodes.weights.size(); ++n) {
       std::vector<long double> before;
       for (std::size_t k = 0; k < i; ++k) before.push_back(nodes.coordinates[k][n]);
       if (!mixed.empty())
-        of_axis = axis_nodes(study.axes[i], edges_at(study, i, edges[i], mixed, before), rule_size);
+        of_axis = axis_nodes(study.axes[i], edges_at(study.axes[i], edges[i], mixed, before), rule_size);
       for (const AxisNode& node : of_axis) {
         for (std::size_t k = 0; k < i; ++k) product.coordinates[k].push_back(before[k]);
         product.coordinates[i].push_back(node.at);

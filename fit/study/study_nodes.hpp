@@ -28,9 +28,8 @@ struct StudyNodes {
   long double total = 1;                              ///< the integral of the density
 };
 
-/// A formula of `node_variables` at a node.
-double value_at_node(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
-                     std::size_t node);
+/// A formula of `node_variables` at each node.
+std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes);
 
 /// The product of Gauss rules with `rule_size` nodes on each panel of each axis. An axis is also split where
 /// a hinge of it and of the axes before it is zero: max(x, y) has its kink at y = x. Throws UserError for a

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "fit/scalars/multiprecision.hpp"
+#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {
@@ -75,6 +76,14 @@ Tape::Tape(const Graph& graph, std::span<const int> outputs, std::span<const int
     for (std::size_t k = 0; k < operand_count(step.operation); ++k) step.from[k] = final_place(step.from[k]);
   }
   for (const int output : outputs) outputs_.push_back(final_place(place.at(output)));
+}
+
+Tape tape_of(const Symbolic& formula, std::span<const std::string> variables, std::size_t slopes) {
+  Graph graph(variables);
+  std::vector<int> inputs, outputs{graph.add(formula)};
+  for (const std::string& name : variables) inputs.push_back(graph.add(Symbolic::variable(name)));
+  for (std::size_t i = 0; i < slopes; ++i) outputs.push_back(graph.derivative(outputs.front(), i));
+  return {graph, outputs, inputs};
 }
 
 }  // namespace shadefit

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fit/tape/tape.hpp"
@@ -22,7 +23,9 @@ class TapeProgram {
     for (T& value : values_) table_.push_back(&value);
     for (std::size_t i = 0; i < tape_.register_count(); ++i) registers_.push_back(&values_[i]);
   }
-  TapeProgram(const TapeProgram&) = delete;  // the table points into the values
+  // The table points into the values. A vector that moves keeps them where they are.
+  TapeProgram(TapeProgram&&) = default;
+  TapeProgram(const TapeProgram&) = delete;
   TapeProgram& operator=(const TapeProgram&) = delete;
 
   /// Computes the outputs for the variables.
@@ -39,5 +42,9 @@ class TapeProgram {
   std::vector<const T*> table_;
   std::vector<T*> registers_;
 };
+
+/// The tape of a formula of variables. Its outputs are the formula and the derivatives by the first `slopes`
+/// of the variables.
+Tape tape_of(const Symbolic& formula, std::span<const std::string> variables, std::size_t slopes = 0);
 
 }  // namespace shadefit

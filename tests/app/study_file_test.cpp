@@ -7,8 +7,12 @@
 #include "app/commands/command_line.hpp"
 #include "app/studies/find_study.hpp"
 #include "app/studies/read_study_file.hpp"
+#include "fit/scalars/multiprecision.hpp"
+#include "fit/study/study.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
+#include "reports/io/csv.hpp"
+#include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -134,6 +138,21 @@ TEST(StudyFile, CommittedStudiesHold) {
       emit[3] = name(language);
       EXPECT_EQ(run_command_line(emit).exit_code, 0) << file.id << " " << emit[3];
     }
+  }
+}
+
+// The reference follows the program of the ACES in 40 digits; the study has 17 digits of the end of a spline.
+TEST(StudyFile, TheAcesCurveIsThatOfItsReference) {
+  const std::filesystem::path source = SHADEFIT_SOURCE_DIR;
+  Study study = load_study(source / "studies/aces-narkowicz.toml").study;
+  study.form = "a x";
+  const Symbolic target = read_formulas(study).target;
+  const auto rows = parse_csv(read_file(source / "tests/references/tone.csv"), "tone.csv").rows;
+  ASSERT_EQ(rows.size(), 20u);
+  for (const auto& row : rows) {
+    const Decimal50 x(row[0]), expected(row[1]);
+    const auto computed = evaluate<Decimal50>(target, [&](const std::string&) { return x; });
+    EXPECT_LT(abs(computed / expected - 1), Decimal50(1e-14)) << "x = " << row[0] << ": " << computed;
   }
 }
 
