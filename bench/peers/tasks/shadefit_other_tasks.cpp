@@ -70,18 +70,18 @@ Answer answer_of(const std::vector<std::string>& names, const std::vector<double
 
 /// From formulas as text: read, compiled to tapes, searched, polished and checked.
 Answer fit_of(const shadefit::Study& study) {
-  const shadefit::StudyFit fit = shadefit::solve_study(shadefit::read_formulas(study));
+  const shadefit::StudyFit fit = shadefit::solve_study(shadefit::read_study(study), {});
   Answer answer = answer_of(fit.names, fit.parameters);
   if (fit.status != shadefit::Status::converged) answer.remark("the fit did not converge");
   return answer;
 }
 
-/// One descent from a start on 32 x 32 nodes that are made outside the timed part, as a peer does it.
+/// One descent from a start on 30 x 30 nodes that are made outside the timed part, as a peer does it.
 std::function<Answer()> descent(const shadefit::Study& study) {
-  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_formulas(study));
+  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
   const auto error = std::make_shared<const shadefit::StudyError>(*read);
   const std::vector<shadefit::StudyEdge> unit{{0}, {1}};
-  constexpr unsigned nodes_on_axis = 32;
+  constexpr unsigned nodes_on_axis = 30;
   const auto sampled = std::make_shared<const shadefit::SampledStudy<double>>(
       *error, shadefit::nodes_of(*read, {unit, unit}, nodes_on_axis));
   std::vector<double> start(read->parameters.size());
@@ -112,7 +112,7 @@ std::vector<Variant> other_tasks() {
       {"T6", "two rules in two variables, each constant", Standing::judged, constants},
       {"T1", "as a study, from text, with a search", Standing::listed, [=] { return fit_of(pair_study); }},
       {"T7", "from text, with a search", Standing::judged, [=] { return fit_of(plane); }},
-      {"T7", "one descent, 32 x 32 nodes ready", Standing::listed, descent(plane)}};
+      {"T7", "one descent, 30 x 30 nodes ready", Standing::listed, descent(plane)}};
 }
 
 }  // namespace peer_tasks
