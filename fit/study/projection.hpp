@@ -12,6 +12,11 @@ namespace shadefit {
 
 /// The reduced problem of variable projection, for ceres::TinySolver: its unknowns are the parameters that do
 /// not enter linearly, the others are the best for them. One parameter may be held.
+///
+/// With J the derivatives and r the errors, times the roots of the weights, one per node, a triangle R with
+/// R^T R = [J r]^T [J r] stands for both: it has the same squares. If the linear parameters come first, its
+/// lower right part is what is left of the others and of r beside the linear ones: Kaufman's Jacobian and its
+/// residuals. So a problem of n unknowns has n + 1 residuals, whatever the number of nodes.
 class Projection {
  public:
   using Scalar = double;
@@ -21,29 +26,37 @@ class Projection {
   Projection(const StudyError& error, const SampledStudy<double>& sampled,
              std::optional<std::size_t> held = std::nullopt);
 
-  int NumResiduals() const { return static_cast<int>(sampled_.size()); }
+  int NumResiduals() const { return NumParameters() + 1; }
   int NumParameters() const { return static_cast<int>(nonlinear_.size()); }
   /// The unknowns, as indices of parameters.
   const std::vector<std::size_t>& nonlinear() const { return nonlinear_; }
 
   /// Sets the parameter that is held.
-  void hold(double value) { parameters_[*held_] = value; }
+  void hold(double value) {
+    parameters_[*held_] = value;
+    is_at_place_ = false;
+  }
 
   /// All parameters at the last place, the linear ones being the best there.
   const std::vector<double>& parameters() const { return parameters_; }
 
-  /// The residuals sqrt(weight) * error. Kaufman's Jacobian: the columns of the nonlinear parameters without
-  /// their parts in the space of the linear ones.
+  /// Residuals of which the sum of squares is that of sqrt(weight) * error, and their derivatives.
   bool operator()(const double* q, double* residuals, double* jacobian) const;
 
  private:
-  void project(Eigen::Map<VectorOf<double>>& result, double* jacobian) const;
+  void move_to(const double* q) const;
+  void factorise() const;
+  /// How much of the square a step of the linear parameters takes away.
+  double linear_share() const;
+  void move_linear() const;
 
   const SampledStudy<double>& sampled_;
   std::optional<std::size_t> held_;
   std::vector<std::size_t> linear_, nonlinear_;
+  std::vector<Eigen::Index> order_;  ///< of the products: linear ones, nonlinear ones, the error
+  mutable bool is_at_place_ = false;
   mutable std::vector<double> parameters_;
-  mutable VectorOf<double> result_;
+  mutable ProductMatrix<double> triangle_;  ///< R
 };
 
 }  // namespace shadefit

@@ -91,7 +91,7 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   const Projection scan(error, coarse), problem(error, sampled);
   const std::size_t size = problem.nonlinear().size();
   std::vector<StudyCandidate> found;
-  Vector residuals(problem.NumResiduals());  // enough for the coarse nodes too
+  Vector residuals(problem.NumResiduals());
   const auto add = [&](const Vector& q) {
     problem(q.data(), residuals.data(), nullptr);
     const double square = residuals.squaredNorm();
@@ -107,36 +107,54 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   constexpr std::size_t finalists = 16;
   ceres::TinySolver<Projection> solver;
   solver.options.parameter_tolerance = 1e-10;
-  solver.options.function_tolerance = 0;
+  // A smaller change of the sum of squares is rounding, or is left to Newton's method.
+  solver.options.function_tolerance = 1e-20 * sampled.target_norm() * sampled.target_norm();
   solver.options.gradient_tolerance = 0;
   solver.options.cost_threshold = 0;
   struct End {
     Vector q;
     double cost;
   };
+  const auto sort_by_cost = [](std::vector<End>& some) {
+    std::stable_sort(some.begin(), some.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
+  };
   std::vector<End> ends;
   const auto descend = [&](const Projection& on, Vector q, int steps) {
     checkpoint();
     on(q.data(), residuals.data(), nullptr);
-    if (!residuals.head(on.NumResiduals()).allFinite()) return;
+    if (!residuals.allFinite()) return;
     solver.options.max_num_iterations = steps;
     const double cost = solver.Solve(on, &q).final_cost;
     if (std::isfinite(cost)) ends.push_back({q, cost});
   };
+  // Half of the starts, those with the lower squares.
+  std::vector<End> low;
   for (std::size_t n = 1; n <= wanted.count; ++n) {
     Vector q(static_cast<Eigen::Index>(size));
     for (std::size_t i = 0; i < size; ++i)
       q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]), wanted.octaves);
-    descend(scan, q, few);
+    scan(q.data(), residuals.data(), nullptr);
+    if (residuals.allFinite()) low.push_back({q, residuals.squaredNorm()});
   }
-  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
+  sort_by_cost(low);
+  low.resize((low.size() + 1) / 2);
+  for (const End& start : low) descend(scan, start.q, few);
+  sort_by_cost(ends);
   std::vector<Vector> starts;
   for (const std::vector<double>& start : wanted.given) {
     Vector q(static_cast<Eigen::Index>(size));
     for (std::size_t i = 0; i < size; ++i) q[static_cast<Eigen::Index>(i)] = start[problem.nonlinear()[i]];
     starts.push_back(q);
   }
-  for (std::size_t i = 0; i < std::min(finalists, ends.size()); ++i) starts.push_back(ends[i].q);
+  // Ends that are this near to a lower one are in its basin.
+  constexpr double near = 0.05;
+  const auto is_near = [&](const Vector& a, const Vector& b) {
+    return (a - b).cwiseAbs().cwiseQuotient(b.cwiseAbs()).maxCoeff() < near;
+  };
+  for (std::size_t i = 0; i < ends.size() && starts.size() < finalists; ++i) {
+    const auto same = [&](const Vector& start) { return is_near(start, ends[i].q); };
+    if (std::none_of(starts.begin(), starts.end(), same)) starts.push_back(ends[i].q);
+  }
   ends.clear();
   for (const Vector& start : starts) descend(problem, start, many);
   for (const End& end : ends) add(end.q);
@@ -160,7 +178,11 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   SearchStarts wanted = starts_of(study, nonlinear);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
-  if (study.rows && nodes.weights.size() > most_scanned) {
+  if (nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
+    // Fewer nodes, but still more than parameters, show the same basins.
+    const SampledStudy<double> coarse(error, nodes_of(study, edges, fit_rules.front()));
+    result.candidates = search_basins(error, coarse, result.sampled, wanted, checkpoint);
+  } else if (study.rows && nodes.weights.size() > most_scanned) {
     result.candidates =
         search_basins(error, SampledStudy<double>(error, thinned(nodes)), result.sampled, wanted, checkpoint);
   } else {

@@ -1,6 +1,7 @@
 #include "fit/study/study_problem.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -112,6 +113,13 @@ SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes)
   const auto coordinates = narrowed<T>(nodes.coordinates);
   roots_.resize(static_cast<Eigen::Index>(size()));
   for (std::size_t i = 0; i < size(); ++i) roots_[static_cast<Eigen::Index>(i)] = std::sqrt(weights_[i]);
+  constexpr std::size_t lanes = Batch<T>::lanes;
+  for (std::size_t pack = 0; pack < value_.packs(); ++pack) {
+    std::array<T, lanes> group{};
+    for (std::size_t l = 0; l < lanes && pack * lanes + l < size(); ++l)
+      group[l] = weights_[pack * lanes + l];
+    packed_weights_.push_back(Batch<T>::Lanes::joined(group));
+  }
   for (const StagedTape& denominator : error.denominators())
     denominators_.emplace_back(denominator, coordinates);
   std::vector<S> target;
@@ -139,6 +147,42 @@ void SampledStudy<T>::errors(std::span<const T> parameters, VectorOf<T>& errors,
     for (std::size_t j = 0; slopes != nullptr && j < count_; ++j)
       (*slopes)(row, static_cast<Eigen::Index>(j)) = lane(results, 1 + j, i);
   }
+}
+
+template <class T>
+ProductMatrix<T> SampledStudy<T>::products(std::span<const T> parameters) const {
+  constexpr std::size_t most = most_product_columns;
+  std::array<S, most*(most + 1) / 2> sums;
+  sums.fill(S(0));
+  const std::size_t rows = count_ + 1;
+  gradient_.visit(parameters, [&](std::size_t first, std::size_t count, std::span<const S* const> outputs) {
+    // The error is the first output and the last row.
+    std::array<const S*, most> of_row;
+    for (std::size_t i = 0; i < rows; ++i) of_row[i] = outputs[(i + 1) % rows];
+    std::size_t entry = 0;
+    for (std::size_t i = 0; i < rows; ++i) {
+      std::array<S, Batch<T>::block> weighted;
+      for (std::size_t k = 0; k < count; ++k) weighted[k] = packed_weights_[first + k] * of_row[i][k];
+      // Four sums at a time: one alone waits for its last addition.
+      constexpr std::size_t at_once = 4;
+      for (std::size_t j = 0; j <= i; j += at_once) {
+        std::array<S, at_once> some;
+        some.fill(S(0));
+        std::array<const S*, at_once> others;
+        for (std::size_t m = 0; m < at_once; ++m) others[m] = of_row[std::min(j + m, i)];
+        for (std::size_t k = 0; k < count; ++k) {
+          for (std::size_t m = 0; m < at_once; ++m) some[m] += weighted[k] * others[m][k];
+        }
+        for (std::size_t m = 0; m < at_once && j + m <= i; ++m) sums[entry++] += some[m];
+      }
+    }
+  });
+  ProductMatrix<T> result(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(rows));
+  std::size_t entry = 0;
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) result(i, j) = result(j, i) = Batch<T>::Lanes::sum(sums[entry++]);
+  }
+  return result;
 }
 
 template <class T>

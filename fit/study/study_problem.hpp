@@ -18,6 +18,14 @@ using VectorOf = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <class T>
 using MatrixOf = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
+/// Of the parameters and the error of a study; it lies on the stack.
+inline constexpr int most_product_columns = static_cast<int>(most_study_parameters) + 1;
+template <class T>
+using ProductMatrix =
+    Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, 0, most_product_columns, most_product_columns>;
+template <class T>
+using ProductVector = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, most_product_columns, 1>;
+
 /// weight * (form - target), or that divided by the target.
 Symbolic error_formula(const ReadStudy& study);
 
@@ -68,6 +76,9 @@ class SampledStudy {
   /// The errors at the nodes, and if `slopes` is not null a column of their derivatives for each parameter.
   void errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const;
 
+  /// The sums of weight * u * v over the nodes, for u and v of the derivatives and, last, the error.
+  ProductMatrix<T> products(std::span<const T> parameters) const;
+
   T square(std::span<const T> parameters) const;
   StudySums<T> gradient(std::span<const T> parameters) const;
   StudySums<T> derivatives(std::span<const T> parameters) const;
@@ -85,6 +96,7 @@ class SampledStudy {
 
   std::size_t count_;
   std::vector<T> weights_;
+  std::vector<S> packed_weights_;  ///< 0 for a node that is computed a second time
   VectorOf<T> roots_;
   Batch<T> value_, gradient_, hessian_;
   std::vector<Batch<T>> denominators_;

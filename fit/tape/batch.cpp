@@ -76,7 +76,10 @@ std::vector<typename Batch<T>::S> Batch<T>::filled(const std::vector<T>& values)
 
 template <class T>
 Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates)
-    : tape_(&tape), nodes_(coordinates.front().size()), packs_((nodes_ + lanes - 1) / lanes) {
+    : tape_(&tape),
+      nodes_(coordinates.front().size()),
+      packs_((nodes_ + lanes - 1) / lanes),
+      of_parameters_(tape.of_parameters(), {}) {
   const Tape& first = tape.of_variables();
   std::vector<std::vector<S>> values(first.register_count(), std::vector<S>(packs_));
   for (const auto& of_variable : coordinates) values.push_back(filled(of_variable));
@@ -88,37 +91,42 @@ Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordina
   first.run_over<S>(table, registers, packs_);
   for (std::size_t i = 0; i < first.output_count(); ++i) prepared_.push_back(values[first.output(i)]);
 
-  for (const S& constant : tape.of_both().constants<S>())
-    constants_.insert(constants_.end(), block, constant);
+  const Tape& rest = tape.of_both();
+  for (const S& constant : rest.constants<S>()) constants_.insert(constants_.end(), block, constant);
+  const std::size_t uniform = tape.of_parameters().output_count();
+  values_.resize((rest.register_count() + uniform) * block);
+  for (std::size_t i = 0; i < rest.register_count(); ++i) registers_.push_back(&values_[i * block]);
+  table_.assign(registers_.begin(), registers_.end());
+  table_.resize(table_.size() + prepared_.size());
+  for (std::size_t i = 0; i < uniform; ++i) table_.push_back(&values_[(rest.register_count() + i) * block]);
+  for (std::size_t i = 0; i < constants_.size(); i += block) table_.push_back(&constants_[i]);
+  for (std::size_t i = 0; i < rest.output_count(); ++i) outputs_.push_back(nullptr);
+}
+
+template <class T>
+void Batch<T>::visit(std::span<const T> parameters, const Visit& visit) const {
+  const Tape& rest = tape_->of_both();
+  given_.assign(parameters.begin(), parameters.end());
+  of_parameters_.run(given_);
+  for (std::size_t i = 0; i < tape_->of_parameters().output_count(); ++i)
+    std::fill_n(&values_[(rest.register_count() + i) * block], block, of_parameters_.output(i));
+  for (std::size_t from = 0; from < packs_; from += block) {
+    const std::size_t count = std::min(block, packs_ - from);
+    for (std::size_t i = 0; i < prepared_.size(); ++i)
+      table_[rest.register_count() + i] = prepared_[i].data() + from;
+    rest.run_over<S>(table_, registers_, count);
+    for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = table_[rest.output(i)];
+    visit(from, count, outputs_);
+  }
 }
 
 template <class T>
 void Batch<T>::operator()(std::span<const T> parameters, std::vector<S>& results) const {
-  const std::vector<S> given(parameters.begin(), parameters.end());
-  const std::vector<S> uniform = tape_->of_parameters()(std::span<const S>(given));
-  const Tape& rest = tape_->of_both();
-  std::vector<S> values((rest.register_count() + uniform.size()) * block);
-  std::vector<const S*> table;
-  std::vector<S*> registers;
-  for (std::size_t i = 0; i < rest.register_count(); ++i) registers.push_back(&values[i * block]);
-  table.assign(registers.begin(), registers.end());
-  table.resize(table.size() + prepared_.size());
-  for (std::size_t i = 0; i < uniform.size(); ++i) {
-    S* row = values.data() + (rest.register_count() + i) * block;
-    std::fill_n(row, block, uniform[i]);
-    table.push_back(row);
-  }
-  for (std::size_t i = 0; i < constants_.size(); i += block) table.push_back(&constants_[i]);
-
-  results.resize(rest.output_count() * packs_);
-  for (std::size_t from = 0; from < packs_; from += block) {
-    const std::size_t count = std::min(block, packs_ - from);
-    for (std::size_t i = 0; i < prepared_.size(); ++i)
-      table[rest.register_count() + i] = prepared_[i].data() + from;
-    rest.run_over<S>(table, registers, count);
-    for (std::size_t i = 0; i < rest.output_count(); ++i)
-      std::copy_n(table[rest.output(i)], count, results.data() + i * packs_ + from);
-  }
+  results.resize(outputs_.size() * packs_);
+  visit(parameters, [&](std::size_t first, std::size_t count, std::span<const S* const> outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      std::copy_n(outputs[i], count, results.data() + i * packs_ + first);
+  });
 }
 
 template class Batch<double>;

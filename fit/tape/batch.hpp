@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "fit/tape/tape.hpp"
+#include "fit/tape/tape_program.hpp"
 
 /// Functions of variables and parameters at many nodes at a time.
 namespace shadefit {
@@ -34,16 +36,23 @@ class StagedTape {
   Tape of_variables_, of_parameters_, of_both_;
 };
 
-/// A staged tape at given nodes. In double two nodes are computed together.
+/// A staged tape at given nodes. In double two nodes are computed together. It has its own working memory, so
+/// one thread uses it at a time.
 template <class T>
 class Batch {
  public:
   using Lanes = SideBySide<T>;
   using S = typename Lanes::Type;
   static constexpr std::size_t lanes = Lanes::size;
+  /// The most packs of a visit: as many as fit into a small cache with the registers of a formula.
+  static constexpr std::size_t block = 32;
 
   /// `coordinates`: for each variable its value at each node. An odd node is computed twice.
   Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates);
+  // The tables point into the values. A vector that moves keeps them where they are.
+  Batch(Batch&&) = default;
+  Batch(const Batch&) = delete;
+  Batch& operator=(const Batch&) = delete;
 
   std::size_t nodes() const { return nodes_; }
   /// The number of S in a row of results.
@@ -52,16 +61,23 @@ class Batch {
   /// For each output a row of `packs()` results.
   void operator()(std::span<const T> parameters, std::vector<S>& results) const;
 
- private:
-  /// As many places as fit into a small cache with the registers of a formula.
-  static constexpr std::size_t block = 32;
+  /// The same without keeping results: calls `visit` for some packs after the others, with their first one,
+  /// their number, and for each output a pointer to that many results.
+  using Visit = std::function<void(std::size_t first, std::size_t count, std::span<const S* const> outputs)>;
+  void visit(std::span<const T> parameters, const Visit& visit) const;
 
+ private:
   static std::vector<S> filled(const std::vector<T>& values);
 
   const StagedTape* tape_;
   std::size_t nodes_, packs_;
   std::vector<std::vector<S>> prepared_;  ///< by output of `of_variables`
   std::vector<S> constants_;              ///< of `of_both`, each `block` times
+  // Working memory: the registers of `of_both` and what depends on the parameters alone, each `block` times.
+  mutable std::vector<S> values_, given_;
+  mutable std::vector<const S*> table_, outputs_;
+  mutable std::vector<S*> registers_;
+  mutable TapeProgram<S> of_parameters_;
 };
 
 extern template class Batch<double>;

@@ -187,9 +187,9 @@ int Graph::derived(const GraphNode& at, int self, std::size_t input) {
       return sum(left, right);
     }
     case Operation::divide: {
-      // (a' - (a/b) b')/b
+      // (a' - (a/b) b')/b; all derivatives share 1/b
       const int numerator = difference(slope(a), product(self, slope(b)));
-      return quotient(numerator, b);
+      return is_constant(b) ? quotient(numerator, b) : product(numerator, quotient(whole(1), b));
     }
     case Operation::negate:
       return negative(slope(a));
