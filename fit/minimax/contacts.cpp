@@ -20,6 +20,10 @@ double climb(const MinimaxCurve& curve, std::size_t panel, double low, double s,
     const Along at = curve.along({panel, s}, p);
     const double slope = sign * at.slope, curvature = sign * at.curvature;
     if (slope == 0 || !std::isfinite(slope)) return s;
+    // At the extremum, to rounding: a bracket that begins at it would lead away.
+    constexpr double rounding = 1e-12;
+    if (curvature < 0 && -std::abs(slope) > rounding * curvature)
+      return std::clamp(s - slope / curvature, low, high);
     (slope > 0 ? low : high) = s;
     double next = curvature < 0 ? s - slope / curvature : high + low;
     if (!(low < next && next < high)) next = low + (high - low) / 2;

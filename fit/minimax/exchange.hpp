@@ -8,8 +8,8 @@
 /// parameters, solved by exchanging one condition of a reference at a time.
 namespace shadefit {
 
-/// The most parameters of a form with a minimax fit: exp2 by a polynomial of degree 6 has this many.
-inline constexpr std::size_t most_parameters = 9;
+/// The most parameters of a form with a minimax fit.
+inline constexpr std::size_t most_parameters = 16;
 inline constexpr std::size_t most_unknowns = most_parameters + 1;
 
 using Unknowns = std::array<double, most_unknowns>;

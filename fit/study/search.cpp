@@ -104,7 +104,7 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   }
   // A few steps from every start, then many from the lowest ends: most starts lead to the same few basins.
   constexpr int few = 6, many = 100;
-  constexpr std::size_t finalists = 16;
+  constexpr std::size_t finalists = 8;
   ceres::TinySolver<Projection> solver;
   solver.options.parameter_tolerance = 1e-10;
   // A smaller change of the sum of squares is rounding, or is left to Newton's method.

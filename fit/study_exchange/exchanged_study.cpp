@@ -11,6 +11,8 @@
 namespace shadefit {
 namespace {
 
+static_assert(most_study_parameters <= most_parameters, "the exchange takes every study");
+
 std::vector<SearchPanel> panels_between(const std::vector<StudyEdge>& edges) {
   std::vector<SearchPanel> panels;
   for (std::size_t i = 1; i < edges.size(); ++i) {
@@ -136,9 +138,6 @@ void require_possible(const ReadStudy& study, const Constraints& constraints) {
   if (study.rows) throw UserError(text + " does not go with --table: a row has no range");
   if (study.axes.size() > 1)
     throw UserError(text + " goes with one variable: --over '" + study.axes[1].variable + "' is a second");
-  if (study.parameters.size() > most_parameters)
-    throw UserError(text + " takes at most " + std::to_string(most_parameters) +
-                    " parameters: the form has " + std::to_string(study.parameters.size()));
   const StudyAxis& axis = study.axes.front();
   for (const double x : constraints.exact_at) {
     if (x != axis.lower && x != axis.upper)

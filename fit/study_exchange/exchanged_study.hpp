@@ -64,8 +64,8 @@ class ExchangedStudy {
   MinimaxProblem problem_;
 };
 
-/// Throws UserError for constraints that do not go with a study: measured rows, several variables, more than
-/// `most_parameters` parameters, and a place of `exact_at` that is not an end of the range.
+/// Throws UserError for constraints that do not go with a study: measured rows, several variables, and a
+/// place of `exact_at` that is not an end of the range.
 void require_possible(const ReadStudy& study, const Constraints& constraints);
 
 /// Whether there is a constraint other than held parameters.

@@ -18,16 +18,13 @@ namespace {
 void require_minimax(const ReadStudy& study, const Constraints& constraints) {
   if (study.rows)
     throw UserError("--norm 'minimax' does not go with --table: rows are fitted by least squares");
-  if (study.parameters.size() > most_parameters)
-    throw UserError("--norm 'minimax' takes at most " + std::to_string(most_parameters) +
-                    " parameters: the form has " + std::to_string(study.parameters.size()));
   require_possible(study, constraints);
 }
 
 }  // namespace
 
 bool can_be_minimax(const ReadStudy& study) {
-  return study.rows == nullptr && study.parameters.size() <= most_parameters;
+  return study.rows == nullptr;
 }
 
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,

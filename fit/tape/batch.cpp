@@ -104,23 +104,6 @@ Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordina
 }
 
 template <class T>
-void Batch<T>::visit(std::span<const T> parameters, const Visit& visit) const {
-  const Tape& rest = tape_->of_both();
-  given_.assign(parameters.begin(), parameters.end());
-  of_parameters_.run(given_);
-  for (std::size_t i = 0; i < tape_->of_parameters().output_count(); ++i)
-    std::fill_n(&values_[(rest.register_count() + i) * block], block, of_parameters_.output(i));
-  for (std::size_t from = 0; from < packs_; from += block) {
-    const std::size_t count = std::min(block, packs_ - from);
-    for (std::size_t i = 0; i < prepared_.size(); ++i)
-      table_[rest.register_count() + i] = prepared_[i].data() + from;
-    rest.run_over<S>(table_, registers_, count);
-    for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = table_[rest.output(i)];
-    visit(from, count, outputs_);
-  }
-}
-
-template <class T>
 void Batch<T>::operator()(std::span<const T> parameters, std::vector<S>& results) const {
   results.resize(outputs_.size() * packs_);
   visit(parameters, [&](std::size_t first, std::size_t count, std::span<const S* const> outputs) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -63,7 +62,7 @@ class Batch {
 
   /// The same without keeping results: calls `visit` for some packs after the others, with their first one,
   /// their number, and for each output a pointer to that many results.
-  using Visit = std::function<void(std::size_t first, std::size_t count, std::span<const S* const> outputs)>;
+  template <class Visit>
   void visit(std::span<const T> parameters, const Visit& visit) const;
 
  private:
@@ -79,6 +78,24 @@ class Batch {
   mutable std::vector<S*> registers_;
   mutable TapeProgram<S> of_parameters_;
 };
+
+template <class T>
+template <class Visit>
+void Batch<T>::visit(std::span<const T> parameters, const Visit& visit) const {
+  const Tape& rest = tape_->of_both();
+  given_.assign(parameters.begin(), parameters.end());
+  of_parameters_.run(given_);
+  for (std::size_t i = 0; i < tape_->of_parameters().output_count(); ++i)
+    std::fill_n(&values_[(rest.register_count() + i) * block], block, of_parameters_.output(i));
+  for (std::size_t from = 0; from < packs_; from += block) {
+    const std::size_t count = std::min(block, packs_ - from);
+    for (std::size_t i = 0; i < prepared_.size(); ++i)
+      table_[rest.register_count() + i] = prepared_[i].data() + from;
+    rest.run_over<S>(table_, registers_, count);
+    for (std::size_t i = 0; i < outputs_.size(); ++i) outputs_[i] = table_[rest.output(i)];
+    visit(from, count, std::span<const S* const>(outputs_));
+  }
+}
 
 extern template class Batch<double>;
 extern template class Batch<long double>;

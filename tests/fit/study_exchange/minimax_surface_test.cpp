@@ -131,11 +131,15 @@ TEST(MinimaxSurface, SaysWhereItHasNoAnswer) {
   EXPECT_EQ(refusal(plane, {.exact_at = {0}}), "--exact-at goes with one variable: --over 'y' is a second");
   EXPECT_EQ(refusal(plane, {.one_sided = Side::above}),
             "--one-sided goes with one variable: --over 'y' is a second");
-  EXPECT_EQ(refusal({.target = "exp(x)",
-                     .form = "a+b x+d x^2+f x^3+g x^4+h x^5+i x^6+j x^7+k x^8+l x^9",
-                     .over = {{"x", "0", "1"}}},
-                    {}),
-            "--norm 'minimax' takes at most 9 parameters: the form has 10");
+}
+
+// Chebyshev: x^15 by a polynomial of degree 14 on [-1, 1] has the level 2^-14.
+TEST(MinimaxStudy, TakesFifteenParameters) {
+  std::string form = "c0";
+  for (int i = 1; i < 15; ++i) form += " + c" + std::to_string(i) + " x^" + std::to_string(i);
+  const StudyFit fit = fit_of({.target = "x^15", .form = form, .over = {{"x", "-1", "1"}}});
+  EXPECT_EQ(name(fit.status), "converged") << fit.why;
+  EXPECT_NEAR(fit.level.value_or(0), std::ldexp(1.0, -14), 1e-15);
 }
 
 }  // namespace
