@@ -21,6 +21,9 @@ void register_proofs();
 /// From one fit to 100 000, on one and two threads: time and memory.
 void register_scaling();
 
+/// The Fresnel pair as a study beside its family: the rate of its sums, and its fit from text.
+void register_studies();
+
 /// Plans of scenes with one material and with a thousand.
 void register_scenes();
 

@@ -38,6 +38,7 @@ int main(int argc, char** argv) {
   shadefit::bench::register_claims();
   shadefit::bench::register_proofs();
   shadefit::bench::register_scaling();
+  shadefit::bench::register_studies();
   shadefit::bench::register_scenes();
   shadefit::bench::register_process();
   RememberingReporter reporter;

@@ -1,0 +1,72 @@
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bench/solver/benchmarks.hpp"
+#include "fit/families/families.hpp"
+#include "fit/least_squares/sampled_problem.hpp"
+#include "fit/quadrature/gauss.hpp"
+#include "fit/quadrature/substitution.hpp"
+#include "fit/study/search.hpp"
+#include "fit/study/solve_study.hpp"
+
+/// The Fresnel pair as a study, that is from text, beside its compiled family.
+namespace shadefit::bench {
+namespace {
+
+const Study pair{.target = "(1-c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
+
+/// Many nodes: what is done once for all of them does not count.
+constexpr unsigned nodes = gauss_sizes.back();
+
+void count_nodes(benchmark::State& state) {
+  state.counters["nodes"] =
+      benchmark::Counter(nodes, benchmark::Counter::kIsIterationInvariantRate, benchmark::Counter::kIs1000);
+}
+
+/// The error with its derivatives, summed over nodes.
+void rate_of_family(benchmark::State& state) {
+  const FresnelQuadratic family;
+  const SampledProblem<FresnelQuadratic, double> sampled(
+      family, Substitution::panels(Metric{}, family.shape()), nodes);
+  std::array p{-5.55, -6.98};
+  for (auto _ : state) {
+    auto gradient = sampled.gradient(p);
+    benchmark::DoNotOptimize(gradient);
+  }
+  count_nodes(state);
+}
+
+void rate_of_tape(benchmark::State& state) {
+  const ReadStudy study = read_study(pair);
+  const StudyError error(study);
+  const SampledStudy<double> sampled(error, nodes_of(study, {edges_of(study, 0)}, nodes));
+  const std::vector p{-5.55, -6.98};
+  for (auto _ : state) {
+    auto products = sampled.products(p);
+    benchmark::DoNotOptimize(products);
+  }
+  count_nodes(state);
+}
+
+void fit_from_text(benchmark::State& state) {
+  StudyFit fit;
+  for (auto _ : state) {
+    fit = solve_study(read_study(pair), {});
+    benchmark::DoNotOptimize(fit);
+  }
+  if (fit.status != Status::converged) state.SkipWithError("the fit did not converge");
+  state.counters["digits"] = fit.digits;
+}
+
+}  // namespace
+
+void register_studies() {
+  benchmark::RegisterBenchmark("study/gradient/family", rate_of_family)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);
+}
+
+}  // namespace shadefit::bench
