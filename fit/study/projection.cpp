@@ -107,9 +107,9 @@ void Projection::move_linear() const {
 }
 
 bool Projection::operator()(const double* q, double* residuals, double* jacobian) const {
-  const auto is_there = [&](std::size_t i) { return parameters_[i] == *q++; };
-  const double* first = q;
-  if (!is_at_place_ || !std::all_of(nonlinear_.begin(), nonlinear_.end(), is_there)) move_to(first);
+  const auto is_equal = [&](std::size_t i, double value) { return parameters_[i] == value; };
+  is_at_place_ = is_at_place_ && std::equal(nonlinear_.begin(), nonlinear_.end(), q, is_equal);
+  if (!is_at_place_) move_to(q);
   is_at_place_ = true;
   const Eigen::Index n = NumParameters();
   Eigen::Map<VectorOf<double>> result(residuals, n + 1);

@@ -69,6 +69,99 @@ std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& st
   return result;
 }
 
+/// The parameters that do not enter linearly, and the square of the error with the best of the others.
+struct SearchedPlace {
+  Vector q;
+  double square;
+};
+
+void sort_by_square(std::vector<SearchedPlace>& places) {
+  std::stable_sort(places.begin(), places.end(),
+                   [](const SearchedPlace& a, const SearchedPlace& b) { return a.square < b.square; });
+}
+
+/// Descents on some nodes. A place without a finite error is left out.
+class Descents {
+ public:
+  Descents(const StudyError& error, const SampledStudy<double>& sampled, const Checkpoint& checkpoint)
+      : problem_(error, sampled), residuals_(problem_.NumResiduals()), checkpoint_(checkpoint) {
+    solver_.options.parameter_tolerance = 1e-10;
+    // A smaller change of the sum of squares is rounding, or is left to Newton's method.
+    solver_.options.function_tolerance = 1e-20 * sampled.target_norm() * sampled.target_norm();
+    solver_.options.gradient_tolerance = 0;
+    solver_.options.cost_threshold = 0;
+  }
+
+  /// The indices of the parameters that do not enter linearly.
+  const std::vector<std::size_t>& unknowns() const { return problem_.nonlinear(); }
+  Vector unknowns_of(const std::vector<double>& parameters) const {
+    Vector q(problem_.NumParameters());
+    for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = parameters[unknowns()[static_cast<std::size_t>(i)]];
+    return q;
+  }
+  std::vector<double> parameters_at(const Vector& q) const {
+    square_at(q);
+    return problem_.parameters();
+  }
+
+  /// The places with their squares, in rising order.
+  std::vector<SearchedPlace> all_at(const std::vector<Vector>& places) const { return from(places, 0); }
+
+  /// The ends of descents of so many steps, by rising square.
+  std::vector<SearchedPlace> from(const std::vector<Vector>& starts, int steps) const {
+    std::vector<SearchedPlace> ends;
+    solver_.options.max_num_iterations = steps;
+    for (Vector q : starts) {
+      checkpoint_();
+      if (!std::isfinite(square_at(q))) continue;
+      if (steps > 0) solver_.Solve(problem_, &q);
+      if (const double square = square_at(q); std::isfinite(square)) ends.push_back({q, square});
+    }
+    sort_by_square(ends);
+    return ends;
+  }
+
+ private:
+  double square_at(const Vector& q) const {
+    problem_(q.data(), residuals_.data(), nullptr);
+    return residuals_.squaredNorm();
+  }
+
+  Projection problem_;
+  mutable Vector residuals_;
+  mutable ceres::TinySolver<Projection> solver_;
+  const Checkpoint& checkpoint_;
+};
+
+std::vector<Vector> starting_places(const SearchStarts& wanted, std::size_t size) {
+  std::vector<Vector> places;
+  for (std::size_t n = 1; n <= wanted.count; ++n) {
+    Vector& q = places.emplace_back(static_cast<Eigen::Index>(size));
+    for (std::size_t i = 0; i < size; ++i)
+      q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]), wanted.octaves);
+  }
+  return places;
+}
+
+/// Of places by rising square the first half.
+std::vector<Vector> lower_half(const std::vector<SearchedPlace>& places) {
+  std::vector<Vector> half;
+  for (std::size_t i = 0; i < (places.size() + 1) / 2; ++i) half.push_back(places[i].q);
+  return half;
+}
+
+/// Adds the lowest ends that are not near to one before them: those are in its basin.
+void append_distinct(const std::vector<SearchedPlace>& ends, std::vector<Vector>& starts) {
+  constexpr std::size_t most = 8;
+  constexpr double near = 0.05;  // relative, in every parameter
+  for (std::size_t i = 0; i < ends.size() && starts.size() < most; ++i) {
+    const auto is_near = [&](const Vector& start) {
+      return (start - ends[i].q).cwiseAbs().cwiseQuotient(ends[i].q.cwiseAbs()).maxCoeff() < near;
+    };
+    if (std::none_of(starts.begin(), starts.end(), is_near)) starts.push_back(ends[i].q);
+  }
+}
+
 }  // namespace
 
 SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
@@ -88,78 +181,25 @@ SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
                                           const SampledStudy<double>& sampled, const SearchStarts& wanted,
                                           const Checkpoint& checkpoint) {
-  const Projection scan(error, coarse), problem(error, sampled);
-  const std::size_t size = problem.nonlinear().size();
-  std::vector<StudyCandidate> found;
-  Vector residuals(problem.NumResiduals());
-  const auto add = [&](const Vector& q) {
-    problem(q.data(), residuals.data(), nullptr);
-    const double square = residuals.squaredNorm();
-    if (!std::isfinite(square) || sampled.has_pole(problem.parameters())) return;
-    found.push_back({problem.parameters(), square});
-  };
-  if (size == 0) {
-    add(Vector(0));
-    return found;
-  }
-  // A few steps from every start, then many from the lowest ends: most starts lead to the same few basins.
+  // A few steps from the better starts, then many from the lowest ends: most starts lead to the same few
+  // basins.
   constexpr int few = 6, many = 100;
-  constexpr std::size_t finalists = 8;
-  ceres::TinySolver<Projection> solver;
-  solver.options.parameter_tolerance = 1e-10;
-  // A smaller change of the sum of squares is rounding, or is left to Newton's method.
-  solver.options.function_tolerance = 1e-20 * sampled.target_norm() * sampled.target_norm();
-  solver.options.gradient_tolerance = 0;
-  solver.options.cost_threshold = 0;
-  struct End {
-    Vector q;
-    double cost;
-  };
-  const auto sort_by_cost = [](std::vector<End>& some) {
-    std::stable_sort(some.begin(), some.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
-  };
-  std::vector<End> ends;
-  const auto descend = [&](const Projection& on, Vector q, int steps) {
-    checkpoint();
-    on(q.data(), residuals.data(), nullptr);
-    if (!residuals.allFinite()) return;
-    solver.options.max_num_iterations = steps;
-    const double cost = solver.Solve(on, &q).final_cost;
-    if (std::isfinite(cost)) ends.push_back({q, cost});
-  };
-  // Half of the starts, those with the lower squares.
-  std::vector<End> low;
-  for (std::size_t n = 1; n <= wanted.count; ++n) {
-    Vector q(static_cast<Eigen::Index>(size));
-    for (std::size_t i = 0; i < size; ++i)
-      q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]), wanted.octaves);
-    scan(q.data(), residuals.data(), nullptr);
-    if (residuals.allFinite()) low.push_back({q, residuals.squaredNorm()});
+  const Descents scan(error, coarse, checkpoint), problem(error, sampled, checkpoint);
+  std::vector<SearchedPlace> ends;
+  if (problem.unknowns().empty()) {
+    ends = problem.from({Vector(0)}, 0);
+  } else {
+    ends = scan.from(lower_half(scan.all_at(starting_places(wanted, problem.unknowns().size()))), few);
+    std::vector<Vector> starts;
+    for (const std::vector<double>& start : wanted.given) starts.push_back(problem.unknowns_of(start));
+    append_distinct(ends, starts);
+    ends = problem.from(starts, many);
   }
-  sort_by_cost(low);
-  low.resize((low.size() + 1) / 2);
-  for (const End& start : low) descend(scan, start.q, few);
-  sort_by_cost(ends);
-  std::vector<Vector> starts;
-  for (const std::vector<double>& start : wanted.given) {
-    Vector q(static_cast<Eigen::Index>(size));
-    for (std::size_t i = 0; i < size; ++i) q[static_cast<Eigen::Index>(i)] = start[problem.nonlinear()[i]];
-    starts.push_back(q);
+  std::vector<StudyCandidate> found;
+  for (const SearchedPlace& end : ends) {
+    const std::vector<double> parameters = problem.parameters_at(end.q);
+    if (!sampled.has_pole(parameters)) found.push_back({parameters, end.square});
   }
-  // Ends that are this near to a lower one are in its basin.
-  constexpr double near = 0.05;
-  const auto is_near = [&](const Vector& a, const Vector& b) {
-    return (a - b).cwiseAbs().cwiseQuotient(b.cwiseAbs()).maxCoeff() < near;
-  };
-  for (std::size_t i = 0; i < ends.size() && starts.size() < finalists; ++i) {
-    const auto same = [&](const Vector& start) { return is_near(start, ends[i].q); };
-    if (std::none_of(starts.begin(), starts.end(), same)) starts.push_back(ends[i].q);
-  }
-  ends.clear();
-  for (const Vector& start : starts) descend(problem, start, many);
-  for (const End& end : ends) add(end.q);
-  std::stable_sort(found.begin(), found.end(),
-                   [](const StudyCandidate& a, const StudyCandidate& b) { return a.square < b.square; });
   return found;
 }
 
