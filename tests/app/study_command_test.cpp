@@ -117,6 +117,9 @@ TEST(StudyCommand, RefusesBadInput) {
                  "--given");
   expect_refusal(with(acos_linear, {"--domain", "0.2:1"}),
                  "--domain does not go with --form: give the range by --over");
+  // The default too, if it is given.
+  expect_refusal(with(acos_linear, {"--domain", "0:1"}),
+                 "--domain does not go with --form: give the range by --over");
   expect_refusal(with(acos_linear, {"--exact-at", "0.5"}),
                  "--exact-at '0.5' is not an end of the range of x");
   const TemporaryDirectory directory;
