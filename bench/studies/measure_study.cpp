@@ -7,7 +7,6 @@
 #include <cmath>
 #include <deque>
 #include <iterator>
-#include <map>
 #include <memory>
 
 #include "bench/studies/compiled_code.hpp"
@@ -28,6 +27,7 @@ struct TimedFunction {
   std::string name;
   std::vector<TimedForm> rows;
   std::size_t comparison;
+  Operations operations = {};  ///< of a form
 };
 
 std::string loop_of(const std::string& function, std::size_t variables) {
@@ -103,12 +103,11 @@ class StudyCode {
     row.max_abs_error = contender.max_abs_error.magnitude;
     for (TimedFunction& other : timed) {
       if (other.comparison == place && other.rows.front().form == contender.form &&
-          operations_[other.name] == contender.operations)
+          other.operations == contender.operations)
         return other.rows.push_back(row);
     }
-    const std::string name = fmt::format("form_{}", timed.size());
-    operations_[name] = contender.operations;
-    add(name, contender.code, comparison.variables, place, row);
+    add(fmt::format("form_{}", timed.size()), contender.code, comparison.variables, place, row);
+    timed.back().operations = contender.operations;
   }
 
   void add(const std::string& name, const Symbolic& formula, const std::vector<std::string>& variables,
@@ -118,7 +117,6 @@ class StudyCode {
   }
 
   std::vector<ShaderFunction> functions_;
-  std::map<std::string, Operations> operations_;
 };
 
 /// Places spread evenly over the ranges of the variables, unsorted: additive recurrence. Its shares are the

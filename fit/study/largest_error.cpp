@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 
 #include "fit/study/study_problem.hpp"
@@ -31,7 +30,7 @@ std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count) 
 class Magnitude {
  public:
   Magnitude(const ReadStudy& study, const std::vector<double>& parameters)
-      : difference_(tape_of(study.form - study.target, inputs_of(study)), parameters) {}
+      : difference_(tape_of(study.form - study.target, formula_inputs(study)), parameters) {}
 
   double operator()(const std::vector<double>& at) {
     difference_.run(at);
@@ -41,13 +40,6 @@ class Magnitude {
   }
 
  private:
-  static std::vector<std::string> inputs_of(const ReadStudy& study) {
-    std::vector<std::string> inputs;
-    for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
-    inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
-    return inputs;
-  }
-
   TapeProgram<double> difference_;
 };
 

@@ -147,6 +147,12 @@ std::vector<std::string> node_variables(const ReadStudy& study) {
   return names;
 }
 
+std::vector<std::string> formula_inputs(const ReadStudy& study) {
+  std::vector<std::string> names = node_variables(study);
+  names.insert(names.end(), study.parameters.begin(), study.parameters.end());
+  return names;
+}
+
 ReadStudy read_formulas(const Study& study) {
   const std::vector<StudyAxis> axes = axes_of(study);
   std::vector<std::string> variables;

@@ -60,6 +60,9 @@ struct ReadStudy {
 /// the rows have it, `sigma`. Everything else is a parameter.
 std::vector<std::string> node_variables(const ReadStudy& study);
 
+/// The inputs of its formulas as tapes: those variables, then the parameters.
+std::vector<std::string> formula_inputs(const ReadStudy& study);
+
 /// The most variables and the most free parameters of a study.
 inline constexpr std::size_t most_axes = 3;
 inline constexpr std::size_t most_study_parameters = 16;

@@ -11,12 +11,6 @@
 namespace shadefit {
 namespace {
 
-std::vector<std::string> inputs_of(const ReadStudy& study) {
-  std::vector<std::string> inputs = node_variables(study);
-  inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
-  return inputs;
-}
-
 bool contains_any(const Symbolic& e, const std::vector<std::string>& names) {
   const auto variables = free_variables(e);
   return std::any_of(names.begin(), names.end(),
@@ -53,7 +47,7 @@ Symbolic error_formula(const ReadStudy& study) {
 
 struct StudyError::Parts {
   Parts(const ReadStudy& study, IntegralRule rule)
-      : graph(inputs_of(study), rule), variables(node_variables(study).size()) {
+      : graph(formula_inputs(study), rule), variables(node_variables(study).size()) {
     const int error = graph.add(error_formula(study));
     value = {error};
     gradient = value;

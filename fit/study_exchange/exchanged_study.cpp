@@ -7,6 +7,7 @@
 #include "fit/minimax/minimax_curve.hpp"
 #include "fit/study/solve_study.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {
@@ -27,17 +28,6 @@ std::vector<SearchPanel> panels_between(const std::vector<StudyEdge>& edges) {
     }
   }
   return panels;
-}
-
-Tape tape_of(const ReadStudy& study, const Symbolic& formula, StudyFormula::Of of) {
-  std::vector<std::string> names{study.axes.front().variable};
-  names.insert(names.end(), study.parameters.begin(), study.parameters.end());
-  Graph graph(names);
-  std::vector<int> inputs;
-  for (const std::string& name : names) inputs.push_back(graph.add(Symbolic::variable(name)));
-  const int value = graph.add(formula);
-  const std::array outputs{of == StudyFormula::Of::value ? value : graph.derivative(value, 0)};
-  return {graph, outputs, inputs};
 }
 
 /// The slope of a formula at an end of a panel, by the distance from it. A root at the end has no derivative,
@@ -82,7 +72,9 @@ const char* option_of(const Constraints& constraints) {
 }  // namespace
 
 StudyFormula::StudyFormula(const ReadStudy& study, const Symbolic& formula, Of of)
-    : count_(study.parameters.size()), tape_(tape_of(study, formula, of)) {}
+    : count_(study.parameters.size()),
+      output_(of == Of::value ? 0 : 1),
+      tape_(tape_of(formula, formula_inputs(study), output_)) {}
 
 ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
                                const std::vector<StudyEdge>& edges, const Constraints& constraints)

@@ -36,11 +36,12 @@ class StudyFormula {
   P operator()(const SearchPanel& panel, const T& s, const std::array<P, most_parameters>& p) const {
     std::vector<P> inputs{lift<P>(panel.at(s))};
     inputs.insert(inputs.end(), p.begin(), p.begin() + static_cast<std::ptrdiff_t>(count_));
-    return tape_(std::span<const P>(inputs)).front();
+    return tape_(std::span<const P>(inputs))[output_];
   }
 
  private:
   std::size_t count_;
+  std::size_t output_;  ///< of the tape: the formula, then its slope if that is asked for
   Tape tape_;
 };
 
