@@ -20,8 +20,8 @@ std::array<T, most_parameters> all_as(const Values& values) {
 
 /// The curve of `error(panel, s, parameters)`. s in [0, 1] on that panel has the scalar T; the parameters
 /// have the scalar P, which is T or has derivatives by them; the result is a P. `slope_across`
-/// and `wide_slope` are empty (see `with_slopes`). `places` are those of the problem, and must not move while
-/// the curve is in use.
+/// and `wide_slope` are empty. `places` are those of the problem, and must not move while the curve is in
+/// use.
 template <class Error>
 MinimaxCurve curve_of_error(const Error& error, const std::vector<SearchPlace>& places) {
   return {.everywhere =
@@ -53,22 +53,6 @@ MinimaxCurve curve_of_error(const Error& error, const std::vector<SearchPlace>& 
               },
           .slope_across = nullptr,
           .wide_slope = nullptr};
-}
-
-/// The same curve with its slopes, for constraints that hold at an end by the slope alone: `slope(place,
-/// parameters)` at the end of a panel, by the distance from it, in the scalar of the parameters.
-template <class Slope>
-MinimaxCurve with_slopes(MinimaxCurve curve, const Slope& slope) {
-  curve.slope_across = [slope](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-    using Jet = ceres::Jet<double, static_cast<int>(most_parameters)>;
-    std::array<Jet, most_parameters> q;
-    for (std::size_t i = 0; i < most_parameters; ++i) q[i] = Jet(p[i], static_cast<int>(i));
-    const Jet value = slope(place, q);
-    for (std::size_t i = 0; i < most_parameters; ++i) gradient[i] = value.v[static_cast<int>(i)];
-    return value.a;
-  };
-  curve.wide_slope = slope;
-  return curve;
 }
 
 }  // namespace shadefit

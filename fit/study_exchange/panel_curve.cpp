@@ -1,0 +1,193 @@
+#include "fit/study_exchange/panel_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <utility>
+
+#include "fit/tape/tape_program.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Nodes of the graph of a curve.
+struct CurveNodes {
+  CurveNodes(const ReadStudy& study, const Symbolic& formula, CurveOf of) : graph(formula_inputs(study)) {
+    for (const std::string& name : formula_inputs(study))
+      inputs.push_back(graph.add(Symbolic::variable(name)));
+    value = graph.add(formula);
+    if (of == CurveOf::slope) value = graph.derivative(value, 0);
+    slope = graph.derivative(value, 0);
+  }
+
+  /// A node, and its derivatives by the parameters.
+  std::vector<int> with_gradient(int node) {
+    std::vector<int> result{node};
+    for (std::size_t i = 1; i < inputs.size(); ++i) result.push_back(graph.derivative(node, i));
+    return result;
+  }
+
+  template <class T>
+  TapeProgram<T> program(const std::vector<int>& outputs) const {
+    return TapeProgram<T>(Tape(graph, outputs, inputs), {});
+  }
+
+  Graph graph;
+  std::vector<int> inputs;
+  int value, slope;
+};
+
+/// A formula and its slope on a panel, each with the same derivatives behind it, or with none.
+template <class T>
+class CurveTapes {
+ public:
+  CurveTapes(TapeProgram<T> value, TapeProgram<T> slope, std::size_t outputs, std::size_t parameters)
+      : value_(std::move(value)), slope_(std::move(slope)), outputs_(outputs), inputs_(1 + parameters) {}
+
+  /// The outputs at s.
+  template <class P>
+  std::vector<T> at(const SearchPanel& panel, double s, const P& parameters) {
+    return run(value_, panel, s, parameters);
+  }
+
+  /// Their slopes by s at an end, by the distance from it. A root at the end has no derivative, though the
+  /// formula is smooth in s: there quotients of differences are extrapolated to the distance 0 (Neville's
+  /// scheme). From 1/16 on each is halved seven times, so what is left is rounding.
+  template <class P>
+  std::vector<T> inward(const SearchPanel& panel, double s, const P& parameters) {
+    const bool is_left = s == 0;
+    if (!(is_left ? panel.is_rooted_left : panel.is_rooted_right)) {
+      const T direction = is_left ? panel.slope<T>(0) : -panel.slope<T>(1);
+      return combined(run(slope_, panel, s, parameters), direction, std::vector<T>(outputs_), T(0));
+    }
+    constexpr int count = 8;
+    const std::vector<T> end = at(panel, s, parameters);
+    std::vector<std::vector<T>> quotients;
+    for (int i = 0; i < count; ++i) {
+      const double distance = std::ldexp(1.0, -4 - i);
+      const T per_distance = 1 / T(distance);
+      const auto beside = at(panel, is_left ? distance : 1 - distance, parameters);
+      quotients.push_back(combined(beside, per_distance, end, -per_distance));
+    }
+    for (int order = 1; order < count; ++order) {
+      const T ratio = T(1 << order);
+      for (std::size_t i = count - 1; i >= static_cast<std::size_t>(order); --i)
+        quotients[i] = combined(quotients[i], ratio / (ratio - 1), quotients[i - 1], -1 / (ratio - 1));
+    }
+    return quotients.back();
+  }
+
+ private:
+  template <class P>
+  std::vector<T> run(TapeProgram<T>& program, const SearchPanel& panel, double s, const P& parameters) {
+    inputs_[0] = panel.at(T(s));
+    std::copy_n(parameters.begin(), inputs_.size() - 1, inputs_.begin() + 1);
+    program.run(inputs_);
+    std::vector<T> result(outputs_);
+    for (std::size_t i = 0; i < outputs_; ++i) result[i] = program.output(i);
+    return result;
+  }
+
+  /// a * u + b * v.
+  static std::vector<T> combined(const std::vector<T>& u, T a, const std::vector<T>& v, T b) {
+    std::vector<T> result(u.size());
+    for (std::size_t i = 0; i < u.size(); ++i) result[i] = a * u[i] + b * v[i];
+    return result;
+  }
+
+  TapeProgram<T> value_, slope_;
+  std::size_t outputs_;
+  std::vector<T> inputs_;
+};
+
+/// A curve in all ways in which the exchange asks for it.
+class PanelCurve {
+ public:
+  PanelCurve(CurveNodes nodes, std::vector<SearchPanel> panels)
+      : panels_(std::move(panels)),
+        count_(nodes.inputs.size() - 1),
+        curvature_(nodes.program<double>({nodes.value, nodes.slope, nodes.graph.derivative(nodes.slope, 0)})),
+        value_(nodes.program<double>({nodes.value})),
+        across_(nodes.program<double>(nodes.with_gradient(nodes.value)),
+                nodes.program<double>(nodes.with_gradient(nodes.slope)), 1 + count_, count_),
+        wide_(nodes.program<long double>({nodes.value}), nodes.program<long double>({nodes.slope}), 1,
+              count_),
+        inputs_(1 + count_) {}
+
+  double value(const SearchPlace& place, const MinimaxParameters& p) {
+    value_.run(inputs_at(place, p));
+    return value_.output(0);
+  }
+  Along along(const SearchPlace& place, const MinimaxParameters& p) {
+    const SearchPanel& panel = panels_[place.panel];
+    curvature_.run(inputs_at(place, p));
+    const double slope = panel.slope(place.s), by_x = curvature_.output(1);
+    return {curvature_.output(0), by_x * slope,
+            curvature_.output(2) * slope * slope + by_x * panel.curvature()};
+  }
+  double across(const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+    return split(across_.at(panels_[place.panel], place.s, p), gradient);
+  }
+  double slope_across(const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+    return split(across_.inward(panels_[place.panel], place.s, p), gradient);
+  }
+  long double wide(const SearchPlace& place, const WideParameters& p) {
+    return wide_.at(panels_[place.panel], place.s, p)[0];
+  }
+  long double wide_slope(const SearchPlace& place, const WideParameters& p) {
+    return wide_.inward(panels_[place.panel], place.s, p)[0];
+  }
+
+ private:
+  const std::vector<double>& inputs_at(const SearchPlace& place, const MinimaxParameters& p) {
+    inputs_[0] = panels_[place.panel].at(place.s);
+    std::copy_n(p.begin(), count_, inputs_.begin() + 1);
+    return inputs_;
+  }
+  double split(const std::vector<double>& outputs, Unknowns& gradient) const {
+    for (std::size_t i = 0; i < count_; ++i) gradient[i] = outputs[1 + i];
+    return outputs[0];
+  }
+
+  std::vector<SearchPanel> panels_;
+  std::size_t count_;
+  TapeProgram<double> curvature_, value_;
+  CurveTapes<double> across_;
+  CurveTapes<long double> wide_;
+  std::vector<double> inputs_;
+};
+
+}  // namespace
+
+std::vector<SearchPanel> panels_between(const std::vector<StudyEdge>& edges) {
+  std::vector<SearchPanel> panels;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const StudyEdge &left = edges[i - 1], &right = edges[i];
+    const bool from_left = left.power > 1, from_right = right.power > 1;
+    if (from_left && from_right) {
+      const double middle = left.at + (right.at - left.at) / 2;
+      panels.push_back({left.at, middle, true, false});
+      panels.push_back({middle, right.at, false, true});
+    } else {
+      panels.push_back({left.at, right.at, from_left, from_right});
+    }
+  }
+  return panels;
+}
+
+MinimaxCurve panel_curve(const ReadStudy& study, const Symbolic& formula, CurveOf of,
+                         const std::vector<SearchPanel>& panels, const std::vector<SearchPlace>& places) {
+  const auto curve = std::make_shared<PanelCurve>(CurveNodes(study, formula, of), panels);
+  const auto everywhere = [curve, places](const MinimaxParameters& p, std::span<double> values) {
+    for (std::size_t i = 0; i < places.size(); ++i) values[i] = curve->value(places[i], p);
+  };
+  return {.everywhere = everywhere,
+          .along = std::bind_front(&PanelCurve::along, curve),
+          .across = std::bind_front(&PanelCurve::across, curve),
+          .wide = std::bind_front(&PanelCurve::wide, curve),
+          .slope_across = std::bind_front(&PanelCurve::slope_across, curve),
+          .wide_slope = std::bind_front(&PanelCurve::wide_slope, curve)};
+}
+
+}  // namespace shadefit
