@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 namespace shadefit {
 namespace {
@@ -15,24 +14,28 @@ using Triangle = ProductMatrix<double>;
 /// A share of the square that the linear parameters need not take away.
 constexpr double small_share = 1e-10;
 
-/// The upper triangle R with R^T R = A, by Cholesky. Empty if a column is so near to a combination of those
-/// before it that more than half of the digits of what is left are lost.
-std::optional<Triangle> triangle_of(const Triangle& a) {
+/// Makes of the upper half of a symmetric A the triangle R with R^T R = A, by Cholesky. False if a column is
+/// so near to a combination of those before it that more than half of the digits of what is left are lost.
+bool factorise_in_place(Triangle& a) {
   constexpr double independent = 1e-8;
   const Eigen::Index n = a.rows();
-  Triangle r = Triangle::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double rest = a(i, i) - r.col(i).head(i).squaredNorm();
+    double rest = a(i, i);
+    for (Eigen::Index k = 0; k < i; ++k) rest -= a(k, i) * a(k, i);
     // What is left of the last column, the error, counts however small it is.
     const bool is_error = i + 1 == n;
-    if (a(i, i) == 0) continue;  // as that of a nonlinear parameter while the linear ones are 0
-    if (!is_error && !(rest > independent * a(i, i))) return std::nullopt;
-    const double root = std::sqrt(std::max(0.0, rest));
-    r(i, i) = root;
-    for (Eigen::Index j = i + 1; j < n; ++j)
-      r(i, j) = (a(i, j) - r.col(i).head(i).dot(r.col(j).head(i))) / root;
+    const bool is_empty = a(i, i) == 0;  // as that of a nonlinear parameter while the linear ones are 0
+    if (!is_error && !is_empty && !(rest > independent * a(i, i))) return false;
+    const double root = is_empty ? 0 : std::sqrt(std::max(0.0, rest));
+    a(i, i) = root;
+    for (Eigen::Index j = i + 1; j < n; ++j) {
+      double product = a(i, j);
+      for (Eigen::Index k = 0; k < i; ++k) product -= a(k, i) * a(k, j);
+      a(i, j) = root == 0 ? 0 : product / root;
+    }
   }
-  return r;
+  a.triangularView<Eigen::StrictlyLower>().setZero();
+  return true;
 }
 
 /// The same triangle by reflections of the columns of sqrt(weight) * derivative, and of the error as the
@@ -55,35 +58,41 @@ Projection::Projection(const StudyError& error, const SampledStudy<double>& samp
   for (std::size_t i = 0; i < parameters_.size(); ++i) {
     if (i != held) (error.is_linear()[i] ? linear_ : nonlinear_).push_back(i);
   }
-  order_.assign(linear_.begin(), linear_.end());
-  order_.insert(order_.end(), nonlinear_.begin(), nonlinear_.end());
-  order_.push_back(static_cast<Eigen::Index>(parameters_.size()));
+  const auto error_column = static_cast<Eigen::Index>(parameters_.size());
+  linear_columns_.assign(linear_.begin(), linear_.end());
+  columns_ = linear_columns_;
+  columns_.insert(columns_.end(), nonlinear_.begin(), nonlinear_.end());
+  linear_columns_.push_back(error_column);
+  columns_.push_back(error_column);
 }
 
-void Projection::factorise() const {
-  const Triangle products = sampled_.products(parameters_);
-  if (!products.allFinite()) {
-    triangle_.setConstant(products.rows(), products.cols(), HUGE_VAL);
-  } else if (auto triangle = triangle_of(products(order_, order_))) {
-    triangle_ = *std::move(triangle);
-  } else {
+void Projection::factorise(std::span<const Eigen::Index> columns) const {
+  sampled_.products(parameters_, columns, triangle_);
+  if (!triangle_.allFinite()) {
+    triangle_.setConstant(HUGE_VAL);
+  } else if (!factorise_in_place(triangle_)) {
     VectorOf<double> errors;
     Matrix slopes;
     sampled_.errors(parameters_, errors, &slopes);
-    const std::vector<Eigen::Index> columns(order_.begin(), order_.end() - 1);
-    triangle_ = triangle_of(slopes(Eigen::all, columns), errors, sampled_.roots());
+    const std::vector<Eigen::Index> of_slopes(columns.begin(), columns.end() - 1);
+    triangle_ = triangle_of(slopes(Eigen::all, of_slopes), errors, sampled_.roots());
   }
 }
 
 void Projection::move_to(const double* q) const {
   for (std::size_t i = 0; i < nonlinear_.size(); ++i) parameters_[nonlinear_[i]] = q[i];
   for (const std::size_t i : linear_) parameters_[i] = 0;
-  factorise();
-  // One step is enough, unless the linear columns are nearly dependent.
-  constexpr int most_steps = 3;
+  // The linear parameters alone, then all. One step is enough, unless the linear columns are nearly
+  // dependent.
+  if (!linear_.empty()) {
+    factorise(linear_columns_);
+    if (linear_share() > small_share) move_linear();
+  }
+  factorise(columns_);
+  constexpr int most_steps = 2;
   for (int i = 0; i < most_steps && linear_share() > small_share; ++i) {
     move_linear();
-    factorise();
+    factorise(columns_);
   }
 }
 

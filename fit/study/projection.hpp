@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "fit/study/study_problem.hpp"
@@ -45,7 +46,7 @@ class Projection {
 
  private:
   void move_to(const double* q) const;
-  void factorise() const;
+  void factorise(std::span<const Eigen::Index> columns) const;
   /// How much of the square a step of the linear parameters takes away.
   double linear_share() const;
   void move_linear() const;
@@ -53,7 +54,8 @@ class Projection {
   const SampledStudy<double>& sampled_;
   std::optional<std::size_t> held_;
   std::vector<std::size_t> linear_, nonlinear_;
-  std::vector<Eigen::Index> order_;  ///< of the products: linear ones, nonlinear ones, the error
+  /// Of the products: linear ones, nonlinear ones, the error; and the same without the nonlinear ones.
+  std::vector<Eigen::Index> columns_, linear_columns_;
   mutable bool is_at_place_ = false;
   mutable std::vector<double> parameters_;
   mutable ProductMatrix<double> triangle_;  ///< R

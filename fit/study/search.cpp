@@ -181,15 +181,16 @@ SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
                                           const SampledStudy<double>& sampled, const SearchStarts& wanted,
                                           const Checkpoint& checkpoint) {
-  // A few steps from the better starts, then many from the lowest ends: most starts lead to the same few
-  // basins.
-  constexpr int few = 6, many = 100;
+  // A few steps from the better half of the starts, some more from the better half of their ends, then many
+  // from the lowest: most starts lead to the same few basins.
+  constexpr int few = 3, some = 5, many = 100;
   const Descents scan(error, coarse, checkpoint), problem(error, sampled, checkpoint);
   std::vector<SearchedPlace> ends;
   if (problem.unknowns().empty()) {
     ends = problem.from({Vector(0)}, 0);
   } else {
-    ends = scan.from(lower_half(scan.all_at(starting_places(wanted, problem.unknowns().size()))), few);
+    ends = scan.all_at(starting_places(wanted, problem.unknowns().size()));
+    for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
     std::vector<Vector> starts;
     for (const std::vector<double>& start : wanted.given) starts.push_back(problem.unknowns_of(start));
     append_distinct(ends, starts);

@@ -49,8 +49,7 @@ struct StudyError::Parts {
   Parts(const ReadStudy& study, IntegralRule rule)
       : graph(formula_inputs(study), rule), variables(node_variables(study).size()) {
     const int error = graph.add(error_formula(study));
-    value = {error};
-    gradient = value;
+    gradient = {error};
     for (std::size_t i = 0; i < study.parameters.size(); ++i)
       gradient.push_back(graph.derivative(error, variables + i));
     hessian = gradient;
@@ -68,7 +67,7 @@ struct StudyError::Parts {
 
   Graph graph;
   std::size_t variables;
-  std::vector<int> value, gradient, hessian, target;
+  std::vector<int> gradient, hessian, target;
   std::vector<std::vector<int>> denominators;
   std::vector<bool> is_linear;
 };
@@ -78,7 +77,6 @@ StudyError::StudyError(const ReadStudy& study, IntegralRule rule) : StudyError(P
 StudyError::StudyError(Parts parts)
     : parameter_count_(parts.gradient.size() - 1),
       is_linear_(std::move(parts.is_linear)),
-      value_(parts.graph, parts.value, parts.variables),
       gradient_(parts.graph, parts.gradient, parts.variables),
       hessian_(parts.graph, parts.hessian, parts.variables),
       target_(parts.graph, parts.target, parts.variables) {
@@ -101,14 +99,13 @@ template <class T>
 SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes)
     : count_(error.parameter_count()),
       weights_(nodes.weights.begin(), nodes.weights.end()),
-      value_(error.value(), narrowed<T>(nodes.coordinates)),
       gradient_(error.gradient(), narrowed<T>(nodes.coordinates)),
       hessian_(error.hessian(), narrowed<T>(nodes.coordinates)) {
   const auto coordinates = narrowed<T>(nodes.coordinates);
   roots_.resize(static_cast<Eigen::Index>(size()));
   for (std::size_t i = 0; i < size(); ++i) roots_[static_cast<Eigen::Index>(i)] = std::sqrt(weights_[i]);
   constexpr std::size_t lanes = Batch<T>::lanes;
-  for (std::size_t pack = 0; pack < value_.packs(); ++pack) {
+  for (std::size_t pack = 0; pack < gradient_.packs(); ++pack) {
     std::array<T, lanes> group{};
     for (std::size_t l = 0; l < lanes && pack * lanes + l < size(); ++l)
       group[l] = weights_[pack * lanes + l];
@@ -126,13 +123,13 @@ SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes)
 template <class T>
 T SampledStudy<T>::lane(const std::vector<S>& results, std::size_t row, std::size_t node) const {
   constexpr std::size_t lanes = Batch<T>::lanes;
-  return Batch<T>::Lanes::lane(results[row * value_.packs() + node / lanes], node % lanes);
+  return Batch<T>::Lanes::lane(results[row * gradient_.packs() + node / lanes], node % lanes);
 }
 
 template <class T>
 void SampledStudy<T>::errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const {
   std::vector<S> results;
-  (slopes == nullptr ? value_ : gradient_)(parameters, results);
+  gradient_(parameters, results);
   errors.resize(static_cast<Eigen::Index>(size()));
   if (slopes != nullptr) slopes->resize(errors.size(), static_cast<Eigen::Index>(count_));
   for (std::size_t i = 0; i < size(); ++i) {
@@ -144,15 +141,17 @@ void SampledStudy<T>::errors(std::span<const T> parameters, VectorOf<T>& errors,
 }
 
 template <class T>
-ProductMatrix<T> SampledStudy<T>::products(std::span<const T> parameters) const {
+void SampledStudy<T>::products(std::span<const T> parameters, std::span<const Eigen::Index> columns,
+                               ProductMatrix<T>& result) const {
   constexpr std::size_t most = most_product_columns;
+  const std::size_t rows = columns.size();
   std::array<S, most*(most + 1) / 2> sums;
-  sums.fill(S(0));
-  const std::size_t rows = count_ + 1;
+  std::fill_n(sums.begin(), rows * (rows + 1) / 2, S(0));
   gradient_.visit(parameters, [&](std::size_t first, std::size_t count, std::span<const S* const> outputs) {
-    // The error is the first output and the last row.
+    // The error is the first output and the last column.
     std::array<const S*, most> of_row;
-    for (std::size_t i = 0; i < rows; ++i) of_row[i] = outputs[(i + 1) % rows];
+    for (std::size_t i = 0; i < rows; ++i)
+      of_row[i] = outputs[(static_cast<std::size_t>(columns[i]) + 1) % outputs.size()];
     std::size_t entry = 0;
     for (std::size_t i = 0; i < rows; ++i) {
       std::array<S, Batch<T>::block> weighted;
@@ -171,18 +170,17 @@ ProductMatrix<T> SampledStudy<T>::products(std::span<const T> parameters) const 
       }
     }
   });
-  ProductMatrix<T> result(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(rows));
+  result.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(rows));
   std::size_t entry = 0;
   for (Eigen::Index i = 0; i < result.rows(); ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) result(i, j) = result(j, i) = Batch<T>::Lanes::sum(sums[entry++]);
   }
-  return result;
 }
 
 template <class T>
 T SampledStudy<T>::square(std::span<const T> parameters) const {
   std::vector<S> results;
-  value_(parameters, results);
+  gradient_(parameters, results);
   T sum = 0;
   for (std::size_t i = 0; i < size(); ++i) sum += weights_[i] * lane(results, 0, i) * lane(results, 0, i);
   return sum;

@@ -38,8 +38,7 @@ class StudyError {
   /// Whether the form is linear in all parameters that are marked here, together.
   const std::vector<bool>& is_linear() const { return is_linear_; }
 
-  const StagedTape& value() const { return value_; }        ///< the error
-  const StagedTape& gradient() const { return gradient_; }  ///< and its derivatives
+  const StagedTape& gradient() const { return gradient_; }  ///< the error and its derivatives
   /// and the second derivatives: (0, 0), (1, 0), (1, 1), (2, 0) ..
   const StagedTape& hessian() const { return hessian_; }
   const StagedTape& target() const { return target_; }  ///< the error of a form that is 0, without its sign
@@ -52,7 +51,7 @@ class StudyError {
 
   std::size_t parameter_count_;
   std::vector<bool> is_linear_;
-  StagedTape value_, gradient_, hessian_, target_;
+  StagedTape gradient_, hessian_, target_;
   std::vector<StagedTape> denominators_;
 };
 
@@ -76,8 +75,10 @@ class SampledStudy {
   /// The errors at the nodes, and if `slopes` is not null a column of their derivatives for each parameter.
   void errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const;
 
-  /// The sums of weight * u * v over the nodes, for u and v of the derivatives and, last, the error.
-  ProductMatrix<T> products(std::span<const T> parameters) const;
+  /// The sums of weight * u * v over the nodes, for u and v of these columns: i is the derivative by
+  /// parameter i, and the number of parameters is the error.
+  void products(std::span<const T> parameters, std::span<const Eigen::Index> columns,
+                ProductMatrix<T>& result) const;
 
   T square(std::span<const T> parameters) const;
   StudySums<T> gradient(std::span<const T> parameters) const;
@@ -98,7 +99,7 @@ class SampledStudy {
   std::vector<T> weights_;
   std::vector<S> packed_weights_;  ///< 0 for a node that is computed a second time
   VectorOf<T> roots_;
-  Batch<T> value_, gradient_, hessian_;
+  Batch<T> gradient_, hessian_;
   std::vector<Batch<T>> denominators_;
   T target_norm_;
 };

@@ -273,7 +273,7 @@ def constants(in_angle):
 # ---- T7: a rational form of two variables --------------------------------------------------------------------
 
 
-def plane_fit(tight):
+def plane_fit(method, tight):
     t, w = np.polynomial.legendre.leggauss(30)
     t, w = (1 + t) / 2, w / 2
     x, y = (v.ravel() for v in np.meshgrid(t, t))
@@ -290,7 +290,7 @@ def plane_fit(tight):
 
     start = np.array([1.0, 0, 0, 0, 0, 0, 0, 0])
     options = {"xtol": 1e-15, "ftol": 1e-15, "gtol": 1e-15} if tight else {}
-    fit = optimize.least_squares(error, start, jac=slopes, method="lm", **options)
+    fit = optimize.least_squares(error, start, jac=slopes, method=method, **options)
     answer = Answer()
     for name, value in zip("abdghkmn", fit.x):
         answer.add(name, value)
@@ -335,8 +335,10 @@ VARIANTS += [
     ("T5", "grid of 1001, bounded Brent", largest_refined),
     ("T6", "quad in the angle", lambda: constants(True)),
     ("T6", "quad in the cosine", lambda: constants(False)),
-    ("T7", "least_squares lm, 30 x 30 nodes, analytic Jacobian", lambda: plane_fit(False)),
-    ("T7", "least_squares lm, 30 x 30 nodes, analytic Jacobian, tight", lambda: plane_fit(True)),
+    ("T7", "least_squares lm, 30 x 30 nodes, analytic Jacobian", lambda: plane_fit("lm", False)),
+    ("T7", "least_squares lm, 30 x 30 nodes, analytic Jacobian, tight", lambda: plane_fit("lm", True)),
+    ("T7", "least_squares trf, 30 x 30 nodes, analytic Jacobian", lambda: plane_fit("trf", False)),
+    ("T7", "least_squares trf, 30 x 30 nodes, analytic Jacobian, tight", lambda: plane_fit("trf", True)),
 ]
 
 
