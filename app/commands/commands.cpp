@@ -197,7 +197,8 @@ Outcome explain_command(const ExplainOptions& options) {
           options.json ? json_text(explanation_json(judged)) : explanation(judged, options.terminal), ""};
 }
 
-Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint) {
+Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (options.html) return gallery_command(options, checkpoint, progress);
   if (options.study)
     return run_study_command(named_study(*options.study, study_folders(options.studies)), options,
                              checkpoint);

@@ -9,7 +9,7 @@
 namespace shadefit {
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint);
-Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint);
+Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,

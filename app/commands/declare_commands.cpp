@@ -103,6 +103,7 @@ void declare_run(CLI::App& run, RunOptions& options) {
   run.add_option("--only", options.only, "only these families, normalisations and claims")->type_name("ID");
   add_force(run, options.force);
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
+  run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
 }
 
 void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_default) {
@@ -345,8 +346,10 @@ void declare_commands(CLI::App& app, Call& call) {
       declare_list, [&](const ListOptions& options) { return list_command(options, call.checkpoint); });
   add_command<RunOptions>(
       app, call, "run", "fit and check everything; write report.md, the tables and the plots",
-      "  shadefit run --no-plots\n  shadefit run --only norm-phong --out phong\n", declare_run,
-      [&](const RunOptions& options) { return run_command(options, call.checkpoint); });
+      "  shadefit run --no-plots\n  shadefit run --only norm-phong --out phong\n"
+      "  shadefit run --html --out gallery\n",
+      declare_run,
+      [&](const RunOptions& options) { return run_command(options, call.checkpoint, call.progress); });
   add_command<FitOptions>(
       app, call, "fit", "fit a form, at one exponent or a sweep of them, and print its constants and errors",
       "  shadefit fit fresnel-quadratic\n"

@@ -32,6 +32,9 @@ Outcome certify_study_command(const StudyFile& file, const CertifyOptions& optio
 /// `text` is the certificate in `file`.
 Outcome verify_study(const std::string& text, const std::string& file, const ShareDone& done);
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options);
+/// The pages of a study, or of all studies in the folders.
+Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+
 Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint);
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options, const Checkpoint& checkpoint);
 

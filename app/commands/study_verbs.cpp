@@ -1,12 +1,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <utility>
+
 #include "app/commands/study_commands.hpp"
 #include "app/output/draw_figures.hpp"
 #include "app/output/output_folder.hpp"
 #include "app/output/picture_file.hpp"
+#include "app/studies/find_study.hpp"
+#include "app/terminal/progress.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
+#include "reports/gallery/gallery.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_comparison.hpp"
@@ -94,6 +99,31 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
          fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "report.md").string()));
   const std::string err = news.err + failed_lines(comparisons);
   return {err.empty() ? 0 : 1, out, err, folder.prepare(files, missing, options.force, checkpoint)};
+}
+
+Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  if (!options.only.empty())
+    throw UserError(fmt::format("--only '{}' does not go with --html: name a study", options.only.front()));
+  const OutputFolder folder(options.out);
+  const auto folders = study_folders(options.studies);
+  std::vector<StudyFile> files;
+  if (options.study) {
+    files.push_back(named_study(*options.study, folders));
+  } else {
+    for (const auto& path : study_files(folders)) files.push_back(load_study(path));
+  }
+  const Checkpoint next = stepping(checkpoint, progress, "studies", files.size());
+  std::vector<GalleryEntry> entries;
+  for (StudyFile& file : files) entries.push_back({std::move(file), {}});
+  // A comparison points to the published sets of its file, so no entry may move from here on.
+  for (GalleryEntry& entry : entries) {
+    next();
+    entry.comparisons = comparisons_of(entry.file, checkpoint);
+  }
+  progress("");
+  const auto put = folder.prepare(gallery_files(entries), {}, options.force, checkpoint);
+  return {0, fmt::format("Pages: {}\n", printable((without_detours(options.out) / "index.html").string())),
+          "", put};
 }
 
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options,

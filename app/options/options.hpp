@@ -39,6 +39,7 @@ struct RunOptions {
   bool no_plots = false;
   bool force = false;  ///< replaces files that shadefit did not write
   Terminal terminal = {};
+  bool html = false;  ///< pages of the study, or of all studies
 };
 
 /// The form and its target. `fit`, `better`, `certify` and `emit` share these options.

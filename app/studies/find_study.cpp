@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/studies/load_rows.hpp"
 #include "app/studies/read_study_file.hpp"
@@ -66,7 +68,13 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
 
 StudyFile load_study(const fs::path& path) {
   StudyFile file = read_study_file(read_bounded(path, most_study_bytes), path.string());
-  if (!file.table.empty()) load_rows(file, path.parent_path() / file.table);
+  if (!file.table.empty()) {
+    load_rows(file, path.parent_path() / file.table);
+    // What is printed names the file as the study does, wherever the study lies.
+    MeasuredRows rows = *file.study.rows;
+    rows.file = file.table;
+    file.study.rows = std::make_shared<const MeasuredRows>(std::move(rows));
+  }
   return file;
 }
 

@@ -190,6 +190,24 @@ void read_metric(const Reader& reader, const toml::table& metric, StudyFile& fil
   });
 }
 
+/// One claim for each error that the table states.
+std::vector<ErrorClaim> read_claims(const Reader& reader, const toml::table& table) {
+  std::vector<std::string> keys{"says"};
+  for (const StatedError error : stated_errors) keys.emplace_back(name(error));
+  reader.require_keys(table, keys);
+  std::vector<ErrorClaim> claims;
+  for (const StatedError error : stated_errors) {
+    const std::string key(name(error)), printed = reader.optional(table, key);
+    if (table.get(key) == nullptr) continue;
+    if (!parse_number(printed)) reader.fail(table, fmt::format("{} '{}' is not a number", key, printed));
+    claims.push_back({error, printed, reader.optional(table, "says")});
+  }
+  if (claims.empty())
+    reader.fail(table,
+                fmt::format("a claim states one of {}", fmt::join(keys.begin() + 1, keys.end(), ", ")));
+  return claims;
+}
+
 PublishedSet read_published(const Reader& reader, const toml::table& table,
                             const std::vector<StudyForm>& forms) {
   reader.require_keys(table, {"form", "given", "values", "source", "where", "claim", "variants"});
@@ -207,13 +225,8 @@ PublishedSet read_published(const Reader& reader, const toml::table& table,
   set.source = reader.required(table, "source");
   for (const toml::node* place : reader.list(table, "where"))
     set.where.push_back(reader.text(*place, "where"));
-  if (const toml::node* node = table.get("claim")) {
-    const toml::table& claim = reader.table(*node, "claim");
-    reader.require_keys(claim, {"max_abs_error", "says"});
-    set.claim = ErrorClaim{reader.required(claim, "max_abs_error"), reader.optional(claim, "says")};
-    if (!parse_number(set.claim->max_abs_error))
-      reader.fail(*node, fmt::format("max_abs_error '{}' is not a number", set.claim->max_abs_error));
-  }
+  if (const toml::node* node = table.get("claim"))
+    set.claims = read_claims(reader, reader.table(*node, "claim"));
   for (const toml::node* node : reader.list(table, "variants")) {
     toml::table values = reader.table(*node, "variants");
     MistypedCopy copy{{}, reader.required(values, "seen")};

@@ -100,7 +100,7 @@ class StudyCode {
     row.form = contender.form;
     row.constants = contender.origin;
     row.label = label_of(contender);
-    row.max_abs_error = contender.max_abs_error.magnitude;
+    row.max_abs_error = contender.max_error.magnitude;
     for (TimedFunction& other : timed) {
       if (other.comparison == place && other.rows.front().form == contender.form &&
           other.operations == contender.operations)

@@ -25,9 +25,18 @@ Symbolic form_with(const ReadStudy& study, const std::vector<double>& values) {
   });
 }
 
-StudyContender contender_of(const StudyForm& form, const ReadStudy& read, std::string origin,
+/// The name of the error by which contenders are compared.
+std::string_view error_of(const Study& study) {
+  if (study.rows) return "max_abs_error";
+  if (study.weight != "1") return "max_weighted_error";
+  return study.error == Error::relative ? "max_rel_error" : "max_abs_error";
+}
+
+StudyContender contender_of(const StudyForm& form, const Study& study, std::string origin,
                             std::vector<double> values) {
-  const StudyExtremum largest = largest_error(read, values);
+  const ReadStudy read = read_study(study);
+  const bool is_plain = error_of(study) == "max_abs_error";
+  const StudyExtremum largest = is_plain ? largest_error(read, values) : largest_weighted_error(read, values);
   const Symbolic code = form_with(read, values);
   return {.form = form.id,
           .formula = form.formula,
@@ -36,7 +45,7 @@ StudyContender contender_of(const StudyForm& form, const ReadStudy& read, std::s
           .values = std::move(values),
           .code = code,
           .operations = count_operations(code),
-          .max_abs_error = largest};
+          .max_error = largest};
 }
 
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
@@ -48,11 +57,11 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
     const std::vector<std::string> printed = values_of(set, read.parameters);
     std::vector<double> values;
     for (const std::string& text : printed) values.push_back(constant<double>(text));
-    StudyContender contender = contender_of(form, read, set.source, values);
+    StudyContender contender = contender_of(form, study, set.source, values);
     contender.published = &set;
     contender.printed = printed;
     contender.judgement = judge_set(objective_of(study, file.norm, file.constraints), set, checkpoint);
-    if (set.claim) contender.claim = judge_claim(*set.claim, contender.max_abs_error.magnitude);
+    for (const ErrorClaim& claim : set.claims) contender.claims.push_back(judge_error(claim, study, values));
     comparison.contenders.push_back(contender);
   }
 }
@@ -72,11 +81,12 @@ void append_fits(StudyComparison& comparison, const StudyFile& file, const Study
                  const Checkpoint& checkpoint) {
   const Study study = with_form(comparison.study, form);
   const ReadStudy read = read_study(study);
-  for (const StudyObjective& objective : objectives_of(file, study, read)) {
+  for (StudyObjective& objective : objectives_of(file, study, read)) {
     checkpoint();
+    objective.study.starts = published_starts(file, form.id, study);
     const StudyFit fit = fit_study(objective, checkpoint);
     if (fit.status == Status::converged) {
-      comparison.contenders.push_back(contender_of(form, read, objective.words, fit.parameters));
+      comparison.contenders.push_back(contender_of(form, study, objective.words, fit.parameters));
     } else {
       comparison.left_out.push_back(form.id + ", " + objective.words + ": " + std::string(name(fit.status)) +
                                     ", " + fit.why);
@@ -85,14 +95,14 @@ void append_fits(StudyComparison& comparison, const StudyFile& file, const Study
 }
 
 bool is_better(const StudyContender& contender, const StudyContender& published) {
-  return contender.max_abs_error.magnitude < published.max_abs_error.magnitude &&
+  return contender.max_error.magnitude < published.max_error.magnitude &&
          contender.operations.total() <= published.operations.total();
 }
 
 }  // namespace
 
 StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint) {
-  StudyComparison comparison{.study = study, .variables = {}};
+  StudyComparison comparison{.study = study, .error = error_of(study), .variables = {}};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
   for (const StudyForm& form : file.forms) {
     append_published(comparison, file, form, checkpoint);
@@ -102,7 +112,7 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
   std::stable_sort(
       contenders.begin(), contenders.end(), [](const StudyContender& a, const StudyContender& b) {
         const bool is_first = a.published != nullptr, is_other_first = b.published != nullptr;
-        return is_first != is_other_first ? is_first : a.max_abs_error.magnitude < b.max_abs_error.magnitude;
+        return is_first != is_other_first ? is_first : a.max_error.magnitude < b.max_error.magnitude;
       });
   for (StudyContender& contender : contenders) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {

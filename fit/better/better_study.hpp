@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/study/solve_study.hpp"
@@ -22,9 +23,9 @@ struct StudyContender {
   std::vector<double> values;
   Symbolic code;                                 ///< the form with these constants, as `emit` writes it
   Operations operations;                         ///< of that
-  StudyExtremum max_abs_error;                   ///< sampled and refined
+  StudyExtremum max_error;                       ///< in the error of the study; sampled and refined
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
-  std::optional<Verdict> claim = {};             ///< on what the source says of its error
+  std::vector<JudgedError> claims = {};          ///< what the source says of its errors
   /// The published contenders, by their places in the list, that have a larger error at no fewer
   /// instructions.
   std::vector<std::size_t> beats = {};
@@ -34,6 +35,9 @@ struct StudyContender {
 /// rising error.
 struct StudyComparison {
   Study study;  ///< its form is empty
+  /// Of all contenders: "max_abs_error", "max_rel_error", or "max_weighted_error" where the study has a
+  /// weight. Of measured rows it is the largest residual.
+  std::string_view error;
   std::vector<std::string> variables;
   std::vector<StudyContender> contenders = {};
   std::vector<std::string> left_out = {};  ///< fits that did not converge: form, objective and reason

@@ -217,8 +217,8 @@ class RemezExchange {
       }
       result_.level = static_cast<double>(level + step[problem_.size]);
       if (!(rounding_ < largest_rounding * result_.level)) {
-        fail(Status::degenerate, "the largest error, " + to_text(result_.level) +
-                                     ", is down to the rounding of the form: it has no alternation");
+        fail(Status::degenerate,
+             "the largest error is down to the rounding of the form: it has no alternation");
         return;
       }
       size = 0;

@@ -13,16 +13,25 @@ namespace shadefit {
 namespace {
 
 /// Places of one axis: the extrema of a Chebyshev polynomial between neighbouring edges, which crowd at both.
-std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count) {
+/// With `has_ends` they crowd at each edge without end: a root or a logarithm there may have a hill nearer to
+/// the edge than the first of them.
+std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count, bool has_ends) {
   std::vector<double> places{edges.front().at};
+  const double first_sine = std::sin(std::numbers::pi / 2 / count);
+  constexpr int halvings = 40, step = 2;
   for (std::size_t i = 1; i < edges.size(); ++i) {
-    const double lower = edges[i - 1].at, length = edges[i].at - lower;
+    const double lower = edges[i - 1].at, upper = edges[i].at, length = upper - lower;
+    const double first = length * first_sine * first_sine;
+    for (int k = halvings; has_ends && k > 0; k -= step) places.push_back(lower + std::ldexp(first, -k));
     for (int k = 1; k < count; ++k) {
       const double sine = std::sin(std::numbers::pi / 2 * k / count);
       places.push_back(lower + length * (sine * sine));
     }
-    places.push_back(edges[i].at);
+    for (int k = step; has_ends && k <= halvings; k += step) places.push_back(upper - std::ldexp(first, -k));
+    places.push_back(upper);
   }
+  // Near an edge that is not 0 the nearest of them are one double.
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 
@@ -159,7 +168,7 @@ std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
   constexpr std::array shares{0.99, 0.95, 0.8};
   const std::size_t axes = study.axes.size();
   std::vector<std::vector<double>> places;
-  for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1]));
+  for (const auto& of_axis : edges) places.push_back(axis_places(of_axis, counts[axes - 1], axes == 1));
   Magnitude magnitude(study, parameters);
   const Grid grid(magnitude, std::move(places));
   std::vector<StudyExtremum> tops;

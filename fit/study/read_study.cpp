@@ -167,7 +167,8 @@ ReadStudy read_formulas(const Study& study) {
   for (const std::string& parameter : form.parameters)
     require_free_of_rows("--form: its parameter", parameter, study);
   const Symbolic one = Symbolic::number("1");
-  ReadStudy result{axes, target, form.formula, one, form.parameters, study.error, study.rows};
+  ReadStudy result{axes,        target,     form.formula,         one, form.parameters,
+                   study.error, study.rows, study.has_only_starts};
   FormulaNames of_weight = names;
   of_weight.variables = node_variables(result);
   result.weight = read("--weight", study.weight, of_weight).formula;

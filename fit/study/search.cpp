@@ -218,6 +218,7 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
   SearchStarts wanted = starts_of(study, nonlinear);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
+  if (study.has_only_starts && nonlinear > 0) wanted.count = 0;
   SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
   if (nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
     // Fewer nodes, but still more than parameters, show the same basins.

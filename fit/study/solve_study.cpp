@@ -326,7 +326,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   if (study.rows) {
     checkpoint();
     fit.max_abs_error = largest_residual(study, fit.parameters);
-    fit.statistics = row_statistics(study, error, sampled, fit.parameters);
+    if (!study.has_only_starts) fit.statistics = row_statistics(study, error, sampled, fit.parameters);
   } else {
     fit.max_abs_error = largest_error(study, rules.edges(), fit.parameters);
   }

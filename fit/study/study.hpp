@@ -35,7 +35,10 @@ struct Study {
   std::map<std::string, std::string> given = {};  ///< held constants: formulas of numbers
   std::vector<Held> held = {};                    ///< parameters with given values
   std::vector<Held> starts = {};                  ///< parameters from where a descent starts too
-  std::string weight = "1";                       ///< the factor of the error, a formula in the variables
+  /// No descent starts elsewhere, and a fit of rows has no statistics: for the question whether `starts` are
+  /// near an optimum.
+  bool has_only_starts = false;
+  std::string weight = "1";  ///< the factor of the error, a formula in the variables
   Error error = Error::absolute;
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< the target, if it is not a formula
 };
@@ -54,6 +57,7 @@ struct ReadStudy {
   std::vector<std::string> parameters;  ///< of the form, in the order in which they first appear; free ones
   Error error;
   std::shared_ptr<const MeasuredRows> rows = nullptr;  ///< then the target is the variable `value`
+  bool has_only_starts = false;
 };
 
 /// The variables of the formulas of a study at a node: those of the axes, and with rows `value` and, where

@@ -6,6 +6,20 @@
 
 namespace shadefit {
 
+std::string_view name(StatedError error) {
+  switch (error) {
+    case StatedError::max_abs_error:
+      return "max_abs_error";
+    case StatedError::max_rel_error:
+      return "max_rel_error";
+    case StatedError::rms_error:
+      return "rms_error";
+    case StatedError::mean_square_error:
+      return "mean_square_error";
+  }
+  return "unknown";
+}
+
 bool is_for(const PublishedSet& set, const Study& study) {
   return std::all_of(set.given.begin(), set.given.end(), [&](const auto& given) {
     const auto found = study.given.find(given.first);

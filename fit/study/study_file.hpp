@@ -1,7 +1,8 @@
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,10 +19,20 @@ struct StudyForm {
 /// Constants as printed: names and decimal texts, because the number of digits matters.
 using PrintedValues = std::vector<std::pair<std::string, std::string>>;
 
-/// What a source says about the largest error of its constants.
+/// An error that a source states.
+enum class StatedError { max_abs_error, max_rel_error, rms_error, mean_square_error };
+
+inline constexpr std::array stated_errors{StatedError::max_abs_error, StatedError::max_rel_error,
+                                          StatedError::rms_error, StatedError::mean_square_error};
+
+/// Its key in the file of a study: "max_abs_error" ..
+std::string_view name(StatedError error);
+
+/// What a source says about an error of its constants.
 struct ErrorClaim {
-  std::string max_abs_error;  ///< as printed
-  std::string says;           ///< the words of the source
+  StatedError error = StatedError::max_abs_error;
+  std::string printed;
+  std::string says = {};  ///< the words of the source
 };
 
 /// A copy with another digit.
@@ -37,7 +48,7 @@ struct PublishedSet {
   PrintedValues values;                     ///< one for each parameter
   std::string source;                       ///< author, year, title
   std::vector<std::string> where = {};      ///< repositories and files that use it
-  std::optional<ErrorClaim> claim = {};     ///<
+  std::vector<ErrorClaim> claims = {};      ///<
   std::vector<MistypedCopy> variants = {};  ///<
 };
 

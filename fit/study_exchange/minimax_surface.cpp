@@ -77,8 +77,8 @@ class SurfaceExchange {
       support_ = *support;
       const double promised = support_.lowest.unknowns[size_];
       if (!(level_ > 1e-14 * sampled_.target_norm()))
-        return failed(Status::degenerate, "the largest error, " + to_text(level_) +
-                                              ", is down to the rounding of the form: it has no level");
+        return failed(Status::degenerate,
+                      "the largest error is down to the rounding of the form: it has no level");
       if (level_ - promised <= agree * level_ + rounding_) return checked(settled(base));
       for (std::size_t i = 0; i < size_; ++i) parameters_[i] = base[i] + scale * support_.lowest.unknowns[i];
       const Places before = places_;

@@ -128,12 +128,24 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
   // The places of the largest and of the smallest value, as far as the slopes tell, and the rest of the sum.
   StudyBox high = box, low = box;
   Interval rest(0);
-  double widest_term = 0;
-  bool has_rest = false;
+  double widest_term = -1;
+  const auto cut_if_wider = [&](std::size_t axis, double width) {
+    if (!(width > widest_term)) return;
+    widest_term = width;
+    result.axis = axis;
+  };
+  StudyBox middle = box;
+  for (auto& side : middle) side = middle_of(side);
   for (std::size_t i = 0; i < box.size(); ++i) {
     const Interval& slope = slopes[i];
-    if (!is_bounded(slope)) continue;
     const double from = box[i].lower, to = box[i].upper;
+    if (!is_bounded(slope)) {
+      // As next to a root: the width of the value itself along this variable stands for the term.
+      StudyBox line = middle;
+      line[i] = box[i];
+      cut_if_wider(i, width_of(value_for(numbers_on(line))));
+      continue;
+    }
     if (is_never_negative(slope) || is_never_positive(slope)) {
       const bool rises = is_never_negative(slope);
       high[i].lower = high[i].upper = rises ? to : from;
@@ -143,11 +155,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
     high[i] = low[i] = middle_of(box[i]);
     const Interval term = slope * (span_of(from, to) - Interval(high[i].lower));
     rest = rest + term;
-    if (const double width = width_of(term); !has_rest || width > widest_term) {
-      widest_term = width;
-      result.axis = i;
-    }
-    has_rest = true;
+    cut_if_wider(i, width_of(term));
   }
   const Interval top = value_for(numbers_on(high)) + rest, bottom = value_for(numbers_on(low)) + rest;
   if (!is_bounded(top) || !is_bounded(bottom)) return result;

@@ -33,9 +33,7 @@ FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit) {
   constants.profile = [asked, names = fit.names, objective = constants.objective](std::size_t i,
                                                                                   double value) {
     if (names.size() == 1) return objective({value});
-    StudyObjective held = asked;
-    held.study.held.push_back({names[i], value});
-    const StudyFit again = fit_study(held);
+    const StudyFit again = fit_study(holding(asked, names[i], value));
     // Where the held constant alone makes the largest error, the others are free: any of them is the best.
     const bool is_answer = again.status == Status::converged ||
                            (asked.norm == Norm::minimax && again.status == Status::degenerate);

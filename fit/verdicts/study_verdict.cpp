@@ -1,10 +1,14 @@
 #include "fit/verdicts/study_verdict.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "approx/scalar.hpp"
+#include "fit/quadrature/rule_choice.hpp"
+#include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -21,29 +25,98 @@ std::optional<StudyFit> fit_if_any(const StudyObjective& objective, const Checkp
   }
 }
 
-/// How far the worst constant is off, in units of its last printed digit.
+/// A fit that was tried for a set.
+struct Trial {
+  std::string words;
+  std::vector<double> values;       ///< of all parameters, a held one at its printed value
+  std::optional<std::size_t> held;  ///< of the parameters
+  long units_off;                   ///< of the worst constant
+};
+
+/// How far the worst constant is off, in units of its last printed digit. More digits than a fit has are not
+/// compared.
 long worst_units_off(const std::vector<std::string>& printed, const std::vector<double>& computed) {
+  constexpr double digits_of_a_fit = 1e-14;
   long worst = 0;
-  for (std::size_t i = 0; i < printed.size(); ++i)
-    worst = std::max(worst, units_off(printed[i], computed[i]));
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const double difference = std::abs(constant<double>(printed[i]) - computed[i]);
+    if (difference > digits_of_a_fit * std::abs(computed[i]))
+      worst = std::max(worst, units_off(printed[i], computed[i]));
+  }
   return worst;
 }
 
+/// How much of the tried values of a parameter lies in one unit of its last printed digit: half of them lie
+/// between their quartiles.
+double share_in_a_unit(const std::vector<Trial>& trials, std::size_t parameter, const std::string& printed) {
+  std::vector<double> values;
+  for (const Trial& trial : trials)
+    if (!trial.held) values.push_back(trial.values[parameter]);
+  if (values.size() < 4) return 1;
+  std::sort(values.begin(), values.end());
+  const double quartiles = values[values.size() * 3 / 4] - values[values.size() / 4];
+  const double unit = last_unit(printed);
+  return quartiles > unit ? unit / (2 * quartiles) : 1;
+}
+
+/// The expected number of trials that have all printed digits by chance, their constants being independent.
+double expected_chance_hits(const std::vector<Trial>& trials, const std::vector<std::string>& printed) {
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < printed.size(); ++i) shares.push_back(share_in_a_unit(trials, i, printed[i]));
+  double expected = 0;
+  for (const Trial& trial : trials) {
+    double all = 1;
+    for (std::size_t i = 0; i < shares.size(); ++i) all *= trial.held == i ? 1 : shares[i];
+    expected += all;
+  }
+  return expected;
+}
+
 /// Each parameter in turn held at its printed value, under each of the objectives. One that is exact at a
-/// place is left out: it would only say again what is held.
+/// place is left out: it would only say again what is held. So is one on samples: it is near to the integral.
 std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all, const PublishedSet& set) {
   std::vector<StudyObjective> objectives;
   if (set.values.size() < 2) return objectives;
   for (const StudyObjective& objective : all) {
-    if (!objective.constraints.exact_at.empty()) continue;
+    const bool is_sampled = objective.study.rows != all.front().study.rows;
+    if (!objective.constraints.exact_at.empty() || is_sampled) continue;
     for (const auto& [parameter, printed] : set.values) {
-      StudyObjective held = objective;
-      held.study.held.push_back({parameter, constant<double>(printed)});
+      StudyObjective held = holding(objective, parameter, constant<double>(printed));
       held.words += " with " + parameter + " = " + printed;
       objectives.push_back(held);
     }
   }
   return objectives;
+}
+
+/// Whether a fit goes through all its samples of the target: they say nothing of an objective then, as where
+/// the target is the form but for a part that no sample sees.
+bool meets_all_samples(const StudyObjective& objective, const StudyObjective& asked, const StudyFit& fit) {
+  constexpr double no_error = 1e-12;
+  return objective.study.rows != asked.study.rows && fit.rms_error < no_error;
+}
+
+/// Whether the constant that an objective holds is near to the best one without that. A constant that was
+/// rounded and then held is; others are not: the best constants for one density, with one of them held, may
+/// be the best for another too.
+bool is_held_nearby(const StudyObjective& held, const std::vector<Trial>& trials,
+                    const std::vector<std::string>& parameters) {
+  constexpr double near = 0.1;  // relative
+  const Held& constant = held.study.held.back();
+  const auto i = std::find(parameters.begin(), parameters.end(), constant.parameter) - parameters.begin();
+  return std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
+    const double best = trial.values[static_cast<std::size_t>(i)];
+    return !trial.held && held.words.starts_with(trial.words + " with ") &&
+           std::abs(best - constant.value) <= near * std::abs(best);
+  });
+}
+
+/// Which of the parameters an objective holds beyond those that the asked one holds.
+std::optional<std::size_t> held_of(const StudyObjective& objective, const StudyObjective& asked,
+                                   const std::vector<std::string>& parameters) {
+  if (objective.study.held.size() == asked.study.held.size()) return std::nullopt;
+  const auto found = std::find(parameters.begin(), parameters.end(), objective.study.held.back().parameter);
+  return static_cast<std::size_t>(found - parameters.begin());
 }
 
 /// The fitted values in the order of all parameters, the held ones at their printed values.
@@ -65,53 +138,21 @@ std::vector<double> all_values(const StudyFit& fit, const StudyObjective& object
 
 }  // namespace
 
-StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
-  const ReadStudy read = read_study(objective.study);
-  return objective.norm == Norm::minimax
-             ? solve_minimax_study(read, objective.constraints, objective.study.starts, checkpoint)
-             : solve_constrained_study(read, objective.constraints, objective.study.starts, checkpoint);
+std::vector<Held> starts_at(const PublishedSet& set, const std::vector<Held>& held) {
+  std::vector<Held> starts;
+  for (const auto& [name, printed] : set.values) {
+    const bool is_held =
+        std::any_of(held.begin(), held.end(), [&](const Held& one) { return one.parameter == name; });
+    if (!is_held) starts.push_back({name, constant<double>(printed)});
+  }
+  return starts;
 }
 
-StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints) {
-  StudyObjective objective{norm == Norm::minimax ? "minimax" : "least squares", study, norm, constraints};
-  if (study.error == Error::relative) objective.words += ", relative error";
-  const std::string& variable = study.over.front().variable;
-  for (const double x : constraints.exact_at)
-    objective.words += ", exact at " + variable + " = " + to_text(x);
-  if (constraints.one_sided)
-    objective.words += *constraints.one_sided == Side::above ? ", form >= target" : ", form <= target";
-  if (constraints.at_most) objective.words += ", form <= " + to_text(*constraints.at_most);
-  if (constraints.at_least) objective.words += ", form >= " + to_text(*constraints.at_least);
-  if (constraints.monotone) objective.words += ", form " + std::string(name(*constraints.monotone));
-  return objective;
-}
-
-std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
-  std::vector<StudyObjective> objectives;
-  const auto add = [&](const StudyObjective& objective) {
-    if (objective.words != asked.words) objectives.push_back(objective);
-  };
-  const bool has_rows = asked.study.rows != nullptr;
-  for (const Error error : {Error::absolute, Error::relative}) {
-    Study study = asked.study;
-    study.error = error;
-    add(objective_of(study, Norm::least_squares, {}));
-    if (!has_rows) add(objective_of(study, Norm::minimax, {}));
+std::vector<Held> published_starts(const StudyFile& file, const std::string& form, const Study& study) {
+  for (const PublishedSet& set : file.published) {
+    if (set.form == form && is_for(set, study)) return starts_at(set, study.held);
   }
-  if (has_rows || asked.study.over.size() > 1) return objectives;
-  const StudyAxis axis = read_study(asked.study).axes.front();
-  if (0 <= axis.lower && axis.upper <= 1) {
-    for (const char* word : {"angle", "cosine-weighted"}) {
-      StudyObjective objective = objective_of(asked.study, Norm::least_squares, {});
-      objective.study.over.front().density = density_of(word, axis.variable);
-      objective.words += std::string(", measure ") + word;
-      objectives.push_back(objective);
-    }
-  }
-  for (const auto& ends :
-       {std::vector{axis.lower}, std::vector{axis.upper}, std::vector{axis.lower, axis.upper}})
-    add(objective_of(asked.study, Norm::minimax, {.exact_at = ends}));
-  return objectives;
+  return {};
 }
 
 std::vector<std::string> values_of(const PublishedSet& set, const std::vector<std::string>& parameters) {
@@ -135,30 +176,78 @@ std::vector<std::string> values_of(const PublishedSet& set, const std::vector<st
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set, const Checkpoint& checkpoint) {
   const std::vector<std::string> parameters = read_study(asked.study).parameters;
   const std::vector<std::string> printed = values_of(set, parameters);
-  StudyJudgement judgement{Verdict::refuted, "", {}};
-  if (const auto fit = fit_if_any(asked, checkpoint)) {
-    judgement.computed = fit->parameters;
-    const long off = worst_units_off(printed, fit->parameters);
-    if (off == 0) return {Verdict::confirmed, asked.words, fit->parameters};
-    if (off == 1) return {Verdict::rounding, asked.words, fit->parameters};
-  }
-  std::vector<StudyObjective> others = other_objectives(asked);
+  std::vector<Trial> trials;
+  std::size_t attempts = 0;
+  const auto attempt = [&](const StudyObjective& objective) {
+    checkpoint();
+    ++attempts;
+    const auto fit = fit_if_any(objective, checkpoint);
+    if (!fit || meets_all_samples(objective, asked, *fit)) return false;
+    const std::vector<double> values = all_values(*fit, objective, parameters);
+    trials.push_back(
+        {objective.words, values, held_of(objective, asked, parameters), worst_units_off(printed, values)});
+    return trials.back().units_off == 0;
+  };
+  const auto judgement = [&](Verdict verdict, const Trial& trial) {
+    return StudyJudgement{
+        verdict, trial.words, trial.values, attempts, expected_chance_hits(trials, printed), trial.units_off};
+  };
+  // Another objective counts if it has an optimum near the printed constants.
+  const auto attempt_nearby = [&](StudyObjective objective) {
+    objective.study.has_only_starts = true;
+    objective.study.starts = starts_at(set, objective.study.held);
+    return attempt(objective);
+  };
+  StudyObjective usual = asked;
+  usual.study.starts = starts_at(set, asked.study.held);
+  if (attempt(usual)) return judgement(Verdict::confirmed, trials.front());
+  if (!trials.empty() && trials.front().units_off == 1) return judgement(Verdict::rounding, trials.front());
+
+  // All of them are tried even after one with the right digits: chance is counted among all.
+  const std::vector<StudyObjective> others = other_objectives(asked);
+  bool is_hit = false;
+  for (const StudyObjective& other : others) is_hit = attempt_nearby(other) || is_hit;
   std::vector<StudyObjective> all{asked};
   all.insert(all.end(), others.begin(), others.end());
-  for (StudyObjective& objective : with_one_held(all, set)) others.push_back(std::move(objective));
-  for (const StudyObjective& other : others) {
-    const auto fit = fit_if_any(other, checkpoint);
-    if (!fit) continue;
-    const std::vector<double> values = all_values(*fit, other, parameters);
-    if (worst_units_off(printed, values) == 0) return {Verdict::other_objective, other.words, values};
+  if (!is_hit) {
+    for (const StudyObjective& held : with_one_held(all, set))
+      is_hit = (is_held_nearby(held, trials, parameters) && attempt_nearby(held)) || is_hit;
   }
-  return judgement;
+  if (trials.empty()) return {Verdict::refuted, "", {}};
+  const Trial& nearest = *std::min_element(
+      trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.units_off < b.units_off; });
+  if (!is_hit) return judgement(Verdict::refuted, nearest);
+  StudyJudgement found = judgement(Verdict::other_objective, nearest);
+  if (found.chance >= most_chance_hits) found.verdict = Verdict::undecidable;
+  return found;
 }
 
-Verdict judge_claim(const ErrorClaim& claim, double max_abs_error) {
-  const long off = units_off(claim.max_abs_error, max_abs_error);
-  if (off == 0 || max_abs_error <= constant<double>(claim.max_abs_error)) return Verdict::confirmed;
-  return off == 1 ? Verdict::rounding : Verdict::refuted;
+JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters) {
+  Study asked = study;
+  asked.weight = "1";
+  asked.error = claim.error == StatedError::max_rel_error ? Error::relative : Error::absolute;
+  JudgedError judged{claim, std::numeric_limits<double>::quiet_NaN(), Verdict::refuted};
+  try {
+    const ReadStudy read = read_study(asked);
+    std::vector<std::vector<StudyEdge>> edges;
+    for (std::size_t i = 0; i < read.axes.size() && !read.rows; ++i) edges.push_back(edges_of(read, i));
+    require_values(read, nodes_of(read, edges, fit_rules.front()));
+    const bool is_largest =
+        claim.error == StatedError::max_abs_error || claim.error == StatedError::max_rel_error;
+    const double rms = is_largest ? 0 : rms_error(read, StudyError(read), parameters);
+    judged.computed = is_largest ? largest_weighted_error(read, parameters).magnitude
+                      : claim.error == StatedError::rms_error ? rms
+                                                              : rms * rms;
+  } catch (const UserError&) {
+    return judged;
+  }
+  const long off = units_off(claim.printed, judged.computed);
+  if (off == 0 || judged.computed <= constant<double>(claim.printed)) {
+    judged.verdict = Verdict::confirmed;
+  } else if (off == 1) {
+    judged.verdict = Verdict::rounding;
+  }
+  return judged;
 }
 
 }  // namespace shadefit

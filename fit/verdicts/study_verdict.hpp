@@ -4,48 +4,51 @@
 #include <vector>
 
 #include "fit/study/study_file.hpp"
-#include "fit/study_exchange/constrained_study.hpp"
-#include "fit/study_exchange/minimax_study.hpp"
 #include "fit/support/checkpoint.hpp"
+#include "fit/verdicts/study_objectives.hpp"
 #include "fit/verdicts/verdict.hpp"
 
 /// Verdicts on the published constants of a study.
 namespace shadefit {
 
-/// What a fit of a study minimises.
-struct StudyObjective {
-  std::string words;  ///< "least squares", "minimax, relative error", "least squares with a = 1.57"
-  Study study;
-  Norm norm = Norm::least_squares;
-  Constraints constraints = {};  ///< of minimax
-};
+/// The printed constants that are not held, as places from where a fit may start.
+std::vector<Held> starts_at(const PublishedSet& set, const std::vector<Held>& held);
 
-/// The fit under an objective. Throws UserError like `read_study`, `solve_study` and `solve_minimax_study`.
-StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
-
-/// An objective with its words.
-StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints);
-
-/// The objectives under which a number may have been fitted, other than `asked`: each norm, each error, each
-/// density of a cosine where the range is inside [0, 1], minimax that is exact at an end of the range.
-std::vector<StudyObjective> other_objectives(const StudyObjective& asked);
+/// Those of the first set that was published for a form; none without one.
+std::vector<Held> published_starts(const StudyFile& file, const std::string& form, const Study& study);
 
 struct StudyJudgement {
   Verdict verdict;
-  std::string objective;         ///< under which the digits are right; empty if refuted
-  std::vector<double> computed;  ///< under that objective, or the asked one; empty if no fit converged
+  /// Under which the digits are right; if refuted, under which they are nearest; empty if no fit converged.
+  std::string objective;
+  std::vector<double> computed;  ///< under that objective; if refuted, under the asked one if that converged
+  std::size_t tried = 0;         ///< fits
+  /// How many of those that converged would have all printed digits by chance.
+  double chance = 0;
+  long units_off = 0;  ///< of the worst constant under `objective`, in units of its last printed digit
 };
+
+/// More expected chance hits than this decide nothing.
+inline constexpr double most_chance_hits = 0.01;
 
 /// Compares all constants of a set with those of one fit at a time: under the asked objective, under the
 /// others, and with each constant in turn held at its printed value. `confirmed`: all printed digits are
 /// those of the asked fit; `rounding`: some last digits are off by one; `other-objective`: all are those of
-/// another fit; else `refuted`. Throws UserError if the set lacks a parameter of the form, or has another.
+/// another fit; `undecidable`: they are, but among so many fits that could be chance; else `refuted`.
+/// Throws UserError if the set lacks a parameter of the form, or has another.
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set,
                          const Checkpoint& checkpoint = keep_going);
 
-/// The verdict on what a source says about its largest error: `confirmed` if the computed one has the same
+/// What a source states about an error, and the verdict: `confirmed` if the computed error has the same
 /// digits or is smaller, `rounding` if its last digit is off by one, else `refuted`.
-Verdict judge_claim(const ErrorClaim& claim, double max_abs_error);
+struct JudgedError {
+  ErrorClaim claim;
+  double computed;  ///< not finite if there is none, as a relative error where the target is 0
+  Verdict verdict;
+};
+
+/// Judges a stated error of a form with these parameters.
+JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters);
 
 /// The values of a set in the order of the parameters. Throws like `judge_set`.
 std::vector<std::string> values_of(const PublishedSet& set, const std::vector<std::string>& parameters);

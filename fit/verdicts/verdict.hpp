@@ -8,9 +8,10 @@
 /// The verdict on a published number. It is computed from the printed digits, never typed.
 namespace shadefit {
 
-enum class Verdict { confirmed, rounding, other_objective, conditional, refuted };
+enum class Verdict { confirmed, rounding, other_objective, conditional, refuted, undecidable };
 
-/// All verdicts, from `confirmed` to the worst.
+/// The verdicts on claims, from `confirmed` to the worst. `undecidable` is for studies, where many objectives
+/// are tried.
 inline constexpr std::array all_verdicts{Verdict::confirmed, Verdict::rounding, Verdict::other_objective,
                                          Verdict::conditional, Verdict::refuted};
 
@@ -26,6 +27,8 @@ constexpr std::string_view name(Verdict verdict) {
       return "conditional";
     case Verdict::refuted:
       return "refuted";
+    case Verdict::undecidable:
+      return "undecidable";
   }
   return "unknown";
 }

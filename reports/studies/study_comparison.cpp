@@ -28,9 +28,20 @@ std::string origin_of(const StudyContender& contender) {
   return contender.published != nullptr ? short_source(contender.origin) : contender.origin;
 }
 
+std::string_view short_name(StatedError error) {
+  return error == StatedError::max_rel_error ? " relative"
+         : error == StatedError::rms_error   ? " rms"
+                                             : " mean square";
+}
+
 std::string claim_text(const StudyContender& contender) {
-  if (!contender.claim) return "";
-  return fmt::format("{}: {}", contender.published->claim->max_abs_error, name(*contender.claim));
+  std::vector<std::string> parts;
+  for (const JudgedError& judged : contender.claims)
+    parts.push_back(
+        fmt::format("{}{}: {}", judged.claim.printed,
+                    judged.claim.error == StatedError::max_abs_error ? "" : short_name(judged.claim.error),
+                    name(judged.verdict)));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 std::string beaten(const StudyContender& contender) {
@@ -42,17 +53,24 @@ std::string beaten(const StudyContender& contender) {
 /// The cells of a contender that tables share: from its form to what it beats.
 std::vector<Cell> cells_of(const StudyContender& contender) {
   std::vector<Cell> cells{contender.form, constants_text(contender), origin_of(contender),
-                          Number{contender.max_abs_error.magnitude, 4}};
-  for (const double x : contender.max_abs_error.at) cells.push_back(Number{x, 4});
+                          Number{contender.max_error.magnitude, 4}};
+  for (const double x : contender.max_error.at) cells.push_back(Number{x, 4});
   cells.insert(cells.end(), {to_text(contender.operations), static_cast<long>(contender.operations.total()),
                              contender.judgement ? verdict_text(*contender.judgement) : "",
                              claim_text(contender), beaten(contender)});
   return cells;
 }
 
-std::vector<std::string> columns_of(const std::vector<std::string>& variables) {
-  std::vector<std::string> columns{"form", "constants", "from", "max abs error"};
-  for (const std::string& variable : variables) columns.push_back("at " + variable);
+/// "max abs error": the key of an error in words.
+std::string in_words(std::string_view key) {
+  std::string words(key);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
+
+std::vector<std::string> columns_of(const StudyComparison& comparison) {
+  std::vector<std::string> columns{"form", "constants", "from", in_words(comparison.error)};
+  for (const std::string& variable : comparison.variables) columns.push_back("at " + variable);
   columns.insert(columns.end(), {"operations", "instructions", "verdict", "claimed error", "beats"});
   return columns;
 }
@@ -85,7 +103,7 @@ std::string target_of(const StudyComparison& comparison) {
 
 Table study_comparison_table(const StudyComparison& comparison) {
   Table table{{"row"}, {}};
-  const auto columns = columns_of(comparison.variables);
+  const auto columns = columns_of(comparison);
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
   for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
     std::vector<Cell> row{static_cast<long>(i + 1)};
@@ -97,7 +115,7 @@ Table study_comparison_table(const StudyComparison& comparison) {
 
 Table study_comparisons_table(const std::vector<StudyComparison>& comparisons) {
   Table table{{"name", "curve"}, {}};
-  const auto columns = columns_of(comparisons.front().variables);
+  const auto columns = columns_of(comparisons.front());
   table.columns.insert(table.columns.end(), columns.begin(), columns.end());
   for (const StudyComparison& comparison : comparisons) {
     for (const StudyContender& contender : comparison.contenders) {
@@ -118,8 +136,14 @@ Json study_comparison_json(const StudyComparison& comparison) {
       if (!contender.printed.empty()) printed[contender.names[i]] = contender.printed[i];
     }
     for (std::size_t i = 0; i < comparison.variables.size(); ++i)
-      at[comparison.variables[i]] = contender.max_abs_error.at[i];
+      at[comparison.variables[i]] = contender.max_error.at[i];
     const auto& judgement = contender.judgement;
+    Json claims = Json::array();
+    for (const JudgedError& judged : contender.claims)
+      claims.push_back({{"error", name(judged.claim.error)},
+                        {"printed", judged.claim.printed},
+                        {"computed", judged.computed},
+                        {"verdict", name(judged.verdict)}});
     contenders.push_back(
         {{"kind", contender.published != nullptr ? "published" : "fitted"},
          {"form", contender.form},
@@ -127,13 +151,16 @@ Json study_comparison_json(const StudyComparison& comparison) {
          {"from", contender.origin},
          {"parameters", parameters},
          {"printed", printed},
-         {"max_abs_error", contender.max_abs_error.magnitude},
+         {comparison.error, contender.max_error.magnitude},
          {"at", at},
          {"operations", to_text(contender.operations)},
          {"instructions", contender.operations.total()},
          {"verdict", judgement ? Json(name(judgement->verdict)) : Json()},
          {"objective", judgement && !judgement->objective.empty() ? Json(judgement->objective) : Json()},
-         {"claim", contender.claim ? Json(name(*contender.claim)) : Json()},
+         {"fits_tried", judgement ? Json(judgement->tried) : Json()},
+         {"chance_hits", judgement ? Json(judgement->chance) : Json()},
+         {"units_off", judgement ? Json(judgement->units_off) : Json()},
+         {"claims", claims},
          {"beats", contender.beats}});
   }
   Json given = Json::object();

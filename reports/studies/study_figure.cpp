@@ -112,8 +112,7 @@ Figure better_study_figure(const StudyComparison& comparison) {
     const bool is_published = contender.published != nullptr;
     if (is_published && shown.size() + 1 < looks.size()) shown.push_back(&contender);
     const bool is_candidate = !is_published && (!contender.beats.empty() || shown.empty());
-    if (is_candidate &&
-        (best == nullptr || contender.max_abs_error.magnitude < best->max_abs_error.magnitude))
+    if (is_candidate && (best == nullptr || contender.max_error.magnitude < best->max_error.magnitude))
       best = &contender;
   }
   if (best != nullptr) shown.push_back(best);

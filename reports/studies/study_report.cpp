@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_rows.hpp"
@@ -11,8 +12,44 @@
 namespace shadefit {
 namespace {
 
-/// One line for each fact of the study: what is approximated, over what, by which forms.
-std::vector<std::string> statement_of(const StudyFile& file) {
+/// The contender of a set in a comparison, or null.
+const StudyContender* contender_of(const StudyComparison& comparison, const PublishedSet& set) {
+  for (const StudyContender& contender : comparison.contenders) {
+    if (contender.published == &set) return &contender;
+  }
+  return nullptr;
+}
+
+std::string words_of(StatedError error) {
+  switch (error) {
+    case StatedError::max_abs_error:
+      return "Largest error";
+    case StatedError::max_rel_error:
+      return "Largest relative error";
+    case StatedError::rms_error:
+      return "Rms error";
+    case StatedError::mean_square_error:
+      return "Mean square error";
+  }
+  return "Error";
+}
+
+/// How many objectives were tried, and what came out.
+std::string trials_text(const StudyJudgement& judgement) {
+  if (judgement.verdict == Verdict::refuted)
+    return fmt::format("Fits tried: {}. The nearest, {}, is off by {} in a last digit", judgement.tried,
+                       judgement.objective, judgement.units_off);
+  return fmt::format("Fits tried: {}. By chance less than 1e{} of them would have these digits",
+                     judgement.tried, static_cast<int>(std::ceil(std::log10(judgement.chance))));
+}
+
+}  // namespace
+
+std::string study_title(const StudyFile& file) {
+  return file.title.empty() ? file.id : fmt::format("{}: {}", file.id, file.title);
+}
+
+std::vector<std::string> study_statement(const StudyFile& file) {
   std::vector<std::string> lines;
   if (!file.about.empty()) lines.push_back(file.about);
   lines.push_back("Target: " +
@@ -26,29 +63,24 @@ std::vector<std::string> statement_of(const StudyFile& file) {
     if (!file.study.rows)
       lines.push_back(fmt::format("{} in [{}, {}]{}", range.variable, range.lower, range.upper,
                                   range.density == "1" ? "" : ", density " + range.density));
+  if (file.study.error == Error::relative) lines.emplace_back("Error: relative");
+  if (file.has_weight) lines.push_back("Weight of the error: " + file.study.weight);
   for (const StudyForm& form : file.forms) lines.push_back(fmt::format("Form {}: {}", form.id, form.formula));
   return lines;
 }
 
-/// The contender of a set in a comparison, or null.
-const StudyContender* contender_of(const StudyComparison& comparison, const PublishedSet& set) {
-  for (const StudyContender& contender : comparison.contenders) {
-    if (contender.published == &set) return &contender;
-  }
-  return nullptr;
-}
-
-/// What a source printed, and what is computed about it.
-std::vector<std::string> lines_of(const PublishedSet& set, const std::vector<StudyComparison>& comparisons) {
+std::vector<std::string> published_lines(const PublishedSet& set,
+                                         const std::vector<StudyComparison>& comparisons) {
   std::vector<std::string> lines{fmt::format("{}: {} ({})", set.form, printed_text(set.values), set.source)};
   for (const StudyComparison& comparison : comparisons) {
     const StudyContender* contender = contender_of(comparison, set);
     if (contender == nullptr) continue;
     lines.push_back(fmt::format("Verdict: {}", verdict_text(*contender->judgement)));
-    if (set.claim)
-      lines.push_back(fmt::format("Largest error: stated {}, computed {}: {}", set.claim->max_abs_error,
-                                  text(Number{contender->max_abs_error.magnitude, 4}, Precision::report),
-                                  name(*contender->claim)));
+    if (contender->judgement->tried > 1) lines.push_back(trials_text(*contender->judgement));
+    for (const JudgedError& judged : contender->claims)
+      lines.push_back(fmt::format("{}: stated {}, computed {}: {}", words_of(judged.claim.error),
+                                  judged.claim.printed, text(Number{judged.computed, 4}, Precision::report),
+                                  name(judged.verdict)));
   }
   if (!set.where.empty()) lines.push_back(fmt::format("Used in: {}", fmt::join(set.where, "; ")));
   for (const MistypedCopy& copy : set.variants)
@@ -56,28 +88,22 @@ std::vector<std::string> lines_of(const PublishedSet& set, const std::vector<Stu
   return lines;
 }
 
-std::string title_of(const StudyFile& file) {
-  return file.title.empty() ? file.id : fmt::format("{}: {}", file.id, file.title);
-}
-
-}  // namespace
-
 std::string study_explanation(const StudyFile& file, const std::vector<StudyComparison>& comparisons,
                               const Terminal& terminal) {
-  std::string out = title_of(file) + "\n";
-  for (const std::string& line : statement_of(file)) out += line + "\n";
+  std::string out = study_title(file) + "\n";
+  for (const std::string& line : study_statement(file)) out += line + "\n";
   for (const PublishedSet& set : file.published)
-    out += fmt::format("\n{}\n", fmt::join(lines_of(set, comparisons), "\n"));
+    out += fmt::format("\n{}\n", fmt::join(published_lines(set, comparisons), "\n"));
   return with_coloured_verdicts(out, terminal);
 }
 
 std::vector<File> study_files_of(const StudyFile& file, const std::vector<StudyComparison>& comparisons,
                                  const std::vector<Figure>& figures) {
-  std::string page = fmt::format("# Study {}\n\n", title_of(file));
-  for (const std::string& line : statement_of(file)) page += line + "  \n";
+  std::string page = fmt::format("# Study {}\n\n", study_title(file));
+  for (const std::string& line : study_statement(file)) page += line + "  \n";
   for (const PublishedSet& set : file.published) {
     page += "\n";
-    for (const std::string& line : lines_of(set, comparisons)) page += line + "  \n";
+    for (const std::string& line : published_lines(set, comparisons)) page += line + "  \n";
   }
   for (const StudyComparison& comparison : comparisons) {
     page += fmt::format("\n## {}\n\n{}", target_of(comparison),

@@ -12,6 +12,16 @@
 /// A study on a page.
 namespace shadefit {
 
+/// "acos-linear: the arc cosine by a line times a root".
+std::string study_title(const StudyFile& file);
+
+/// One line for each fact of the study: what is approximated, over what, by which forms.
+std::vector<std::string> study_statement(const StudyFile& file);
+
+/// What a source printed, and what is computed about it.
+std::vector<std::string> published_lines(const PublishedSet& set,
+                                         const std::vector<StudyComparison>& comparisons);
+
 /// What a study says and what is computed: title, formulas, each published set with its verdict, its source
 /// and its places, and the comparison.
 std::string study_explanation(const StudyFile& file, const std::vector<StudyComparison>& comparisons,

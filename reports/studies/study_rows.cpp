@@ -161,7 +161,9 @@ void add_row_fields(Json& object, const FittedStudy& study) {
 
 std::string verdict_text(const StudyJudgement& judgement) {
   const std::string verdict(name(judgement.verdict));
-  return judgement.verdict == Verdict::other_objective ? verdict + ": " + judgement.objective : verdict;
+  const bool has_objective =
+      judgement.verdict == Verdict::other_objective || judgement.verdict == Verdict::undecidable;
+  return has_objective ? verdict + ": " + judgement.objective : verdict;
 }
 
 std::string short_source(const std::string& source) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/study_exchange/constrained_study.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
+#include "fit/support/checkpoint.hpp"
+
+/// The objectives under which the constants of a study may have been fitted.
+namespace shadefit {
+
+/// What a fit of a study minimises.
+struct StudyObjective {
+  std::string words;  ///< "least squares", "minimax, relative error", "least squares with a = 1.57"
+  Study study;
+  Norm norm = Norm::least_squares;
+  Constraints constraints = {};
+};
+
+/// The fit under an objective. Throws UserError like `read_study`, `solve_study` and `solve_minimax_study`.
+StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint = keep_going);
+
+/// An objective with its words.
+StudyObjective objective_of(const Study& study, Norm norm, const Constraints& constraints);
+
+/// The same with a parameter held.
+StudyObjective holding(StudyObjective objective, const std::string& parameter, double value);
+
+/// The objectives other than `asked` under which a number may have been fitted. Each norm with each error.
+/// Where the target is a formula of one variable also: least squares under the usual densities of a variable
+/// in [0, 1], minimax that is exact at one end or at both, and least squares on even samples of usual sizes.
+std::vector<StudyObjective> other_objectives(const StudyObjective& asked);
+
+}  // namespace shadefit

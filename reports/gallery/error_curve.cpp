@@ -1,0 +1,96 @@
+#include "reports/gallery/error_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "fit/study/largest_error.hpp"
+#include "fit/tape/tape_program.hpp"
+#include "reports/table/table.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr double width = 720, height = 240, left = 76, right = 12, top = 10, bottom = 30;
+constexpr int steps = 240;
+
+/// The error at `steps` + 1 even places; not finite where there is none.
+using ErrorValues = std::vector<double>;
+
+ReadStudy read_formulas_of(const StudyComparison& comparison, const StudyContender& contender) {
+  Study study = comparison.study;
+  study.form = contender.formula;
+  return read_study(study);
+}
+
+ErrorValues values_along(const ReadStudy& study, const std::vector<double>& parameters) {
+  const StudyAxis& axis = study.axes.front();
+  TapeProgram<double> error(tape_of(weighted_error_of(study).form, formula_inputs(study)), parameters);
+  ErrorValues values;
+  for (int i = 0; i <= steps; ++i) {
+    const double x = axis.lower + (axis.upper - axis.lower) * i / steps;
+    error.run(std::span(&x, 1));
+    values.push_back(error.output(0));
+  }
+  return values;
+}
+
+/// From the data to the picture: error 0 in the middle, +-`limit` at the edges.
+class Frame {
+ public:
+  explicit Frame(double limit) : limit_(limit) {}
+  double x(int step) const { return left + (width - left - right) * step / steps; }
+  double y(double value) const { return top + (height - top - bottom) * (1 - value / limit_) / 2; }
+
+ private:
+  double limit_;
+};
+
+std::string polyline(const ErrorValues& values, const Frame& frame, double limit, std::size_t number) {
+  std::string points;
+  for (int i = 0; i <= steps; ++i) {
+    const double value = values[static_cast<std::size_t>(i)];
+    if (std::isfinite(value))
+      points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", frame.x(i),
+                            frame.y(std::clamp(value, -limit, limit)));
+  }
+  return fmt::format("<polyline class=\"curve-{}\" points=\"{}\"/>\n", number, points);
+}
+
+std::string label(double x, double y, const char* anchor, const std::string& words) {
+  return fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor, words);
+}
+
+}  // namespace
+
+std::string error_curve_svg(const StudyComparison& comparison,
+                            const std::vector<const StudyContender*>& contenders) {
+  if (comparison.study.rows || comparison.study.over.size() != 1 || contenders.empty()) return "";
+  const StudyAxis axis = read_formulas_of(comparison, *contenders.front()).axes.front();
+  std::vector<ErrorValues> curves;
+  double limit = 0;
+  for (const StudyContender* contender : contenders) {
+    curves.push_back(values_along(read_formulas_of(comparison, *contender), contender->values));
+    limit = std::max(limit, contender->max_error.magnitude);
+  }
+  if (!(limit > 0) || !std::isfinite(limit)) return "";
+  limit *= 1.05;
+  const Frame frame(limit);
+  const auto number = [](double value) { return text(Number{value, 3}, Precision::report); };
+  std::string svg =
+      fmt::format("<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"the error over {2}\">\n",
+                  width, height, axis.variable);
+  svg += fmt::format("<line class=\"axis\" x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
+                     left, width - right, frame.y(0));
+  for (const double value : {limit / 1.05, 0.0, -limit / 1.05})
+    svg += label(left - 8, frame.y(value) + 4, "end", number(value));
+  svg += label(left, height - 8, "start", number(axis.lower));
+  svg += label((left + width - right) / 2, height - 8, "middle", axis.variable);
+  svg += label(width - right, height - 8, "end", number(axis.upper));
+  for (std::size_t i = 0; i < curves.size(); ++i) svg += polyline(curves[i], frame, limit, i + 1);
+  return svg + "</svg>\n";
+}
+
+}  // namespace shadefit

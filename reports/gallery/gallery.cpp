@@ -1,0 +1,141 @@
+#include "reports/gallery/gallery.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "reports/gallery/html.hpp"
+#include "reports/gallery/study_page.hpp"
+#include "reports/studies/study_comparison.hpp"
+#include "reports/studies/study_rows.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+/// "owner/name" of each place, once.
+std::string repositories(const std::vector<std::string>& places) {
+  std::vector<std::string> names;
+  for (const std::string& place : places) {
+    const std::string name = place.substr(0, place.find_first_of("@ :"));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& comparison,
+                         const StudyContender& published) {
+  const StudyContender* best = better_at_the_same_cost(comparison, published);
+  const double error = published.max_error.magnitude;
+  std::vector<Cell> row{
+      entry.file.id,
+      published.form + (given_text(comparison.study).empty() ? "" : ", " + given_text(comparison.study)),
+      short_source(published.origin),
+      repositories(published.published->where),
+      verdict_text(*published.judgement),
+      std::string(comparison.error),
+      Number{error, 4}};
+  const auto instructions = static_cast<long>(published.operations.total());
+  if (best == nullptr) {
+    row.insert(row.end(), {Cell{}, Cell{}, instructions, Cell{}, Cell{}});
+  } else {
+    // Of a form that is exact only rounding is left.
+    constexpr double exact = 1e-14;
+    const double least = best->max_error.magnitude;
+    row.insert(row.end(), {least < exact ? word("exact") : Cell{Number{least, 4}},
+                           least < exact ? Cell{} : Cell{Number{error / least, 3}}, instructions,
+                           static_cast<long>(best->operations.total()), best->form + ", " + best->origin});
+  }
+  return row;
+}
+
+/// The same rows for the page: what matters first, titles in words, and an address in the first cell.
+Table table_of_page(const Table& rows) {
+  constexpr std::size_t id = 0, error = 5;
+  const std::vector<std::pair<std::string, std::size_t>> columns{{"Constants", id},
+                                                                 {"Form", 1},
+                                                                 {"Verdict", 4},
+                                                                 {"Error as published", 6},
+                                                                 {"Best at the same cost", 7},
+                                                                 {"Times better", 8},
+                                                                 {"Instructions", 9},
+                                                                 {"Of the best", 10},
+                                                                 {"Error", error},
+                                                                 {"Used in", 3},
+                                                                 {"Source", 2}};
+  Table table;
+  for (const auto& column : columns) table.columns.push_back(column.first);
+  for (const auto& row : rows.rows) {
+    std::vector<Cell>& cells = table.rows.emplace_back();
+    for (const auto& column : columns) {
+      std::string words = text(row[column.second], Precision::report);
+      if (column.second == id) {
+        cells.emplace_back(fmt::format("<a href=\"{0}.html\">{0}</a>", html_text(words)));
+      } else if (column.second == error) {
+        std::replace(words.begin(), words.end(), '_', ' ');
+        cells.emplace_back(words);
+      } else {
+        cells.push_back(row[column.second]);
+      }
+    }
+  }
+  return table;
+}
+
+std::string index_page(const Table& rows, std::size_t studies) {
+  const auto improved = std::count_if(rows.rows.begin(), rows.rows.end(), [](const auto& row) {
+    return !std::holds_alternative<std::monostate>(row[7]);
+  });
+  const std::string body = fmt::format(
+      "<h1>Published constants of shading, judged and improved</h1>\n"
+      "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
+      "{} have a better set at no more instructions.</p>\n"
+      "<p>The error is the largest one over the stated range, sampled. <b>Verdict</b> says which fit has the printed digits: that of the study "
+      "(confirmed), another one (other-objective), or none (refuted). The best set is the best in its largest error; whether it keeps other properties of the published "
+      "one, such as an exact end, is not compared.</p>\n"
+      "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
+      rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true));
+  return html_page("Published constants of shading", body);
+}
+
+}  // namespace
+
+const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
+                                              const StudyContender& published) {
+  constexpr double worth = 0.99;  // a smaller gain is rounding of the printed digits
+  const StudyContender* best = nullptr;
+  for (const StudyContender& contender : comparison.contenders) {
+    const bool is_candidate = contender.published == nullptr &&
+                              contender.operations.total() <= published.operations.total() &&
+                              contender.max_error.magnitude < worth * published.max_error.magnitude;
+    if (is_candidate && (best == nullptr || contender.max_error.magnitude < best->max_error.magnitude))
+      best = &contender;
+  }
+  return best;
+}
+
+Table gallery_table(const std::vector<GalleryEntry>& entries) {
+  Table table{{"id", "form", "source", "used_in", "verdict", "error", "published", "best", "ratio",
+               "instructions", "best_instructions", "best_form"},
+              {}};
+  for (const GalleryEntry& entry : entries) {
+    for (const StudyComparison& comparison : entry.comparisons) {
+      for (const StudyContender& contender : comparison.contenders) {
+        if (contender.published != nullptr) table.rows.push_back(row_of(entry, comparison, contender));
+      }
+    }
+  }
+  return table;
+}
+
+std::vector<File> gallery_files(const std::vector<GalleryEntry>& entries) {
+  const Table rows = gallery_table(entries);
+  std::vector<File> files{{"index.html", index_page(rows, entries.size())},
+                          {"gallery.csv", write_csv(rows, Precision::report)}};
+  for (const GalleryEntry& entry : entries) files.push_back({entry.file.id + ".html", study_page(entry)});
+  return files;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/better/better_study.hpp"
+#include "fit/study/study_file.hpp"
+#include "reports/io/files.hpp"
+#include "reports/table/table.hpp"
+
+/// Studies side by side: a page with a table of all published constants, and a page for each study.
+namespace shadefit {
+
+/// A study with what was computed about it.
+struct GalleryEntry {
+  StudyFile file;
+  std::vector<StudyComparison> comparisons;
+};
+
+/// The best fit of any form with no more instructions than a published contender, if its error is smaller
+/// by 1 % at least; else null.
+const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
+                                              const StudyContender& published);
+
+/// A row for each published set: `id,form,source,used_in,verdict,error,published,best,ratio,instructions,
+/// best_instructions,best_form`.
+Table gallery_table(const std::vector<GalleryEntry>& entries);
+
+/// index.html, a page NAME.html for each study, and gallery.csv with the same rows.
+std::vector<File> gallery_files(const std::vector<GalleryEntry>& entries);
+
+}  // namespace shadefit

@@ -1,0 +1,154 @@
+#include "reports/gallery/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+namespace shadefit {
+namespace {
+
+/// Colours by role, for light and for dark; tables scroll on a narrow screen.
+constexpr std::string_view style = R"(
+:root { color-scheme: light dark; --text: #1c1c1c; --back: #ffffff; --soft: #5a5a5a; --line: #d6d6d6; --link: #0b57b0;
+  --good: #1a6b34; --part: #8a3a9e; --bad: #b3261e; --one: #b3261e; --two: #0b57b0; --three: #8a6d00; }
+@media (prefers-color-scheme: dark) { :root { --text: #e6e6e6; --back: #161616; --soft: #a6a6a6; --line: #3a3a3a; --link: #8ab8ff;
+  --good: #7fd397; --part: #d9a3e8; --bad: #ff8a80; --one: #ff8a80; --two: #8ab8ff; --three: #e0c36a; } }
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--back); margin: 0 auto; padding: 1rem; max-width: 80rem; }
+a { color: var(--link); }
+h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.15rem; margin-top: 2rem; }
+.facts { list-style: none; padding: 0; } .facts li { margin: .15rem 0; overflow-wrap: anywhere; }
+.scroll { overflow-x: auto; }
+table { border-collapse: collapse; font-size: .9rem; }
+th, td { text-align: left; padding: .35rem .7rem; border-bottom: 1px solid var(--line); vertical-align: top; }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; text-align: inherit; }
+th[aria-sort] button::after { content: " \2195"; color: var(--soft); }
+th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
+input, select { font: inherit; color: inherit; background: var(--back); border: 1px solid var(--soft); border-radius: .25rem; padding: .3rem .5rem; }
+input[type=search] { width: min(100%, 24rem); }
+pre { background: color-mix(in srgb, var(--text) 6%, var(--back)); padding: .7rem; overflow-x: auto; font-size: .85rem; }
+.code { position: relative; } .code > button { position: absolute; right: .5rem; top: .5rem; font: inherit; font-size: .8rem; }
+.soft { color: var(--soft); } .confirmed { color: var(--good); } .partly { color: var(--part); } .refuted { color: var(--bad); }
+svg { width: 100%; max-width: 45rem; height: auto; } svg text { font: 12px system-ui, sans-serif; fill: var(--soft); }
+.axis { stroke: var(--line); } polyline { fill: none; stroke-width: 2; }
+.curve-1 { stroke: var(--one); } .curve-2 { stroke: var(--two); } .curve-3 { stroke: var(--three); stroke-dasharray: 5 3; }
+.key-1 { color: var(--one); } .key-2 { color: var(--two); } .key-3 { color: var(--three); }
+)";
+
+/// Search, sort and copy. Everything is readable without it.
+constexpr std::string_view script = R"(
+for (const table of document.querySelectorAll('table.sortable')) {
+  const body = table.tBodies[0];
+  table.tHead.addEventListener('click', event => {
+    const head = event.target.closest('th');
+    if (!head) return;
+    const rising = head.getAttribute('aria-sort') !== 'ascending';
+    for (const other of table.querySelectorAll('th')) other.setAttribute('aria-sort', 'none');
+    head.setAttribute('aria-sort', rising ? 'ascending' : 'descending');
+    const key = row => row.cells[head.cellIndex].textContent;
+    const number = text => text === '' ? NaN : Number(text);
+    const compare = (a, b) => {
+      const x = number(key(a)), y = number(key(b));
+      if (isNaN(x) && isNaN(y)) return key(a).localeCompare(key(b));
+      return isNaN(x) ? 1 : isNaN(y) ? -1 : x - y;
+    };
+    const rows = [...body.rows].sort((a, b) => rising ? compare(a, b) : -compare(a, b));
+    body.append(...rows);
+  });
+}
+const search = document.querySelector('input[type=search]');
+if (search) search.addEventListener('input', () => {
+  const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
+  let shown = 0;
+  for (const row of document.querySelector('table.sortable').tBodies[0].rows) {
+    row.hidden = !words.every(word => row.textContent.toLowerCase().includes(word));
+    if (!row.hidden) ++shown;
+  }
+  document.querySelector('#shown').textContent = shown + ' shown';
+});
+const language = document.querySelector('select');
+if (language) language.addEventListener('change', () => {
+  for (const code of document.querySelectorAll('.code')) code.hidden = code.dataset.language !== language.value;
+});
+for (const code of document.querySelectorAll('.code')) {
+  code.querySelector('button').addEventListener('click', async event => {
+    await navigator.clipboard.writeText(code.querySelector('pre').textContent);
+    event.target.textContent = 'copied';
+  });
+}
+)";
+
+/// The class of a text that begins with a verdict, else nothing.
+std::string_view class_of_verdict(std::string_view words) {
+  if (words.starts_with("confirmed") || words.starts_with("rounding")) return "confirmed";
+  if (words.starts_with("other-objective") || words.starts_with("undecidable")) return "partly";
+  return words.starts_with("refuted") ? "refuted" : "";
+}
+
+bool is_number(const Cell& cell) {
+  return std::holds_alternative<Number>(cell) || std::holds_alternative<long>(cell);
+}
+
+}  // namespace
+
+std::string html_text(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+std::string html_page(std::string_view title, std::string_view body) {
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
+      "<link rel=\"icon\" href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
+      html_text(title), style, body, script);
+}
+
+std::string html_table(const Table& table, bool is_sortable) {
+  std::string out =
+      fmt::format("<div class=\"scroll\"><table{}>\n<thead><tr>", is_sortable ? " class=\"sortable\"" : "");
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const bool has_numbers =
+        std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return is_number(row[i]); });
+    const std::string name = html_text(table.columns[i]);
+    out += fmt::format("<th scope=\"col\"{}{}>{}</th>", has_numbers ? " class=\"number\"" : "",
+                       is_sortable ? " aria-sort=\"none\"" : "",
+                       is_sortable ? "<button type=\"button\">" + name + "</button>" : name);
+  }
+  out += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : table.rows) {
+    out += "<tr>";
+    for (const Cell& cell : row) {
+      const std::string words = text(cell, Precision::report);
+      // A text with an address in it is HTML already.
+      const std::string_view colour = class_of_verdict(words);
+      out += is_number(cell)
+                 ? fmt::format("<td class=\"number\">{}</td>", words)
+                 : fmt::format("<td{}>{}</td>", colour.empty() ? "" : fmt::format(" class=\"{}\"", colour),
+                               words.starts_with("<a ") ? words : html_text(words));
+    }
+    out += "</tr>\n";
+  }
+  return out + "</tbody></table></div>\n";
+}
+
+}  // namespace shadefit

@@ -1,0 +1,112 @@
+#include "reports/gallery/study_page.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "fit/support/user_error.hpp"
+#include "reports/code/shader_code.hpp"
+#include "reports/gallery/error_curve.hpp"
+#include "reports/gallery/html.hpp"
+#include "reports/studies/study_comparison.hpp"
+#include "reports/studies/study_report.hpp"
+#include "reports/studies/study_rows.hpp"
+
+namespace shadefit {
+namespace {
+
+std::string facts(const std::vector<std::string>& lines) {
+  std::string out = "<ul class=\"facts\">\n";
+  for (const std::string& line : lines) out += fmt::format("<li>{}</li>\n", html_text(line));
+  return out + "</ul>\n";
+}
+
+/// The contenders of the picture: the first published set, and what is better at its cost.
+std::vector<const StudyContender*> shown(const StudyComparison& comparison) {
+  std::vector<const StudyContender*> contenders;
+  if (comparison.contenders.empty()) return contenders;
+  const StudyContender& first = comparison.contenders.front();
+  contenders.push_back(&first);
+  if (first.published == nullptr) return contenders;
+  if (const StudyContender* best = better_at_the_same_cost(comparison, first)) contenders.push_back(best);
+  return contenders;
+}
+
+std::string words_of(const StudyContender& contender) {
+  return contender.published != nullptr
+             ? "as published: " + short_source(contender.origin)
+             : fmt::format("better at no more instructions: {}, {}", contender.form, contender.origin);
+}
+
+std::string picture(const StudyComparison& comparison) {
+  const auto contenders = shown(comparison);
+  const std::string svg = error_curve_svg(comparison, contenders);
+  if (svg.empty()) return "";
+  std::string keys;
+  for (std::size_t i = 0; i < contenders.size(); ++i)
+    keys += fmt::format("<li class=\"key-{}\">{}</li>\n", i + 1, html_text(words_of(*contenders[i])));
+  return fmt::format("<h2>Error, form minus target</h2>\n{}<ul>\n{}</ul>\n", svg, keys);
+}
+
+/// The name of a function for an id: letters, digits and '_'.
+std::string function_name(std::string id) {
+  std::replace(id.begin(), id.end(), '-', '_');
+  return id;
+}
+
+/// The best contender of the first target as code, in each language that has its functions.
+std::string code_of(const GalleryEntry& entry) {
+  const auto contenders = shown(entry.comparisons.front());
+  if (contenders.empty()) return "";
+  const StudyContender& best = *contenders.back();
+  const ShaderFunction function{function_name(entry.file.id), entry.comparisons.front().variables, best.code};
+  const std::vector<std::string> comment{best.formula, words_of(best)};
+  std::string options, blocks;
+  for (const Language language : languages) {
+    std::string code;
+    try {
+      const std::array functions{function};
+      code = shader_code(functions, language, ShaderPrecision::float32, comment);
+    } catch (const UserError&) {
+      continue;  // the language lacks a function
+    }
+    options += fmt::format("<option>{}</option>", name(language));
+    blocks += fmt::format(
+        "<div class=\"code\" data-language=\"{}\"{}><button type=\"button\">copy</button><pre>{}</pre></div>\n",
+        name(language), blocks.empty() ? "" : " hidden", html_text(code));
+  }
+  return fmt::format(
+      "<h2>Code</h2>\n<p><label>Language <select>{}</select></label> <span class=\"soft\">{}</span></p>\n{}",
+      options, html_text(words_of(best)), blocks);
+}
+
+}  // namespace
+
+std::string study_page(const GalleryEntry& entry) {
+  std::string body = fmt::format("<p><a href=\"index.html\">All constants</a></p>\n<h1>{}</h1>\n",
+                                 html_text(study_title(entry.file)));
+  body += facts(study_statement(entry.file));
+  for (const PublishedSet& set : entry.file.published) {
+    const auto lines = published_lines(set, entry.comparisons);
+    body += fmt::format("<h2>{}</h2>\n", html_text(lines.front()));
+    body += facts({lines.begin() + 1, lines.end()});
+  }
+  for (const StudyComparison& comparison : entry.comparisons) {
+    body += picture(comparison);
+    body += fmt::format(
+        "<h2>{}</h2>\n{}",
+        html_text(comparison.study.rows ? target_of(comparison)
+                                        : "All forms compared" + (given_text(comparison.study).empty()
+                                                                      ? ""
+                                                                      : ", " + given_text(comparison.study))),
+        html_table(study_comparison_table(comparison), false));
+    if (!comparison.left_out.empty()) body += facts(comparison.left_out);
+  }
+  body +=
+      "<p class=\"soft\">The largest errors are sampled. <code>beats</code> names published rows with a larger error at no fewer instructions.</p>\n";
+  body += code_of(entry);
+  return html_page(study_title(entry.file), body);
+}
+
+}  // namespace shadefit

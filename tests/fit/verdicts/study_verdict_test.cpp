@@ -1,0 +1,111 @@
+#include "fit/verdicts/study_verdict.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+const Study arc_cosine{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
+
+/// The constants of a fit with so many decimals, as a source would print them.
+PublishedSet printed(const StudyObjective& objective, int decimals) {
+  const StudyFit fit = fit_study(objective);
+  if (fit.status != Status::converged) throw UserError(fit.why);
+  PublishedSet set{.form = "form", .values = {}, .source = "a test"};
+  for (std::size_t i = 0; i < fit.names.size(); ++i)
+    set.values.emplace_back(fit.names[i], fmt::format("{:.{}f}", fit.parameters[i], decimals));
+  return set;
+}
+
+StudyJudgement judged(const PublishedSet& set) {
+  return judge_set(objective_of(arc_cosine, Norm::least_squares, {}), set);
+}
+
+TEST(StudyVerdict, FindsEveryObjectiveAgain) {
+  int found = 0;
+  for (const StudyObjective& objective :
+       other_objectives(objective_of(arc_cosine, Norm::least_squares, {}))) {
+    PublishedSet set;
+    try {
+      set = printed(objective, 9);
+    } catch (const UserError&) {
+      continue;  // an integral that diverges, a relative error where the target is 0
+    }
+    const StudyJudgement judgement = judged(set);
+    EXPECT_EQ(name(judgement.verdict), "other-objective") << objective.words;
+    ++found;
+    EXPECT_EQ(judgement.units_off, 0) << objective.words << " and " << judgement.objective;
+    EXPECT_GT(judgement.tried, 10);
+    EXPECT_LT(judgement.chance, most_chance_hits);
+  }
+  EXPECT_GT(found, 25);
+}
+
+TEST(StudyVerdict, CallsFewDigitsUndecidable) {
+  const PublishedSet many = printed(objective_of(arc_cosine, Norm::minimax, {}), 6);
+  EXPECT_EQ(name(judged(many).verdict), "other-objective");
+  const PublishedSet few = printed(objective_of(arc_cosine, Norm::minimax, {}), 3);
+  const StudyJudgement judgement = judged(few);
+  EXPECT_EQ(name(judgement.verdict), "undecidable") << judgement.objective;
+  EXPECT_GE(judgement.chance, most_chance_hits);
+  EXPECT_EQ(judgement.units_off, 0);
+}
+
+TEST(StudyVerdict, NamesTheNearestFitOfRefutedDigits) {
+  PublishedSet set = printed(objective_of(arc_cosine, Norm::minimax, {}), 9);
+  set.values[1].second = "-0.168258005";  // six units in the eighth decimal
+  const StudyJudgement judgement = judged(set);
+  EXPECT_EQ(name(judgement.verdict), "refuted");
+  EXPECT_EQ(judgement.objective.find("minimax"), 0U) << judgement.objective;
+  EXPECT_GT(judgement.units_off, 1);
+  EXPECT_LE(judgement.units_off, 60);
+}
+
+/// Each digit of each printed constant, changed by one, is noticed.
+TEST(StudyVerdict, NoticesEachChangedDigit) {
+  const PublishedSet set = printed(objective_of(arc_cosine, Norm::least_squares, {}), 7);
+  ASSERT_EQ(name(judged(set).verdict), "confirmed");
+  for (std::size_t i = 0; i < set.values.size(); ++i) {
+    const std::string& text = set.values[i].second;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+      if (text[k] < '0' || text[k] > '9') continue;
+      PublishedSet changed = set;
+      changed.values[i].second[k] = text[k] == '9' ? '8' : static_cast<char>(text[k] + 1);
+      EXPECT_NE(name(judged(changed).verdict), "confirmed") << changed.values[i].second;
+    }
+  }
+}
+
+TEST(StudyVerdict, JudgesStatedErrors) {
+  const Study line{.target = "x + 1", .form = "a x + b", .over = {{"x", "0", "1"}}};
+  const auto verdict = [&](StatedError error, const char* text) {
+    const JudgedError judged = judge_error({error, text}, line, {1.0, 1.5});
+    return fmt::format("{:.12g} {}", judged.computed, name(judged.verdict));
+  };
+  // The error is 1/2 everywhere; the largest relative one is 1/2 at x = 0.
+  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.5"), "0.5 confirmed");
+  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.6"), "0.5 confirmed");
+  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.4"), "0.5 rounding");
+  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.3"), "0.5 refuted");
+  EXPECT_EQ(verdict(StatedError::max_rel_error, "0.5"), "0.5 confirmed");
+  EXPECT_EQ(verdict(StatedError::rms_error, "0.50"), "0.5 confirmed");
+  EXPECT_EQ(verdict(StatedError::mean_square_error, "0.25"), "0.25 confirmed");
+  EXPECT_EQ(verdict(StatedError::mean_square_error, "0.10"), "0.25 refuted");
+  // x + 1 by 2.5 x + 1.5: the largest absolute error is 2, at 1; the largest relative one is 1, there too.
+  const JudgedError relative = judge_error({StatedError::max_rel_error, "1.0"}, line, {2.5, 1.5});
+  EXPECT_NEAR(relative.computed, 1, 1e-12);
+  EXPECT_EQ(name(relative.verdict), "confirmed");
+  const Study zero{.target = "x", .form = "a x + b", .over = {{"x", "0", "1"}}};
+  const JudgedError none = judge_error({StatedError::max_rel_error, "0.1"}, zero, {1.0, 0.5});
+  EXPECT_FALSE(std::isfinite(none.computed));
+  EXPECT_EQ(name(none.verdict), "refuted");
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,88 @@
+#include "reports/gallery/gallery.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "reports/gallery/html.hpp"
+
+namespace shadefit {
+namespace {
+
+TEST(Html, EscapesItsSigns) {
+  EXPECT_EQ(html_text("a < b && \"c\" > d"), "a &lt; b &amp;&amp; &quot;c&quot; &gt; d");
+}
+
+TEST(Html, WritesNumbersAndVerdicts) {
+  const Table table{{"x", "verdict"},
+                    {{Number{0.5, 4}, word("refuted")}, {Number{2, 4}, word("other-objective: minimax")}}};
+  const std::string html = html_table(table, true);
+  EXPECT_NE(html.find("<td class=\"number\">0.5</td>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<td class=\"refuted\">refuted</td>"), std::string::npos);
+  EXPECT_NE(html.find("<td class=\"partly\">other-objective: minimax</td>"), std::string::npos);
+  EXPECT_NE(html.find("<button type=\"button\">x</button>"), std::string::npos);
+  EXPECT_EQ(html_table(table, false).find("<button"), std::string::npos);
+}
+
+/// A page has no address outside itself: it works without a network.
+TEST(Html, StandsAlone) {
+  const std::string page = html_page("a & b", "<p>text</p>");
+  EXPECT_NE(page.find("<title>a &amp; b</title>"), std::string::npos);
+  for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
+    EXPECT_EQ(page.find(outside), std::string::npos) << outside;
+}
+
+/// x^2 by a line on [0, 1]: the best is x - 1/8, with error 1/8.
+GalleryEntry parabola() {
+  GalleryEntry entry;
+  entry.file.id = "parabola";
+  entry.file.title = "a parabola by a line";
+  entry.file.study = {.target = "x^2", .form = "", .over = {{"x", "0", "1"}}};
+  entry.file.forms = {{"line", "a x + b"}};
+  entry.file.published = {{.form = "line",
+                           .values = {{"a", "1.00"}, {"b", "0.00"}},
+                           .source = "Doe 2020",
+                           .where = {"doe/lines@1234 a/b: f", "doe/lines@1234 c"}}};
+  return entry;
+}
+
+TEST(Gallery, HasARowForEachPublishedSet) {
+  std::vector<GalleryEntry> entries{parabola()};
+  entries.front().comparisons = {compare_study(entries.front().file, entries.front().file.study)};
+  const Table table = gallery_table(entries);
+  ASSERT_EQ(table.rows.size(), 1U);
+  const auto cell = [&](const char* column) {
+    const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+    return text(table.rows.front()[static_cast<std::size_t>(found - table.columns.begin())],
+                Precision::report);
+  };
+  EXPECT_EQ(cell("id"), "parabola");
+  EXPECT_EQ(cell("used_in"), "doe/lines");
+  EXPECT_EQ(cell("published"), "0.25");
+  EXPECT_EQ(cell("best"), "0.125");
+  EXPECT_EQ(cell("ratio"), "2");
+  EXPECT_EQ(cell("best_form"), "line, minimax");
+
+  const auto files = gallery_files(entries);
+  ASSERT_EQ(files.size(), 3U);
+  const std::string& page = files.back().content;
+  EXPECT_EQ(files.back().name, "parabola.html");
+  for (const char* part :
+       {"<svg", "polyline class=\"curve-2\"", "float parabola(float x)", "Doe 2020", "refuted"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+/// A gain of less than 1 % is not called better.
+TEST(Gallery, LeavesRoundedConstantsAlone) {
+  std::vector<GalleryEntry> entries{parabola()};
+  entries.front().file.published.front().values = {{"a", "1.000"}, {"b", "-0.125"}};
+  entries.front().file.norm = Norm::minimax;
+  entries.front().comparisons = {compare_study(entries.front().file, entries.front().file.study)};
+  const StudyComparison& comparison = entries.front().comparisons.front();
+  ASSERT_NE(comparison.contenders.front().published, nullptr);
+  EXPECT_EQ(better_at_the_same_cost(comparison, comparison.contenders.front()), nullptr);
+}
+
+}  // namespace
+}  // namespace shadefit
