@@ -140,10 +140,10 @@ std::vector<double> all_values(const StudyFit& fit, const StudyObjective& object
 
 std::vector<Held> starts_at(const PublishedSet& set, const std::vector<Held>& held) {
   std::vector<Held> starts;
-  for (const auto& [name, printed] : set.values) {
+  for (const auto& value : set.values) {
     const bool is_held =
-        std::any_of(held.begin(), held.end(), [&](const Held& one) { return one.parameter == name; });
-    if (!is_held) starts.push_back({name, constant<double>(printed)});
+        std::any_of(held.begin(), held.end(), [&](const Held& one) { return one.parameter == value.first; });
+    if (!is_held) starts.push_back({value.first, constant<double>(value.second)});
   }
   return starts;
 }
