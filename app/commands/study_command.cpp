@@ -52,7 +52,11 @@ std::vector<JudgedSet> judged_sets(const StudyFile& file, const StudyObjective& 
   for (const PublishedSet& set : file.published) {
     if (set.form != file.forms.front().id || !is_for(set, objective.study)) continue;
     checkpoint();
-    sets.push_back({set, judge_set(objective, set, checkpoint)});
+    // A held constant is not fitted, so it is not judged.
+    PublishedSet judged = set;
+    for (const Held& held : objective.study.held)
+      std::erase_if(judged.values, [&](const auto& value) { return value.first == held.parameter; });
+    if (!judged.values.empty()) sets.push_back({judged, judge_set(objective, judged, checkpoint)});
   }
   return sets;
 }

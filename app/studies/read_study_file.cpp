@@ -272,6 +272,12 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
                  .about = reader.optional(whole, "about"),
                  .study = {},
                  .forms = {}};
+  // The id is the name of the file, and of the page of the study.
+  const bool is_name = file.id != "index" && std::all_of(file.id.begin(), file.id.end(), [](char c) {
+                         return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-';
+                       });
+  if (!is_name)
+    reader.fail(1, fmt::format("id '{}' must be small letters, digits and '-', and not 'index'", file.id));
   const auto part = [&](const char* key) -> const toml::table* {
     const toml::node* node = whole.get(key);
     return node == nullptr ? nullptr : &reader.table(*node, key);

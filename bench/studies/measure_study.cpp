@@ -12,6 +12,7 @@
 #include "bench/studies/compiled_code.hpp"
 #include "bench/timing/workload.hpp"
 #include "fit/scalars/integral.hpp"
+#include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/studies/study_comparison.hpp"
@@ -100,7 +101,9 @@ class StudyCode {
     row.form = contender.form;
     row.constants = contender.origin;
     row.label = label_of(contender);
-    row.max_abs_error = contender.max_error.magnitude;
+    Study study = comparison.study;
+    study.form = contender.formula;
+    row.max_abs_error = largest_error(read_study(study), contender.values).magnitude;
     for (TimedFunction& other : timed) {
       if (other.comparison == place && other.rows.front().form == contender.form &&
           other.operations == contender.operations)

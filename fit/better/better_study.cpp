@@ -83,7 +83,7 @@ void append_fits(StudyComparison& comparison, const StudyFile& file, const Study
   const ReadStudy read = read_study(study);
   for (StudyObjective& objective : objectives_of(file, study, read)) {
     checkpoint();
-    objective.study.starts = published_starts(file, form.id, study);
+    if (study.starts.empty()) objective.study.starts = published_starts(file, form.id, study);
     const StudyFit fit = fit_study(objective, checkpoint);
     if (fit.status == Status::converged) {
       comparison.contenders.push_back(contender_of(form, study, objective.words, fit.parameters));

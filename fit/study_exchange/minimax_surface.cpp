@@ -233,8 +233,10 @@ class SurfaceExchange {
   /// A fit whose error is nowhere larger than its level.
   StudyFit checked(StudyFit fit) {
     if (fit.status != Status::converged) return fit;
+    // Tops on an edge are found to half of the digits of their place, so the level is held to 8 digits.
+    constexpr double held = 1e-8;
     const double largest = look(fit.parameters);
-    if (largest <= *fit.level * (1 + agree) + rounding_) return fit;
+    if (largest <= *fit.level * (1 + held) + rounding_) return fit;
     fit.status = Status::not_converged;
     fit.why = "the error exceeds its level, " + to_text(*fit.level) + ", by " + to_text(largest - *fit.level);
     return fit;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "approx/scalar.hpp"
 #include "fit/quadrature/rule_choice.hpp"
@@ -46,28 +47,28 @@ long worst_units_off(const std::vector<std::string>& printed, const std::vector<
   return worst;
 }
 
-/// How much of the tried values of a parameter lies in one unit of its last printed digit: half of them lie
-/// between their quartiles.
-double share_in_a_unit(const std::vector<Trial>& trials, std::size_t parameter, const std::string& printed) {
-  std::vector<double> values;
-  for (const Trial& trial : trials)
-    if (!trial.held) values.push_back(trial.values[parameter]);
-  if (values.size() < 4) return 1;
+/// How much of the tried values of a parameter lies in one unit of its last printed digit. Half of them lie
+/// between their quartiles, all of few within their range.
+double share_in_a_unit(std::vector<double> values, double unit) {
   std::sort(values.begin(), values.end());
-  const double quartiles = values[values.size() * 3 / 4] - values[values.size() / 4];
-  const double unit = last_unit(printed);
-  return quartiles > unit ? unit / (2 * quartiles) : 1;
+  constexpr std::size_t few = 4;
+  const bool is_few = values.size() < few;
+  const double width = is_few ? values.back() - values.front()
+                              : 2 * (values[values.size() * 3 / 4] - values[values.size() / 4]);
+  return width > unit ? unit / width : 1;
 }
 
-/// The expected number of trials that have all printed digits by chance, their constants being independent.
-double expected_chance_hits(const std::vector<Trial>& trials, const std::vector<std::string>& printed) {
-  std::vector<double> shares;
-  for (std::size_t i = 0; i < printed.size(); ++i) shares.push_back(share_in_a_unit(trials, i, printed[i]));
+/// The expected number of trials that have all printed digits by chance, were these drawn from where the
+/// trials lie: among those that hold the same constant, or none.
+double expected_chance_hits(const std::vector<Trial>& trials, const std::vector<std::string>& printed,
+                            std::optional<std::size_t> held) {
   double expected = 0;
-  for (const Trial& trial : trials) {
-    double all = 1;
-    for (std::size_t i = 0; i < shares.size(); ++i) all *= trial.held == i ? 1 : shares[i];
-    expected += all;
+  for (const Trial& trial : trials) expected += trial.held == held ? 1 : 0;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    std::vector<double> values;
+    for (const Trial& trial : trials)
+      if (trial.held == held) values.push_back(trial.values[i]);
+    if (held != i) expected *= share_in_a_unit(std::move(values), last_unit(printed[i]));
   }
   return expected;
 }
@@ -102,12 +103,12 @@ bool meets_all_samples(const StudyObjective& objective, const StudyObjective& as
 bool is_held_nearby(const StudyObjective& held, const std::vector<Trial>& trials,
                     const std::vector<std::string>& parameters) {
   constexpr double near = 0.1;  // relative
-  const Held& constant = held.study.held.back();
-  const auto i = std::find(parameters.begin(), parameters.end(), constant.parameter) - parameters.begin();
+  const Held& added = held.study.held.back();
+  const auto i = std::find(parameters.begin(), parameters.end(), added.parameter) - parameters.begin();
   return std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
     const double best = trial.values[static_cast<std::size_t>(i)];
     return !trial.held && held.words.starts_with(trial.words + " with ") &&
-           std::abs(best - constant.value) <= near * std::abs(best);
+           std::abs(best - added.value) <= near * std::abs(best);
   });
 }
 
@@ -188,9 +189,12 @@ StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set, c
         {objective.words, values, held_of(objective, asked, parameters), worst_units_off(printed, values)});
     return trials.back().units_off == 0;
   };
+  const auto chance_of = [&](const Trial& trial) {
+    return expected_chance_hits(trials, printed, trial.held);
+  };
   const auto judgement = [&](Verdict verdict, const Trial& trial) {
-    return StudyJudgement{
-        verdict, trial.words, trial.values, attempts, expected_chance_hits(trials, printed), trial.units_off};
+    return StudyJudgement{verdict,          trial.words, trial.values,   attempts,
+                          chance_of(trial), {},          trial.units_off};
   };
   // Another objective counts if it has an optimum near the printed constants.
   const auto attempt_nearby = [&](StudyObjective objective) {
@@ -213,11 +217,17 @@ StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set, c
     for (const StudyObjective& held : with_one_held(all, set))
       is_hit = (is_held_nearby(held, trials, parameters) && attempt_nearby(held)) || is_hit;
   }
-  if (trials.empty()) return {Verdict::refuted, "", {}};
-  const Trial& nearest = *std::min_element(
-      trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.units_off < b.units_off; });
-  if (!is_hit) return judgement(Verdict::refuted, nearest);
+  if (trials.empty()) return {Verdict::refuted, "", {}, attempts};
+  const auto least = [&](const auto& measure) -> const Trial& {
+    return *std::min_element(trials.begin(), trials.end(),
+                             [&](const Trial& a, const Trial& b) { return measure(a) < measure(b); });
+  };
+  if (!is_hit) return judgement(Verdict::refuted, least([](const Trial& trial) { return trial.units_off; }));
+  const Trial& nearest =
+      least([&](const Trial& trial) { return trial.units_off == 0 ? chance_of(trial) : HUGE_VAL; });
   StudyJudgement found = judgement(Verdict::other_objective, nearest);
+  for (const Trial& trial : trials)
+    if (trial.units_off == 0 && &trial != &nearest) found.also.push_back(trial.words);
   if (found.chance >= most_chance_hits) found.verdict = Verdict::undecidable;
   return found;
 }

@@ -21,10 +21,11 @@ struct StudyJudgement {
   Verdict verdict;
   /// Under which the digits are right; if refuted, under which they are nearest; empty if no fit converged.
   std::string objective;
-  std::vector<double> computed;  ///< under that objective; if refuted, under the asked one if that converged
+  std::vector<double> computed;  ///< under that objective
   std::size_t tried = 0;         ///< fits
-  /// How many of those that converged would have all printed digits by chance.
+  /// How many of those that hold the same constant, or none, would have all printed digits by chance.
   double chance = 0;
+  std::vector<std::string> also = {};  ///< the other objectives that have the same digits
   long units_off = 0;  ///< of the worst constant under `objective`, in units of its last printed digit
 };
 
@@ -32,7 +33,8 @@ struct StudyJudgement {
 inline constexpr double most_chance_hits = 0.01;
 
 /// Compares all constants of a set with those of one fit at a time: under the asked objective, under the
-/// others, and with each constant in turn held at its printed value. `confirmed`: all printed digits are
+/// others and, if none of these has the digits, with each constant in turn held at its printed value where
+/// that is near to the best one. `confirmed`: all printed digits are
 /// those of the asked fit; `rounding`: some last digits are off by one; `other-objective`: all are those of
 /// another fit; `undecidable`: they are, but among so many fits that could be chance; else `refuted`.
 /// Throws UserError if the set lacks a parameter of the form, or has another.

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double width = 720, height = 240, left = 76, right = 12, top = 10, bottom = 30;
 constexpr int steps = 240;
+constexpr double room = 1.05;  // above the largest error
 
 /// The error at `steps` + 1 even places; not finite where there is none.
 using ErrorValues = std::vector<double>;
@@ -48,15 +49,20 @@ class Frame {
   double limit_;
 };
 
-std::string polyline(const ErrorValues& values, const Frame& frame, double limit, std::size_t number) {
-  std::string points;
-  for (int i = 0; i <= steps; ++i) {
-    const double value = values[static_cast<std::size_t>(i)];
-    if (std::isfinite(value))
+/// A line for each stretch without a gap.
+std::string polylines(const ErrorValues& values, const Frame& frame, double limit, std::size_t number) {
+  std::string lines, points;
+  for (int i = 0; i <= steps + 1; ++i) {
+    const double value = i <= steps ? values[static_cast<std::size_t>(i)] : HUGE_VAL;
+    if (std::isfinite(value)) {
       points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", frame.x(i),
                             frame.y(std::clamp(value, -limit, limit)));
+    } else if (!points.empty()) {
+      lines += fmt::format("<polyline class=\"curve-{}\" points=\"{}\"/>\n", number, points);
+      points.clear();
+    }
   }
-  return fmt::format("<polyline class=\"curve-{}\" points=\"{}\"/>\n", number, points);
+  return lines;
 }
 
 std::string label(double x, double y, const char* anchor, const std::string& words) {
@@ -76,7 +82,7 @@ std::string error_curve_svg(const StudyComparison& comparison,
     limit = std::max(limit, contender->max_error.magnitude);
   }
   if (!(limit > 0) || !std::isfinite(limit)) return "";
-  limit *= 1.05;
+  limit *= room;
   const Frame frame(limit);
   const auto number = [](double value) { return text(Number{value, 3}, Precision::report); };
   std::string svg =
@@ -84,12 +90,12 @@ std::string error_curve_svg(const StudyComparison& comparison,
                   width, height, axis.variable);
   svg += fmt::format("<line class=\"axis\" x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
                      left, width - right, frame.y(0));
-  for (const double value : {limit / 1.05, 0.0, -limit / 1.05})
+  for (const double value : {limit / room, 0.0, -limit / room})
     svg += label(left - 8, frame.y(value) + 4, "end", number(value));
   svg += label(left, height - 8, "start", number(axis.lower));
   svg += label((left + width - right) / 2, height - 8, "middle", axis.variable);
   svg += label(width - right, height - 8, "end", number(axis.upper));
-  for (std::size_t i = 0; i < curves.size(); ++i) svg += polyline(curves[i], frame, limit, i + 1);
+  for (std::size_t i = 0; i < curves.size(); ++i) svg += polylines(curves[i], frame, limit, i + 1);
   return svg + "</svg>\n";
 }
 

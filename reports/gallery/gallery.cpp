@@ -35,7 +35,7 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
       short_source(published.origin),
       repositories(published.published->where),
       verdict_text(*published.judgement),
-      std::string(comparison.error),
+      error_in_words(comparison.error),
       Number{error, 4}};
   const auto instructions = static_cast<long>(published.operations.total());
   if (best == nullptr) {
@@ -51,10 +51,9 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
   return row;
 }
 
-/// The same rows for the page: what matters first, titles in words, and an address in the first cell.
+/// The same rows for the page: what matters first, titles in words.
 Table table_of_page(const Table& rows) {
-  constexpr std::size_t id = 0, error = 5;
-  const std::vector<std::pair<std::string, std::size_t>> columns{{"Constants", id},
+  const std::vector<std::pair<std::string, std::size_t>> columns{{"Constants", 0},
                                                                  {"Form", 1},
                                                                  {"Verdict", 4},
                                                                  {"Error as published", 6},
@@ -62,41 +61,39 @@ Table table_of_page(const Table& rows) {
                                                                  {"Times better", 8},
                                                                  {"Instructions", 9},
                                                                  {"Of the best", 10},
-                                                                 {"Error", error},
+                                                                 {"Error", 5},
                                                                  {"Used in", 3},
                                                                  {"Source", 2}};
   Table table;
   for (const auto& column : columns) table.columns.push_back(column.first);
   for (const auto& row : rows.rows) {
     std::vector<Cell>& cells = table.rows.emplace_back();
-    for (const auto& column : columns) {
-      std::string words = text(row[column.second], Precision::report);
-      if (column.second == id) {
-        cells.emplace_back(fmt::format("<a href=\"{0}.html\">{0}</a>", html_text(words)));
-      } else if (column.second == error) {
-        std::replace(words.begin(), words.end(), '_', ' ');
-        cells.emplace_back(words);
-      } else {
-        cells.push_back(row[column.second]);
-      }
-    }
+    for (const auto& column : columns) cells.push_back(row[column.second]);
   }
   return table;
 }
 
-std::string index_page(const Table& rows, std::size_t studies) {
+std::string index_page(const Table& rows, const std::vector<GalleryEntry>& entries) {
+  std::string others;  // without a row
+  for (const GalleryEntry& entry : entries)
+    if (entry.file.published.empty())
+      others += fmt::format(" <a href=\"{0}.html\">{0}</a>", html_text(entry.file.id));
+  const auto studies = std::count_if(entries.begin(), entries.end(),
+                                     [](const GalleryEntry& entry) { return !entry.file.published.empty(); });
   const auto improved = std::count_if(rows.rows.begin(), rows.rows.end(), [](const auto& row) {
     return !std::holds_alternative<std::monostate>(row[7]);
   });
-  const std::string body = fmt::format(
-      "<h1>Published constants of shading, judged and improved</h1>\n"
-      "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
-      "{} have a better set at no more instructions.</p>\n"
-      "<p>The error is the largest one over the stated range, sampled. <b>Verdict</b> says which fit has the printed digits: that of the study "
-      "(confirmed), another one (other-objective), or none (refuted). The best set is the best in its largest error; whether it keeps other properties of the published "
-      "one, such as an exact end, is not compared.</p>\n"
-      "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
-      rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true));
+  const std::string body =
+      fmt::format(
+          "<h1>Published constants of shading, judged and improved</h1>\n"
+          "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
+          "{} have a better set at no more instructions.</p>\n"
+          "<p>The error is the largest one over the stated range, sampled. <b>Verdict</b> says which fit has the printed digits: that of the study "
+          "(confirmed; rounding: but for one unit in a last digit), another one (other-objective; undecidable: by chance, perhaps), or none (refuted). The best set is the best in its largest error; whether it keeps other properties of the published "
+          "one, such as an exact end, is not compared.</p>\n"
+          "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
+          rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true)) +
+      (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");
   return html_page("Published constants of shading", body);
 }
 
@@ -132,7 +129,7 @@ Table gallery_table(const std::vector<GalleryEntry>& entries) {
 
 std::vector<File> gallery_files(const std::vector<GalleryEntry>& entries) {
   const Table rows = gallery_table(entries);
-  std::vector<File> files{{"index.html", index_page(rows, entries.size())},
+  std::vector<File> files{{"index.html", index_page(rows, entries)},
                           {"gallery.csv", write_csv(rows, Precision::report)}};
   for (const GalleryEntry& entry : entries) files.push_back({entry.file.id + ".html", study_page(entry)});
   return files;

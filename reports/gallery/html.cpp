@@ -11,9 +11,9 @@ namespace {
 /// Colours by role, for light and for dark; tables scroll on a narrow screen.
 constexpr std::string_view style = R"(
 :root { color-scheme: light dark; --text: #1c1c1c; --back: #ffffff; --soft: #5a5a5a; --line: #d6d6d6; --link: #0b57b0;
-  --good: #1a6b34; --part: #8a3a9e; --bad: #b3261e; --one: #b3261e; --two: #0b57b0; --three: #8a6d00; }
+  --good: #1a6b34; --part: #8a3a9e; --bad: #b3261e; --one: #b3261e; --two: #0b57b0; }
 @media (prefers-color-scheme: dark) { :root { --text: #e6e6e6; --back: #161616; --soft: #a6a6a6; --line: #3a3a3a; --link: #8ab8ff;
-  --good: #7fd397; --part: #d9a3e8; --bad: #ff8a80; --one: #ff8a80; --two: #8ab8ff; --three: #e0c36a; } }
+  --good: #7fd397; --part: #d9a3e8; --bad: #ff8a80; --one: #ff8a80; --two: #8ab8ff; } }
 body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--back); margin: 0 auto; padding: 1rem; max-width: 80rem; }
 a { color: var(--link); }
 h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.15rem; margin-top: 2rem; }
@@ -32,8 +32,8 @@ pre { background: color-mix(in srgb, var(--text) 6%, var(--back)); padding: .7re
 .soft { color: var(--soft); } .confirmed { color: var(--good); } .partly { color: var(--part); } .refuted { color: var(--bad); }
 svg { width: 100%; max-width: 45rem; height: auto; } svg text { font: 12px system-ui, sans-serif; fill: var(--soft); }
 .axis { stroke: var(--line); } polyline { fill: none; stroke-width: 2; }
-.curve-1 { stroke: var(--one); } .curve-2 { stroke: var(--two); } .curve-3 { stroke: var(--three); stroke-dasharray: 5 3; }
-.key-1 { color: var(--one); } .key-2 { color: var(--two); } .key-3 { color: var(--three); }
+.curve-1 { stroke: var(--one); } .curve-2 { stroke: var(--two); stroke-dasharray: 6 3; }
+.key-1 { color: var(--one); } .key-2 { color: var(--two); }
 )";
 
 /// Search, sort and copy. Everything is readable without it.
@@ -47,13 +47,13 @@ for (const table of document.querySelectorAll('table.sortable')) {
     for (const other of table.querySelectorAll('th')) other.setAttribute('aria-sort', 'none');
     head.setAttribute('aria-sort', rising ? 'ascending' : 'descending');
     const key = row => row.cells[head.cellIndex].textContent;
-    const number = text => text === '' ? NaN : Number(text);
+    const number = text => text === '' ? NaN : text === 'exact' ? 0 : Number(text);
     const compare = (a, b) => {
       const x = number(key(a)), y = number(key(b));
-      if (isNaN(x) && isNaN(y)) return key(a).localeCompare(key(b));
-      return isNaN(x) ? 1 : isNaN(y) ? -1 : x - y;
+      if (isNaN(x) && isNaN(y)) return (rising ? 1 : -1) * key(a).localeCompare(key(b));
+      return isNaN(x) ? 1 : isNaN(y) ? -1 : rising ? x - y : y - x;
     };
-    const rows = [...body.rows].sort((a, b) => rising ? compare(a, b) : -compare(a, b));
+    const rows = [...body.rows].sort(compare);
     body.append(...rows);
   });
 }
@@ -68,13 +68,22 @@ if (search) search.addEventListener('input', () => {
   document.querySelector('#shown').textContent = shown + ' shown';
 });
 const language = document.querySelector('select');
-if (language) language.addEventListener('change', () => {
-  for (const code of document.querySelectorAll('.code')) code.hidden = code.dataset.language !== language.value;
-});
+if (language) {
+  const show = () => {
+    for (const code of document.querySelectorAll('.code')) code.hidden = code.dataset.language !== language.value;
+  };
+  language.addEventListener('change', show);
+  show();
+}
 for (const code of document.querySelectorAll('.code')) {
   code.querySelector('button').addEventListener('click', async event => {
-    await navigator.clipboard.writeText(code.querySelector('pre').textContent);
-    event.target.textContent = 'copied';
+    try {
+      await navigator.clipboard.writeText(code.querySelector('pre').textContent);
+      event.target.textContent = 'copied';
+    } catch {  // without https a browser may refuse
+      getSelection().selectAllChildren(code.querySelector('pre'));
+      event.target.textContent = 'selected';
+    }
   });
 }
 )";
@@ -117,34 +126,33 @@ std::string html_text(std::string_view text) {
 
 std::string html_page(std::string_view title, std::string_view body) {
   return fmt::format(
-      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!doctype html><!-- shadefit -->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
       "<link rel=\"icon\" href=\"data:,\">\n<style>{}</style>\n</head>\n<body>\n{}<script>{}</script>\n</body>\n</html>\n",
       html_text(title), style, body, script);
 }
 
-std::string html_table(const Table& table, bool is_sortable) {
-  std::string out =
-      fmt::format("<div class=\"scroll\"><table{}>\n<thead><tr>", is_sortable ? " class=\"sortable\"" : "");
+std::string html_table(const Table& table, bool is_index) {
+  std::string out = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table{}>\n<thead><tr>",
+                                is_index ? " class=\"sortable\"" : "");
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const bool has_numbers =
         std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return is_number(row[i]); });
     const std::string name = html_text(table.columns[i]);
     out += fmt::format("<th scope=\"col\"{}{}>{}</th>", has_numbers ? " class=\"number\"" : "",
-                       is_sortable ? " aria-sort=\"none\"" : "",
-                       is_sortable ? "<button type=\"button\">" + name + "</button>" : name);
+                       is_index ? " aria-sort=\"none\"" : "",
+                       is_index ? "<button type=\"button\">" + name + "</button>" : name);
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
     for (const Cell& cell : row) {
-      const std::string words = text(cell, Precision::report);
-      // A text with an address in it is HTML already.
-      const std::string_view colour = class_of_verdict(words);
-      out += is_number(cell)
-                 ? fmt::format("<td class=\"number\">{}</td>", words)
-                 : fmt::format("<td{}>{}</td>", colour.empty() ? "" : fmt::format(" class=\"{}\"", colour),
-                               words.starts_with("<a ") ? words : html_text(words));
+      const std::string words = html_text(text(cell, Precision::report));
+      const std::string_view style_class = is_number(cell) ? "number" : class_of_verdict(words);
+      const std::string inside =
+          is_index && &cell == &row.front() ? fmt::format("<a href=\"{0}.html\">{0}</a>", words) : words;
+      out += style_class.empty() ? fmt::format("<td>{}</td>", inside)
+                                 : fmt::format("<td class=\"{}\">{}</td>", style_class, inside);
     }
     out += "</tr>\n";
   }

@@ -22,14 +22,22 @@ std::string facts(const std::vector<std::string>& lines) {
   return out + "</ul>\n";
 }
 
-/// The contenders of the picture: the first published set, and what is better at its cost.
-std::vector<const StudyContender*> shown(const StudyComparison& comparison) {
-  std::vector<const StudyContender*> contenders;
-  if (comparison.contenders.empty()) return contenders;
-  const StudyContender& first = comparison.contenders.front();
-  contenders.push_back(&first);
-  if (first.published == nullptr) return contenders;
-  if (const StudyContender* best = better_at_the_same_cost(comparison, first)) contenders.push_back(best);
+/// The contenders of the picture: the published set that the file has first, and what is better at its cost.
+std::vector<const StudyContender*> shown(const StudyFile& file, const StudyComparison& comparison) {
+  if (comparison.contenders.empty()) return {};
+  const StudyContender* first = &comparison.contenders.front();
+  for (const PublishedSet& set : file.published) {
+    const auto found =
+        std::find_if(comparison.contenders.begin(), comparison.contenders.end(),
+                     [&](const StudyContender& contender) { return contender.published == &set; });
+    if (found == comparison.contenders.end()) continue;
+    first = &*found;
+    break;
+  }
+  std::vector<const StudyContender*> contenders{first};
+  const StudyContender* best =
+      first->published == nullptr ? nullptr : better_at_the_same_cost(comparison, *first);
+  if (best != nullptr) contenders.push_back(best);
   return contenders;
 }
 
@@ -39,14 +47,24 @@ std::string words_of(const StudyContender& contender) {
              : fmt::format("better at no more instructions: {}, {}", contender.form, contender.origin);
 }
 
-std::string picture(const StudyComparison& comparison) {
-  const auto contenders = shown(comparison);
+/// ", g = 0.5": the given constants of a comparison behind a heading.
+std::string behind(const StudyComparison& comparison) {
+  const std::string given = given_text(comparison.study);
+  return html_text(given.empty() ? given : ", " + given);
+}
+
+std::string picture(const StudyFile& file, const StudyComparison& comparison) {
+  const auto contenders = shown(file, comparison);
   const std::string svg = error_curve_svg(comparison, contenders);
   if (svg.empty()) return "";
   std::string keys;
   for (std::size_t i = 0; i < contenders.size(); ++i)
-    keys += fmt::format("<li class=\"key-{}\">{}</li>\n", i + 1, html_text(words_of(*contenders[i])));
-  return fmt::format("<h2>Error, form minus target</h2>\n{}<ul>\n{}</ul>\n", svg, keys);
+    keys += fmt::format("<li class=\"key-{}\">{}{}</li>\n", i + 1,
+                        i == 0 ? "solid: " : "dashed: ", html_text(words_of(*contenders[i])));
+  const std::string_view what = comparison.error == "max_rel_error"        ? "Relative error"
+                                : comparison.error == "max_weighted_error" ? "Weighted error"
+                                                                           : "Error, form minus target";
+  return fmt::format("<h2>{}{}</h2>\n{}<ul>\n{}</ul>\n", what, behind(comparison), svg, keys);
 }
 
 /// The name of a function for an id: letters, digits and '_'.
@@ -57,11 +75,13 @@ std::string function_name(std::string id) {
 
 /// The best contender of the first target as code, in each language that has its functions.
 std::string code_of(const GalleryEntry& entry) {
-  const auto contenders = shown(entry.comparisons.front());
+  const StudyComparison& comparison = entry.comparisons.front();
+  const auto contenders = shown(entry.file, comparison);
   if (contenders.empty()) return "";
   const StudyContender& best = *contenders.back();
-  const ShaderFunction function{function_name(entry.file.id), entry.comparisons.front().variables, best.code};
-  const std::vector<std::string> comment{best.formula, words_of(best)};
+  const ShaderFunction function{function_name(entry.file.id), comparison.variables, best.code};
+  std::vector<std::string> comment{best.formula, words_of(best)};
+  if (const std::string given = given_text(comparison.study); !given.empty()) comment.push_back(given);
   std::string options, blocks;
   for (const Language language : languages) {
     std::string code;
@@ -73,12 +93,12 @@ std::string code_of(const GalleryEntry& entry) {
     }
     options += fmt::format("<option>{}</option>", name(language));
     blocks += fmt::format(
-        "<div class=\"code\" data-language=\"{}\"{}><button type=\"button\">copy</button><pre>{}</pre></div>\n",
-        name(language), blocks.empty() ? "" : " hidden", html_text(code));
+        "<div class=\"code\" data-language=\"{}\"><button type=\"button\">copy</button><pre>{}</pre></div>\n",
+        name(language), html_text(code));
   }
   return fmt::format(
-      "<h2>Code</h2>\n<p><label>Language <select>{}</select></label> <span class=\"soft\">{}</span></p>\n{}",
-      options, html_text(words_of(best)), blocks);
+      "<h2>Code{}</h2>\n<p><label>Language <select autocomplete=\"off\">{}</select></label> <span class=\"soft\">{}</span></p>\n{}",
+      behind(comparison), options, html_text(words_of(best)), blocks);
 }
 
 }  // namespace
@@ -93,15 +113,11 @@ std::string study_page(const GalleryEntry& entry) {
     body += facts({lines.begin() + 1, lines.end()});
   }
   for (const StudyComparison& comparison : entry.comparisons) {
-    body += picture(comparison);
-    body += fmt::format(
-        "<h2>{}</h2>\n{}",
-        html_text(comparison.study.rows ? target_of(comparison)
-                                        : "All forms compared" + (given_text(comparison.study).empty()
-                                                                      ? ""
-                                                                      : ", " + given_text(comparison.study))),
-        html_table(study_comparison_table(comparison), false));
-    if (!comparison.left_out.empty()) body += facts(comparison.left_out);
+    body += picture(entry.file, comparison);
+    body += fmt::format("<h2>{}</h2>\n{}", "All forms compared" + behind(comparison),
+                        html_table(study_comparison_table(comparison), false));
+    if (!comparison.left_out.empty())
+      body += "<h2>Fits that did not converge</h2>\n" + facts(comparison.left_out);
   }
   body +=
       "<p class=\"soft\">The largest errors are sampled. <code>beats</code> names published rows with a larger error at no fewer instructions.</p>\n";

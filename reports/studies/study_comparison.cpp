@@ -61,15 +61,8 @@ std::vector<Cell> cells_of(const StudyContender& contender) {
   return cells;
 }
 
-/// "max abs error": the key of an error in words.
-std::string in_words(std::string_view key) {
-  std::string words(key);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 std::vector<std::string> columns_of(const StudyComparison& comparison) {
-  std::vector<std::string> columns{"form", "constants", "from", in_words(comparison.error)};
+  std::vector<std::string> columns{"form", "constants", "from", error_in_words(comparison.error)};
   for (const std::string& variable : comparison.variables) columns.push_back("at " + variable);
   columns.insert(columns.end(), {"operations", "instructions", "verdict", "claimed error", "beats"});
   return columns;
@@ -90,6 +83,12 @@ Table without_empty_columns(const Table& table) {
 }
 
 }  // namespace
+
+std::string error_in_words(std::string_view key) {
+  std::string words(key);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 std::string target_of(const StudyComparison& comparison) {
   const auto& rows = comparison.study.rows;

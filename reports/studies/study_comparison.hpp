@@ -13,6 +13,9 @@ namespace shadefit {
 /// "acos(x), x in 0:1", with the given constants.
 std::string target_of(const StudyComparison& comparison);
 
+/// "max abs error": the name of an error of a comparison in words.
+std::string error_in_words(std::string_view key);
+
 /// One row for each contender, numbered; `beats` has numbers of published rows. Errors have four digits, as
 /// they are sampled.
 Table study_comparison_table(const StudyComparison& comparison);

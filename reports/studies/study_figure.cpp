@@ -6,10 +6,12 @@
 #include <array>
 #include <cmath>
 
+#include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/plot_data.hpp"
 #include "reports/figures/plot_script.hpp"
 #include "reports/io/gnuplot_text.hpp"
+#include "reports/studies/study_comparison.hpp"
 
 namespace shadefit {
 namespace {
@@ -120,7 +122,8 @@ Figure better_study_figure(const StudyComparison& comparison) {
   Table table{{variable}, {}};
   Panel panel{.title = gnuplot_unmarked(comparison.study.target),
               .x_label = gnuplot_unmarked(variable),
-              .y_label = "form − target",
+              .y_label = comparison.error == "max_abs_error" ? "form − target"
+                                                             : error_in_words(comparison.error).substr(4),
               .abscissa = variable,
               .curves = {}};
   std::vector<ReadStudy> read;
@@ -141,7 +144,8 @@ Figure better_study_figure(const StudyComparison& comparison) {
   for (const double x : abscissae(axis)) {
     std::vector<Cell> row{plotted(x)};
     for (std::size_t i = 0; i < shown.size(); ++i)
-      row.push_back(plotted_if_finite(value_at(read[i], read[i].form - read[i].target, shown[i]->values, x)));
+      row.push_back(
+          plotted_if_finite(value_at(read[i], weighted_error_of(read[i]).form, shown[i]->values, x)));
     table.rows.push_back(row);
   }
   panel.settings = range_of(axis) + "set yrange " + range_around(table, panel.curves) + "\n";

@@ -36,11 +36,16 @@ std::string words_of(StatedError error) {
 
 /// How many objectives were tried, and what came out.
 std::string trials_text(const StudyJudgement& judgement) {
+  if (judgement.objective.empty()) return fmt::format("Fits tried: {}. None converged", judgement.tried);
   if (judgement.verdict == Verdict::refuted)
-    return fmt::format("Fits tried: {}. The nearest, {}, is off by {} in a last digit", judgement.tried,
-                       judgement.objective, judgement.units_off);
-  return fmt::format("Fits tried: {}. By chance less than 1e{} of them would have these digits",
-                     judgement.tried, static_cast<int>(std::ceil(std::log10(judgement.chance))));
+    return fmt::format("Fits tried: {}. The nearest, {}, is off by {} {} of a last digit", judgement.tried,
+                       judgement.objective, judgement.units_off, judgement.units_off == 1 ? "unit" : "units");
+  // A power of ten: its exact value is an estimate.
+  std::string text = fmt::format("Fits tried: {}. Expected to have these digits by chance: at most {:g}",
+                                 judgement.tried, std::pow(10.0, std::ceil(std::log10(judgement.chance))));
+  if (!judgement.also.empty())
+    text += fmt::format(". Also with these digits: {}", fmt::join(judgement.also, "; "));
+  return text;
 }
 
 }  // namespace

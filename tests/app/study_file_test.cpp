@@ -102,6 +102,8 @@ TEST(StudyFile, RefusesWithTheLine) {
   EXPECT_EQ(refusal_of(good), "none");
   EXPECT_EQ(refused("schema = 1", "schema = 2"), "study 's.toml', line 1: the key 'schema' must be 1");
   EXPECT_EQ(refused("id = \"line\"\n[over]", "[over]"), "study 's.toml', line 1: the key 'id' is missing");
+  EXPECT_EQ(refused("id = \"line\"\n[over]", "id = \"../line\"\n[over]"),
+            "study 's.toml', line 1: id '../line' must be small letters, digits and '-', and not 'index'");
   EXPECT_EQ(refused("formula = \"x^2\"", "formulla = \"x^2\""),
             "study 's.toml', line 6: unknown key 'formulla': did you mean 'formula'?");
   EXPECT_EQ(refused("[metric]", "[metrics]"),
@@ -118,6 +120,11 @@ TEST(StudyFile, RefusesWithTheLine) {
             "study 's.toml', line 4: over 'x=0' is not NAME=A:B or NAME=A:B:DENSITY");
   EXPECT_EQ(refused("\"0.125\"", "\"an eighth\""),
             "study 's.toml', line 19: max_abs_error 'an eighth' is not a number");
+  EXPECT_EQ(refused("max_abs_error = \"0.125\", ", ""),
+            "study 's.toml', line 19: a claim states one of max_abs_error, max_rel_error, rms_error, "
+            "mean_square_error");
+  EXPECT_EQ(refused("max_abs_error = \"0.125\"", "max_error = \"0.125\""),
+            "study 's.toml', line 19: unknown key 'max_error': did you mean 'rms_error'?");
   EXPECT_EQ(refused("values = {", "values = [").substr(0, 50),
             "study 's.toml', line 17: Error while parsing value");
   EXPECT_EQ(refusal_of("schema = 1\nid = \"a\"\n"), "study 's.toml', line 1: a study needs [over]");
@@ -163,6 +170,15 @@ INSTANTIATE_TEST_SUITE_P(Studies, CommittedStudy, ::testing::ValuesIn(committed_
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+// What --fix holds is not judged; the other constants are.
+TEST(StudyFile, JudgesTheConstantsThatAreFree) {
+  const Outcome outcome = run_command_line({"fit", "atan-quintic", "--fix", "b=0.0872929"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("a = -0.301895 "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("b = 0.0872929"), std::string::npos) << outcome.out;
+  EXPECT_EQ(run_command_line({"fit", "atan-quintic", "--fix", "a=-0.3", "--fix", "b=0.09"}).exit_code, 2);
+}
 
 // The reference follows the program of the ACES in 40 digits; the study has 17 digits of the end of a spline.
 TEST(StudyFile, TheAcesCurveIsThatOfItsReference) {

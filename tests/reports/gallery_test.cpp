@@ -15,14 +15,21 @@ TEST(Html, EscapesItsSigns) {
 }
 
 TEST(Html, WritesNumbersAndVerdicts) {
+  // An index has links, and what looks like one is text.
+  const Table index{{"id", "source"}, {{word("a-b"), word("<a href=x>")}}};
+  EXPECT_NE(html_table(index, true).find("<td><a href=\"a-b.html\">a-b</a></td><td>&lt;a href=x&gt;</td>"),
+            std::string::npos)
+      << html_table(index, true);
   const Table table{{"x", "verdict"},
                     {{Number{0.5, 4}, word("refuted")}, {Number{2, 4}, word("other-objective: minimax")}}};
   const std::string html = html_table(table, true);
-  EXPECT_NE(html.find("<td class=\"number\">0.5</td>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<td class=\"number\"><a href=\"0.5.html\">0.5</a></td>"), std::string::npos) << html;
   EXPECT_NE(html.find("<td class=\"refuted\">refuted</td>"), std::string::npos);
   EXPECT_NE(html.find("<td class=\"partly\">other-objective: minimax</td>"), std::string::npos);
   EXPECT_NE(html.find("<button type=\"button\">x</button>"), std::string::npos);
-  EXPECT_EQ(html_table(table, false).find("<button"), std::string::npos);
+  const std::string plain = html_table(table, false);
+  EXPECT_EQ(plain.find("<button"), std::string::npos);
+  EXPECT_NE(plain.find("<td class=\"number\">0.5</td>"), std::string::npos) << plain;
 }
 
 /// A page has no address outside itself: it works without a network.

@@ -57,6 +57,28 @@ TEST(StudyVerdict, CallsFewDigitsUndecidable) {
   EXPECT_EQ(judgement.units_off, 0);
 }
 
+// Few fits decide too, if the digits are many: of rows there are two, of two variables four.
+TEST(StudyVerdict, DecidesAmongFewFits) {
+  const Study surface{
+      .target = "exp(-x y)", .form = "1/(1 + a x y)", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
+  const StudyObjective asked = objective_of(surface, Norm::least_squares, {});
+  const StudyJudgement many = judge_set(asked, printed(objective_of(surface, Norm::minimax, {}), 9));
+  EXPECT_EQ(name(many.verdict), "other-objective") << many.objective;
+  EXPECT_EQ(many.objective, "minimax");
+  const StudyJudgement few = judge_set(asked, printed(objective_of(surface, Norm::minimax, {}), 1));
+  EXPECT_NE(name(few.verdict), "other-objective");
+}
+
+// A constant that was rounded and held: the other one is the best beside it.
+TEST(StudyVerdict, FindsAHeldConstant) {
+  StudyObjective held = holding(objective_of(arc_cosine, Norm::minimax, {}), "a", 1.57);
+  PublishedSet set = printed(held, 9);
+  set.values.emplace_back("a", "1.57");
+  const StudyJudgement judgement = judged(set);
+  EXPECT_EQ(name(judgement.verdict), "other-objective");
+  EXPECT_EQ(judgement.objective, "minimax with a = 1.57");
+}
+
 TEST(StudyVerdict, NamesTheNearestFitOfRefutedDigits) {
   PublishedSet set = printed(objective_of(arc_cosine, Norm::minimax, {}), 9);
   set.values[1].second = "-0.168258005";  // six units in the eighth decimal
