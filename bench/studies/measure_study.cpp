@@ -80,14 +80,12 @@ class StudyCode {
   /// The target itself, if it is a formula that C has.
   void add_target(const StudyComparison& comparison, const std::string& target, std::size_t place) {
     if (comparison.study.rows != nullptr || comparison.contenders.empty()) return;
-    Study study = comparison.study;
-    study.form = comparison.contenders.front().formula;
-    const Symbolic formula = read_formulas(study).target;
+    const Symbolic formula = formulas_of(comparison, comparison.contenders.front()).target;
     if (integral_depth(formula) > 0) return;
     TimedForm row;
     row.target = target;
     row.form = "target";
-    row.label = "the target: " + study.target;
+    row.label = "the target: " + comparison.study.target;
     row.is_reference = true;
     add(fmt::format("target_{}", place), formula, comparison.variables, place, row);
   }
@@ -101,9 +99,7 @@ class StudyCode {
     row.form = contender.form;
     row.constants = contender.origin;
     row.label = label_of(contender);
-    Study study = comparison.study;
-    study.form = contender.formula;
-    row.max_abs_error = largest_error(read_study(study), contender.values).magnitude;
+    row.max_abs_error = largest_error(formulas_of(comparison, contender), contender.values).magnitude;
     for (TimedFunction& other : timed) {
       if (other.comparison == place && other.rows.front().form == contender.form &&
           other.operations == contender.operations)
@@ -128,9 +124,7 @@ class StudyCode {
 class Places {
  public:
   explicit Places(const StudyComparison& comparison) {
-    Study study = comparison.study;
-    study.form = comparison.contenders.front().formula;
-    const std::vector<StudyAxis> axes = read_formulas(study).axes;
+    const std::vector<StudyAxis> axes = formulas_of(comparison, comparison.contenders.front()).axes;
     const std::size_t size = first_cache_bytes / (sizeof(float) * (axes.size() + 1)) / 64 * 64;
     double root = 2;
     for (int i = 0; i < 50; ++i) root = std::pow(1 + root, 1 / static_cast<double>(axes.size() + 1));

@@ -101,6 +101,12 @@ bool is_better(const StudyContender& contender, const StudyContender& published)
 
 }  // namespace
 
+ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& contender) {
+  Study study = comparison.study;
+  study.form = contender.formula;
+  return read_formulas(study);
+}
+
 StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint) {
   StudyComparison comparison{.study = study, .error = error_of(study), .variables = {}};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);

@@ -43,6 +43,9 @@ struct StudyComparison {
   std::vector<std::string> left_out = {};  ///< fits that did not converge: form, objective and reason
 };
 
+/// The formulas of a comparison, with the form of a contender.
+ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& contender);
+
 /// Compares the published sets of a study with the fits of each of its forms: least squares, minimax if the
 /// target is a formula, and what the file asks for. Throws UserError for a study that cannot be read.
 StudyComparison compare_study(const StudyFile& file, const Study& study,

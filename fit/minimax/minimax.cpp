@@ -157,8 +157,10 @@ class RemezExchange {
   bool stall(double best, double size) {
     if (best - expected_ >= 1e-9 * best)
       return fail(Status::not_converged, "no part of the exchange's step lowers the largest error");
-    // With 15 parameters rounding alone makes steps of 1e-4.
-    if (size < 1e-3) return true;
+    // With 15 parameters rounding alone makes steps of 1.4e-4. A level that does not determine a parameter
+    // allows steps of its own size.
+    constexpr double rounding_step = 1e-3;
+    if (size < rounding_step) return true;
     return fail(Status::degenerate, "the level is as low as it gets, but fewer than " +
                                         std::to_string(here_.unknowns()) +
                                         " places hold it there: the parameters are not determined");

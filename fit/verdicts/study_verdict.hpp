@@ -45,7 +45,7 @@ StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set,
 /// digits or is smaller, `rounding` if its last digit is off by one, else `refuted`.
 struct JudgedError {
   ErrorClaim claim;
-  double computed;  ///< not finite if there is none, as a relative error where the target is 0
+  double computed;  ///< infinite or NaN if the error does not exist: no relative error where the target is 0
   Verdict verdict;
 };
 

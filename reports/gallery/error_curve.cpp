@@ -17,14 +17,8 @@ constexpr double width = 720, height = 240, left = 76, right = 12, top = 10, bot
 constexpr int steps = 240;
 constexpr double room = 1.05;  // above the largest error
 
-/// The error at `steps` + 1 even places; not finite where there is none.
+/// The error at `steps` + 1 even places. Where the form or the target has no value, it is not finite.
 using ErrorValues = std::vector<double>;
-
-ReadStudy read_formulas_of(const StudyComparison& comparison, const StudyContender& contender) {
-  Study study = comparison.study;
-  study.form = contender.formula;
-  return read_study(study);
-}
 
 ErrorValues values_along(const ReadStudy& study, const std::vector<double>& parameters) {
   const StudyAxis& axis = study.axes.front();
@@ -74,11 +68,11 @@ std::string label(double x, double y, const char* anchor, const std::string& wor
 std::string error_curve_svg(const StudyComparison& comparison,
                             const std::vector<const StudyContender*>& contenders) {
   if (comparison.study.rows || comparison.study.over.size() != 1 || contenders.empty()) return "";
-  const StudyAxis axis = read_formulas_of(comparison, *contenders.front()).axes.front();
+  const StudyAxis axis = formulas_of(comparison, *contenders.front()).axes.front();
   std::vector<ErrorValues> curves;
   double limit = 0;
   for (const StudyContender* contender : contenders) {
-    curves.push_back(values_along(read_formulas_of(comparison, *contender), contender->values));
+    curves.push_back(values_along(formulas_of(comparison, *contender), contender->values));
     limit = std::max(limit, contender->max_error.magnitude);
   }
   if (!(limit > 0) || !std::isfinite(limit)) return "";

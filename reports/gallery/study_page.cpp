@@ -61,10 +61,8 @@ std::string picture(const StudyFile& file, const StudyComparison& comparison) {
   for (std::size_t i = 0; i < contenders.size(); ++i)
     keys += fmt::format("<li class=\"key-{}\">{}{}</li>\n", i + 1,
                         i == 0 ? "solid: " : "dashed: ", html_text(words_of(*contenders[i])));
-  const std::string_view what = comparison.error == "max_rel_error"        ? "Relative error"
-                                : comparison.error == "max_weighted_error" ? "Weighted error"
-                                                                           : "Error, form minus target";
-  return fmt::format("<h2>{}{}</h2>\n{}<ul>\n{}</ul>\n", what, behind(comparison), svg, keys);
+  return fmt::format("<h2>Error curve: {}{}</h2>\n{}<ul>\n{}</ul>\n", curve_in_words(comparison.error),
+                     behind(comparison), svg, keys);
 }
 
 /// The name of a function for an id: letters, digits and '_'.

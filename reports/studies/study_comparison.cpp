@@ -90,6 +90,12 @@ std::string error_in_words(std::string_view key) {
   return words;
 }
 
+std::string curve_in_words(std::string_view key) {
+  return key == "max_abs_error"   ? "form − target"
+         : key == "max_rel_error" ? "relative error"
+                                  : "weighted error";
+}
+
 std::string target_of(const StudyComparison& comparison) {
   const auto& rows = comparison.study.rows;
   if (rows) return rows->file + (comparison.study.given.empty() ? "" : ", " + given_text(comparison.study));

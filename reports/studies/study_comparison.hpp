@@ -16,6 +16,9 @@ std::string target_of(const StudyComparison& comparison);
 /// "max abs error": the name of an error of a comparison in words.
 std::string error_in_words(std::string_view key);
 
+/// What a curve of that error shows: "form − target", "relative error" or "weighted error".
+std::string curve_in_words(std::string_view key);
+
 /// One row for each contender, numbered; `beats` has numbers of published rows. Errors have four digits, as
 /// they are sampled.
 Table study_comparison_table(const StudyComparison& comparison);

@@ -122,15 +122,12 @@ Figure better_study_figure(const StudyComparison& comparison) {
   Table table{{variable}, {}};
   Panel panel{.title = gnuplot_unmarked(comparison.study.target),
               .x_label = gnuplot_unmarked(variable),
-              .y_label = comparison.error == "max_abs_error" ? "form − target"
-                                                             : error_in_words(comparison.error).substr(4),
+              .y_label = curve_in_words(comparison.error),
               .abscissa = variable,
               .curves = {}};
   std::vector<ReadStudy> read;
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    Study study = comparison.study;
-    study.form = shown[i]->formula;
-    read.push_back(read_study(study));
+    read.push_back(formulas_of(comparison, *shown[i]));
     const std::string column = fmt::format("error_{}", i + 1);
     table.columns.push_back(column);
     panel.curves.push_back(

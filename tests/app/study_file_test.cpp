@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,14 @@ std::vector<std::string> committed_studies() {
   return ids;
 }
 
+/// Studies with a fit that does not converge: minimax of a form that is exact, or that has no single optimum,
+/// or that the exchange does not find.
+bool has_fits_that_fail(const std::string& id) {
+  return std::set<std::string>{"air-mass",        "burley-albedo", "fresnel-average", "oren-nayar-albedo",
+                               "schlick-average", "smith-linear",  "srgb-encode",     "van-de-hulst-inverse"}
+      .contains(id);
+}
+
 /// Each study of the project is read, judged and emitted, and its id is its name.
 class CommittedStudy : public ::testing::TestWithParam<std::string> {};
 
@@ -157,11 +166,17 @@ TEST_P(CommittedStudy, Holds) {
       fitted += is_published ? 0 : 1;
     }
     EXPECT_GT(fitted, 0);
+    EXPECT_TRUE(target["left_out"].empty() || has_fits_that_fail(file.id)) << target["left_out"];
   }
-  std::vector<std::string> emit{"emit", file.id, "--lang", "glsl"};
+  std::vector<std::string> emit{"emit", file.id, "--lang", ""};
   for (const auto& [constant, values] : file.given)
     emit.insert(emit.end(), {"--given", constant + "=" + values.front()});
-  EXPECT_EQ(run_command_line(emit).exit_code, 0);
+  for (const Language language : languages) {
+    emit[3] = name(language);
+    EXPECT_EQ(run_command_line(emit).exit_code, 0) << emit[3];
+    // Each language proves the error anew, and these proofs take seconds.
+    if (file.id == "ltc-edge" || file.id == "fresnel-average") break;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Studies, CommittedStudy, ::testing::ValuesIn(committed_studies()),
