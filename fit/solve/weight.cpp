@@ -12,7 +12,7 @@
 
 #include "fit/errors/extremum.hpp"
 #include "fit/scalars/hinges.hpp"
-#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/parse_formula.hpp"
 
 namespace shadefit {
@@ -25,6 +25,10 @@ constexpr int power_at_root = 8;
 template <class T>
 T value_at(const Symbolic& formula, const T& cosine) {
   return evaluate<T>(formula, [&](const std::string&) { return cosine; });
+}
+
+Decimal50 wide_value_at(const Symbolic& formula, double cosine) {
+  return in_50_digits(formula, [&](const std::string&) { return Decimal50(cosine); });
 }
 
 double slope_at(const Symbolic& formula, double cosine) {
@@ -107,7 +111,7 @@ std::optional<double> append_edges(const Hinge& hinge, const Domain& domain,
     if (is_flat) continue;
     edges.push_back({places[i], places[i], order});
     // The nearest double is 1e-16 from a double zero, so the value there is the square of that.
-    if (hinge.is_pole && abs(value_at(hinge.part, Decimal50(places[i]))) <= Decimal50(1e-28 * largest))
+    if (hinge.is_pole && abs(wide_value_at(hinge.part, places[i])) <= Decimal50(1e-28 * largest))
       pole = places[i];
   }
   return pole;
@@ -177,6 +181,7 @@ Weight::Weight(std::string_view text, const Domain& domain) : domain_(domain) {
 }
 
 std::optional<std::string> find_fault(const Weight& weight) {
+  if (!weight.formula()) return std::nullopt;
   if (weight.edges().size() > most_edges)
     return "has more than " + std::to_string(most_edges) + " kinks, roots and poles: no more are allowed";
   const auto pieces = pieces_of(weight);
@@ -193,10 +198,9 @@ std::optional<std::string> find_fault(const Weight& weight) {
     return "divides by zero at c = " + to_text(*weight.pole()) + ": it must be finite over the domain";
   // A formula that cancels 20 of 50 digits leaves at most this of a zero.
   const Decimal50 nothing = Decimal50(largest) * Decimal50("1e-30");
-  const auto wide = [&](double c) { return weight.at(Decimal50(c)); };
   const auto negative_at = [&](double c) -> std::optional<std::string> {
     if (!(weight.at(c) <= 1e-12 * largest)) return std::nullopt;
-    const Decimal50 value = wide(c);
+    const Decimal50 value = wide_value_at(*weight.formula(), c);
     if (!(value < -nothing)) return std::nullopt;
     return "is " + text_of(static_cast<double>(value)) + " at c = " + to_text(c) +
            ": it must not be negative over the domain";
@@ -215,8 +219,9 @@ std::optional<std::string> find_fault(const Weight& weight) {
     // Between two edges a formula is analytic: if it is zero at all these places, it is zero everywhere
     // between.
     const double lower = piece.front(), upper = piece.back();
-    const bool is_zero =
-        std::all_of(piece.begin() + 1, piece.end() - 1, [&](double c) { return abs(wide(c)) <= nothing; });
+    const bool is_zero = std::all_of(piece.begin() + 1, piece.end() - 1, [&](double c) {
+      return abs(wide_value_at(*weight.formula(), c)) <= nothing;
+    });
     if (is_zero)
       return "is 0 from c = " + text_of(lower) + " to c = " + text_of(upper) +
              ": it may be 0 at single places only";

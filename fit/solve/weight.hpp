@@ -26,6 +26,8 @@ class Weight {
   explicit Weight(std::string_view text, const Domain& domain = {});
 
   bool is_one() const { return !formula_; }
+  /// Absent if the weight is 1.
+  const std::optional<Symbolic>& formula() const { return formula_; }
   const Domain& domain() const { return domain_; }
 
   /// The places inside the domain or at its ends where the formula is not smooth, in falling order: the two

@@ -3,8 +3,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/scalars/shader_calls.hpp"
 #include "fit/study/study.hpp"
@@ -28,8 +28,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 /// The value of a formula of numbers.
 double number_of(const std::string& option, const std::string& text) {
   const Symbolic formula = read(option, text, {}).formula;
-  const auto no_variable = [](const std::string&) { return Decimal50(0); };
-  const auto value = static_cast<double>(evaluate<Decimal50>(formula, no_variable));
+  const auto value = static_cast<double>(in_50_digits(formula));
   if (!std::isfinite(value)) throw UserError(option + " '" + text + "' is not a finite number");
   return value;
 }

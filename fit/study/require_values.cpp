@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -32,7 +32,7 @@ std::string first_place(const ReadStudy& study, const Symbolic& formula, const S
 
 Decimal50 magnitude_at(const ReadStudy& study, const Symbolic& formula, const Decimal50& x) {
   // Parameters without a relation to each other: what vanishes for all parameters vanishes for these.
-  return abs(evaluate<Decimal50>(formula, [&](const std::string& name) {
+  return abs(in_50_digits(formula, [&](const std::string& name) {
     if (name == study.axes.front().variable) return x;
     std::size_t i = 0;
     while (study.parameters[i] != name) ++i;

@@ -12,8 +12,8 @@
 
 #include "fit/quadrature/gauss.hpp"
 #include "fit/scalars/hinges.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/scalars/multiprecision.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/tape/tape_program.hpp"
 
@@ -128,7 +128,7 @@ void append_panel(const StudyAxis& axis, double root, double other, int power, u
       // In 50 digits: 1/sqrt(1 - x^2) near x = 1 would cancel.
       const Decimal50 x = Decimal50(root) + Decimal50(distance);
       const auto density =
-          static_cast<long double>(evaluate<Decimal50>(axis.density, [&](const std::string&) { return x; }));
+          static_cast<long double>(in_50_digits(axis.density, [&](const std::string&) { return x; }));
       if (!(density >= 0) || !std::isfinite(density))
         throw UserError("--over '" + axis.variable + "': its density must be finite and not negative; at " +
                         axis.variable + " = " + to_text(static_cast<double>(x)) + " it is " +

@@ -3,15 +3,14 @@
 #include <map>
 #include <stdexcept>
 
-#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
 namespace {
 
 long double rounded_once(const Symbolic& expression) {
-  const auto no_variable = [](const std::string& name) -> Decimal50 { throw std::logic_error(name); };
-  return static_cast<long double>(evaluate<Decimal50>(expression, no_variable));
+  return static_cast<long double>(in_50_digits(expression));
 }
 
 /// The nodes that outputs need, in the order of the graph, and how many times each is used.

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "fit/scalars/half.hpp"
-#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/digest.hpp"
 
@@ -281,10 +281,7 @@ std::string_view name(ShaderPrecision precision) {
 }
 
 Symbolic as_generated(const Symbolic& e, ShaderPrecision precision) {
-  if (is_of_numbers(e)) {
-    const auto no_variable = [](const std::string& name) -> Decimal50 { throw std::logic_error(name); };
-    return Symbolic::number(shortest(evaluate<Decimal50>(e, no_variable), precision));
-  }
+  if (is_of_numbers(e)) return Symbolic::number(shortest(in_50_digits(e), precision));
   if (e.kind() == Kind::variable) return e;
   if (e.kind() == Kind::integer_power) return multiplied(as_generated(e.part(0), precision), e.exponent());
   if (const auto by_exp2 = exp_by_exp2_of_product(e)) return as_generated(*by_exp2, precision);

@@ -68,24 +68,27 @@ Answer answer_of(const std::vector<std::string>& names, const std::vector<double
   return answer;
 }
 
-/// From formulas as text: read, compiled to tapes, searched, polished and checked.
-Answer fit_of(const shadefit::Study& study) {
-  const shadefit::StudyFit fit = shadefit::solve_study(shadefit::read_study(study), {});
+/// From formulas as text: read, compiled to tapes, searched (or descended from the starts alone), polished
+/// and checked.
+Answer fit_of(const shadefit::Study& study, const std::vector<shadefit::Held>& starts = {}) {
+  const shadefit::StudyFit fit = shadefit::solve_study(shadefit::read_study(study), starts);
   Answer answer = answer_of(fit.names, fit.parameters);
   if (fit.status != shadefit::Status::converged) answer.remark("the fit did not converge");
   return answer;
 }
 
-/// One descent from a start on 30 x 30 nodes that are made outside the timed part, as a peer does it.
-std::function<Answer()> descent(const shadefit::Study& study) {
+/// One descent from a start on 30 nodes of each variable that are made outside the timed part, as a peer does
+/// it.
+std::function<Answer()> descent(const shadefit::Study& study, double first) {
   const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
   const auto error = std::make_shared<const shadefit::StudyError>(*read);
   const std::vector<shadefit::StudyEdge> unit{{0}, {1}};
   constexpr unsigned nodes_on_axis = 30;
+  const std::vector<std::vector<shadefit::StudyEdge>> edges(read->axes.size(), unit);
   const auto sampled = std::make_shared<const shadefit::SampledStudy<double>>(
-      *error, shadefit::nodes_of(*read, {unit, unit}, nodes_on_axis));
+      *error, shadefit::nodes_of(*read, edges, nodes_on_axis));
   std::vector<double> start(read->parameters.size());
-  start.front() = 1;
+  start.front() = first;
   return [=] {
     const auto ends = shadefit::search_basins(*error, *sampled, *sampled, {0, 0, {start}});
     return answer_of(read->parameters, ends.front().parameters);
@@ -97,6 +100,8 @@ std::function<Answer()> descent(const shadefit::Study& study) {
 std::vector<Variant> other_tasks() {
   const shadefit::Study pair_study{
       .target = "(1 - c)^5", .form = "exp2((a c + b) c)", .over = {{"c", "0", "1"}}};
+  shadefit::Study started = pair_study;
+  started.has_only_starts = true;
   const shadefit::Study plane{.target = "exp(-x - y/2) + x y/2",
                               .form = "(a + b x + d y + g x y)/(1 + h x + k y + m x y + n x^2)",
                               .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
@@ -111,8 +116,13 @@ std::vector<Variant> other_tasks() {
       {"T5", "certified to 1e-12", Standing::judged, [] { return prove(1e-12); }, published + "1e-12"},
       {"T6", "two rules in two variables, each constant", Standing::judged, constants},
       {"T1", "as a study, from text, with a search", Standing::listed, [=] { return fit_of(pair_study); }},
+      {"T1", "as a study, from text, from a given start", Standing::listed,
+       [=] {
+         return fit_of(started, {{"a", -5}, {"b", -5}});
+       }},
+      {"T1", "as a study, one descent, 30 nodes ready", Standing::listed, descent(pair_study, -5)},
       {"T7", "from text, with a search", Standing::judged, [=] { return fit_of(plane); }},
-      {"T7", "one descent, 30 x 30 nodes ready", Standing::listed, descent(plane)}};
+      {"T7", "one descent, 30 x 30 nodes ready", Standing::listed, descent(plane, 1)}};
 }
 
 }  // namespace peer_tasks

@@ -12,7 +12,7 @@
 #include "fit/errors/one_code.hpp"
 #include "fit/integrals/microfacet_integrals.hpp"
 #include "fit/ledger/topics.hpp"
-#include "fit/scalars/multiprecision.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -121,8 +121,7 @@ Finding gtr1_normalised(const Claim& claim) {
   Finding finding = normalised<Distribution::gtr1>(claim);
   const std::string_view printed = claim.printed[1].value;
   const std::string_view step_text = claim.inputs.at("distance from alpha = 1");
-  const auto limit =
-      evaluate<Decimal50>(parse_formula(printed, {}), [](const std::string&) { return Decimal50(0); });
+  const Decimal50 limit = in_50_digits(parse_formula(printed, {}));
   const auto step = constant<Decimal50>(step_text);
   const double at_one = distance_from_limit(1, limit);
   const double beside = std::max(distance_from_limit(1 - step, limit), distance_from_limit(1 + step, limit));

@@ -17,8 +17,8 @@
 #include "fit/integrals/reflectance.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/half.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/jet.hpp"
-#include "fit/scalars/multiprecision.hpp"
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
@@ -365,8 +365,11 @@ Finding light_unit(const Claim& claim) {
   constexpr std::array<std::string_view, 1> names{"c_diff"};
   const std::string_view left_text = claim.inputs.at("with pi"), right_text = claim.inputs.at("without");
   const Symbolic left = parse_formula(left_text, names), right = parse_formula(right_text, names);
-  const auto value = []<class T>(const Symbolic& formula, const T& colour) {
-    return evaluate<T>(formula, [&](const std::string&) { return colour; });
+  const auto value = [](const Symbolic& formula, const Decimal50& colour) {
+    return in_50_digits(formula, [&](const std::string&) { return colour; });
+  };
+  const auto in_half = [](const Symbolic& formula, Eigen::half colour) {
+    return evaluate<Eigen::half>(formula, [&](const std::string&) { return colour; });
   };
   Decimal50 furthest = 0;
   for (int i = 1; i <= 255; ++i) {
@@ -381,8 +384,8 @@ Finding light_unit(const Claim& claim) {
       fmt::format("{} and {} differ by {}, relative, at 255 grey levels in 50 digits", left_text, right_text,
                   holds ? fmt::format("less than {:.1g}", tolerance)
                         : fmt::format("up to {:.4g}", furthest.convert_to<double>())),
-      holds ? effect_in_half([&](Eigen::half c) { return value(left, c); },
-                             [&](Eigen::half c) { return value(right, c); })
+      holds ? effect_in_half([&](Eigen::half c) { return in_half(left, c); },
+                             [&](Eigen::half c) { return in_half(right, c); })
             : effect_of_factor(at_white, value(right, Decimal50(1)).convert_to<double>())};
 }
 
