@@ -77,21 +77,34 @@ Answer fit_of(const shadefit::Study& study, const std::vector<shadefit::Held>& s
   return answer;
 }
 
-/// One descent from a start on 30 nodes of each variable that are made outside the timed part, as a peer does
-/// it.
-std::function<Answer()> descent(const shadefit::Study& study, double first) {
-  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
-  const auto error = std::make_shared<const shadefit::StudyError>(*read);
+shadefit::SampledStudy<double> sampled_on_30_nodes(const shadefit::ReadStudy& study,
+                                                   const shadefit::StudyError& error) {
   const std::vector<shadefit::StudyEdge> unit{{0}, {1}};
   constexpr unsigned nodes_on_axis = 30;
-  const std::vector<std::vector<shadefit::StudyEdge>> edges(read->axes.size(), unit);
-  const auto sampled = std::make_shared<const shadefit::SampledStudy<double>>(
-      *error, shadefit::nodes_of(*read, edges, nodes_on_axis));
-  std::vector<double> start(read->parameters.size());
-  start.front() = first;
+  return {error, shadefit::nodes_of(study, {study.axes.size(), unit}, nodes_on_axis)};
+}
+
+/// One descent from a start on 30 nodes of each variable, of a study that is read outside the timed part.
+std::function<Answer()> descent(const shadefit::Study& study, const std::vector<double>& start) {
+  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
+  const auto error = std::make_shared<const shadefit::StudyError>(*read);
   return [=] {
-    const auto ends = shadefit::search_basins(*error, *sampled, *sampled, {0, 0, {start}});
-    return answer_of(read->parameters, ends.front().parameters);
+    const auto sampled = sampled_on_30_nodes(*read, *error);
+    return answer_of(read->parameters,
+                     shadefit::search_basins(*error, sampled, sampled, {0, 0, {start}}).front().parameters);
+  };
+}
+
+/// The same with the nodes made outside the timed part too.
+std::function<Answer()> descent_on_ready_nodes(const shadefit::Study& study,
+                                               const std::vector<double>& start) {
+  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
+  const auto error = std::make_shared<const shadefit::StudyError>(*read);
+  const auto sampled =
+      std::make_shared<const shadefit::SampledStudy<double>>(sampled_on_30_nodes(*read, *error));
+  return [=] {
+    return answer_of(read->parameters,
+                     shadefit::search_basins(*error, *sampled, *sampled, {0, 0, {start}}).front().parameters);
   };
 }
 
@@ -120,9 +133,11 @@ std::vector<Variant> other_tasks() {
        [=] {
          return fit_of(started, {{"a", -5}, {"b", -5}});
        }},
-      {"T1", "as a study, one descent, 30 nodes ready", Standing::listed, descent(pair_study, -5)},
+      {"T1", "as a study, nodes and one descent from a given start", Standing::listed,
+       descent(pair_study, {-5, -5})},
       {"T7", "from text, with a search", Standing::judged, [=] { return fit_of(plane); }},
-      {"T7", "one descent, 30 x 30 nodes ready", Standing::listed, descent(plane, 1)}};
+      {"T7", "one descent, 30 x 30 nodes ready", Standing::listed,
+       descent_on_ready_nodes(plane, {1, 0, 0, 0, 0, 0, 0, 0})}};
 }
 
 }  // namespace peer_tasks
