@@ -26,14 +26,6 @@ std::optional<StudyFit> fit_if_any(const StudyObjective& objective, const Checkp
   }
 }
 
-/// A fit that was tried for a set.
-struct Trial {
-  std::string words;
-  std::vector<double> values;       ///< of all parameters, a held one at its printed value
-  std::optional<std::size_t> held;  ///< of the parameters
-  long units_off;                   ///< of the worst constant
-};
-
 /// How far the worst constant is off, in units of its last printed digit. More digits than a fit has are not
 /// compared.
 long worst_units_off(const std::vector<std::string>& printed, const std::vector<double>& computed) {
@@ -60,13 +52,13 @@ double share_in_a_unit(std::vector<double> values, double unit) {
 
 /// The expected number of trials that have all printed digits by chance, were these drawn from where the
 /// trials lie: among those that hold the same constant, or none.
-double expected_chance_hits(const std::vector<Trial>& trials, const std::vector<std::string>& printed,
+double expected_chance_hits(const std::vector<TriedFit>& trials, const std::vector<std::string>& printed,
                             std::optional<std::size_t> held) {
   double expected = 0;
-  for (const Trial& trial : trials) expected += trial.held == held ? 1 : 0;
+  for (const TriedFit& trial : trials) expected += trial.held == held ? 1 : 0;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     std::vector<double> values;
-    for (const Trial& trial : trials)
+    for (const TriedFit& trial : trials)
       if (trial.held == held) values.push_back(trial.values[i]);
     if (held != i) expected *= share_in_a_unit(std::move(values), last_unit(printed[i]));
   }
@@ -100,12 +92,12 @@ bool meets_all_samples(const StudyObjective& objective, const StudyObjective& as
 /// Whether the constant that an objective holds is near to the best one without that. A constant that was
 /// rounded and then held is; others are not: the best constants for one density, with one of them held, may
 /// be the best for another too.
-bool is_held_nearby(const StudyObjective& held, const std::vector<Trial>& trials,
+bool is_held_nearby(const StudyObjective& held, const std::vector<TriedFit>& trials,
                     const std::vector<std::string>& parameters) {
   constexpr double near = 0.1;  // relative
   const Held& added = held.study.held.back();
   const auto i = std::find(parameters.begin(), parameters.end(), added.parameter) - parameters.begin();
-  return std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
+  return std::any_of(trials.begin(), trials.end(), [&](const TriedFit& trial) {
     const double best = trial.values[static_cast<std::size_t>(i)];
     return !trial.held && held.words.starts_with(trial.words + " with ") &&
            std::abs(best - added.value) <= near * std::abs(best);
@@ -174,62 +166,73 @@ std::vector<std::string> values_of(const PublishedSet& set, const std::vector<st
   return values;
 }
 
-StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set, const Checkpoint& checkpoint) {
+TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const Checkpoint& checkpoint) {
   const std::vector<std::string> parameters = read_study(asked.study).parameters;
   const std::vector<std::string> printed = values_of(set, parameters);
-  std::vector<Trial> trials;
-  std::size_t attempts = 0;
-  const auto attempt = [&](const StudyObjective& objective) {
+  TriedFits tried;
+  // Returns how far the worst constant is off; empty if there is no such fit.
+  const auto attempt = [&](const StudyObjective& objective) -> std::optional<long> {
     checkpoint();
-    ++attempts;
+    ++tried.attempts;
     const auto fit = fit_if_any(objective, checkpoint);
-    if (!fit || meets_all_samples(objective, asked, *fit)) return false;
+    if (!fit || meets_all_samples(objective, asked, *fit)) return std::nullopt;
     const std::vector<double> values = all_values(*fit, objective, parameters);
-    trials.push_back(
-        {objective.words, values, held_of(objective, asked, parameters), worst_units_off(printed, values)});
-    return trials.back().units_off == 0;
-  };
-  const auto chance_of = [&](const Trial& trial) {
-    return expected_chance_hits(trials, printed, trial.held);
-  };
-  const auto judgement = [&](Verdict verdict, const Trial& trial) {
-    return StudyJudgement{verdict,          trial.words, trial.values,   attempts,
-                          chance_of(trial), {},          trial.units_off};
+    tried.fits.push_back({objective.words, values, held_of(objective, asked, parameters)});
+    return worst_units_off(printed, values);
   };
   // Another objective counts if it has an optimum near the printed constants.
-  const auto attempt_nearby = [&](StudyObjective objective) {
+  const auto hits_nearby = [&](StudyObjective objective) {
     objective.study.has_only_starts = true;
     objective.study.starts = starts_at(set, objective.study.held);
-    return attempt(objective);
+    return attempt(objective) == 0;
   };
   StudyObjective usual = asked;
   usual.study.starts = starts_at(set, asked.study.held);
-  if (attempt(usual)) return judgement(Verdict::confirmed, trials.front());
-  if (!trials.empty() && trials.front().units_off == 1) return judgement(Verdict::rounding, trials.front());
+  const auto off = attempt(usual);
+  tried.has_asked = off.has_value();
+  if (off && *off <= 1) return tried;
 
   // All of them are tried even after one with the right digits: chance is counted among all.
   const std::vector<StudyObjective> others = other_objectives(asked);
   bool is_hit = false;
-  for (const StudyObjective& other : others) is_hit = attempt_nearby(other) || is_hit;
+  for (const StudyObjective& other : others) is_hit = hits_nearby(other) || is_hit;
+  if (is_hit) return tried;
   std::vector<StudyObjective> all{asked};
   all.insert(all.end(), others.begin(), others.end());
-  if (!is_hit) {
-    for (const StudyObjective& held : with_one_held(all, set))
-      is_hit = (is_held_nearby(held, trials, parameters) && attempt_nearby(held)) || is_hit;
+  for (const StudyObjective& held : with_one_held(all, set)) {
+    if (is_held_nearby(held, tried.fits, parameters)) hits_nearby(held);
   }
-  if (trials.empty()) return {Verdict::refuted, "", {}, attempts};
-  const auto least = [&](const auto& measure) -> const Trial& {
-    return *std::min_element(trials.begin(), trials.end(),
-                             [&](const Trial& a, const Trial& b) { return measure(a) < measure(b); });
+  return tried;
+}
+
+StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::string>& printed) {
+  if (tried.fits.empty()) return {Verdict::refuted, "", {}, tried.attempts};
+  std::vector<long> off;  // of each fit
+  for (const TriedFit& fit : tried.fits) off.push_back(worst_units_off(printed, fit.values));
+  const auto chance_of = [&](std::size_t i) {
+    return expected_chance_hits(tried.fits, printed, tried.fits[i].held);
   };
-  if (!is_hit) return judgement(Verdict::refuted, least([](const Trial& trial) { return trial.units_off; }));
-  const Trial& nearest =
-      least([&](const Trial& trial) { return trial.units_off == 0 ? chance_of(trial) : HUGE_VAL; });
-  StudyJudgement found = judgement(Verdict::other_objective, nearest);
-  for (const Trial& trial : trials)
-    if (trial.units_off == 0 && &trial != &nearest) found.also.push_back(trial.words);
+  const auto judgement = [&](Verdict verdict, std::size_t i) {
+    return StudyJudgement{
+        verdict, tried.fits[i].words, tried.fits[i].values, tried.attempts, chance_of(i), {}, off[i]};
+  };
+  if (tried.has_asked && off.front() == 0) return judgement(Verdict::confirmed, 0);
+  if (tried.has_asked && off.front() == 1) return judgement(Verdict::rounding, 0);
+  const auto nearest = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
+  if (off[nearest] != 0) return judgement(Verdict::refuted, nearest);
+  // Of the fits with all digits, the first of those with the least chance.
+  std::size_t best = nearest;
+  for (std::size_t i = nearest + 1; i < off.size(); ++i)
+    if (off[i] == 0 && chance_of(i) < chance_of(best)) best = i;
+  StudyJudgement found = judgement(Verdict::other_objective, best);
+  for (std::size_t i = 0; i < off.size(); ++i)
+    if (off[i] == 0 && i != best) found.also.push_back(tried.fits[i].words);
   if (found.chance >= most_chance_hits) found.verdict = Verdict::undecidable;
   return found;
+}
+
+StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set, const Checkpoint& checkpoint) {
+  return judge_digits(tried_fits(asked, set, checkpoint), values_of(set, read_study(asked.study).parameters));
 }
 
 JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters) {

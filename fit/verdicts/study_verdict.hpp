@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,12 +34,32 @@ struct StudyJudgement {
 /// More expected chance hits than this decide nothing.
 inline constexpr double most_chance_hits = 0.01;
 
-/// Compares all constants of a set with those of one fit at a time: under the asked objective, under the
-/// others and, if none of these has the digits, with each constant in turn held at its printed value where
-/// that is near to the best one. `confirmed`: all printed digits are
-/// those of the asked fit; `rounding`: some last digits are off by one; `other-objective`: all are those of
-/// another fit; `undecidable`: they are, but among so many fits that could be chance; else `refuted`.
-/// Throws UserError if the set lacks a parameter of the form, or has another.
+/// A fit that was tried for a published set.
+struct TriedFit {
+  std::string words;                ///< of its objective
+  std::vector<double> values;       ///< of all parameters, a held one at its printed value
+  std::optional<std::size_t> held;  ///< the parameter that is held beside those that the study holds
+};
+
+struct TriedFits {
+  std::vector<TriedFit> fits = {};  ///< those that converged
+  bool has_asked = false;           ///< whether the first of them is the fit that was asked for
+  std::size_t attempts = 0;
+};
+
+/// The fits that may have a set's digits: under the asked objective, under the others if its digits differ
+/// and, if none of these has the digits, with each constant in turn held at its printed value where that is
+/// near to the best one. Throws UserError if the set lacks a parameter of the form, or has another.
+TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set,
+                     const Checkpoint& checkpoint = keep_going);
+
+/// Compares printed constants, in the order of the parameters, with those of one fit at a time. `confirmed`:
+/// all printed digits are those of the asked fit; `rounding`: some last digits are off by one;
+/// `other-objective`: all are those of another fit; `undecidable`: they are, but among so many fits that
+/// could be chance; else `refuted`.
+StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::string>& printed);
+
+/// The verdict on a set by the fits that are tried for it. Throws like `tried_fits`.
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set,
                          const Checkpoint& checkpoint = keep_going);
 
