@@ -276,7 +276,9 @@ def digits():
               *(mp.nstr(x - (1 - mpf(mu_text)) ** 5, 6) for x in bias))
 
 
-if sys.argv[1:2] == ["--digits"]:
+if __name__ != "__main__":
+    pass  # another program uses the functions
+elif sys.argv[1:2] == ["--digits"]:
     digits()
 elif sys.argv[1:2] == ["--check"]:
     with open(sys.argv[2], encoding="utf-8") as file:
