@@ -12,6 +12,8 @@
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/verdicts/study_verdict.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 namespace {
@@ -25,6 +27,22 @@ std::vector<fs::path> own_folders() {
   if (none) return {};
   const fs::path folder = command.parent_path();
   return {folder / "../share/shadefit/studies", folder / "../../studies", folder / "../../../studies"};
+}
+
+/// Reads all formulas of a study, and compares the published sets with the parameters of their forms. What is
+/// refused is refused with the name of the file.
+void require_formulas(const StudyFile& file, const fs::path& path) {
+  try {
+    Study study = combinations(file.study, file.given).front();
+    for (const StudyForm& form : file.forms) {
+      study.form = form.formula;
+      const ReadStudy read = read_formulas(study);
+      for (const PublishedSet& set : file.published)
+        if (set.form == form.id) values_of(set, read.parameters);
+    }
+  } catch (const UserError& error) {
+    throw UserError("study '" + printable(path.string()) + "': " + error.what());
+  }
 }
 
 }  // namespace
@@ -75,6 +93,7 @@ StudyFile load_study(const fs::path& path) {
     rows.file = file.table;
     file.study.rows = std::make_shared<const MeasuredRows>(std::move(rows));
   }
+  require_formulas(file, path);
   return file;
 }
 

@@ -8,106 +8,16 @@
 #include <array>
 
 #include "app/options/study_options.hpp"
-#include "fit/support/nearest.hpp"
+#include "app/studies/study_reader.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 namespace {
 
 constexpr int study_schema = 1;
 
-/// The file being read, for messages.
-class Reader {
- public:
-  explicit Reader(const std::string& name) : name_(printable(name)) {}
-
-  [[noreturn]] void fail(const toml::node& node, const std::string& rule) const {
-    fail(static_cast<long>(node.source().begin.line), rule);
-  }
-  [[noreturn]] void fail(long line, const std::string& rule) const {
-    throw UserError(fmt::format("study '{}', line {}: {}", name_, line, one_line(rule)));
-  }
-
-  /// What `parse` makes of a text, its refusals with the line of the node.
-  template <class Parse>
-  auto parsed(const toml::node& node, const Parse& parse) const {
-    try {
-      return parse();
-    } catch (const UserError& error) {
-      fail(node, error.what());
-    }
-  }
-
-  std::string text(const toml::node& node, const std::string& key) const {
-    if (const auto value = node.value_exact<std::string>()) return *value;
-    fail(node, fmt::format("'{}' must be a text in quotes, so that every digit is kept", key));
-  }
-
-  const toml::table& table(const toml::node& node, const std::string& key) const {
-    if (const toml::table* value = node.as_table()) return *value;
-    fail(node, fmt::format("'{}' must be a table", key));
-  }
-
-  /// The elements of a key that holds a list; none if the key is missing.
-  std::vector<const toml::node*> list(const toml::table& in, const std::string& key) const {
-    const toml::node* node = in.get(key);
-    if (node == nullptr) return {};
-    const toml::array* array = node->as_array();
-    if (array == nullptr) fail(*node, fmt::format("'{}' must be a list", key));
-    std::vector<const toml::node*> result;
-    for (const toml::node& element : *array) result.push_back(&element);
-    return result;
-  }
-
-  std::string optional(const toml::table& in, const std::string& key,
-                       const std::string& otherwise = "") const {
-    const toml::node* node = in.get(key);
-    return node == nullptr ? otherwise : text(*node, key);
-  }
-  std::string required(const toml::table& in, const std::string& key) const {
-    const toml::node* node = in.get(key);
-    if (node == nullptr) fail(in, fmt::format("the key '{}' is missing", key));
-    return text(*node, key);
-  }
-
-  void require_keys(const toml::table& in, const std::vector<std::string>& known) const {
-    for (const auto& [key, node] : in) {
-      const std::string word(key.str());
-      if (std::find(known.begin(), known.end(), word) != known.end()) continue;
-      const auto nearest = nearest_name(word, known);
-      fail(node, fmt::format("unknown key '{}': {}", word,
-                             nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                     : fmt::format("it must be one of {}", fmt::join(known, ", "))));
-    }
-  }
-
-  /// The keys of a table with their values, in the order of the file.
-  std::vector<std::pair<std::string, const toml::node*>> in_order(const toml::table& in) const {
-    std::vector<std::pair<std::string, const toml::node*>> result;
-    for (const auto& [key, node] : in) result.emplace_back(key.str(), &node);
-    const auto place = [](const auto& entry) {
-      const auto begin = entry.second->source().begin;
-      return std::pair(begin.line, begin.column);
-    };
-    std::sort(result.begin(), result.end(),
-              [&](const auto& a, const auto& b) { return place(a) < place(b); });
-    return result;
-  }
-
-  /// A table of texts.
-  PrintedValues texts(const toml::table& in) const {
-    PrintedValues result;
-    for (const auto& [key, node] : in_order(in)) result.emplace_back(key, text(*node, key));
-    return result;
-  }
-
- private:
-  std::string name_;
-};
-
-void read_over(const Reader& reader, const toml::table& over, Study& study) {
+void read_over(const StudyReader& reader, const toml::table& over, Study& study) {
   for (const auto& [variable, node] : reader.in_order(over)) {
     std::string range, density = "1";
     if (const toml::table* table = node->as_table()) {
@@ -125,7 +35,7 @@ void read_over(const Reader& reader, const toml::table& over, Study& study) {
   }
 }
 
-void read_definitions(const Reader& reader, const toml::table& let, Study& study) {
+void read_definitions(const StudyReader& reader, const toml::table& let, Study& study) {
   for (const auto& [name, node] : reader.in_order(let)) {
     const toml::table* table = node->as_table();
     if (table == nullptr) {
@@ -140,7 +50,7 @@ void read_definitions(const Reader& reader, const toml::table& let, Study& study
   }
 }
 
-double number(const Reader& reader, const toml::node& node, const std::string& key) {
+double number(const StudyReader& reader, const toml::node& node, const std::string& key) {
   if (const auto value = node.value<double>()) return *value;
   const std::string text = reader.text(node, key);
   if (const auto value = parse_number(text)) return *value;
@@ -149,7 +59,7 @@ double number(const Reader& reader, const toml::node& node, const std::string& k
 
 /// The value that has the text as its name.
 template <class T, std::size_t N>
-T choice(const Reader& reader, const toml::node& node, const std::string& key,
+T choice(const StudyReader& reader, const toml::node& node, const std::string& key,
          const std::array<T, N>& values) {
   const std::string word = reader.text(node, key);
   std::vector<std::string_view> words;
@@ -161,7 +71,7 @@ T choice(const Reader& reader, const toml::node& node, const std::string& key,
               fmt::format("{} '{}' is unknown: it must be one of {}", key, word, fmt::join(words, ", ")));
 }
 
-void read_metric(const Reader& reader, const toml::table& metric, StudyFile& file) {
+void read_metric(const StudyReader& reader, const toml::table& metric, StudyFile& file) {
   reader.require_keys(
       metric, {"norm", "error", "weight", "exact_at", "one_sided", "at_most", "at_least", "monotone"});
   const auto with = [&](const char* key, const auto& use) {
@@ -191,7 +101,7 @@ void read_metric(const Reader& reader, const toml::table& metric, StudyFile& fil
 }
 
 /// One claim for each error that the table states.
-std::vector<ErrorClaim> read_claims(const Reader& reader, const toml::table& table) {
+std::vector<ErrorClaim> read_claims(const StudyReader& reader, const toml::table& table) {
   std::vector<std::string> keys{"says"};
   for (const StatedError error : stated_errors) keys.emplace_back(name(error));
   reader.require_keys(table, keys);
@@ -199,7 +109,10 @@ std::vector<ErrorClaim> read_claims(const Reader& reader, const toml::table& tab
   for (const StatedError error : stated_errors) {
     const std::string key(name(error)), printed = reader.optional(table, key);
     if (table.get(key) == nullptr) continue;
-    if (!parse_number(printed)) reader.fail(table, fmt::format("{} '{}' is not a number", key, printed));
+    const auto stated = parse_number(printed);
+    if (!stated) reader.fail(table, fmt::format("{} '{}' is not a number", key, printed));
+    if (*stated < 0)
+      reader.fail(table, fmt::format("{} '{}' is negative: an error is at least 0", key, printed));
     claims.push_back({error, printed, reader.optional(table, "says")});
   }
   if (claims.empty())
@@ -208,7 +121,34 @@ std::vector<ErrorClaim> read_claims(const Reader& reader, const toml::table& tab
   return claims;
 }
 
-PublishedSet read_published(const Reader& reader, const toml::table& table,
+std::string number_text(const StudyReader& reader, const toml::node& node, const std::string& key) {
+  const std::string printed = reader.text(node, key);
+  if (!parse_number(printed)) reader.fail(node, fmt::format("{} '{}' is not a number", key, printed));
+  return printed;
+}
+
+/// A table of numbers as texts, all digits kept.
+PrintedValues read_numbers(const StudyReader& reader, const toml::table& in) {
+  PrintedValues values;
+  for (const auto& [key, node] : reader.in_order(in))
+    values.emplace_back(key, number_text(reader, *node, key));
+  return values;
+}
+
+/// A copy that has some of the published values otherwise.
+MistypedCopy read_variant(const StudyReader& reader, const toml::table& table,
+                          const PrintedValues& published) {
+  std::vector<std::string> known{"seen"};
+  for (const auto& value : published) known.push_back(value.first);
+  reader.require_keys(table, known);
+  MistypedCopy copy{{}, reader.required(table, "seen")};
+  for (const auto& [key, node] : reader.in_order(table))
+    if (key != "seen") copy.values.emplace_back(key, number_text(reader, *node, key));
+  if (copy.values.empty()) reader.fail(table, "a variant needs the value that differs");
+  return copy;
+}
+
+PublishedSet read_published(const StudyReader& reader, const toml::table& table,
                             const std::vector<StudyForm>& forms) {
   reader.require_keys(table, {"form", "given", "values", "source", "where", "claim", "variants"});
   PublishedSet set{.form = reader.optional(table, "form", forms.front().id), .values = {}, .source = {}};
@@ -217,27 +157,24 @@ PublishedSet read_published(const Reader& reader, const toml::table& table,
   if (!is_known) reader.fail(table, fmt::format("published form '{}' is not the id of a form", set.form));
   const auto values_of = [&](const toml::table& in, const char* key) {
     const toml::node* node = in.get(key);
-    return node == nullptr ? PrintedValues{} : reader.texts(reader.table(*node, key));
+    return node == nullptr ? PrintedValues{} : read_numbers(reader, reader.table(*node, key));
   };
   set.given = values_of(table, "given");
   set.values = values_of(table, "values");
   if (set.values.empty()) reader.fail(table, "the key 'values' is missing");
   set.source = reader.required(table, "source");
+  if (set.source.empty()) reader.fail(*table.get("source"), "the source is empty: name author, year, title");
   for (const toml::node* place : reader.list(table, "where"))
     set.where.push_back(reader.text(*place, "where"));
   if (const toml::node* node = table.get("claim"))
     set.claims = read_claims(reader, reader.table(*node, "claim"));
   for (const toml::node* node : reader.list(table, "variants")) {
-    toml::table values = reader.table(*node, "variants");
-    MistypedCopy copy{{}, reader.required(values, "seen")};
-    values.erase("seen");
-    copy.values = reader.texts(values);
-    set.variants.push_back(copy);
+    set.variants.push_back(read_variant(reader, reader.table(*node, "variants"), set.values));
   }
   return set;
 }
 
-void read_forms(const Reader& reader, const toml::table& whole, StudyFile& file) {
+void read_forms(const StudyReader& reader, const toml::table& whole, StudyFile& file) {
   for (const toml::node* node : reader.list(whole, "form")) {
     const toml::table& form = reader.table(*node, "form");
     reader.require_keys(form, {"id", "formula"});
@@ -250,7 +187,7 @@ void read_forms(const Reader& reader, const toml::table& whole, StudyFile& file)
   if (file.forms.empty()) reader.fail(whole, "a study needs a [[form]]");
 }
 
-toml::table parse_toml(const Reader& reader, const std::string& text) {
+toml::table parse_toml(const StudyReader& reader, const std::string& text) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {
@@ -261,7 +198,7 @@ toml::table parse_toml(const Reader& reader, const std::string& text) {
 }  // namespace
 
 StudyFile read_study_file(const std::string& text, const std::string& name) {
-  const Reader reader(name);
+  const StudyReader reader(name);
   const toml::table whole = parse_toml(reader, text);
   reader.require_keys(whole, {"schema", "id", "title", "about", "over", "given", "let", "target", "form",
                               "metric", "published"});

@@ -44,6 +44,7 @@ form = "line"
 values = { a = "-0.125", b = "1.0" }
 source = "Chebyshev 1854, on mechanisms"
 claim = { max_abs_error = "0.125", says = "an eighth" }
+variants = [ { b = "1.1", seen = "a copy" } ]
 )";
 
 std::string replaced(std::string text, const std::string& before, const std::string& after) {
@@ -126,6 +127,21 @@ TEST(StudyFile, RefusesWithTheLine) {
             "mean_square_error");
   EXPECT_EQ(refused("max_abs_error = \"0.125\"", "max_error = \"0.125\""),
             "study 's.toml', line 19: unknown key 'max_error': did you mean 'rms_error'?");
+  EXPECT_EQ(refused("\"0.125\"", "\"\""), "study 's.toml', line 19: max_abs_error '' is not a number");
+  EXPECT_EQ(refused("\"0.125\"", "\"-0.125\""),
+            "study 's.toml', line 19: max_abs_error '-0.125' is negative: an error is at least 0");
+  EXPECT_EQ(refused("\"0.125\"", "0.125"),
+            "study 's.toml', line 19: 'max_abs_error' must be a text in quotes, so that every digit is kept");
+  EXPECT_EQ(refused("\"-0.125\"", "\"-O.125\""), "study 's.toml', line 17: a '-O.125' is not a number");
+  EXPECT_EQ(refused("\"-0.125\"", "\"\""), "study 's.toml', line 17: a '' is not a number");
+  EXPECT_EQ(refused("source = \"Chebyshev 1854, on mechanisms\"\n", ""),
+            "study 's.toml', line 15: the key 'source' is missing");
+  EXPECT_EQ(refused("\"Chebyshev 1854, on mechanisms\"", "\"\""),
+            "study 's.toml', line 18: the source is empty: name author, year, title");
+  EXPECT_EQ(refused("\"1.1\"", "\"l.1\""), "study 's.toml', line 20: b 'l.1' is not a number");
+  EXPECT_EQ(refused("b = \"1.1\"", "slope = \"1.1\""),
+            "study 's.toml', line 20: unknown key 'slope': it must be one of seen, a, b");
+  EXPECT_EQ(refused("b = \"1.1\", ", ""), "study 's.toml', line 20: a variant needs the value that differs");
   EXPECT_EQ(refused("values = {", "values = [").substr(0, 50),
             "study 's.toml', line 17: Error while parsing value");
   EXPECT_EQ(refusal_of("schema = 1\nid = \"a\"\n"), "study 's.toml', line 1: a study needs [over]");
@@ -313,8 +329,20 @@ TEST_F(StudyFolder, RefusesBadInput) {
                  "--exponent does not go with a study: name it in the formulas and give it by --given");
   expect_refusal({"emit", "hg-schlick", "--lang", "glsl"},
                  "'hg-schlick' has 3 values of its given constants: name one by --given");
-  write("line.toml", replaced(good, "b = \"1.0\"", "c = \"1.0\""));
-  expect_refusal({"better", path("line.toml")}, "published values of 'line' lack the parameter 'b'");
+  const auto refused = [&](const std::string& before, const std::string& after, const std::string& line) {
+    write("line.toml", replaced(good, before, after));
+    for (const char* verb : {"fit", "better", "explain", "certify"})
+      expect_refusal({verb, path("line.toml")}, "study '" + path("line.toml") + "': " + line);
+  };
+  refused("a = \"-0.125\"", "c = \"-0.125\"", "published values of 'line' lack the parameter 'a'");
+  refused("b = \"1.0\"", "b = \"1.0\", c = \"1\"",
+          "published value 'c' is not a parameter of the form 'line'");
+  refused("\"x^2\"", "\"sqr(x)\"",
+          "--target: formula 'sqr(x)': expected one of x, pi, ln2 and the functions, not 'sqr' (did you mean "
+          "'sqrt'?) at place 1");
+  refused("\"a x\"", "\"a sine(x)\"",
+          "--form: formula 'a sine(x)': expected a function before '(', not 'sine' (did you mean 'sin'?) at "
+          "place 3");
 }
 
 }  // namespace
