@@ -7,6 +7,7 @@
 #include "app/options/bench_options.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/scene_options.hpp"
+#include "app/shards/merge_command.hpp"
 #include "app/terminal/time_limit.hpp"
 
 namespace shadefit {
@@ -100,10 +101,24 @@ void declare_run(CLI::App& run, RunOptions& options) {
   run.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
       ->type_name("STUDY");
   add_studies(run, options.studies);
-  run.add_option("--only", options.only, "only these families, normalisations and claims")->type_name("ID");
+  run.add_option("--only", options.only,
+                 "only these families, normalisations and claims; with --html these studies")
+      ->type_name("ID");
   add_force(run, options.force);
   run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
-  run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
+  auto* html =
+      run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
+  add_shard(run, options.shard)->needs(html);
+}
+
+void declare_merge(CLI::App& merge, MergeOptions& options) {
+  merge
+      .add_option("parts", options.parts,
+                  "the --out of all shards of one work, or the files shard.json in them")
+      ->required()
+      ->type_name("DIR");
+  add_out(merge, options.out);
+  add_force(merge, options.force);
 }
 
 void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_default) {
@@ -347,9 +362,15 @@ void declare_commands(CLI::App& app, Call& call) {
   add_command<RunOptions>(
       app, call, "run", "fit and check everything; write report.md, the tables and the plots",
       "  shadefit run --no-plots\n  shadefit run --only norm-phong --out phong\n"
-      "  shadefit run --html --out gallery\n",
+      "  shadefit run --html --out gallery\n"
+      "  shadefit run --html --only acos-linear exp2-cubic --shard 1/2 --out shards/1\n"
+      "  shadefit run --html --only acos-linear exp2-cubic --shard 2/2 --out shards/2\n",
       declare_run,
       [&](const RunOptions& options) { return run_command(options, call.checkpoint, call.progress); });
+  add_command<MergeOptions>(
+      app, call, "merge", "unite the parts of work that was divided by --shard",
+      "  shadefit merge shards/1 shards/2 --out whole\n", declare_merge,
+      [&](const MergeOptions& options) { return merge_command(options, call.checkpoint); });
   add_command<FitOptions>(
       app, call, "fit", "fit a form, at one exponent or a sweep of them, and print its constants and errors",
       "  shadefit fit fresnel-quadratic\n"

@@ -11,7 +11,7 @@
 #include "app/terminal/progress.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
-#include "reports/gallery/gallery.hpp"
+#include "reports/gallery/gallery_shard.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/studies/study_comparison.hpp"
@@ -102,28 +102,31 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
 }
 
 Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
-  if (!options.only.empty())
-    throw UserError(fmt::format("--only '{}' does not go with --html: name a study", options.only.front()));
   const OutputFolder folder(options.out);
-  const auto folders = study_folders(options.studies);
+  std::vector<std::string> names = options.only;
+  if (options.study) names.push_back(*options.study);
   std::vector<StudyFile> files;
-  if (options.study) {
-    files.push_back(named_study(*options.study, folders));
-  } else {
-    for (const auto& path : study_files(folders)) files.push_back(load_study(path));
+  GalleryShard shard{.version = SHADEFIT_VERSION, .shard = options.shard.value_or(Shard{})};
+  for (const auto& path : chosen_studies(names, study_folders(options.studies))) {
+    files.push_back(load_study(path));
+    shard.studies.push_back({files.back().id, study_digest(path, files.back())});
   }
-  const Checkpoint next = stepping(checkpoint, progress, "studies", files.size());
-  std::vector<GalleryEntry> entries;
-  for (StudyFile& file : files) entries.push_back({std::move(file), {}});
-  // A comparison points to the published sets of its file, so no entry may move from here on.
-  for (GalleryEntry& entry : entries) {
+  const Shard& part = shard.shard;
+  const Checkpoint next =
+      stepping(checkpoint, progress, "studies", (files.size() + part.of - part.index) / part.of);
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    if (!belongs(k, part)) continue;
     next();
+    GalleryEntry entry{std::move(files[k]), {}};
     entry.comparisons = comparisons_of(entry.file, checkpoint);
+    shard.judged.push_back(judged_study(entry));
   }
   progress("");
-  const auto put = folder.prepare(gallery_files(entries), {}, options.force, checkpoint);
-  return {0, fmt::format("Pages: {}\n", printable((without_detours(options.out) / "index.html").string())),
-          "", put};
+  const std::vector<File> written =
+      options.shard ? std::vector<File>{{shard_file, shard_text(shard)}} : gallery_files(shard.judged);
+  const auto put = folder.prepare(written, {}, options.force, checkpoint);
+  const auto first = without_detours(options.out) / written.front().name;
+  return {0, fmt::format("{}: {}\n", options.shard ? "Part" : "Pages", printable(first.string())), "", put};
 }
 
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options,

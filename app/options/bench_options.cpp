@@ -81,21 +81,7 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
   add_value(bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
             "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
       ->needs(exhaustive);
-  const auto parse_shard = [](const std::string&, const std::string& text) {
-    return bench::parse_shard(text);
-  };
-  auto* shard = add_value(bench, "--shard", options.shard, parse_shard, "i/n",
-                          "only the i-th of n parts of the floats: one for each process");
-  shard->needs(exhaustive);
-  add_value(bench, "--state", options.state, parse_text, "FILE",
-            "the file of the result; a sweep that was stopped goes on from it (default: in --out)")
-      ->needs(exhaustive);
-  bench
-      .add_option("--merge", options.merge,
-                  "join the result files of all shards, instead of a sweep; may be repeated")
-      ->type_name("FILE")
-      ->needs(exhaustive)
-      ->excludes(shard);
+  add_shard(bench, options.shard)->needs(exhaustive);
   add_value(
       bench, "--range", options.range, parse_range, "A:B",
       "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:0x3f800001)")

@@ -30,10 +30,8 @@ struct BenchOptions {
   std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times
   std::optional<std::string> constants = {};   ///< of that form; the options below are for it too
   int exp2_degree = 0;                         ///< 0: the library's exp2
-  std::optional<bench::Shard> shard = {};
-  std::optional<std::string> state = {};
+  std::optional<Shard> shard = {};
   bench::Stretch range = bench::unit_floats;
-  std::vector<std::string> merge = {};
   Terminal terminal = {};
 };
 

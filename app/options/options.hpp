@@ -12,6 +12,7 @@
 #include "fit/rounding/lattice.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/code/shader_code.hpp"
+#include "reports/io/shard.hpp"
 #include "reports/table/writers.hpp"
 
 /// The options of the commands, parsed (app/commands/declare_commands.cpp).
@@ -39,7 +40,8 @@ struct RunOptions {
   bool no_plots = false;
   bool force = false;  ///< replaces files that shadefit did not write
   Terminal terminal = {};
-  bool html = false;  ///< pages of the study, or of all studies
+  bool html = false;                ///< pages of the study, of those of `only`, or of all studies
+  std::optional<Shard> shard = {};  ///< only this part of those pages
 };
 
 /// The form and its target. `fit`, `better`, `certify` and `emit` share these options.
@@ -87,6 +89,12 @@ struct EmitOptions {
   bool force = false;                     ///< as in `RunOptions`
   std::optional<std::string> check = {};  ///< a generated file
   std::vector<std::string> words = {};    ///< of the command that prints this code, for its comment
+};
+
+struct MergeOptions {
+  std::vector<std::string> parts = {};  ///< files of shards, or directories that hold one
+  std::string out = "out";
+  bool force = false;  ///< as in `RunOptions`
 };
 
 struct VerifyOptions {

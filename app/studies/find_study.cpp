@@ -1,5 +1,7 @@
 #include "app/studies/find_study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
@@ -13,6 +15,7 @@
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/study_verdict.hpp"
+#include "reports/io/digest.hpp"
 #include "reports/io/utf8.hpp"
 
 namespace shadefit {
@@ -43,6 +46,16 @@ void require_formulas(const StudyFile& file, const fs::path& path) {
   } catch (const UserError& error) {
     throw UserError("study '" + printable(path.string()) + "': " + error.what());
   }
+}
+
+bool before(const fs::path& a, const fs::path& b) {
+  return a.stem() < b.stem();
+}
+
+std::vector<std::string> ids_in(const std::vector<fs::path>& files) {
+  std::vector<std::string> ids;
+  for (const fs::path& file : files) ids.push_back(file.stem().string());
+  return ids;
 }
 
 }  // namespace
@@ -79,8 +92,7 @@ std::vector<fs::path> study_files(const std::vector<fs::path>& folders) {
       if (path.extension() == ".toml" && seen.insert(path.stem().string()).second) files.push_back(path);
     }
   }
-  std::sort(files.begin(), files.end(),
-            [](const fs::path& a, const fs::path& b) { return a.stem() < b.stem(); });
+  std::sort(files.begin(), files.end(), before);
   return files;
 }
 
@@ -107,10 +119,34 @@ std::optional<StudyFile> find_study(const std::string& name, const std::vector<f
 
 StudyFile named_study(const std::string& name, const std::vector<fs::path>& folders) {
   if (auto found = find_study(name, folders)) return *std::move(found);
-  std::vector<std::string> known;
-  for (const fs::path& file : study_files(folders)) known.push_back(file.stem().string());
-  require_known(name, known, "study");
+  require_known(name, ids_in(study_files(folders)), "study");
   return {};
+}
+
+std::vector<fs::path> chosen_studies(const std::vector<std::string>& names,
+                                     const std::vector<fs::path>& folders) {
+  const std::vector<fs::path> all = study_files(folders);
+  if (names.empty()) return all;
+  std::vector<fs::path> chosen;
+  for (const std::string& name : names) {
+    if (name.ends_with(".toml")) {
+      chosen.emplace_back(name);
+      continue;
+    }
+    require_known(name, ids_in(all), "study");
+    chosen.push_back(
+        *std::find_if(all.begin(), all.end(), [&](const fs::path& p) { return p.stem() == name; }));
+  }
+  std::stable_sort(chosen.begin(), chosen.end(), before);
+  const auto are_same = [](const fs::path& a, const fs::path& b) { return a.stem() == b.stem(); };
+  chosen.erase(std::unique(chosen.begin(), chosen.end(), are_same), chosen.end());
+  return chosen;
+}
+
+std::string study_digest(const fs::path& path, const StudyFile& study) {
+  std::string bytes = read_bounded(path, most_study_bytes);
+  if (!study.table.empty()) bytes += read_bounded(path.parent_path() / study.table, most_row_bytes);
+  return fmt::format("{:08x}", crc_of(bytes));
 }
 
 }  // namespace shadefit

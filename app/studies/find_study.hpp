@@ -26,6 +26,14 @@ std::optional<StudyFile> find_study(const std::string& name,
 /// The same. Throws UserError for an unknown id, with the nearest one.
 StudyFile named_study(const std::string& name, const std::vector<std::filesystem::path>& folders);
 
+/// The files of these studies, each once, by rising name; without names, of all studies in the folders. A
+/// name is like that of `find_study`. Throws UserError for an unknown id, with the nearest one.
+std::vector<std::filesystem::path> chosen_studies(const std::vector<std::string>& names,
+                                                  const std::vector<std::filesystem::path>& folders);
+
+/// A digest of the file `path`, from which `study` was read, and of its table.
+std::string study_digest(const std::filesystem::path& path, const StudyFile& study);
+
 /// Reads a study from its file. Throws UserError like `read_study_file`.
 StudyFile load_study(const std::filesystem::path& path);
 

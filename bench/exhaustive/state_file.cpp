@@ -20,8 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kind_of_file = "shadefit exhaustive";
-
 std::string pattern(std::uint32_t bits) {
   return fmt::format("0x{:08x}", bits);
 }
@@ -64,6 +62,7 @@ SweepIdentity read_identity(const OwnFields& fields) {
   identity.version = fields.text("version");
   identity.form = fields.text("form");
   identity.exp2_degree = fields.whole<int>("exp2_degree");
+  identity.set = fields.text("set");
   for (const Json& item : fields.list("constants"))
     identity.constants.push_back(float_of(fields, item, "constants"));
   identity.width = fields.text("width");
@@ -92,11 +91,12 @@ Json state_json(const Sweep& sweep) {
   Json constants = Json::array();
   for (const float constant : identity.constants) constants.push_back(hex_text(constant));
   const FloatErrors& found = sweep.found;
-  Json json{{"file", kind_of_file},
+  Json json{{"file", sweep_kind},
             {"schema", sweep_schema},
             {"version", identity.version},
             {"form", identity.form},
             {"exp2_degree", static_cast<unsigned>(identity.exp2_degree)},
+            {"set", identity.set},
             {"constants", constants},
             {"width", identity.width},
             {"whole", {pattern(identity.whole.from), pattern(identity.whole.to)}},
@@ -121,18 +121,13 @@ std::string state_text(const Sweep& sweep) {
 }
 
 Sweep parse_state(const std::string& text, const std::string& name) {
-  const std::string file = fmt::format("state file '{}'", name);
-  const Json json = parse_own_json(text, file);
-  const OwnFields fields(json, file);
-  fields.require_kind(kind_of_file, sweep_schema);
-  if (const std::string stated = fields.text(digest_field), digest = digest_of(json); stated != digest)
-    fields.fail(digest_field, fmt::format("is {}, the digest of the other fields is {}", stated, digest));
+  const Json json = parse_own_json(text, name);
+  const OwnFields fields(json, name);
+  fields.require_kind(sweep_kind, sweep_schema);
+  fields.require_digest();
   Sweep sweep;
   sweep.identity = read_identity(fields);
-  const Json& shard = fields.pair("shard");
-  sweep.shard = {fields.whole_of<unsigned>(shard[0], "shard"), fields.whole_of<unsigned>(shard[1], "shard")};
-  if (sweep.shard.index < 1 || sweep.shard.index > sweep.shard.of)
-    fields.fail("shard", "is not i, n with 1 <= i <= n");
+  sweep.shard = read_shard(fields);
   const Stretch done = read_stretch(fields, "done"), all = sweep.stretch();
   if (done.from != all.from || done.to > all.to) fields.fail("done", "is not of its shard");
   sweep.next = done.to;
@@ -152,7 +147,9 @@ void keep_state(const std::filesystem::path& path, const Sweep& sweep) {
 }
 
 NamedSweep read_state(const std::filesystem::path& path) {
-  return {path.string(), parse_state(read_bounded(path, most_state_bytes), path.string())};
+  std::string name = fmt::format("state file '{}'", path.string());
+  Sweep sweep = parse_state(read_bounded(path, most_state_bytes), name);
+  return {std::move(name), std::move(sweep)};
 }
 
 }  // namespace shadefit::bench

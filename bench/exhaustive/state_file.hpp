@@ -13,8 +13,11 @@
 /// `digest` is that of certificates.
 namespace shadefit::bench {
 
+/// The field `file` of these files.
+inline constexpr const char* sweep_kind = "shadefit exhaustive";
+
 /// The version of the file; it grows when a field changes its meaning.
-inline constexpr int sweep_schema = 1;
+inline constexpr int sweep_schema = 2;
 
 /// The size limit of a file; written files have 2 KB.
 inline constexpr std::uintmax_t most_state_bytes = 1U << 16;
@@ -22,9 +25,9 @@ inline constexpr std::uintmax_t most_state_bytes = 1U << 16;
 /// The text of a file.
 std::string state_text(const Sweep& sweep);
 
-/// Reads a text back; `name` is for messages. Throws UserError with one line if `parse_own_json` refuses the
-/// text, if it is not a state or has another version, if a field is missing, if the digest is wrong, or if
-/// `state_text` would write its content differently.
+/// Reads a text back. Messages begin with `name`: "state file 'a.json'". Throws UserError with one line if
+/// `parse_own_json` refuses the text, if it is not a state or has another version, if a field is missing, if
+/// the digest is wrong, or if `state_text` would write its content differently.
 Sweep parse_state(const std::string& text, const std::string& name);
 
 /// Writes a state like `write_files`: after an error the old file is unchanged.

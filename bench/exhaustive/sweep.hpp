@@ -5,19 +5,10 @@
 #include <vector>
 
 #include "bench/exhaustive/float_errors.hpp"
+#include "reports/io/shard.hpp"
 
 /// A test of every float that can be split over machines, stopped and resumed.
 namespace shadefit::bench {
-
-/// A part of a sweep: number `index`, counted from 1, of all parts.
-struct Shard {
-  unsigned index = 1, of = 1;
-  bool is_whole() const { return of == 1; }
-  bool operator==(const Shard&) const = default;
-};
-
-/// "2/4". Throws UserError, naming the option, unless 1 <= i <= n.
-Shard parse_shard(const std::string& text);
 
 /// The floats of a shard: equal parts of the whole, to one float.
 Stretch stretch_of(const Shard& shard, const Stretch& whole);
@@ -27,6 +18,7 @@ struct SweepIdentity {
   std::string version;  ///< of shadefit
   std::string form;     ///< its id in the catalogue
   int exp2_degree = 0;
+  std::string set;               ///< the id of the constants; empty for a form without any
   std::vector<float> constants;  ///< in the order of the formula, those of the target first
   std::string width;             ///< the instructions that it ran with
   Stretch whole = unit_floats;
@@ -56,17 +48,20 @@ inline constexpr std::uint32_t usual_batch = 1U << 22;
 void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
            std::uint32_t batch = usual_batch);
 
-/// A sweep with the name of its file, for messages.
+/// A sweep with the name of its file as in messages: "state file 'a.json'".
 struct NamedSweep {
   std::string name;
   Sweep sweep;
 };
 
-/// Merges the shards; the result equals that of one sweep over everything. Throws UserError, naming the file,
-/// unless all belong to `identity`, are finished, and occur once.
-Sweep merge(const SweepIdentity& identity, const std::vector<NamedSweep>& shards);
+/// The identity for messages.
+WorkIdentity identity_in_words(const SweepIdentity& identity);
 
-/// Throws UserError, naming the file and the first thing that differs, unless the sweep is of that identity.
-void require_identity(const NamedSweep& named, const SweepIdentity& identity);
+/// The name of the file of the whole: "exhaustive-sg-published-sg-offset-mean-exp2-3.json".
+std::string file_of(const SweepIdentity& identity);
+
+/// Merges the shards, at least one; the result equals that of one sweep over everything. Throws UserError
+/// like `require_whole`.
+Sweep merge(const std::vector<NamedSweep>& shards, const std::string& version);
 
 }  // namespace shadefit::bench

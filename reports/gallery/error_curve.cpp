@@ -13,9 +13,10 @@
 namespace shadefit {
 namespace {
 
-constexpr double width = 720, height = 240, left = 76, right = 12, top = 10, bottom = 30;
+constexpr double svg_width = 720, svg_height = 240, svg_left = 76, svg_right = 12, svg_top = 10,
+                 svg_bottom = 30;
 constexpr int steps = 240;
-constexpr double room = 1.05;  // above the largest error
+constexpr double svg_room = 1.05;  // above the largest error
 
 /// The error at `steps` + 1 even places. Where the form or the target has no value, it is not finite.
 using ErrorValues = std::vector<double>;
@@ -36,8 +37,10 @@ ErrorValues values_along(const ReadStudy& study, const std::vector<double>& para
 class Frame {
  public:
   explicit Frame(double limit) : limit_(limit) {}
-  double x(int step) const { return left + (width - left - right) * step / steps; }
-  double y(double value) const { return top + (height - top - bottom) * (1 - value / limit_) / 2; }
+  double x(int step) const { return svg_left + (svg_width - svg_left - svg_right) * step / steps; }
+  double y(double value) const {
+    return svg_top + (svg_height - svg_top - svg_bottom) * (1 - value / limit_) / 2;
+  }
 
  private:
   double limit_;
@@ -76,19 +79,19 @@ std::string error_curve_svg(const StudyComparison& comparison,
     limit = std::max(limit, contender->max_error.magnitude);
   }
   if (!(limit > 0) || !std::isfinite(limit)) return "";
-  limit *= room;
+  limit *= svg_room;
   const Frame frame(limit);
   const auto number = [](double value) { return text(Number{value, 3}, Precision::report); };
   std::string svg =
       fmt::format("<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" role=\"img\" aria-label=\"the error over {2}\">\n",
-                  width, height, axis.variable);
+                  svg_width, svg_height, axis.variable);
   svg += fmt::format("<line class=\"axis\" x1=\"{0:.0f}\" x2=\"{1:.0f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
-                     left, width - right, frame.y(0));
-  for (const double value : {limit / room, 0.0, -limit / room})
-    svg += label(left - 8, frame.y(value) + 4, "end", number(value));
-  svg += label(left, height - 8, "start", number(axis.lower));
-  svg += label((left + width - right) / 2, height - 8, "middle", axis.variable);
-  svg += label(width - right, height - 8, "end", number(axis.upper));
+                     svg_left, svg_width - svg_right, frame.y(0));
+  for (const double value : {limit / svg_room, 0.0, -limit / svg_room})
+    svg += label(svg_left - 8, frame.y(value) + 4, "end", number(value));
+  svg += label(svg_left, svg_height - 8, "start", number(axis.lower));
+  svg += label((svg_left + svg_width - svg_right) / 2, svg_height - 8, "middle", axis.variable);
+  svg += label(svg_width - svg_right, svg_height - 8, "end", number(axis.upper));
   for (std::size_t i = 0; i < curves.size(); ++i) svg += polylines(curves[i], frame, limit, i + 1);
   return svg + "</svg>\n";
 }

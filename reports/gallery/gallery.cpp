@@ -73,13 +73,12 @@ Table table_of_page(const Table& rows) {
   return table;
 }
 
-std::string index_page(const Table& rows, const std::vector<GalleryEntry>& entries) {
+std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
   std::string others;  // without a row
-  for (const GalleryEntry& entry : entries)
-    if (entry.file.published.empty())
-      others += fmt::format(" <a href=\"{0}.html\">{0}</a>", html_text(entry.file.id));
-  const auto studies = std::count_if(entries.begin(), entries.end(),
-                                     [](const GalleryEntry& entry) { return !entry.file.published.empty(); });
+  for (const JudgedStudy& study : all)
+    if (!study.is_published) others += fmt::format(" <a href=\"{0}.html\">{0}</a>", html_text(study.id));
+  const auto studies =
+      std::count_if(all.begin(), all.end(), [](const JudgedStudy& study) { return study.is_published; });
   const auto improved = std::count_if(rows.rows.begin(), rows.rows.end(), [](const auto& row) {
     return !std::holds_alternative<std::monostate>(row[7]);
   });
@@ -113,25 +112,30 @@ const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
   return best;
 }
 
-Table gallery_table(const std::vector<GalleryEntry>& entries) {
+JudgedStudy judged_study(const GalleryEntry& entry) {
+  JudgedStudy study{entry.file.id, !entry.file.published.empty(), {}, study_page(entry)};
+  for (const StudyComparison& comparison : entry.comparisons) {
+    for (const StudyContender& contender : comparison.contenders) {
+      if (contender.published != nullptr) study.rows.push_back(row_of(entry, comparison, contender));
+    }
+  }
+  return study;
+}
+
+Table gallery_table(const std::vector<JudgedStudy>& studies) {
   Table table{{"id", "form", "source", "used_in", "verdict", "error", "published", "best", "ratio",
                "instructions", "best_instructions", "best_form"},
               {}};
-  for (const GalleryEntry& entry : entries) {
-    for (const StudyComparison& comparison : entry.comparisons) {
-      for (const StudyContender& contender : comparison.contenders) {
-        if (contender.published != nullptr) table.rows.push_back(row_of(entry, comparison, contender));
-      }
-    }
-  }
+  for (const JudgedStudy& study : studies)
+    table.rows.insert(table.rows.end(), study.rows.begin(), study.rows.end());
   return table;
 }
 
-std::vector<File> gallery_files(const std::vector<GalleryEntry>& entries) {
-  const Table rows = gallery_table(entries);
-  std::vector<File> files{{"index.html", index_page(rows, entries)},
+std::vector<File> gallery_files(const std::vector<JudgedStudy>& studies) {
+  const Table rows = gallery_table(studies);
+  std::vector<File> files{{"index.html", index_page(rows, studies)},
                           {"gallery.csv", write_csv(rows, Precision::report)}};
-  for (const GalleryEntry& entry : entries) files.push_back({entry.file.id + ".html", study_page(entry)});
+  for (const JudgedStudy& study : studies) files.push_back({study.id + ".html", study.page});
   return files;
 }
 

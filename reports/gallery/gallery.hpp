@@ -22,11 +22,21 @@ struct GalleryEntry {
 const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
                                               const StudyContender& published);
 
+/// A study as the gallery shows it: all that its page and its rows in the tables need.
+struct JudgedStudy {
+  std::string id;
+  bool is_published;                    ///< whether it has published sets
+  std::vector<std::vector<Cell>> rows;  ///< of `gallery_table`
+  std::string page;                     ///< HTML
+};
+
+JudgedStudy judged_study(const GalleryEntry& entry);
+
 /// A row for each published set: `id,form,source,used_in,verdict,error,published,best,ratio,instructions,
 /// best_instructions,best_form`.
-Table gallery_table(const std::vector<GalleryEntry>& entries);
+Table gallery_table(const std::vector<JudgedStudy>& studies);
 
 /// index.html, a page NAME.html for each study, and gallery.csv with the same rows.
-std::vector<File> gallery_files(const std::vector<GalleryEntry>& entries);
+std::vector<File> gallery_files(const std::vector<JudgedStudy>& studies);
 
 }  // namespace shadefit

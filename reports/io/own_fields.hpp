@@ -91,6 +91,12 @@ class OwnFields {
     }
   }
 
+  /// Refuses fields whose digest is not the stated one.
+  void require_digest() const {
+    if (const std::string stated = text(digest_field), digest = digest_of(json_); stated != digest)
+      fail(digest_field, fmt::format("is {}, the digest of the other fields is {}", stated, digest));
+  }
+
   /// Refuses a field that differs from `written`, the output of shadefit for the data that was read. The
   /// digest is checked separately.
   void require_written_as(const Json& written) const {

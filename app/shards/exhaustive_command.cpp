@@ -116,31 +116,25 @@ bench::SweepIdentity identity_of(const Chosen& chosen, const BenchOptions& optio
   return {version,
           std::string(chosen.form->id),
           chosen.exp2_degree,
+          chosen.constants->numbers.empty() ? "" : chosen.constants->id,
           in_float(forms::parameters_of(*chosen.target, *chosen.constants)),
           std::string(forms::name(chosen.width)),
           options.range};
 }
 
-fs::path state_path(const BenchOptions& options, const Chosen& chosen, const bench::Shard& shard) {
-  if (options.state) return *options.state;
-  std::string name = fmt::format("exhaustive-{}", chosen.form->id);
-  if (options.constants) name += "-" + chosen.constants->id;
-  if (chosen.exp2_degree > 0) name += fmt::format("-exp2-{}", chosen.exp2_degree);
-  if (!shard.is_whole()) name += fmt::format(".{}-of-{}", shard.index, shard.of);
-  return without_detours(options.out) / (name + ".json");
-}
-
 /// The saved state, which must belong to this sweep; empty if there is none.
-std::optional<Sweep> state_at(const fs::path& path, const bench::SweepIdentity& identity,
-                              const bench::Shard& shard) {
+std::optional<Sweep> state_at(const fs::path& path, const Sweep& wanted) {
   std::error_code error;
   if (!fs::exists(fs::symlink_status(path, error))) return std::nullopt;
-  const bench::NamedSweep found = bench::read_state(path);
-  bench::require_identity(found, identity);
-  if (found.sweep.shard == shard) return found.sweep;
-  throw UserError(fmt::format("state file '{}' is of shard {}/{}, not {}/{}; name another by --state",
-                              found.name, found.sweep.shard.index, found.sweep.shard.of, shard.index,
-                              shard.of));
+  const auto [name, sweep] = bench::read_state(path);
+  const auto in_words = [](const Sweep& of) {
+    WorkIdentity words = bench::identity_in_words(of.identity);
+    words.emplace_back("shard", text_of(of.shard));
+    return words;
+  };
+  if (const std::string other = difference(in_words(sweep), in_words(wanted)); !other.empty())
+    throw UserError(fmt::format("{} is of {}; name another directory by --out", name, other));
+  return sweep;
 }
 
 std::string place_text(std::uint32_t at) {
@@ -203,22 +197,19 @@ void sweep_and_keep(Sweep& sweep, const bench::FloatSubject& subject, const fs::
 
 Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
                            const Checkpoint& checkpoint, const Progress& progress) {
-  const bench::Shard shard = options.shard.value_or(bench::Shard{});
-  if (!options.state) require_directory(options.out);
+  require_directory(options.out);
   const forms::Catalogue catalogue = forms::catalogue();
   const Chosen chosen = chosen_by(catalogue, options);
   const bench::FloatSubject subject = subject_of(catalogue, chosen);
   const bench::SweepIdentity identity = identity_of(chosen, options, version);
-  const fs::path path = state_path(options, chosen, shard);
+  const fs::path path =
+      without_detours(options.out) / (options.shard ? shard_file : bench::file_of(identity));
   const std::string shown = printable(path.string());
 
-  const std::optional<Sweep> before = state_at(path, identity, shard);
-  Sweep sweep = before.value_or(bench::begin_sweep(identity, shard));
-  if (!options.merge.empty()) {
-    std::vector<bench::NamedSweep> shards;
-    for (const std::string& file : options.merge) shards.push_back(bench::read_state(file));
-    sweep = bench::merge(identity, shards);
-  } else if (!sweep.is_done()) {
+  Sweep sweep = bench::begin_sweep(identity, options.shard.value_or(Shard{}));
+  const std::optional<Sweep> before = state_at(path, sweep);
+  if (before) sweep = *before;
+  if (!sweep.is_done()) {
     // This detects a full disk now, not after a minute.
     if (!before) bench::keep_state(path, sweep);
     try {
