@@ -48,7 +48,7 @@ WorkIdentity identity_in_words(const SweepIdentity& identity) {
   return {{version_field, identity.version},
           {"form", identity.form},
           {"degree of exp2", fmt::to_string(identity.exp2_degree)},
-          {"set of constants", identity.set + text(identity.constants)},
+          {"set of constants", identity.set + " " + text(identity.constants)},
           {"width", identity.width},
           {"range", text(identity.whole)}};
 }

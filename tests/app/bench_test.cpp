@@ -150,52 +150,42 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(snapshot(directory.path()).empty()) << "nothing was written";
 }
 
-TEST(ExhaustiveCommand, ShardsMergeToTheBytesOfTheWhole) {
+TEST(ExhaustiveCommand, AFileOfAnotherSweepIsRefusedAndLeftAlone) {
   const TemporaryDirectory directory;
-  const auto run = [&](const std::string& state, std::vector<std::string> more) {
-    for (const char* argument : {"--exhaustive", "sg", "--exp2-degree", "3", "--range", few, "--state"})
-      more.emplace_back(argument);
-    more.push_back(directory / state);
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--exhaustive", "sg", "--out", directory / "out"});
     return bench(more);
   };
-  ASSERT_EQ(run("whole", {}).exit_code, 0);
-  for (const char* shard : {"1/3", "2/3", "3/3"})
-    ASSERT_EQ(run(std::string("shard") + shard[0], {"--shard", shard}).exit_code, 0);
-  const Outcome merged =
-      run("merged", {"--merge", directory / "shard2", directory / "shard1", directory / "shard3"});
-  EXPECT_EQ(merged.exit_code, 0) << merged.err;
-  EXPECT_EQ(read_file(directory / "merged"), read_file(directory / "whole"));
-  EXPECT_EQ(merged.out.substr(0, 60), run("whole", {}).out.substr(0, 60)) << "asked again, it is there";
-
-  // Missing, double or foreign shards are refused, and nothing is written.
+  ASSERT_EQ(run({"--range", few}).exit_code, 0);
+  ASSERT_EQ(run({"--range", few, "--shard", "1/2"}).exit_code, 0);
   const auto before = snapshot(directory.path());
-  EXPECT_EQ(run("new", {"--merge", directory / "shard1", directory / "shard3"}).err,
-            "shadefit: --merge: shard 2/3 is missing\n");
-  EXPECT_EQ(run("new", {"--merge", directory / "shard1", directory / "shard1"}).exit_code, 2);
-  const Outcome foreign = bench({"--exhaustive", "schlick", "--range", few, "--state", directory / "whole"});
-  EXPECT_EQ(foreign.exit_code, 2);
-  EXPECT_EQ(foreign.err, "shadefit: state file '" + (directory / "whole") +
-                             "' is of another form: sg, not schlick; name another by --state\n");
-  EXPECT_EQ(run("shard1", {}).exit_code, 2) << "a shard is not the whole";
+  const std::string out = directory / "out/", end = "; name another directory by --out\n";
+  EXPECT_EQ(run({"--range", "0x3effff00:0x3f000000"}).err,
+            "shadefit: state file '" + out +
+                "exhaustive-sg-published-sg-offset-mean.json' is of another range: " +
+                "0x3efff000:0x3f000000, not 0x3effff00:0x3f000000" + end);
+  EXPECT_EQ(run({"--range", few, "--shard", "2/2"}).err,
+            "shadefit: state file '" + out + "shard.json' is of another shard: 1/2, not 2/2" + end);
   EXPECT_EQ(snapshot(directory.path()), before);
 }
 
 TEST(ExhaustiveCommand, AStateThatWasChangedOrCutOffIsRefusedAndLeftAlone) {
   const TemporaryDirectory directory;
-  const std::vector<std::string> command{"--exhaustive", "schlick",          "--range", few,
-                                         "--state",      directory / "state"};
+  const std::vector<std::string> command{"--exhaustive",           "schlick", "--range", few, "--out",
+                                         directory.path().string()};
   ASSERT_EQ(bench(command).exit_code, 0);
-  const std::string whole = read_file(directory / "state");
+  const std::string whole = read_file(directory / "exhaustive-schlick.json");
   std::string changed = whole;
   changed.replace(changed.find("\"nans\": 0"), 9, "\"nans\": 1");
   for (const std::string& bad :
        {whole.substr(0, whole.size() / 2), changed, std::string(), std::string("{}")}) {
-    directory.file("state", bad);
+    directory.file("exhaustive-schlick.json", bad);
     const Outcome outcome = bench(command);
     EXPECT_EQ(outcome.exit_code, 2);
-    EXPECT_TRUE(outcome.err.starts_with("shadefit: state file '" + (directory / "state") + "'"))
+    EXPECT_TRUE(
+        outcome.err.starts_with("shadefit: state file '" + (directory / "exhaustive-schlick.json") + "'"))
         << outcome.err;
-    EXPECT_EQ(read_file(directory / "state"), bad);
+    EXPECT_EQ(read_file(directory / "exhaustive-schlick.json"), bad);
   }
 }
 
@@ -203,35 +193,36 @@ TEST(ExhaustiveCommand, InterruptedItLeavesAStateThatTheSameCommandGoesOnFrom) {
   const TemporaryDirectory directory;
   // Several batches of floats; a form of multiplications takes a moment for them.
   const std::vector<std::string> command{"--exhaustive", "schlick", "--range", "0x3c000000:0x3e000000",
-                                         "--state"};
-  const auto with_state = [&](const std::string& state) {
+                                         "--out"};
+  const auto with_out = [&](const std::string& out) {
     auto arguments = command;
-    arguments.push_back(directory / state);
+    arguments.push_back(directory / out);
     return arguments;
   };
-  ASSERT_EQ(bench(with_state("whole")).exit_code, 0);
+  ASSERT_EQ(bench(with_out("whole")).exit_code, 0);
   int calls = 0;
-  const Outcome stopped = bench(with_state("resumed"), [&] {
+  const Outcome stopped = bench(with_out("resumed"), [&] {
     if (++calls == 4) throw Interrupted{SIGINT};
   });
   EXPECT_EQ(stopped.exit_code, 130);
   EXPECT_TRUE(stopped.err.starts_with("shadefit: interrupted at ")) << stopped.err;
-  EXPECT_TRUE(stopped.err.ends_with(" %: the same command goes on from '" + (directory / "resumed") + "'\n"))
+  EXPECT_TRUE(stopped.err.ends_with(" %: the same command goes on from '" +
+                                    (directory / "resumed/exhaustive-schlick.json") + "'\n"))
       << stopped.err;
-  EXPECT_NE(read_file(directory / "resumed"), read_file(directory / "whole"));
-  EXPECT_EQ(bench(with_state("resumed")).exit_code, 0);
-  EXPECT_EQ(read_file(directory / "resumed"), read_file(directory / "whole"));
+  EXPECT_NE(snapshot(directory / "resumed"), snapshot(directory / "whole"));
+  EXPECT_EQ(bench(with_out("resumed")).exit_code, 0);
+  EXPECT_EQ(snapshot(directory / "resumed"), snapshot(directory / "whole"));
 }
 
 TEST(ExhaustiveCommand, ASignalEndsTheProcessWithAState) {
   const TemporaryDirectory directory;
-  auto finished = run_process({"bench", "--exhaustive", "schlick", "--state", directory / "state"},
+  auto finished = run_process({"bench", "--exhaustive", "schlick", "--out", directory.path().string()},
                               [] { testing::leave_pending(SIGTERM, SIG_DFL); });
   EXPECT_EQ(finished.exit_code, 143);
   EXPECT_EQ(finished.out, "");
   EXPECT_EQ(finished.err, "shadefit: interrupted at 0.0 %: the same command goes on from '" +
-                              (directory / "state") + "'\n");
-  EXPECT_TRUE(std::filesystem::exists(directory / "state"));
+                              (directory / "exhaustive-schlick.json") + "'\n");
+  EXPECT_TRUE(std::filesystem::exists(directory / "exhaustive-schlick.json"));
   finished = run_process({"bench", "--quick", "--out", directory / "out"},
                          [] { testing::leave_pending(SIGINT, SIG_DFL); });
   EXPECT_EQ(finished.exit_code, 130);
@@ -241,11 +232,12 @@ TEST(ExhaustiveCommand, ASignalEndsTheProcessWithAState) {
 
 TEST(ExhaustiveCommand, AFullDiskLeavesTheOldState) {
   const TemporaryDirectory directory;
-  const std::vector<std::string> whole{"bench",   "--exhaustive", "schlick", "--range",          few,
-                                       "--shard", "1/2",          "--state", directory / "state"};
+  const std::vector<std::string> whole{
+      "bench", "--exhaustive",           "schlick", "--range", few, "--shard", "1/2",
+      "--out", directory.path().string()};
   const auto refused = run_process(whole, [] { testing::limit_file_size(100); });
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_EQ(refused.err, "shadefit: cannot write '" + (directory / "state") + "': File too large\n");
+  EXPECT_EQ(refused.err, "shadefit: cannot write '" + (directory / "shard.json") + "': File too large\n");
   EXPECT_TRUE(snapshot(directory.path()).empty());
   // A file with a started sweep is unchanged.
   run_process(whole, [] { testing::leave_pending(SIGINT, SIG_DFL); });

@@ -142,17 +142,6 @@ TEST(Exhaustive, WhatAThreadThrowsIsThrown) {
   EXPECT_THROW(errors_on(subject, Stretch{0, 10000}, 2), std::runtime_error);
 }
 
-TEST(Shard, IsAPartOfAWhole) {
-  EXPECT_EQ(parse_shard("2/4"), (Shard{2, 4}));
-  EXPECT_TRUE(parse_shard("1/1").is_whole());
-  for (const char* text : {"3/2", "0/4", "a/b", "", "/", "1/", "/4", "1/4/2", "-1/4", "1/0", "1 /4", "1/4 ",
-                           "+1/4", "1/99999999999"}) {
-    EXPECT_EQ(
-        refusal([&] { parse_shard(text); }),
-        "--shard '" + std::string(text) + "' is not a part of a whole: it must be i/n with 1 <= i <= n");
-  }
-}
-
 TEST(Shard, ShardsAreTheWholeEachFloatOnce) {
   for (const Stretch& whole : {unit_floats, Stretch{5, 12}, Stretch{5, 5}}) {
     for (const unsigned of : {1U, 2U, 3U, 7U, 64U}) {
@@ -169,7 +158,7 @@ TEST(Shard, ShardsAreTheWholeEachFloatOnce) {
 }
 
 SweepIdentity identity() {
-  return {"0.1.0", "schlick", 3, {0.75F, -5.5F}, "sse2", {bits(0.5F), bits(0.5F) + 10'000}};
+  return {"0.1.0", "schlick", 3, "mine", {0.75F, -5.5F}, "sse2", {bits(0.5F), bits(0.5F) + 10'000}};
 }
 
 Sweep done(const Shard& shard = {}, const SweepIdentity& of = identity()) {
@@ -184,7 +173,7 @@ TEST(Sweep, IsTheSameInOneGoInShardsAndResumed) {
     std::vector<NamedSweep> shards;
     // In any order.
     for (unsigned index = of; index >= 1; --index) shards.push_back({"file", done({index, of})});
-    EXPECT_EQ(state_text(merge(identity(), shards)), whole) << of;
+    EXPECT_EQ(state_text(merge(shards, "0.1.0")), whole) << of;
   }
   Sweep sweep = begin_sweep(identity(), {});
   int stops = 0;
@@ -204,41 +193,51 @@ TEST(Sweep, IsTheSameInOneGoInShardsAndResumed) {
 
 TEST(Sweep, MergingRefusesWhatIsMissingDoubledForeignOrUnfinished) {
   const NamedSweep first{"one", done({1, 3})}, second{"two", done({2, 3})}, third{"three", done({3, 3})};
-  const auto refused = [&](const std::vector<NamedSweep>& shards) {
-    return refusal([&] { merge(identity(), shards); });
+  const auto refused = [&](const std::vector<NamedSweep>& shards, const std::string& version = "0.1.0") {
+    return refusal([&] { merge(shards, version); });
   };
   EXPECT_EQ(refused({first, second, third}), "");
-  EXPECT_EQ(refused({}), "--merge has no files: name the state files of all shards");
-  EXPECT_EQ(refused({first, third}), "--merge: shard 2/3 is missing");
-  EXPECT_EQ(refused({first, second}), "--merge: shard 3/3 is missing");
+  EXPECT_EQ(refused({first, third}), "shard 2/3 is missing");
+  EXPECT_EQ(refused({first, second}), "shard 3/3 is missing");
   EXPECT_EQ(refused({first, second, {"again", first.sweep}, third}),
-            "state file 'again' is shard 1/3, which 'one' is already");
+            "again is shard 1/3, which one is already");
   EXPECT_EQ(refused({first, {"half", done({2, 2})}}),
-            "state file 'half' is shard 2/2, 'one' one of 3: all must be of one whole");
+            "half is shard 2/2, one one of 3: all must be of one whole");
   EXPECT_EQ(refused({first, second, {"begun", begin_sweep(identity(), {3, 3})}}),
-            "state file 'begun', shard 3/3, is not finished: its own command goes on with it");
+            "begun, shard 3/3, is not finished: its own command goes on with it");
+  EXPECT_EQ(refused({first, second, third}, "0.2.0"), "one is of another version: 0.1.0, not 0.2.0");
 }
 
 TEST(Sweep, WhatIsOfAnotherFormOrVersionIsNamed) {
   const auto refused = [&](const std::function<void(SweepIdentity&)>& change) {
     SweepIdentity other = identity();
     change(other);
-    return refusal([&] { require_identity({"file", begin_sweep(other, {})}, identity()); });
+    return refusal([&] { merge({{"one", done({1, 2})}, {"two", done({2, 2}, other)}}, "0.1.0"); });
   };
   EXPECT_EQ(refused([](SweepIdentity&) {}), "");
-  const auto line = [](const std::string& rule) {
-    return "state file 'file' is of another " + rule + "; name another by --state";
-  };
-  EXPECT_EQ(refused([](SweepIdentity& i) { i.version = "0.2.0"; }), line("version: 0.2.0, not 0.1.0"));
-  EXPECT_EQ(refused([](SweepIdentity& i) { i.form = "sg"; }), line("form: sg, not schlick"));
-  EXPECT_EQ(refused([](SweepIdentity& i) { i.exp2_degree = 4; }), line("degree of exp2: 4, not 3"));
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.version = "0.2.0"; }),
+            "two is of another version: 0.2.0, not 0.1.0");
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.form = "sg"; }), "two is of another form: sg, not schlick");
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.exp2_degree = 4; }),
+            "two is of another degree of exp2: 4, not 3");
   EXPECT_EQ(refused([](SweepIdentity& i) { i.constants[1] = 1; }),
-            line("set of constants: (0x1.8p-1, 0x1p+0), not (0x1.8p-1, -0x1.6p+2)"));
-  EXPECT_EQ(refused([](SweepIdentity& i) { i.width = "avx2"; }), line("width: avx2, not sse2"));
+            "two is of another set of constants: mine (0x1.8p-1, 0x1p+0), not mine (0x1.8p-1, -0x1.6p+2)");
+  EXPECT_EQ(
+      refused([](SweepIdentity& i) { i.set = "yours"; }),
+      "two is of another set of constants: yours (0x1.8p-1, -0x1.6p+2), not mine (0x1.8p-1, -0x1.6p+2)");
+  EXPECT_EQ(refused([](SweepIdentity& i) { i.width = "avx2"; }), "two is of another width: avx2, not sse2");
   EXPECT_EQ(refused([](SweepIdentity& i) {
               i.whole = {0, 16};
             }),
-            line("range: 0x00000000:0x00000010, not 0x3f000000:0x3f002710"));
+            "two is of another range: 0x00000000:0x00000010, not 0x3f000000:0x3f002710");
+}
+
+TEST(Sweep, ItsFileIsNamedAfterFormConstantsAndDegree) {
+  SweepIdentity sweep = identity();
+  EXPECT_EQ(file_of(sweep), "exhaustive-schlick-mine-exp2-3.json");
+  sweep.set = "";
+  sweep.exp2_degree = 0;
+  EXPECT_EQ(file_of(sweep), "exhaustive-schlick.json");
 }
 
 TEST(StateFile, ReadsBackWhatItWrote) {
@@ -255,20 +254,23 @@ TEST(StateFile, ReadsBackWhatItWrote) {
 TEST(StateFile, EveryByteThatIsChangedOrCutOffIsSeen) {
   const std::string text = state_text(done());
   for (std::size_t i = 0; i < text.size(); ++i) {
-    EXPECT_TRUE(refusal([&] { parse_state(text.substr(0, i), "f"); }).starts_with("state file 'f'") ||
-                i + 1 == text.size())
+    EXPECT_TRUE(
+        refusal([&] { parse_state(text.substr(0, i), "state file 'f'"); }).starts_with("state file 'f'") ||
+        i + 1 == text.size())
         << "cut at " << i;
     if (std::isspace(static_cast<unsigned char>(text[i]))) continue;
     std::string changed = text;
     changed[i] = changed[i] == '1' ? '2' : '1';
-    EXPECT_TRUE(refusal([&] { parse_state(changed, "f"); }).starts_with("state file 'f'"))
+    EXPECT_TRUE(refusal([&] { parse_state(changed, "state file 'f'"); }).starts_with("state file 'f'"))
         << "changed at " << i;
   }
 }
 
 TEST(StateFile, RefusalsNameWhatIsWrong) {
   const std::string text = state_text(done());
-  const auto refused = [](const std::string& content) { return refusal([&] { parse_state(content, "f"); }); };
+  const auto refused = [](const std::string& content) {
+    return refusal([&] { parse_state(content, "state file 'f'"); });
+  };
   EXPECT_EQ(refused(""), "state file 'f', line 1, column 1: the JSON ends early");
   EXPECT_NE(refused(text.substr(0, 300)).find(": the JSON ends early"), std::string::npos);
   EXPECT_EQ(refused("hello"), "state file 'f', line 1, column 1: malformed JSON");
@@ -280,7 +282,7 @@ TEST(StateFile, RefusalsNameWhatIsWrong) {
     json[digest_field] = digest_of(json);
     return refused(json.dump());
   };
-  EXPECT_EQ(changed("schema", 2), "state file 'f' is of version 2: this shadefit reads version 1");
+  EXPECT_EQ(changed("schema", 3), "state file 'f' is of version 3: this shadefit reads version 2");
   EXPECT_EQ(changed("nans", 11),
             "state file 'f': the field 'ulps' has counts that do not add up to the tested floats");
   EXPECT_EQ(changed("shard", {4, 3}), "state file 'f': the field 'shard' is not i, n with 1 <= i <= n");

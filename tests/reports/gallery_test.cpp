@@ -57,7 +57,8 @@ GalleryEntry parabola() {
 TEST(Gallery, HasARowForEachPublishedSet) {
   std::vector<GalleryEntry> entries{parabola()};
   entries.front().comparisons = {compare_study(entries.front().file, entries.front().file.study)};
-  const Table table = gallery_table(entries);
+  const std::vector<JudgedStudy> studies{judged_study(entries.front())};
+  const Table table = gallery_table(studies);
   ASSERT_EQ(table.rows.size(), 1U);
   const auto cell = [&](const char* column) {
     const auto found = std::find(table.columns.begin(), table.columns.end(), column);
@@ -71,7 +72,7 @@ TEST(Gallery, HasARowForEachPublishedSet) {
   EXPECT_EQ(cell("ratio"), "2");
   EXPECT_EQ(cell("best_form"), "line, minimax");
 
-  const auto files = gallery_files(entries);
+  const auto files = gallery_files(studies);
   ASSERT_EQ(files.size(), 3U);
   const std::string& page = files.back().content;
   EXPECT_EQ(files.back().name, "parabola.html");
