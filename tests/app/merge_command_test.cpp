@@ -25,7 +25,6 @@ struct DividedWork {
   std::vector<std::string> command;
 };
 
-/// Names the tests.
 void PrintTo(const DividedWork& work, std::ostream* out) {
   *out << work.name;
 }
@@ -54,7 +53,7 @@ class Merge : public ::testing::TestWithParam<DividedWork> {
     return run_command_line(words);
   }
 
-  /// What `merge` says of the three parts and writes nothing.
+  /// What `merge` says of parts that it refuses. It writes nothing.
   std::string refusal(const std::vector<std::string>& parts) const {
     const auto before = snapshot(directory_.path());
     const Outcome outcome = merge(parts);
@@ -87,7 +86,6 @@ TEST_P(Merge, HasTheBytesOfOneGo) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("Whole: " + (directory_ / "merged/"))) << outcome.out;
   EXPECT_EQ(snapshot(directory_ / "merged"), snapshot(directory_ / "whole"));
-  // Again, over what is there; and from one shard that is the whole.
   EXPECT_EQ(merge({"1", "2", "3"}).exit_code, 0);
   ASSERT_EQ(work("one", "1/1").exit_code, 0);
   EXPECT_EQ(merge({"one"}, "merged-one").exit_code, 0);
@@ -127,7 +125,6 @@ TEST_P(Merge, RefusesAnotherVersion) {
   change("2", [](Json& json) { json["version"] = "9.9"; });
   EXPECT_EQ(refusal({"1", "2", "3"}),
             "shadefit: shard file '2/shard.json' is of another version: 9.9, not " + ours + "\n");
-  // Nor does this version write what another one computed.
   for (const char* part : {"1", "3"}) change(part, [](Json& json) { json["version"] = "9.9"; });
   EXPECT_EQ(refusal({"1", "2", "3"}),
             "shadefit: shard file '1/shard.json' is of another version: 9.9, not " + ours + "\n");
@@ -171,7 +168,7 @@ TEST_P(Merge, LeavesTheFilesOfOthersAlone) {
   EXPECT_NE(refusal({"1", "2", "3"}).find("merged/" + file), std::string::npos);
 }
 
-/// A task that is killed leaves no part, so `merge` misses it. The same command makes the part.
+/// A task that is killed leaves no whole part. The same command makes it.
 TEST_P(Merge, AKilledTaskCanBeRunAgain) {
   ASSERT_EQ(work("whole").exit_code, 0);
   work_in_three();
@@ -195,7 +192,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Merge,
                                                         "exp2-quintic", "planck-x", "sqrt-rational"}}),
                          ::testing::PrintToStringParamName());
 
-/// A gallery of one study of the test's own, in a file that can change.
+/// A gallery with a study whose file can change.
 class MergeStudies : public ::testing::Test {
  protected:
   Outcome run(const std::string& out, const std::string& shard) const {
