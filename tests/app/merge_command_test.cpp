@@ -139,7 +139,6 @@ TEST_P(Merge, RefusesADamagedPart) {
     EXPECT_TRUE(refusal({"1", "2", "3"}).starts_with("shadefit: shard file '2/shard.json'")) << damaged;
     EXPECT_TRUE(refusal({"2", "1", "3"}).starts_with("shadefit: shard file '2/shard.json'")) << damaged;
   }
-  // One digit, deep inside.
   std::string digit = text;
   const std::size_t at = digit.find_first_of("0123456789", digit.size() * 2 / 3);
   digit[at] = digit[at] == '1' ? '2' : '1';
@@ -233,7 +232,7 @@ TEST_F(MergeStudies, OfOtherFilesOrTablesAreRefused) {
   EXPECT_NE(refusal().find("/2/shard.json' is of another study: sin-pi "), std::string::npos) << refusal();
 }
 
-/// The digest of a part finds accidents. Whoever makes a part on purpose cannot write outside --out with it.
+/// Whoever makes a part on purpose cannot write outside --out with it.
 TEST_F(MergeStudies, APartThatWasMadeUpIsRefused) {
   put_study("line");
   ASSERT_EQ(run("1", "1/1").exit_code, 0);
