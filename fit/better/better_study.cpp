@@ -5,6 +5,7 @@
 
 #include "approx/scalar.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/study_problem.hpp"
 
 namespace shadefit {
 namespace {
@@ -32,11 +33,19 @@ std::string_view error_of(const Study& study) {
   return study.error == Error::relative ? "max_rel_error" : "max_abs_error";
 }
 
+Effect effect_of(const SampledCurve& curve) {
+  Effect effect;
+  for (std::size_t i = 0; i < curve.form.size(); ++i) effect.show(curve.target[i], curve.form[i], {});
+  return effect;
+}
+
 StudyContender contender_of(const StudyForm& form, const Study& study, std::string origin,
                             std::vector<double> values) {
   const ReadStudy read = read_study(study);
   const bool is_plain = error_of(study) == "max_abs_error";
   const StudyExtremum largest = is_plain ? largest_error(read, values) : largest_weighted_error(read, values);
+  const double rms = rms_error(read, StudyError(read), values);
+  const SampledCurve curve = sample_curve(read, values);
   const Symbolic code = form_with(read, values);
   return {.form = form.id,
           .formula = form.formula,
@@ -45,7 +54,10 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
           .values = std::move(values),
           .code = code,
           .operations = count_operations(code),
-          .max_error = largest};
+          .max_error = largest,
+          .rms_error = rms,
+          .properties = properties_of(read, curve),
+          .effect = effect_of(curve)};
 }
 
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
@@ -77,21 +89,71 @@ std::vector<StudyObjective> objectives_of(const StudyFile& file, const Study& st
   return objectives;
 }
 
+void append_fit(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
+                StudyObjective objective, const Checkpoint& checkpoint) {
+  checkpoint();
+  const Study asked = objective.study;
+  if (asked.starts.empty()) objective.study.starts = published_starts(file, form.id, asked);
+  const StudyFit fit = fit_study(objective, checkpoint);
+  if (fit.status == Status::converged) {
+    comparison.contenders.push_back(contender_of(form, asked, objective.words, fit.parameters));
+  } else {
+    comparison.left_out.push_back(form.id + ", " + objective.words + ": " + std::string(name(fit.status)) +
+                                  ", " + fit.why);
+  }
+}
+
 void append_fits(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
                  const Checkpoint& checkpoint) {
   const Study study = with_form(comparison.study, form);
   const ReadStudy read = read_study(study);
-  for (StudyObjective& objective : objectives_of(file, study, read)) {
-    checkpoint();
-    if (study.starts.empty()) objective.study.starts = published_starts(file, form.id, study);
-    const StudyFit fit = fit_study(objective, checkpoint);
-    if (fit.status == Status::converged) {
-      comparison.contenders.push_back(contender_of(form, study, objective.words, fit.parameters));
-    } else {
-      comparison.left_out.push_back(form.id + ", " + objective.words + ": " + std::string(name(fit.status)) +
-                                    ", " + fit.why);
-    }
+  for (const StudyObjective& objective : objectives_of(file, study, read))
+    append_fit(comparison, file, form, objective, checkpoint);
+}
+
+/// The fit with the smallest error that may stand in for a published contender, whatever properties it loses.
+const StudyContender* best_at_the_same_cost(const StudyComparison& comparison,
+                                            const StudyContender& published, bool keeps_properties) {
+  constexpr double worth = 0.99;  // a smaller gain is rounding of the printed digits
+  constexpr double most_rms = 2;  // a smaller peak is not worth a larger error everywhere else
+  const StudyContender* best = nullptr;
+  for (const StudyContender& contender : comparison.contenders) {
+    const bool is_candidate =
+        contender.published == nullptr && contender.operations.total() <= published.operations.total() &&
+        contender.max_error.magnitude < worth * published.max_error.magnitude &&
+        contender.rms_error <= most_rms * published.rms_error &&
+        (!keeps_properties || lost_properties(published.properties, contender.properties).empty());
+    if (is_candidate && (best == nullptr || contender.max_error.magnitude < best->max_error.magnitude))
+      best = &contender;
   }
+  return best;
+}
+
+/// A fit that is to keep the properties of a published set.
+struct KeepingFit {
+  const StudyForm* form;
+  StudyObjective objective;
+};
+
+/// The fits that are missing: of the form that would be the best but for lost properties. Constraints are for
+/// one variable.
+std::vector<KeepingFit> keeping_fits(const StudyComparison& comparison, const StudyFile& file) {
+  std::vector<KeepingFit> fits;
+  if (comparison.study.rows || comparison.study.over.size() > 1) return fits;
+  for (const StudyContender& published : comparison.contenders) {
+    if (published.published == nullptr) continue;
+    const StudyContender* best = best_at_the_same_cost(comparison, published, false);
+    if (best == nullptr || lost_properties(published.properties, best->properties).empty()) continue;
+    const auto form = std::find_if(file.forms.begin(), file.forms.end(),
+                                   [&](const StudyForm& other) { return other.id == best->form; });
+    const StudyObjective objective =
+        objective_of(with_form(comparison.study, *form), Norm::minimax, constraints_of(published.properties));
+    const bool is_there = std::any_of(fits.begin(), fits.end(), [&](const KeepingFit& other) {
+      return other.form == &*form && other.objective.words == objective.words;
+    });
+    if (!is_there) fits.push_back({&*form, objective});
+  }
+  return fits;
 }
 
 bool is_better(const StudyContender& contender, const StudyContender& published) {
@@ -107,6 +169,11 @@ ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& c
   return read_formulas(study);
 }
 
+const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
+                                              const StudyContender& published) {
+  return best_at_the_same_cost(comparison, published, true);
+}
+
 StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint) {
   StudyComparison comparison{.study = study, .error = error_of(study), .variables = {}};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
@@ -114,6 +181,8 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
     append_published(comparison, file, form, checkpoint);
     append_fits(comparison, file, form, checkpoint);
   }
+  for (const KeepingFit& fit : keeping_fits(comparison, file))
+    append_fit(comparison, file, *fit.form, fit.objective, checkpoint);
   auto& contenders = comparison.contenders;
   std::stable_sort(
       contenders.begin(), contenders.end(), [](const StudyContender& a, const StudyContender& b) {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/better/study_properties.hpp"
+#include "fit/errors/effect.hpp"
 #include "fit/study/solve_study.hpp"
 #include "fit/study/study_file.hpp"
 #include "fit/support/checkpoint.hpp"
@@ -24,6 +26,9 @@ struct StudyContender {
   Symbolic code;                                 ///< the form with these constants, as `emit` writes it
   Operations operations;                         ///< of that
   StudyExtremum max_error;                       ///< in the error of the study; sampled and refined
+  double rms_error = 0;                          ///< weighted, by the density
+  std::vector<StudyProperty> properties = {};    ///< that it shares with its target
+  Effect effect = {};                            ///< of the form in place of its target, sampled
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
   std::vector<JudgedError> claims = {};          ///< what the source says of its errors
   /// The published contenders, by their places in the list, that have a larger error at no fewer
@@ -46,8 +51,16 @@ struct StudyComparison {
 /// The formulas of a comparison, with the form of a contender.
 ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& contender);
 
+/// The fit of any form with the smallest error that can stand in for a published contender: it needs no more
+/// instructions, has all its properties, an error smaller by 1 % at least, and an rms error at most twice as
+/// large. Null if there is none.
+const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
+                                              const StudyContender& published);
+
 /// Compares the published sets of a study with the fits of each of its forms: least squares, minimax if the
-/// target is a formula, and what the file asks for. Throws UserError for a study that cannot be read.
+/// target is a formula, and what the file asks for. Where the best of these loses a property of a published
+/// set, its form is fitted under constraints that keep them. Throws UserError for a study that cannot be
+/// read.
 StudyComparison compare_study(const StudyFile& file, const Study& study,
                               const Checkpoint& checkpoint = keep_going);
 

@@ -98,20 +98,6 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
 
 }  // namespace
 
-const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
-                                              const StudyContender& published) {
-  constexpr double worth = 0.99;  // a smaller gain is rounding of the printed digits
-  const StudyContender* best = nullptr;
-  for (const StudyContender& contender : comparison.contenders) {
-    const bool is_candidate = contender.published == nullptr &&
-                              contender.operations.total() <= published.operations.total() &&
-                              contender.max_error.magnitude < worth * published.max_error.magnitude;
-    if (is_candidate && (best == nullptr || contender.max_error.magnitude < best->max_error.magnitude))
-      best = &contender;
-  }
-  return best;
-}
-
 JudgedStudy judged_study(const GalleryEntry& entry) {
   JudgedStudy study{entry.file.id, !entry.file.published.empty(), {}, study_page(entry)};
   for (const StudyComparison& comparison : entry.comparisons) {

@@ -17,11 +17,6 @@ struct GalleryEntry {
   std::vector<StudyComparison> comparisons;
 };
 
-/// The best fit of any form with no more instructions than a published contender, if its error is smaller
-/// by 1 % at least; else null.
-const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
-                                              const StudyContender& published);
-
 /// A study as the gallery shows it: all that its page and its rows in the tables need.
 struct JudgedStudy {
   std::string id;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/study/study.hpp"
+
+namespace shadefit {
+
+/// A form and its target at the same places.
+struct SampledCurve {
+  std::vector<std::vector<double>> places;  ///< one number for each variable
+  std::vector<double> target, form;         ///< NaN where a formula has no value
+};
+
+/// A study at these parameters: in one variable at 1001 even places from end to end, in two on a grid of 49 x
+/// 49 such places (the last variable changes fastest), in three of 13 x 13 x 13; of measured rows at each
+/// row.
+SampledCurve sample_curve(const ReadStudy& study, const std::vector<double>& parameters);
+
+}  // namespace shadefit

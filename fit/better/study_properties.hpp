@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/better/sampled_curve.hpp"
+#include "fit/quadrature/metric.hpp"
+
+/// What a renderer relies on beside a small error.
+namespace shadefit {
+
+/// A property that a form shares with its target.
+struct StudyProperty {
+  std::string words;        ///< "exact at x = 0", "rises", "falls", "not negative", "at most 1"
+  Constraints constraints;  ///< under which a fit has it
+};
+
+/// The properties of a curve that its target has too, sampled at its places. In one variable: that it is
+/// exact at an end (to the last place of a float, 2^-24 of the largest target), and that it never falls or
+/// never rises. Always: that it is not negative, and at most 1.
+std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCurve& curve);
+
+/// Those of `wanted` that `found` lacks.
+std::vector<StudyProperty> lost_properties(const std::vector<StudyProperty>& wanted,
+                                           const std::vector<StudyProperty>& found);
+
+/// All constraints together.
+Constraints constraints_of(const std::vector<StudyProperty>& properties);
+
+}  // namespace shadefit
