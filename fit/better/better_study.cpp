@@ -6,6 +6,7 @@
 #include "approx/scalar.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
@@ -57,7 +58,9 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
           .max_error = largest,
           .rms_error = rms,
           .properties = properties_of(read, curve),
-          .effect = effect_of(curve)};
+          .effect = effect_of(curve),
+          .is_shown = std::all_of(curve.target.begin(), curve.target.end(),
+                                  [](double value) { return 0 <= value && value <= 1; })};
 }
 
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
@@ -111,7 +114,8 @@ void append_fits(StudyComparison& comparison, const StudyFile& file, const Study
     append_fit(comparison, file, form, objective, checkpoint);
 }
 
-/// The fit with the smallest error that may stand in for a published contender, whatever properties it loses.
+/// The fit with the smallest error that costs no more than a published contender; of those that have its
+/// properties, or of all.
 const StudyContender* best_at_the_same_cost(const StudyComparison& comparison,
                                             const StudyContender& published, bool keeps_properties) {
   constexpr double worth = 0.99;  // a smaller gain is rounding of the printed digits
@@ -142,7 +146,7 @@ std::vector<KeepingFit> keeping_fits(const StudyComparison& comparison, const St
   if (comparison.study.rows || comparison.study.over.size() > 1) return fits;
   for (const StudyContender& published : comparison.contenders) {
     if (published.published == nullptr) continue;
-    const StudyContender* best = best_at_the_same_cost(comparison, published, false);
+    const StudyContender* best = least_error_at_the_same_cost(comparison, published);
     if (best == nullptr || lost_properties(published.properties, best->properties).empty()) continue;
     const auto form = std::find_if(file.forms.begin(), file.forms.end(),
                                    [&](const StudyForm& other) { return other.id == best->form; });
@@ -169,6 +173,11 @@ ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& c
   return read_formulas(study);
 }
 
+const StudyContender* least_error_at_the_same_cost(const StudyComparison& comparison,
+                                                   const StudyContender& published) {
+  return best_at_the_same_cost(comparison, published, false);
+}
+
 const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
                                               const StudyContender& published) {
   return best_at_the_same_cost(comparison, published, true);
@@ -181,8 +190,13 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
     append_published(comparison, file, form, checkpoint);
     append_fits(comparison, file, form, checkpoint);
   }
-  for (const KeepingFit& fit : keeping_fits(comparison, file))
-    append_fit(comparison, file, *fit.form, fit.objective, checkpoint);
+  for (const KeepingFit& fit : keeping_fits(comparison, file)) {
+    try {
+      append_fit(comparison, file, *fit.form, fit.objective, checkpoint);
+    } catch (const UserError& error) {  // the form cannot keep them all
+      comparison.left_out.push_back(fit.form->id + ", " + fit.objective.words + ": " + error.what());
+    }
+  }
   auto& contenders = comparison.contenders;
   std::stable_sort(
       contenders.begin(), contenders.end(), [](const StudyContender& a, const StudyContender& b) {

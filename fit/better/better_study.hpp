@@ -29,6 +29,7 @@ struct StudyContender {
   double rms_error = 0;                          ///< weighted, by the density
   std::vector<StudyProperty> properties = {};    ///< that it shares with its target
   Effect effect = {};                            ///< of the form in place of its target, sampled
+  bool is_shown = false;                         ///< whether the target lies in [0, 1], as a colour does
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
   std::vector<JudgedError> claims = {};          ///< what the source says of its errors
   /// The published contenders, by their places in the list, that have a larger error at no fewer
@@ -51,9 +52,12 @@ struct StudyComparison {
 /// The formulas of a comparison, with the form of a contender.
 ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& contender);
 
-/// The fit of any form with the smallest error that can stand in for a published contender: it needs no more
-/// instructions, has all its properties, an error smaller by 1 % at least, and an rms error at most twice as
-/// large. Null if there is none.
+/// The fit of any form with the smallest error that needs no more instructions than a published contender.
+/// Its error is smaller by 1 % at least, and its rms error at most twice as large. Null if there is none.
+const StudyContender* least_error_at_the_same_cost(const StudyComparison& comparison,
+                                                   const StudyContender& published);
+
+/// The same among the fits that have all properties of the published contender.
 const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
                                               const StudyContender& published);
 

@@ -70,6 +70,12 @@ std::vector<StudyProperty> lost_properties(const std::vector<StudyProperty>& wan
   return lost;
 }
 
+std::string to_text(const std::vector<StudyProperty>& properties) {
+  std::string text;
+  for (const StudyProperty& property : properties) text += (text.empty() ? "" : ", ") + property.words;
+  return text.empty() ? "none" : text;
+}
+
 Constraints constraints_of(const std::vector<StudyProperty>& properties) {
   Constraints all;
   for (const StudyProperty& property : properties) {

@@ -24,6 +24,9 @@ std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCu
 std::vector<StudyProperty> lost_properties(const std::vector<StudyProperty>& wanted,
                                            const std::vector<StudyProperty>& found);
 
+/// "exact at x = 0, rises"; "none" without any.
+std::string to_text(const std::vector<StudyProperty>& properties);
+
 /// All constraints together.
 Constraints constraints_of(const std::vector<StudyProperty>& properties);
 

@@ -13,7 +13,7 @@
 namespace shadefit {
 namespace {
 
-constexpr double svg_width = 720, svg_height = 240, svg_left = 76, svg_right = 12, svg_top = 10,
+constexpr double svg_width = 720, svg_height = 240, svg_left = 112, svg_right = 12, svg_top = 10,
                  svg_bottom = 30;
 constexpr int steps = 240;
 constexpr double svg_room = 1.05;  // above the largest error

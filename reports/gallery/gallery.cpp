@@ -25,10 +25,21 @@ std::string repositories(const std::vector<std::string>& places) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Of a form that is exact only rounding is left.
+constexpr double rounding_alone = 1e-14;
+
+/// The largest error of a contender, if there is one.
+void append_error(std::vector<Cell>& row, const StudyContender* contender) {
+  if (contender == nullptr) {
+    row.push_back(Cell{});
+  } else {
+    const double error = contender->max_error.magnitude;
+    row.push_back(error < rounding_alone ? word("exact") : Cell{Number{error, 4}});
+  }
+}
+
 std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& comparison,
                          const StudyContender& published) {
-  const StudyContender* best = better_at_the_same_cost(comparison, published);
-  const double error = published.max_error.magnitude;
   std::vector<Cell> row{
       entry.file.id,
       published.form + (given_text(comparison.study).empty() ? "" : ", " + given_text(comparison.study)),
@@ -36,18 +47,22 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
       repositories(published.published->where),
       verdict_text(*published.judgement),
       error_in_words(comparison.error),
-      Number{error, 4}};
-  const auto instructions = static_cast<long>(published.operations.total());
+      Number{published.max_error.magnitude, 4},
+      static_cast<long>(published.operations.total())};
+  const StudyContender* best = better_at_the_same_cost(comparison, published);
+  append_error(row, best);
   if (best == nullptr) {
-    row.insert(row.end(), {Cell{}, Cell{}, instructions, Cell{}, Cell{}});
+    row.insert(row.end(), 3, Cell{});
   } else {
-    // Of a form that is exact only rounding is left.
-    constexpr double exact = 1e-14;
     const double least = best->max_error.magnitude;
-    row.insert(row.end(), {least < exact ? word("exact") : Cell{Number{least, 4}},
-                           least < exact ? Cell{} : Cell{Number{error / least, 3}}, instructions,
-                           static_cast<long>(best->operations.total()), best->form + ", " + best->origin});
+    row.insert(row.end(),
+               {least < rounding_alone ? Cell{} : Cell{Number{published.max_error.magnitude / least, 3}},
+                static_cast<long>(best->operations.total()), best->form + ", " + best->origin});
   }
+  const StudyContender* least = least_error_at_the_same_cost(comparison, published);
+  append_error(row, least == best ? nullptr : least);
+  row.push_back(least == best ? Cell{}
+                              : Cell{to_text(lost_properties(published.properties, least->properties))});
   return row;
 }
 
@@ -57,10 +72,12 @@ Table table_of_page(const Table& rows) {
                                                                  {"Form", 1},
                                                                  {"Verdict", 4},
                                                                  {"Error as published", 6},
-                                                                 {"Best at the same cost", 7},
-                                                                 {"Times better", 8},
-                                                                 {"Instructions", 9},
+                                                                 {"Best at the same cost", 8},
+                                                                 {"Times better", 9},
+                                                                 {"Instructions", 7},
                                                                  {"Of the best", 10},
+                                                                 {"Least error", 12},
+                                                                 {"which loses", 13},
                                                                  {"Error", 5},
                                                                  {"Used in", 3},
                                                                  {"Source", 2}};
@@ -80,7 +97,7 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
   const auto studies =
       std::count_if(all.begin(), all.end(), [](const JudgedStudy& study) { return study.is_published; });
   const auto improved = std::count_if(rows.rows.begin(), rows.rows.end(), [](const auto& row) {
-    return !std::holds_alternative<std::monostate>(row[7]);
+    return !std::holds_alternative<std::monostate>(row[8]);
   });
   const std::string body =
       fmt::format(
@@ -88,8 +105,8 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
           "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
           "{} have a better set at no more instructions.</p>\n"
           "<p>The error is the largest one over the stated range, sampled. <b>Verdict</b> says which fit has the printed digits: that of the study "
-          "(confirmed; rounding: but for one unit in a last digit), another one (other-objective; undecidable: by chance, perhaps), or none (refuted). The best set is the best in its largest error; whether it keeps other properties of the published "
-          "one, such as an exact end, is not compared.</p>\n"
+          "(confirmed; rounding: but for one unit in a last digit), another one (other-objective; undecidable: by chance, perhaps), or none (refuted). The best set has the least largest error among fits that keep the properties of the published one: "
+          "exact ends, rising or falling, not negative, at most 1, as far as its target has them (sampled). Its rms error is at most doubled. <b>Least error</b> is that of a fit which loses some.</p>\n"
           "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
           rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true)) +
       (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");
@@ -109,8 +126,8 @@ JudgedStudy judged_study(const GalleryEntry& entry) {
 }
 
 Table gallery_table(const std::vector<JudgedStudy>& studies) {
-  Table table{{"id", "form", "source", "used_in", "verdict", "error", "published", "best", "ratio",
-               "instructions", "best_instructions", "best_form"},
+  Table table{{"id", "form", "source", "used_in", "verdict", "error", "published", "instructions", "best",
+               "ratio", "best_instructions", "best_form", "least", "loses"},
               {}};
   for (const JudgedStudy& study : studies)
     table.rows.insert(table.rows.end(), study.rows.begin(), study.rows.end());

@@ -27,8 +27,9 @@ struct JudgedStudy {
 
 JudgedStudy judged_study(const GalleryEntry& entry);
 
-/// A row for each published set: `id,form,source,used_in,verdict,error,published,best,ratio,instructions,
-/// best_instructions,best_form`.
+/// A row for each published set: `id,form,source,used_in,verdict,error,published,instructions,best,ratio,
+/// best_instructions,best_form,least,loses`. `best` keeps the properties of the published set; `least` is of
+/// a fit with a smaller error that loses some.
 Table gallery_table(const std::vector<JudgedStudy>& studies);
 
 /// index.html, a page NAME.html for each study, and gallery.csv with the same rows.

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <variant>
+#include <vector>
 
 namespace shadefit {
 namespace {
@@ -14,23 +14,26 @@ constexpr std::string_view style = R"(
   --good: #1a6b34; --part: #8a3a9e; --bad: #b3261e; --one: #b3261e; --two: #0b57b0; }
 @media (prefers-color-scheme: dark) { :root { --text: #e6e6e6; --back: #161616; --soft: #a6a6a6; --line: #3a3a3a; --link: #8ab8ff;
   --good: #7fd397; --part: #d9a3e8; --bad: #ff8a80; --one: #ff8a80; --two: #8ab8ff; } }
-body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--back); margin: 0 auto; padding: 1rem; max-width: 80rem; }
+body { font: 16px/1.5 system-ui, sans-serif; color: var(--text); background: var(--back); margin: 0 auto; padding: 1rem; max-width: 80rem; overflow-wrap: break-word; }
 a { color: var(--link); }
 h1 { font-size: 1.5rem; line-height: 1.25; } h2 { font-size: 1.15rem; margin-top: 2rem; }
 .facts { list-style: none; padding: 0; } .facts li { margin: .15rem 0; overflow-wrap: anywhere; }
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .9rem; }
 th, td { text-align: left; padding: .35rem .7rem; border-bottom: 1px solid var(--line); vertical-align: top; }
-td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+.number { text-align: right; font-variant-numeric: tabular-nums; } td.number { white-space: nowrap; } td.long { min-width: 14rem; }
+.sortable :is(td, th):first-child { position: sticky; left: 0; background: var(--back); }
+@media (min-width: 40rem) { .sortable td:first-child { white-space: nowrap; } }
 th button { font: inherit; font-weight: 600; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; text-align: inherit; }
-th[aria-sort] button::after { content: " \2195"; color: var(--soft); }
-th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
+th[aria-sort] button::after { content: "\a0\2195"; color: var(--soft); }
+th[aria-sort=ascending] button::after { content: "\a0\2191"; } th[aria-sort=descending] button::after { content: "\a0\2193"; }
 input, select { font: inherit; color: inherit; background: var(--back); border: 1px solid var(--soft); border-radius: .25rem; padding: .3rem .5rem; }
 input[type=search] { width: min(100%, 24rem); }
 pre { background: color-mix(in srgb, var(--text) 6%, var(--back)); padding: .7rem; overflow-x: auto; font-size: .85rem; }
-.code { position: relative; } .code > button { position: absolute; right: .5rem; top: .5rem; font: inherit; font-size: .8rem; }
+.code > button { font: inherit; font-size: .85rem; padding: .25rem .75rem; } .code pre { margin-top: .5rem; }
 .soft { color: var(--soft); } .confirmed { color: var(--good); } .partly { color: var(--part); } .refuted { color: var(--bad); }
 svg { width: 100%; max-width: 45rem; height: auto; } svg text { font: 12px system-ui, sans-serif; fill: var(--soft); }
+@media (max-width: 40rem) { svg text { font-size: 20px; } }
 .axis { stroke: var(--line); } polyline { fill: none; stroke-width: 2; }
 .curve-1 { stroke: var(--one); } .curve-2 { stroke: var(--two); stroke-dasharray: 6 3; }
 .key-1 { color: var(--one); } .key-2 { color: var(--two); }
@@ -47,8 +50,9 @@ for (const table of document.querySelectorAll('table.sortable')) {
     for (const other of table.querySelectorAll('th')) other.setAttribute('aria-sort', 'none');
     head.setAttribute('aria-sort', rising ? 'ascending' : 'descending');
     const key = row => row.cells[head.cellIndex].textContent;
-    const number = text => text === '' ? NaN : text === 'exact' ? 0 : Number(text);
+    const number = text => text === 'exact' ? 0 : Number(text);
     const compare = (a, b) => {
+      if (key(a) === '' || key(b) === '') return (key(a) === '') - (key(b) === '');  // empty cells come last
       const x = number(key(a)), y = number(key(b));
       if (isNaN(x) && isNaN(y)) return (rising ? 1 : -1) * key(a).localeCompare(key(b));
       return isNaN(x) ? 1 : isNaN(y) ? -1 : rising ? x - y : y - x;
@@ -99,6 +103,24 @@ bool is_number(const Cell& cell) {
   return std::holds_alternative<Number>(cell) || std::holds_alternative<long>(cell);
 }
 
+/// For each column, whether it has a number.
+std::vector<bool> columns_with_numbers(const Table& table) {
+  std::vector<bool> has_numbers(table.columns.size());
+  for (const auto& row : table.rows)
+    for (std::size_t i = 0; i < row.size(); ++i) has_numbers[i] = has_numbers[i] || is_number(row[i]);
+  return has_numbers;
+}
+
+/// ` class="..."` of a cell with these words, or nothing. Long words get a wide column.
+std::string class_of_cell(std::string_view words, bool in_a_column_of_numbers) {
+  constexpr std::size_t most_in_a_narrow_column = 24;
+  if (words.size() > most_in_a_narrow_column)
+    return fmt::format(" class=\"{}{}long\"", class_of_verdict(words),
+                       class_of_verdict(words).empty() ? "" : " ");
+  const std::string_view name = in_a_column_of_numbers ? "number" : class_of_verdict(words);
+  return name.empty() ? "" : fmt::format(" class=\"{}\"", name);
+}
+
 }  // namespace
 
 std::string html_text(std::string_view text) {
@@ -133,26 +155,24 @@ std::string html_page(std::string_view title, std::string_view body) {
 }
 
 std::string html_table(const Table& table, bool is_index) {
-  std::string out = fmt::format("<div class=\"scroll\" tabindex=\"0\"><table{}>\n<thead><tr>",
-                                is_index ? " class=\"sortable\"" : "");
+  std::string out = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"table\"><table{}>\n<thead><tr>",
+      is_index ? " class=\"sortable\"" : "");
+  const std::vector<bool> has_numbers = columns_with_numbers(table);
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const bool has_numbers =
-        std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return is_number(row[i]); });
     const std::string name = html_text(table.columns[i]);
-    out += fmt::format("<th scope=\"col\"{}{}>{}</th>", has_numbers ? " class=\"number\"" : "",
+    out += fmt::format("<th scope=\"col\"{}{}>{}</th>", has_numbers[i] ? " class=\"number\"" : "",
                        is_index ? " aria-sort=\"none\"" : "",
                        is_index ? "<button type=\"button\">" + name + "</button>" : name);
   }
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (const Cell& cell : row) {
-      const std::string words = html_text(text(cell, Precision::report));
-      const std::string_view style_class = is_number(cell) ? "number" : class_of_verdict(words);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string words = html_text(text(row[i], Precision::report));
       const std::string inside =
-          is_index && &cell == &row.front() ? fmt::format("<a href=\"{0}.html\">{0}</a>", words) : words;
-      out += style_class.empty() ? fmt::format("<td>{}</td>", inside)
-                                 : fmt::format("<td class=\"{}\">{}</td>", style_class, inside);
+          is_index && i == 0 ? fmt::format("<a href=\"{0}.html\">{0}</a>", words) : words;
+      out += fmt::format("<td{}>{}</td>", class_of_cell(words, has_numbers[i]), inside);
     }
     out += "</tr>\n";
   }

@@ -48,6 +48,33 @@ std::string trials_text(const StudyJudgement& judgement) {
   return text;
 }
 
+/// "0.018 (as a linear grey 4.6 codes of 8-bit sRGB, 37 ulps of half)": the largest of each, sampled.
+std::string effect_text(const StudyContender& contender) {
+  const Effect& effect = contender.effect;
+  const auto three = [](double value) { return text(Number{value, 3}, Precision::report); };
+  const std::string codes = contender.is_shown
+                                ? "as a linear grey " + three(effect.srgb_codes) + " codes of 8-bit sRGB, "
+                                : std::string();
+  return fmt::format("{} ({}{} ulps of half)", three(effect.absolute.magnitude), codes,
+                     three(effect.half_ulps));
+}
+
+void append_better(const StudyComparison& comparison, const StudyContender& published,
+                   std::vector<std::string>& lines) {
+  const StudyContender* best = better_at_the_same_cost(comparison, published);
+  const StudyContender* least = least_error_at_the_same_cost(comparison, published);
+  const auto words = [](const StudyContender& contender) {
+    return fmt::format("{}, {}: {}", contender.form, contender.origin, effect_text(contender));
+  };
+  if (best != nullptr)
+    lines.push_back("Better at no more instructions, with these properties: " + words(*best));
+  if (least != nullptr && least != best)
+    lines.push_back(fmt::format("Smaller yet, without {}: {}",
+                                to_text(lost_properties(published.properties, least->properties)),
+                                words(*least)));
+  if (least == nullptr) lines.emplace_back("No fit here is better at no more instructions");
+}
+
 }  // namespace
 
 std::string study_title(const StudyFile& file) {
@@ -82,6 +109,9 @@ std::vector<std::string> published_lines(const PublishedSet& set,
     if (contender == nullptr) continue;
     lines.push_back(fmt::format("Verdict: {}", verdict_text(*contender->judgement)));
     if (contender->judgement->tried > 1) lines.push_back(trials_text(*contender->judgement));
+    lines.push_back("Properties of the target that it keeps: " + to_text(contender->properties));
+    lines.push_back("Largest change of the target: " + effect_text(*contender));
+    append_better(comparison, *contender, lines);
     for (const JudgedError& judged : contender->claims)
       lines.push_back(fmt::format("{}: stated {}, computed {}: {}", words_of(judged.claim.error),
                                   judged.claim.printed, text(Number{judged.computed, 4}, Precision::report),

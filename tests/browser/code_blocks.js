@@ -14,7 +14,12 @@ async function judgeCopy(tab, language, how, press, note) {
   await tab.evaluate(words => navigator.clipboard.writeText(words), before);
   const button = await block.$('button');
   await button.evaluate(element => (element.textContent = 'copy'));
-  await press(button);
+  try {
+    await press(button);
+  } catch (error) {
+    note(`${language}, by ${how}: ${error.message}`);
+    return;
+  }
   try {
     await tab.waitForFunction(element => element.textContent !== 'copy', { timeout: 2000 }, button);
   } catch {
