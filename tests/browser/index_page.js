@@ -54,6 +54,10 @@ async function judgeSort(tab, column, rising, unsorted, how, note) {
 /** Each column sorts up, then down: by mouse and by Tab and Enter. */
 async function checkSort(tab, note) {
   const { rows } = await shownRows(tab);
+  if (rows.length === 0) {
+    note('shows no row to sort');
+    return;
+  }
   const buttons = await tab.$$('table.sortable th button');
   if (buttons.length !== rows[0].length) note(`${buttons.length} of ${rows[0].length} columns have a button`);
   for (const [column, button] of buttons.entries()) {
