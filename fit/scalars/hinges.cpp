@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "fit/truths/albedos.hpp"
+
 namespace shadefit {
 namespace {
 
@@ -34,6 +36,10 @@ void collect_of_function(const Symbolic& e, std::vector<Hinge>& hinges) {
     hinges.push_back({x, true, true});
   } else if (name == "log1p" || name == "log1p_remainder") {
     hinges.push_back({x + one, true, true});
+  } else if (find_albedo(name)) {
+    // Near 0 an albedo has terms such as c log(c).
+    hinges.push_back({x, true, false});
+    hinges.push_back({e.part(1), true, false});
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/scalars/multiprecision.hpp"
+#include "fit/truths/albedos.hpp"
 
 namespace shadefit {
 namespace {
@@ -96,6 +97,7 @@ std::set<std::string> free_variables(const Symbolic& e) {
 int integral_depth(const Symbolic& e) {
   int depth = 0;
   for (const Symbolic& part : e.parts()) depth = std::max(depth, integral_depth(part));
+  if (e.kind() == Symbolic::Kind::function && find_albedo(e.name())) return depth + 2;
   return depth + (e.kind() == Symbolic::Kind::integral ? 1 : 0);
 }
 

@@ -32,7 +32,7 @@ Symbolic summed(const Symbolic& integral, IntegralRule rule);
 /// The variables of a formula, without those that its integrals run over.
 std::set<std::string> free_variables(const Symbolic& formula);
 
-/// How many integrals are inside one another; 0 for a formula without one.
+/// How many integrals are inside one another; 0 for a formula without one. An albedo is a double integral.
 int integral_depth(const Symbolic& formula);
 
 }  // namespace shadefit

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "approx/scalar.hpp"
+#include "fit/scalars/albedo_in.hpp"
 
 /// The adapter of Boost.Multiprecision: the arithmetic of truth.
 namespace shadefit {
@@ -68,6 +69,14 @@ struct Scalar<boost::multiprecision::number<boost::multiprecision::cpp_bin_float
   static T from_decimal(std::string_view decimal) { return T(std::string(decimal)); }
   static T pi() { return boost::math::constants::pi<T>(); }
   static T ln2() { return boost::math::constants::ln_two<T>(); }
+};
+
+/// In long double.
+template <>
+struct AlbedoIn<Decimal50> {
+  static Decimal50 value(const Albedo& albedo, const Decimal50& c, const Decimal50& alpha) {
+    return albedo_value(albedo, static_cast<long double>(c), static_cast<long double>(alpha));
+  }
 };
 
 }  // namespace shadefit

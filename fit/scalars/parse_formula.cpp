@@ -12,6 +12,7 @@
 #include "fit/scalars/integral.hpp"
 #include "fit/scalars/shader_calls.hpp"
 #include "fit/support/nearest.hpp"
+#include "fit/truths/truths.hpp"
 
 namespace shadefit {
 namespace {
@@ -301,6 +302,8 @@ class FormulaReader {
       return call(name, given);
     }
     if (name == "integral" && is_before_parenthesis && names_.takes_integrals) return integral_of(start);
+    if (const Truth* truth = find_truth(name); truth && is_before_parenthesis && names_.takes_integrals)
+      return use(std::string(name), definition_of(*truth));
     if (std::find(bound_.begin(), bound_.end(), name) != bound_.end()) return Symbolic::variable(name);
     if (std::find(past_.begin(), past_.end(), name) != past_.end())
       fail("'" + std::string(name) + "' inside its integral alone", start);
@@ -364,6 +367,16 @@ class FormulaReader {
     return name;
   }
 
+  static Definition definition_of(const Truth& truth) {
+    if (truth.formula.empty()) {
+      std::vector<Symbolic> arguments;
+      for (const std::string& argument : truth.arguments) arguments.push_back(Symbolic::variable(argument));
+      return {truth.arguments, Symbolic::function(truth.name, arguments)};
+    }
+    const FormulaNames names{.variables = truth.arguments, .takes_integrals = true};
+    return {truth.arguments, FormulaReader(truth.formula, names).whole().formula};
+  }
+
   /// A definition with its arguments put in.
   Symbolic use(const std::string& name, const Definition& definition) {
     const std::size_t start = place_;
@@ -400,6 +413,9 @@ class FormulaReader {
   [[noreturn]] void refuse(std::string_view name, std::size_t start) const {
     std::vector<std::string> known = function_names();
     for (const auto& [defined, _] : names_.definitions) known.push_back(defined);
+    for (const Truth& truth : truths()) {
+      if (names_.takes_integrals) known.emplace_back(truth.name);
+    }
     if (names_.takes_parameters) {
       const auto nearest = nearest_name(name, known);
       fail("a function before '(', not '" + std::string(name) + "'" +

@@ -30,7 +30,8 @@ struct FormulaNames {
   /// Whether any other name is a parameter. Two or more letters directly before a parenthesis are not a
   /// parameter but an unknown function.
   bool takes_parameters = false;
-  bool takes_integrals = false;  ///< whether `integral(body, t, lower, upper)` is read
+  bool takes_integrals =
+      false;  ///< whether `integral(body, t, lower, upper)` is read, and fit/truths/truths.hpp
 };
 
 struct ReadFormula {

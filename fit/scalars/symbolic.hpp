@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "approx/scalar.hpp"
+#include "fit/scalars/albedo_in.hpp"
 #include "fit/scalars/functions.hpp"
 
 /// The symbolic scalar: a formula that runs on it returns its own expression. The expression can be printed
@@ -31,7 +32,7 @@ class Symbolic {
     multiply,       ///<
     divide,         ///<
     negate,         ///<
-    function,       ///< `name` of parts 0, or of 0 and 1
+    function,       ///< `name` of parts 0, or of 0 and 1; also an albedo (fit/truths/albedos.hpp)
     real_power,     ///< part 0 to the power of part 1, part 0 not negative
     integer_power,  ///< part 0 to the power `exponent`
     choice,         ///< part 0 < part 1 ? part 2 : part 3
@@ -268,6 +269,12 @@ T evaluate(const Symbolic& expression, const ValueOf& value_of) {
     if (const auto* function = find_function(functions_of_one<T>, name)) return (*function)(part(0));
   } else if (const auto* function = find_function(functions_of_two<T>, name)) {
     return (*function)(part(0), part(1));
+  } else if (const auto albedo = find_albedo(name)) {
+    if constexpr (std::same_as<T, Symbolic>) {
+      return Symbolic::function(name, {part(0), part(1)});
+    } else {
+      return AlbedoIn<T>::value(*albedo, part(0), part(1));
+    }
   }
   throw std::logic_error("a function outside the vocabulary: " + name);
 }

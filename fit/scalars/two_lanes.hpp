@@ -14,6 +14,7 @@
 
 #include "approx/exponent_bits.hpp"
 #include "approx/scalar.hpp"
+#include "fit/scalars/albedo_in.hpp"
 
 /// Two doubles as one scalar: every 64-bit machine has registers of this size. The nodes of a quadrature are
 /// computed two at a time.
@@ -210,6 +211,13 @@ struct Scalar<TwoLanes> {
   static T pi() { return shadefit::pi<double>(); }
   static T ln2() { return shadefit::ln2<double>(); }
   static bool is_zero(const T& x) { return x[0] == 0 && x[1] == 0; }
+};
+
+template <>
+struct AlbedoIn<TwoLanes> {
+  static TwoLanes value(const Albedo& albedo, const TwoLanes& c, const TwoLanes& alpha) {
+    return {albedo_value(albedo, c[0], alpha[0]), albedo_value(albedo, c[1], alpha[1])};
+  }
 };
 
 }  // namespace shadefit

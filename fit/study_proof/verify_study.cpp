@@ -75,7 +75,8 @@ std::string check_boxes(const StudyCertificate& certificate, const ReadStudy& st
 std::string fault_of(const StudySubject& subject) {
   try {
     const ReadStudy study = read_formulas(subject.study);
-    if (integral_depth(error_formula(study)) > 1) return "an 'integral' inside another one has no proof";
+    if (integral_depth(error_formula(study)) > 1)
+      return "an 'integral' inside another one has no proof; a truth such as ggx_albedo is one";
     return fault_of_constants(subject.parameters, study.parameters, "the form");
   } catch (const UserError& error) {
     return error.what();

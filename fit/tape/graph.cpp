@@ -17,11 +17,23 @@ int index_of(const List& functions, std::string_view name) {
   return static_cast<int>(found - functions.data());
 }
 
+constexpr int albedo_orders = most_albedo_order + 1;
+
 std::string_view name_of_one(const GraphNode& node) {
   return functions_of_one<double>[static_cast<std::size_t>(node.index)].name;
 }
 
 }  // namespace
+
+int index_of(const Albedo& albedo) {
+  return (static_cast<int>(albedo.index) * albedo_orders + albedo.by_c) * albedo_orders + albedo.by_alpha;
+}
+
+Albedo albedo_of(int index) {
+  const int orders = index % (albedo_orders * albedo_orders);
+  return {static_cast<std::size_t>(index / (albedo_orders * albedo_orders)), orders / albedo_orders,
+          orders % albedo_orders};
+}
 
 std::size_t operand_count(Operation operation) {
   switch (operation) {
@@ -101,6 +113,11 @@ int Graph::add(const Symbolic& e) {
       result.operation = Operation::choice;
       break;
     default: {
+      if (const auto albedo = find_albedo(e.name())) {
+        result.operation = Operation::albedo;
+        result.index = index_of(*albedo);
+        break;
+      }
       const bool is_of_one = parts.size() == 1;
       result.operation = is_of_one ? Operation::function : Operation::function_of_two;
       result.index = is_of_one ? index_of(functions_of_one<double>, e.name())
@@ -231,8 +248,25 @@ int Graph::derived(const GraphNode& at, int self, std::size_t input) {
       const int numerator = difference(product(b, first), product(a, second));
       return quotient(numerator, sum(product(a, a), product(b, b)));
     }
+    case Operation::albedo:
+      return derived_albedo(at, input);
   }
   throw std::logic_error("an operation without a derivative");
+}
+
+/// With the derivatives by the logarithms of c and of alpha: their sum, by_c c'/c + by_alpha alpha'/alpha.
+int Graph::derived_albedo(const GraphNode& at, std::size_t input) {
+  int result = whole(0);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const int slope = derivative(at.operands[k], input);
+    if (is_zero(slope)) continue;
+    Albedo albedo = albedo_of(at.index);
+    int& order = k == 0 ? albedo.by_c : albedo.by_alpha;
+    if (++order > most_albedo_order) throw std::logic_error("a fourth derivative of an albedo");
+    const int by_logarithm = node({Operation::albedo, index_of(albedo), at.operands});
+    result = sum(result, product(by_logarithm, quotient(slope, at.operands[k])));
+  }
+  return result;
 }
 
 /// The slope of a function at x, where `self` is its value.

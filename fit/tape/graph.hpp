@@ -11,6 +11,7 @@
 
 #include "fit/scalars/integral.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/truths/albedos.hpp"
 
 /// Formulas as one graph, in which each subexpression stands once, and their derivatives.
 namespace shadefit {
@@ -29,7 +30,12 @@ enum class Operation : unsigned char {
   choice,           ///< operand 0 < operand 1 ? operand 2 : operand 3
   function,         ///< `index` in `functions_of_one`
   function_of_two,  ///< `index` in `functions_of_two`
+  albedo,           ///< of operands 0 and 1; `index` is `index_of(Albedo)`
 };
+
+/// An albedo and the orders of its derivatives as one number.
+int index_of(const Albedo& albedo);
+Albedo albedo_of(int index);
 
 /// The number of operands of an operation.
 std::size_t operand_count(Operation operation);
@@ -81,6 +87,7 @@ class Graph {
 
   int derived(const GraphNode& node, int self, std::size_t input);
   int derived_function(std::string_view name, int x, int self);
+  int derived_albedo(const GraphNode& node, std::size_t input);
 
   std::vector<std::string> inputs_;
   IntegralRule rule_;

@@ -120,6 +120,10 @@ class Tape {
         return functions_of_one<T>[index].over(operand(0), result, count);
       case Operation::function_of_two:
         return functions_of_two<T>[index].over(operand(0), operand(1), result, count);
+      case Operation::albedo:
+        return each([a = operand(0), b = operand(1), albedo = albedo_of(step.index)](std::size_t i) -> T {
+          return AlbedoIn<T>::value(albedo, a[i], b[i]);
+        });
       case Operation::input:
       case Operation::constant:
         return;  // they stand in the table

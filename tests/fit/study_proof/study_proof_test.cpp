@@ -266,7 +266,8 @@ TEST(StudyProof, NamesTheFaultOfItsSubject) {
   EXPECT_EQ(fault_of({study, {{"a", "one"}, {"b", "1"}}}), "parameter a 'one' is not a finite number");
   Study other = study;
   other.target = "integral(integral(s t, s, 0, x), t, 0, 1)";
-  EXPECT_EQ(fault_of({other, {}}), "an 'integral' inside another one has no proof");
+  EXPECT_EQ(fault_of({other, {}}),
+            "an 'integral' inside another one has no proof; a truth such as ggx_albedo is one");
   other.target = "cosine(x)";
   EXPECT_NE(fault_of({other, {}}).find("--target"), std::string::npos);
 }
