@@ -11,6 +11,7 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
+#include "fit/truths/albedos.hpp"
 
 /// The Fresnel pair as a study, that is from text, beside its compiled family.
 namespace shadefit::bench {
@@ -63,9 +64,26 @@ void fit_from_text(benchmark::State& state) {
   state.counters["digits"] = fit.digits;
 }
 
+/// A truth by its quadrature, and as a formula has it.
+void time_of_rule(benchmark::State& state, const Albedo& albedo) {
+  for (auto _ : state) benchmark::DoNotOptimize(albedo_by_rule(albedo, 0.3, 0.2));
+}
+
+void time_of_value(benchmark::State& state, const Albedo& albedo) {
+  double value = albedo_value(albedo, 0.3, 0.2);  // computes the rectangle
+  for (auto _ : state) benchmark::DoNotOptimize(value = albedo_value(albedo, 0.3, 0.2));
+}
+
 }  // namespace
 
 void register_studies() {
+  for (const std::string name : {"ggx_albedo", "ggx_bias", "charlie_albedo", "imageworks_sheen_albedo"}) {
+    const Albedo albedo = *find_albedo(name);
+    benchmark::RegisterBenchmark(("truth/rule/" + name).c_str(), time_of_rule, albedo)
+        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("truth/value/" + name).c_str(), time_of_value, albedo)
+        ->Unit(benchmark::kMicrosecond);
+  }
   benchmark::RegisterBenchmark("study/gradient/family", rate_of_family)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/gradient/tape", rate_of_tape)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("study/fit/from-text", fit_from_text)->Unit(benchmark::kMicrosecond);
