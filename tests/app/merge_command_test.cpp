@@ -260,11 +260,11 @@ TEST_F(MergeStudies, APartThatWasMadeUpIsRefused) {
   EXPECT_EQ(said([](Json& json) { json["judged"][0]["is_published"] = 1; }),
             "the field 'is_published' is not true or false\n");
   EXPECT_EQ(said([](Json& json) { json["judged"][1]["rows"] = {1}; }),
-            "the field 'rows' has a row that is not a list of 12 cells\n");
+            "the field 'rows' has a row that is not a list of 14 cells\n");
   const auto cell = [&](const Json& value) {
     return said([&](Json& json) {
       Json row = Json::array();
-      for (int i = 0; i < 12; ++i) row.push_back(value);
+      for (int i = 0; i < 14; ++i) row.push_back(value);
       json["judged"][1]["rows"] = Json::array({row});
     });
   };

@@ -48,7 +48,7 @@ GalleryEntry parabola() {
   entry.file.study = {.target = "x^2", .form = "", .over = {{"x", "0", "1"}}};
   entry.file.forms = {{"line", "a x + b"}};
   entry.file.published = {{.form = "line",
-                           .values = {{"a", "1.00"}, {"b", "0.00"}},
+                           .values = {{"a", "1.00"}, {"b", "-0.05"}},
                            .source = "Doe 2020",
                            .where = {"doe/lines@1234 a/b: f", "doe/lines@1234 c"}}};
   return entry;
@@ -67,9 +67,9 @@ TEST(Gallery, HasARowForEachPublishedSet) {
   };
   EXPECT_EQ(cell("id"), "parabola");
   EXPECT_EQ(cell("used_in"), "doe/lines");
-  EXPECT_EQ(cell("published"), "0.25");
+  EXPECT_EQ(cell("published"), "0.2");
   EXPECT_EQ(cell("best"), "0.125");
-  EXPECT_EQ(cell("ratio"), "2");
+  EXPECT_EQ(cell("ratio"), "1.6");
   EXPECT_EQ(cell("best_form"), "line, minimax");
 
   const auto files = gallery_files(studies);
@@ -79,6 +79,30 @@ TEST(Gallery, HasARowForEachPublishedSet) {
   for (const char* part :
        {"<svg", "polyline class=\"curve-2\"", "float parabola(float x)", "Doe 2020", "refuted"})
     EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+/// x itself is exact at both ends of x^2, as no other line is: the best line has half its error and neither
+/// end.
+TEST(Gallery, ABetterSetKeepsWhatThePublishedOneHas) {
+  std::vector<GalleryEntry> entries{parabola()};
+  entries.front().file.published.front().values = {{"a", "1"}, {"b", "0"}};
+  entries.front().comparisons = {compare_study(entries.front().file, entries.front().file.study)};
+  const StudyComparison& comparison = entries.front().comparisons.front();
+  const StudyContender& published = comparison.contenders.front();
+  EXPECT_EQ(to_text(published.properties), "exact at x = 0, exact at x = 1, rises, not negative, at most 1");
+  EXPECT_EQ(better_at_the_same_cost(comparison, published), nullptr);
+  const StudyContender* least = least_error_at_the_same_cost(comparison, published);
+  ASSERT_NE(least, nullptr);
+  EXPECT_EQ(to_text(lost_properties(published.properties, least->properties)),
+            "exact at x = 0, exact at x = 1, not negative");
+  const auto kept = std::find_if(
+      comparison.contenders.begin(), comparison.contenders.end(), [](const StudyContender& contender) {
+        return contender.origin == "minimax, exact at x = 0, exact at x = 1, form rises";
+      });
+  ASSERT_NE(kept, comparison.contenders.end()) << "the fit under constraints";
+  EXPECT_NEAR(kept->values[0], 1, 1e-14);
+  EXPECT_NEAR(kept->max_error.magnitude, 0.25, 1e-14);
+  EXPECT_NEAR(kept->effect.absolute.magnitude, 0.25, 1e-14);
 }
 
 /// A gain of less than 1 % is not called better.
