@@ -9,6 +9,7 @@
 #include "app/output/picture_file.hpp"
 #include "app/studies/find_study.hpp"
 #include "app/terminal/progress.hpp"
+#include "fit/better/prove_contenders.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/gallery/gallery_shard.hpp"
@@ -119,6 +120,7 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
     next();
     GalleryEntry entry{std::move(files[k]), {}};
     entry.comparisons = comparisons_of(entry.file, checkpoint);
+    for (StudyComparison& comparison : entry.comparisons) prove_contenders(comparison, checkpoint);
     shard.judged.push_back(judged_study(entry));
   }
   progress("");

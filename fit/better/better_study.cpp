@@ -40,6 +40,13 @@ Effect effect_of(const SampledCurve& curve) {
   return effect;
 }
 
+/// Whether a display can show the target, which may leave [0, 1] by a fortieth of an 8-bit code.
+bool is_shown(const SampledCurve& curve) {
+  constexpr double slack = 1e-4;
+  return std::all_of(curve.target.begin(), curve.target.end(),
+                     [](double value) { return -slack <= value && value <= 1 + slack; });
+}
+
 StudyContender contender_of(const StudyForm& form, const Study& study, std::string origin,
                             std::vector<double> values) {
   const ReadStudy read = read_study(study);
@@ -59,8 +66,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
           .rms_error = rms,
           .properties = properties_of(read, curve),
           .effect = effect_of(curve),
-          .is_shown = std::all_of(curve.target.begin(), curve.target.end(),
-                                  [](double value) { return 0 <= value && value <= 1; })};
+          .is_shown = is_shown(curve)};
 }
 
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
@@ -171,6 +177,16 @@ ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& c
   Study study = comparison.study;
   study.form = contender.formula;
   return read_formulas(study);
+}
+
+const StudyContender* first_published(const StudyComparison& comparison) {
+  const StudyContender* first = nullptr;
+  for (const StudyContender& contender : comparison.contenders) {
+    // The sets stand one after the other in the list of their file.
+    if (contender.published != nullptr && (first == nullptr || contender.published < first->published))
+      first = &contender;
+  }
+  return first;
 }
 
 const StudyContender* least_error_at_the_same_cost(const StudyComparison& comparison,

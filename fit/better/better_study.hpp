@@ -15,6 +15,12 @@
 /// The published constants of a study against the best ones of each of its forms.
 namespace shadefit {
 
+/// Bounds of the largest error, proven in interval arithmetic.
+struct ProvenError {
+  double lower = 0, upper = 0;
+  std::size_t boxes = 0;  ///< of which the proof consists
+};
+
 /// A form with its constants.
 struct StudyContender {
   const PublishedSet* published = nullptr;  ///< null for a fit
@@ -32,6 +38,7 @@ struct StudyContender {
   bool is_shown = false;                         ///< whether the target lies in [0, 1], as a colour does
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
   std::vector<JudgedError> claims = {};          ///< what the source says of its errors
+  std::optional<ProvenError> proof = {};         ///< only by `prove_contenders`
   /// The published contenders, by their places in the list, that have a larger error at no fewer
   /// instructions.
   std::vector<std::size_t> beats = {};
@@ -51,6 +58,9 @@ struct StudyComparison {
 
 /// The formulas of a comparison, with the form of a contender.
 ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& contender);
+
+/// The published contender that the file of the study has first; null without any.
+const StudyContender* first_published(const StudyComparison& comparison);
 
 /// The fit of any form with the smallest error that needs no more instructions than a published contender.
 /// Its error is smaller by 1 % at least, and its rms error at most twice as large. Null if there is none.

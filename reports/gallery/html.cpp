@@ -36,6 +36,7 @@ svg { width: 100%; max-width: 45rem; height: auto; } svg text { font: 12px syste
 @media (max-width: 40rem) { svg text { font-size: 20px; } }
 .axis { stroke: var(--line); } polyline { fill: none; stroke-width: 2; }
 .curve-1 { stroke: var(--one); } .curve-2 { stroke: var(--two); stroke-dasharray: 6 3; }
+.over { fill: var(--two); } .under { fill: var(--one); } .frame { fill: none; stroke: var(--line); }
 .key-1 { color: var(--one); } .key-2 { color: var(--two); }
 )";
 

@@ -8,6 +8,8 @@
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/gallery/error_curve.hpp"
+#include "reports/gallery/grey_ramps.hpp"
+#include "reports/gallery/heat_map.hpp"
 #include "reports/gallery/html.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_report.hpp"
@@ -23,20 +25,12 @@ std::string facts(const std::vector<std::string>& lines) {
 }
 
 /// The contenders of the picture: the published set that the file has first, and what is better at its cost.
-std::vector<const StudyContender*> shown(const StudyFile& file, const StudyComparison& comparison) {
+std::vector<const StudyContender*> shown(const StudyComparison& comparison) {
   if (comparison.contenders.empty()) return {};
-  const StudyContender* first = &comparison.contenders.front();
-  for (const PublishedSet& set : file.published) {
-    const auto found =
-        std::find_if(comparison.contenders.begin(), comparison.contenders.end(),
-                     [&](const StudyContender& contender) { return contender.published == &set; });
-    if (found == comparison.contenders.end()) continue;
-    first = &*found;
-    break;
-  }
+  const StudyContender* published = first_published(comparison);
+  const StudyContender* first = published == nullptr ? &comparison.contenders.front() : published;
   std::vector<const StudyContender*> contenders{first};
-  const StudyContender* best =
-      first->published == nullptr ? nullptr : better_at_the_same_cost(comparison, *first);
+  const StudyContender* best = published == nullptr ? nullptr : better_at_the_same_cost(comparison, *first);
   if (best != nullptr) contenders.push_back(best);
   return contenders;
 }
@@ -53,16 +47,32 @@ std::string behind(const StudyComparison& comparison) {
   return html_text(given.empty() ? given : ", " + given);
 }
 
-std::string picture(const StudyFile& file, const StudyComparison& comparison) {
-  const auto contenders = shown(file, comparison);
-  const std::string svg = error_curve_svg(comparison, contenders);
-  if (svg.empty()) return "";
+std::string keys_of(const std::vector<const StudyContender*>& contenders) {
   std::string keys;
   for (std::size_t i = 0; i < contenders.size(); ++i)
     keys += fmt::format("<li class=\"key-{}\">{}{}</li>\n", i + 1,
                         i == 0 ? "solid: " : "dashed: ", html_text(words_of(*contenders[i])));
-  return fmt::format("<h2>Error curve: {}{}</h2>\n{}<ul>\n{}</ul>\n", curve_in_words(comparison.error),
-                     behind(comparison), svg, keys);
+  return "<ul>\n" + keys + "</ul>\n";
+}
+
+std::string ramps(const StudyComparison& comparison, const std::vector<const StudyContender*>& contenders) {
+  const std::string svg = grey_ramps_svg(comparison, contenders);
+  if (svg.empty()) return "";
+  return "<h2>As greys</h2>\n" + svg +
+         "<p class=\"soft\">Left to right over the range. Values are linear, shown in 8-bit sRGB.</p>\n";
+}
+
+/// The error of one variable as curves, of two as maps.
+std::string picture(const StudyComparison& comparison) {
+  const auto contenders = shown(comparison);
+  if (const std::string curves = error_curve_svg(comparison, contenders); !curves.empty())
+    return fmt::format("<h2>Error curve: {}{}</h2>\n{}{}{}", curve_in_words(comparison.error),
+                       behind(comparison), curves, keys_of(contenders), ramps(comparison, contenders));
+  const std::string maps = heat_map_svg(comparison, contenders);
+  if (maps.empty()) return "";
+  std::string words = "Blue is too large, red too small; the strongest colour is the largest error of both.";
+  if (contenders.size() > 1) words += " Right: " + words_of(*contenders[1]) + ".";
+  return fmt::format("<h2>Error map{}</h2>\n{}<p>{}</p>\n", behind(comparison), maps, html_text(words));
 }
 
 /// The name of a function for an id: letters, digits and '_'.
@@ -74,7 +84,7 @@ std::string function_name(std::string id) {
 /// The best contender of the first target as code, in each language that has its functions.
 std::string code_of(const GalleryEntry& entry) {
   const StudyComparison& comparison = entry.comparisons.front();
-  const auto contenders = shown(entry.file, comparison);
+  const auto contenders = shown(comparison);
   if (contenders.empty()) return "";
   const StudyContender& best = *contenders.back();
   const ShaderFunction function{function_name(entry.file.id), comparison.variables, best.code};
@@ -111,7 +121,7 @@ std::string study_page(const GalleryEntry& entry) {
     body += facts({lines.begin() + 1, lines.end()});
   }
   for (const StudyComparison& comparison : entry.comparisons) {
-    body += picture(entry.file, comparison);
+    body += picture(comparison);
     body += fmt::format("<h2>{}</h2>\n{}", "All forms compared" + behind(comparison),
                         html_table(study_comparison_table(comparison), false));
     if (!comparison.left_out.empty())

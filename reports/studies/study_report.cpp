@@ -59,6 +59,12 @@ std::string effect_text(const StudyContender& contender) {
                      three(effect.half_ulps));
 }
 
+/// "0.0090127 to 0.0090128, by 143 boxes".
+std::string proof_text(const ProvenError& proof) {
+  return fmt::format("{:.6g} to {:.6g}, by {} {}", proof.lower, proof.upper, proof.boxes,
+                     proof.boxes == 1 ? "box" : "boxes");
+}
+
 void append_better(const StudyComparison& comparison, const StudyContender& published,
                    std::vector<std::string>& lines) {
   const StudyContender* best = better_at_the_same_cost(comparison, published);
@@ -68,6 +74,8 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
   };
   if (best != nullptr)
     lines.push_back("Better at no more instructions, with these properties: " + words(*best));
+  if (best != nullptr && best->proof)
+    lines.push_back("Its largest error, proven: " + proof_text(*best->proof));
   if (least != nullptr && least != best)
     lines.push_back(fmt::format("Smaller yet, without {}: {}",
                                 to_text(lost_properties(published.properties, least->properties)),
@@ -111,6 +119,7 @@ std::vector<std::string> published_lines(const PublishedSet& set,
     if (contender->judgement->tried > 1) lines.push_back(trials_text(*contender->judgement));
     lines.push_back("Properties of the target that it keeps: " + to_text(contender->properties));
     lines.push_back("Largest change of the target: " + effect_text(*contender));
+    if (contender->proof) lines.push_back("Largest error, proven: " + proof_text(*contender->proof));
     append_better(comparison, *contender, lines);
     for (const JudgedError& judged : contender->claims)
       lines.push_back(fmt::format("{}: stated {}, computed {}: {}", words_of(judged.claim.error),

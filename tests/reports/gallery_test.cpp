@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "fit/better/prove_contenders.hpp"
+#include "reports/gallery/heat_map.hpp"
 #include "reports/gallery/html.hpp"
 
 namespace shadefit {
@@ -103,6 +105,59 @@ TEST(Gallery, ABetterSetKeepsWhatThePublishedOneHas) {
   EXPECT_NEAR(kept->values[0], 1, 1e-14);
   EXPECT_NEAR(kept->max_error.magnitude, 0.25, 1e-14);
   EXPECT_NEAR(kept->effect.absolute.magnitude, 0.25, 1e-14);
+}
+
+TEST(Gallery, ProvesTheErrorsThatItShows) {
+  GalleryEntry entry = parabola();
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  StudyComparison& comparison = entry.comparisons.front();
+  prove_contenders(comparison);
+  const StudyContender* published = first_published(comparison);
+  const StudyContender* best = better_at_the_same_cost(comparison, *published);
+  // x - 0.05 - x^2 is 0.2 at x = 1/2; the best line is off by 1/8.
+  for (const auto& [contender, error] : {std::pair{published, 0.2}, std::pair{best, 0.125}}) {
+    ASSERT_TRUE(contender->proof) << error;
+    EXPECT_LE(contender->proof->lower, error + 1e-15);
+    EXPECT_GE(contender->proof->upper, error - 1e-15);
+    EXPECT_LE(contender->proof->upper - contender->proof->lower, 1e-4 * error);
+  }
+  EXPECT_NE(judged_study(entry).page.find("Largest error, proven: 0.2 to 0.2"), std::string::npos);
+  for (const StudyContender& other : comparison.contenders)
+    EXPECT_EQ(other.proof.has_value(), &other == published || &other == best) << other.origin;
+}
+
+/// Of x^2 shown as greys, a line is off by many codes; of x^2 + 3 nothing is shown.
+TEST(Gallery, ShowsGreysWhereTheyAreSeen) {
+  GalleryEntry entry = parabola();
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  const std::string page = judged_study(entry).page;
+  EXPECT_NE(page.find("As greys"), std::string::npos);
+  EXPECT_NE(page.find("fill=\"rgb(255,255,255)\""), std::string::npos) << "the target at 1";
+  entry.file.study.target = "x^2 + 3";
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  EXPECT_EQ(judged_study(entry).page.find("As greys"), std::string::npos);
+}
+
+/// x y by a constant 1/4 on the unit square: too large at the origin, too small at (1, 1), where the error is
+/// largest.
+TEST(Gallery, HasAMapOfTwoVariables) {
+  GalleryEntry entry = parabola();
+  entry.file.study.target = "x y";
+  entry.file.study.over = {{"x", "0", "1"}, {"y", "0", "1"}};
+  entry.file.forms = {{"constant", "a"}};
+  entry.file.published = {{.form = "constant", .values = {{"a", "0.25"}}, .source = "Doe 2020"}};
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  const std::string svg =
+      heat_map_svg(entry.comparisons.front(), {first_published(entry.comparisons.front())});
+  EXPECT_NE(svg.find("at most 0.75"), std::string::npos) << svg.substr(0, 400);
+  EXPECT_NE(
+      svg.find("class=\"under\" x=\"378.0\" y=\"32.0\" width=\"12.0\" height=\"12.0\" fill-opacity=\"1.00\""),
+      std::string::npos)
+      << "the upper right cell is the worst";
+  EXPECT_NE(
+      svg.find("class=\"over\" x=\"90.0\" y=\"320.0\" width=\"12.0\" height=\"12.0\" fill-opacity=\"0.33\""),
+      std::string::npos)
+      << "the lower left cell";
 }
 
 /// A gain of less than 1 % is not called better.

@@ -1,0 +1,59 @@
+#include "fit/better/prove_contenders.hpp"
+
+#include <algorithm>
+
+#include "fit/study_proof/study_certificate.hpp"
+#include "fit/support/hex_float.hpp"
+#include "fit/support/user_error.hpp"
+
+namespace shadefit {
+namespace {
+
+StudySubject subject_of(const StudyComparison& comparison, const StudyContender& contender) {
+  StudySubject subject{comparison.study, {}};
+  subject.study.form = contender.formula;
+  subject.study.held.clear();
+  subject.study.starts.clear();
+  for (StudyRange& range : subject.study.over) range.density = "1";  // only a fit has a density
+  for (std::size_t i = 0; i < contender.names.size(); ++i)
+    subject.parameters.emplace_back(
+        contender.names[i], contender.printed.empty() ? hex_text(contender.values[i]) : contender.printed[i]);
+  for (const Held& held : comparison.study.held)
+    subject.parameters.emplace_back(held.parameter, hex_text(held.value));
+  return subject;
+}
+
+bool has_integral(const Symbolic& formula) {
+  return formula.kind() == Symbolic::Kind::integral ||
+         std::any_of(formula.parts().begin(), formula.parts().end(), has_integral);
+}
+
+std::optional<ProvenError> proven(const StudySubject& subject, const Checkpoint& checkpoint) {
+  constexpr double width = 1e-4;  // the pages show four digits
+  const std::size_t most = has_integral(read_formulas(subject.study).target) ? 1'500 : 20'000;
+  try {
+    const CertifiedStudy certified = certify_study(subject, width, checkpoint, most);
+    if (!certified.is_reached) return std::nullopt;
+    return ProvenError{certified.certificate.lower, certified.certificate.upper,
+                       count_boxes(certified.certificate)};
+  } catch (const CheckFailed&) {  // no finite bound
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void prove_contenders(StudyComparison& comparison, const Checkpoint& checkpoint) {
+  if (comparison.study.rows) return;
+  const StudyContender* first = first_published(comparison);
+  if (first == nullptr) return;
+  const StudyContender* best = better_at_the_same_cost(comparison, *first);
+  for (StudyContender& contender : comparison.contenders) {
+    if (&contender != first && &contender != best) continue;
+    checkpoint();
+    const StudySubject subject = subject_of(comparison, contender);
+    if (fault_of(subject).empty()) contender.proof = proven(subject, checkpoint);
+  }
+}
+
+}  // namespace shadefit

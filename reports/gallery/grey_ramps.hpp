@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/better/better_study.hpp"
+
+namespace shadefit {
+
+/// An SVG with the target of one variable and each contender as a ramp of greys, one above the other: the
+/// values are linear and shown in 8-bit sRGB. Empty unless the target lies in [0, 1] and the first contender
+/// moves it by a code or more: less is not seen.
+std::string grey_ramps_svg(const StudyComparison& comparison,
+                           const std::vector<const StudyContender*>& contenders);
+
+}  // namespace shadefit
