@@ -1,0 +1,35 @@
+#include "lint/known/closed_form.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace shadefit {
+namespace {
+
+bool is_simple_fraction(double value) {
+  constexpr int largest_denominator = 16, largest_numerator = 64;
+  constexpr double seven_digits = 5e-8;
+  for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
+    const double numerator = value * denominator, whole = std::round(numerator);
+    if (whole > largest_numerator) return false;
+    if (whole >= 1 && std::abs(numerator - whole) <= seven_digits * whole) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_common_number(double value) {
+  constexpr std::array factors{1.0,
+                               std::numbers::pi,
+                               std::numbers::inv_pi,
+                               std::numbers::sqrt2,
+                               std::numbers::ln2,
+                               1 / std::numbers::ln2};
+  for (const double factor : factors)
+    if (is_simple_fraction(std::abs(value) / factor)) return true;
+  return false;
+}
+
+}  // namespace shadefit

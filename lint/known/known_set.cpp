@@ -1,0 +1,141 @@
+#include "lint/known/known_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "approx/ledger/catalogue.hpp"
+#include "fit/fit.hpp"
+#include "fit/support/sweep.hpp"
+#include "fit/tape/tape_program.hpp"
+#include "lint/known/closed_form.hpp"
+
+namespace shadefit {
+namespace {
+
+std::vector<KnownAxis> axes_of(const ReadStudy& study) {
+  std::vector<KnownAxis> axes;
+  for (const StudyAxis& axis : study.axes) axes.push_back({axis.variable, axis.lower, axis.upper});
+  return axes;
+}
+
+std::size_t place_of(const std::vector<KnownConstant>& constants, const std::string& name) {
+  const auto found = std::find_if(constants.begin(), constants.end(),
+                                  [&](const KnownConstant& constant) { return constant.name == name; });
+  return static_cast<std::size_t>(found - constants.begin());
+}
+
+KnownConstant constant_of(std::string_view name, std::string_view printed) {
+  const double value = *parse_number(printed);
+  return {std::string(name), std::string(printed), value, is_common_number(value)};
+}
+
+KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet& published) {
+  KnownSet set{file.id, published.form, published.source, axes_of(read), read.form, {}};
+  for (const auto& [name, printed] : published.values) set.constants.push_back(constant_of(name, printed));
+  for (const MistypedCopy& copy : published.variants)
+    for (const auto& [name, printed] : copy.values)
+      set.variants.push_back({place_of(set.constants, name), printed, copy.replaced});
+  return set;
+}
+
+void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
+  Study study = combinations(file.study, file.given).front();
+  for (const PublishedSet& published : file.published) {
+    if (!published.given.empty()) continue;
+    const auto form = std::find_if(file.forms.begin(), file.forms.end(),
+                                   [&](const StudyForm& one) { return one.id == published.form; });
+    study.form = form->formula;
+    sets.push_back(set_of(file, read_formulas(study), published));
+  }
+}
+
+/// The exponents for which the effect of a family's constants is computed: below, a lobe is no Gaussian; far
+/// above, it is a point.
+constexpr KnownAxis family_exponents{"k", 3, 30};
+
+/// The published constants of the built-in families, one set for each family and source.
+void append_families(std::vector<KnownSet>& sets) {
+  std::map<std::tuple<std::string_view, std::string_view, int, std::string_view>, std::size_t> places;
+  for (const Published& record : published_constants) {
+    const FittableFamily& family = *find_family(record.family);
+    // Two records of one parameter are two sets: 0.775 and 0.788.
+    const auto same = std::tuple(record.family, record.source.author, record.source.year,
+                                 family.parameters.size() == 1 ? record.id : "");
+    const auto [place, is_new] = places.emplace(same, sets.size());
+    if (is_new) {
+      KnownSet set{std::string(record.family),
+                   "",
+                   std::string(record.source.author),
+                   {{"c", 0, 1}},
+                   family.form(),
+                   {}};
+      if (family.has_exponent()) set.axes.push_back(family_exponents);
+      sets.push_back(std::move(set));
+    }
+    KnownSet& set = sets[place->second];
+    for (const Variant& variant : record.variants)
+      set.variants.push_back({set.constants.size(), std::string(variant.printed), ""});
+    set.constants.push_back(constant_of(record.parameter, record.printed));
+  }
+}
+
+std::vector<double> values_on_grid(const KnownSet& set, const std::vector<double>& constants) {
+  constexpr std::array<int, most_axes> steps_in{1000, 32, 12};  // in one, two and three variables
+  const int steps = steps_in[set.axes.size() - 1];
+  std::vector<std::string> inputs;
+  for (const KnownAxis& axis : set.axes) inputs.push_back(axis.variable);
+  for (const KnownConstant& constant : set.constants) inputs.push_back(constant.name);
+  TapeProgram<double> program(tape_of(set.formula, inputs), constants);
+  std::vector<double> values, place(set.axes.size());
+  const auto visit = [&](const auto& self, std::size_t axis) -> void {
+    if (axis == set.axes.size()) {
+      program.run(place);
+      values.push_back(program.output(0));
+      return;
+    }
+    const auto& [name, lower, upper] = set.axes[axis];
+    for (int i = 0; i <= steps; ++i) {
+      place[axis] = lower + (upper - lower) * i / steps;
+      self(self, axis + 1);
+    }
+  };
+  visit(visit, 0);
+  return values;
+}
+
+}  // namespace
+
+std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies) {
+  std::vector<KnownSet> sets;
+  append_families(sets);
+  for (const StudyFile& study : studies) append_sets(study, sets);
+  return sets;
+}
+
+std::vector<double> published_values(const KnownSet& set) {
+  std::vector<double> values;
+  for (const KnownConstant& constant : set.constants) values.push_back(constant.value);
+  return values;
+}
+
+Effect effect_of(const KnownSet& set, const std::vector<double>& constants) {
+  const std::vector<double> before = values_on_grid(set, published_values(set)),
+                            after = values_on_grid(set, constants);
+  Effect effect;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    if (std::isfinite(before[i])) effect.show(before[i], after[i], {});
+  return effect;
+}
+
+bool is_shown(const KnownSet& set) {
+  // A fit leaves the range of its target by a few per cent at most.
+  constexpr double slack = 0.05;
+  const std::vector<double> values = values_on_grid(set, published_values(set));
+  return std::all_of(values.begin(), values.end(), [](double value) {
+    return !std::isfinite(value) || (-slack <= value && value <= 1 + slack);
+  });
+}
+
+}  // namespace shadefit

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "fit/errors/effect.hpp"
+#include "fit/scalars/symbolic.hpp"
+#include "fit/study/study_file.hpp"
+
+/// Published constants as they may stand in a source tree.
+namespace shadefit {
+
+struct KnownConstant {
+  std::string name;     ///< of a parameter of the form
+  std::string printed;  ///< the digits as published
+  double value = 0;
+  bool is_common = false;  ///< pi/2, 5/12: see lint/known/closed_form.hpp
+};
+
+/// A variable of a form and its range.
+struct KnownAxis {
+  std::string variable;
+  double lower = 0, upper = 0;
+};
+
+/// A value that its own source or standard has replaced, or that never was one.
+struct KnownVariant {
+  std::size_t constant = 0;  ///< its place in `constants`
+  std::string printed;
+  std::string replaced;  ///< why it was replaced; empty: it is a mistyped copy
+};
+
+/// Constants that belong together: those of one published form.
+struct KnownSet {
+  std::string id;    ///< of a study or of a built-in family: "acos-linear"
+  std::string form;  ///< the id of the form
+  std::string source;
+  std::vector<KnownAxis> axes;
+  Symbolic formula;  ///< of the variables and the constants
+  std::vector<KnownConstant> constants;
+  std::vector<KnownVariant> variants = {};
+};
+
+/// The sets of all studies, and those of the built-in families. Sets that were published for one value of a
+/// given constant are left out: their digits are computed, not typed.
+std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies);
+
+/// The constants of a set as published.
+std::vector<double> published_values(const KnownSet& set);
+
+/// What changes where constants, in the order of the set, stand in place of the published ones: over even
+/// places of its ranges.
+Effect effect_of(const KnownSet& set, const std::vector<double>& constants);
+
+/// Whether the values of a set's form lie in [0, 1], as those of a colour do.
+bool is_shown(const KnownSet& set);
+
+}  // namespace shadefit

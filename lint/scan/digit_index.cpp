@@ -1,0 +1,101 @@
+#include "lint/scan/digit_index.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <tuple>
+
+namespace shadefit {
+namespace {
+
+/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits), of a text without the digit at `skipped`.
+std::uint64_t key_of(std::string_view text, std::size_t skipped) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (i == skipped) continue;
+    hash = (hash ^ static_cast<unsigned char>(text[i])) * 0x100000001b3;
+  }
+  return hash ^ (hash >> 29);
+}
+
+constexpr std::size_t least_digits = 3;
+
+/// Adds a match, unless a closer one is there.
+void append(const NumberMatch& match, std::vector<NumberMatch>& matches) {
+  for (NumberMatch& other : matches) {
+    if (other.place != match.place) continue;
+    if (match.variant && !other.variant && other.match > DigitMatch::float32) other = match;
+    return;
+  }
+  matches.push_back(match);
+}
+
+}  // namespace
+
+DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    for (std::size_t c = 0; c < sets[s].constants.size(); ++c) {
+      const Digits digits = digits_of(sets[s].constants[c].printed);
+      if (digits.text.size() >= least_digits) {
+        entries_.push_back({digits, mantissa_of(digits), {s, c}, sets[s].constants[c].is_common});
+      }
+    }
+    for (std::size_t v = 0; v < sets[s].variants.size(); ++v) {
+      const Digits digits = digits_of(sets[s].variants[v].printed);
+      entries_.push_back({digits, mantissa_of(digits), {s, sets[s].variants[v].constant}, false, v});
+    }
+  }
+  std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
+    return std::tie(a.mantissa, a.place.set, a.place.constant, a.variant) <
+           std::tie(b.mantissa, b.place.set, b.place.constant, b.variant);
+  });
+  for (std::uint32_t e = 0; e < entries_.size(); ++e) {
+    const std::string& text = entries_[e].digits.text;
+    if (entries_[e].variant || entries_[e].is_common || text.size() < least_digits_to_vary) continue;
+    for (std::size_t skipped = 0; skipped <= text.size(); ++skipped) {
+      const std::uint64_t key = key_of(text, skipped);
+      keys_.emplace_back(key, e);
+      has_key_.set(key % has_key_.size());
+    }
+  }
+  std::sort(keys_.begin(), keys_.end());
+}
+
+std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {
+  std::vector<NumberMatch> matches;
+  if (found.text.size() < least_digits) return matches;
+  look_near(found, matches);
+  look_edited(found, matches);
+  return matches;
+}
+
+void DigitIndex::look_near(const Digits& found, std::vector<NumberMatch>& matches) const {
+  // Numbers that agree in three digits are nearer than this.
+  constexpr double near = 0.011;
+  const double mantissa = mantissa_of(found);
+  auto entry = std::lower_bound(entries_.begin(), entries_.end(), mantissa * (1 - near),
+                                [](const Entry& one, double value) { return one.mantissa < value; });
+  for (; entry != entries_.end() && entry->mantissa <= mantissa * (1 + near); ++entry) {
+    if (entry->variant) {
+      if (found == entry->digits) append({entry->place, DigitMatch::edited, entry->variant}, matches);
+    } else if (const auto match = match_digits(found, entry->digits);
+               match && !(entry->is_common && *match > DigitMatch::rounded)) {
+      append({entry->place, *match}, matches);
+    }
+  }
+}
+
+void DigitIndex::look_edited(const Digits& found, std::vector<NumberMatch>& matches) const {
+  for (std::size_t skipped = 0; skipped <= found.text.size(); ++skipped) {
+    const std::uint64_t key = key_of(found.text, skipped);
+    if (!has_key_[key % has_key_.size()]) continue;
+    auto [first, last] =
+        std::equal_range(keys_.begin(), keys_.end(), std::pair<std::uint64_t, std::uint32_t>(key, 0),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (; first != last; ++first) {
+      const Entry& entry = entries_[first->second];
+      if (const auto match = match_digits(found, entry.digits)) append({entry.place, *match}, matches);
+    }
+  }
+}
+
+}  // namespace shadefit

@@ -1,0 +1,163 @@
+#include "lint/scan/literals.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+namespace shadefit {
+namespace {
+
+constexpr bool is_digit(char c) {
+  return '0' <= c && c <= '9';
+}
+constexpr bool is_letter(char c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_' || c == '$';
+}
+/// C++ and Rust separate digits.
+constexpr bool is_separator(char c) {
+  return c == '_' || c == '\'';
+}
+
+/// Walks over a text and notes its numbers.
+class LiteralReader {
+ public:
+  LiteralReader(std::string_view text, CommentStyle style) : text_(text), style_(style) {}
+
+  std::vector<Literal> read() {
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
+        number();
+      } else if (is_letter(c)) {
+        word();
+      } else {
+        if (style_ != CommentStyle::none) comment();
+        ++at_;
+      }
+    }
+    return std::move(literals_);
+  }
+
+ private:
+  char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+  void word() {
+    // Behind a backslash stands one letter: "\n0.055" in a string holds a number.
+    if (at_ > 0 && text_[at_ - 1] == '\\') {
+      ++at_;
+      return;
+    }
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+  }
+
+  void comment() {
+    const char c = text_[at_];
+    if (c == '\n' && comment_ == '/') comment_ = '\0';
+    if (comment_ == '*' && c == '*' && peek(1) == '/') {
+      comment_ = '\0';
+      ++at_;
+    }
+    if (comment_ != '\0') return;
+    if (style_ == CommentStyle::hash) {
+      if (c == '#') comment_ = '/';
+    } else if (c == '/' && peek(1) == '/') {
+      // "https://" is no comment.
+      if (at_ == 0 || text_[at_ - 1] != ':') comment_ = '/';
+      ++at_;
+    } else if (c == '/' && peek(1) == '*') {
+      comment_ = '*';
+      ++at_;
+    }
+  }
+
+  void digits(std::uint32_t& significant) {
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (is_digit(c)) {
+        if (c != '0' || significant > 0) ++significant;
+      } else if (!(is_separator(c) && is_digit(peek(1)) && is_digit(text_[at_ - 1]))) {
+        return;
+      }
+    }
+  }
+
+  /// f, h, l, f32, f64: anything else behind the digits makes a word of it.
+  bool suffix() {
+    const std::size_t first = at_;
+    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    std::string_view letters = text_.substr(first, at_ - first);
+    while (letters.starts_with('_')) letters.remove_prefix(1);
+    return letters.empty() || letters == "f" || letters == "F" || letters == "h" || letters == "H" ||
+           letters == "l" || letters == "L" || letters == "f32" || letters == "f64" || letters == "f16" ||
+           letters == "d" || letters == "D" || letters == "lf" || letters == "m";
+  }
+
+  void number() {
+    const std::size_t first = at_;
+    std::uint32_t significant = 0;
+    digits(significant);
+    if (peek(0) == '.') {
+      ++at_;
+      digits(significant);
+    }
+    if ((peek(0) == 'e' || peek(0) == 'E') &&
+        (is_digit(peek(1)) || ((peek(1) == '-' || peek(1) == '+') && is_digit(peek(2))))) {
+      at_ += 2;
+      while (is_digit(peek(0))) ++at_;
+    }
+    const bool is_number = suffix();
+    // 1.2.3 is a version.
+    const bool is_version = peek(0) == '.' && is_digit(peek(1));
+    while (peek(0) == '.' && is_digit(peek(1))) {
+      ++at_;
+      while (is_digit(peek(0))) ++at_;
+    }
+    if (is_number && !is_version && significant > 0 && at_ - first <= most_digits)
+      literals_.push_back({first, at_ - first, significant, comment_ != '\0'});
+  }
+
+  std::string_view text_;
+  CommentStyle style_;
+  std::size_t at_ = 0;
+  char comment_ = '\0';  ///< '/' to the end of the line, '*' to its mark
+  std::vector<Literal> literals_;
+};
+
+}  // namespace
+
+Digits digits_of(std::string_view number) {
+  Digits result;
+  int point = 0;
+  bool has_point = false;
+  std::size_t i = 0;
+  for (; i < number.size(); ++i) {
+    const char c = number[i];
+    if (c == '.') {
+      has_point = true;
+    } else if (is_digit(c)) {
+      if (c != '0' || !result.text.empty()) {
+        result.text += c;
+        if (!has_point) ++point;
+      } else if (has_point) {
+        --point;
+      }
+    } else if (c == 'e' || c == 'E') {
+      if (i + 1 < number.size() && number[i + 1] == '+') ++i;
+      int exponent = 0;
+      std::from_chars(number.data() + i + 1, number.data() + number.size(), exponent);
+      // No number of a source text has a larger one; a sum with it does not overflow.
+      point += std::clamp(exponent, -100'000, 100'000);
+      break;
+    } else if (is_letter(c) && c != '_') {
+      break;
+    }
+  }
+  while (!result.text.empty() && result.text.back() == '0') result.text.pop_back();
+  result.exponent = result.text.empty() ? 0 : point;
+  return result;
+}
+
+std::vector<Literal> literals_of(std::string_view text, CommentStyle style) {
+  return LiteralReader(text, style).read();
+}
+
+}  // namespace shadefit

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The decimal numbers of a source text.
+namespace shadefit {
+
+/// How a language writes comments.
+enum class CommentStyle {
+  c,     ///< // and /* */
+  hash,  ///< #
+  none,  ///< a text such as Markdown
+};
+
+/// The digits of a decimal number without sign, leading and trailing zeros: 0.0450 has "45" and exponent -2.
+struct Digits {
+  std::string text;  ///< empty: the number is 0
+  int exponent = 0;  ///< the number is 0.TEXT times 10^exponent
+  bool operator==(const Digits&) const = default;
+};
+
+/// The digits of a number such as "-5.55473", "1.5e-3" or "5.55473f".
+Digits digits_of(std::string_view number);
+
+struct Literal {
+  std::size_t offset = 0, length = 0;  ///< in bytes, without a sign, with its suffix
+  std::uint32_t significant = 0;       ///< digits
+  bool is_in_comment = false;
+};
+
+/// The numbers of a text in order, but those with a hexadecimal prefix, those inside a word or a version
+/// (1.2.3), and those with more than `most_digits` digits.
+std::vector<Literal> literals_of(std::string_view text, CommentStyle style);
+
+inline constexpr std::size_t most_digits = 40;
+
+}  // namespace shadefit

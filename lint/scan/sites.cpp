@@ -1,0 +1,184 @@
+#include "lint/scan/sites.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace shadefit {
+namespace {
+
+/// Constants of one formula stand within that many bytes of each other.
+constexpr std::size_t most_gap = 700;
+
+struct Hit {
+  std::size_t set, literal;
+  NumberMatch match;
+};
+
+std::string_view text_of(std::string_view text, const Literal& literal) {
+  return text.substr(literal.offset, literal.length);
+}
+
+std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& literals,
+                         const DigitIndex& index) {
+  std::vector<Hit> hits;
+  for (std::size_t i = 0; i < literals.size(); ++i) {
+    if (literals[i].significant < 3) continue;
+    for (const NumberMatch& match : index.find(digits_of(text_of(text, literals[i]))))
+      hits.push_back({match.place.set, i, match});
+  }
+  // Of several constants of a set that a number may stand for, the closest comes first.
+  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return std::tuple(a.set, a.literal, a.match.match) < std::tuple(b.set, b.literal, b.match.match);
+  });
+  return hits;
+}
+
+class SiteFinder {
+ public:
+  SiteFinder(std::string_view text, const std::vector<Literal>& literals, const std::vector<KnownSet>& sets)
+      : text_(text), literals_(literals), sets_(sets) {}
+
+  /// Takes hits of one set in order. A constant that comes again begins the next site.
+  void add(const Hit& hit) {
+    if (!numbers_.empty()) {
+      const Literal& last = literals_[numbers_.back().literal];
+      if (hit.set != set_ || literals_[hit.literal].offset > last.offset + most_gap) close();
+    }
+    set_ = hit.set;
+    if (!numbers_.empty() && numbers_.back().literal == hit.literal) return;
+    const SiteNumber number{hit.literal, hit.match.place.constant, hit.match.match, hit.match.variant};
+    const auto same = std::find_if(numbers_.begin(), numbers_.end(), [&](const SiteNumber& other) {
+      return other.constant == number.constant;
+    });
+    if (same != numbers_.end()) {
+      // A closer match in the place of a loose one belongs to the same site.
+      if (number.match < same->match && same->match >= DigitMatch::rounded) {
+        numbers_.erase(same);
+      } else if (number.match > same->match && number.match >= DigitMatch::rounded) {
+        return;
+      } else {
+        close();
+      }
+    }
+    numbers_.push_back(number);
+  }
+
+  void close() {
+    if (numbers_.empty()) return;
+    Site site{set_, std::move(numbers_)};
+    numbers_.clear();
+    add_companions(site);
+    site.bits = bits_of(site);
+    if (site.bits >= least_bits) sites_.push_back(std::move(site));
+  }
+
+  std::vector<Site> take() { return std::move(sites_); }
+
+ private:
+  Digits digits_at(std::size_t literal) const { return digits_of(text_of(text_, literals_[literal])); }
+
+  /// Constants of few digits, such as 0.03, are looked for only near the others.
+  void add_companions(Site& site) const {
+    constexpr std::size_t most_literals = 6;
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    const std::size_t begin = first - std::min(first, most_literals),
+                      end = std::min(literals_.size(), last + most_literals + 1);
+    const KnownSet& set = sets_[site.set];
+    for (std::size_t c = 0; c < set.constants.size(); ++c) {
+      if (has_constant(site, c)) continue;
+      const Digits published = digits_of(set.constants[c].printed);
+      for (std::size_t i = begin; i < end; ++i) {
+        const bool is_near = literals_[i].offset + most_gap > literals_[first].offset &&
+                             literals_[i].offset < literals_[last].offset + most_gap;
+        if (!is_near || is_taken(site, i) || digits_at(i) != published) continue;
+        site.numbers.push_back({i, c});
+        break;
+      }
+    }
+    std::sort(site.numbers.begin(), site.numbers.end(),
+              [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
+  }
+
+  static bool has_constant(const Site& site, std::size_t constant) {
+    return std::any_of(site.numbers.begin(), site.numbers.end(),
+                       [&](const SiteNumber& number) { return number.constant == constant; });
+  }
+  static bool is_taken(const Site& site, std::size_t literal) {
+    return std::any_of(site.numbers.begin(), site.numbers.end(),
+                       [&](const SiteNumber& number) { return number.literal == literal; });
+  }
+
+  /// The bits of one number: log2 of 10 for each digit but the first, since small first digits are common.
+  double bits_of(const KnownSet& set, const SiteNumber& number) const {
+    const double bits_of_a_digit = std::log2(10);
+    const KnownConstant& constant = set.constants[number.constant];
+    constexpr std::size_t digits_of_a_common_number = 3;
+    const std::size_t digits = digits_of(constant.printed).text.size();
+    const std::size_t published = constant.is_common ? std::min(digits, digits_of_a_common_number) : digits;
+    const auto bits = [&](std::size_t count) { return bits_of_a_digit * (static_cast<double>(count) - 1); };
+    if (number.variant) return bits(published);
+    switch (number.match) {
+      case DigitMatch::same:
+      case DigitMatch::longer:
+      case DigitMatch::float32:
+        return bits(published);
+      case DigitMatch::rounded:
+        return bits(std::min(published, digits_at(number.literal).text.size())) - 1;  // rounded or cut off
+      case DigitMatch::shifted:
+        return bits(published) - 3;  // some eight other places of the point
+      case DigitMatch::edited:
+        // A text of n digits has some 20 n neighbours at one edit.
+        return bits(published) - std::log2(20 * static_cast<double>(published));
+    }
+    return 0;
+  }
+
+  double bits_of(const Site& site) const {
+    double bits = 0;
+    for (const SiteNumber& number : site.numbers) bits += bits_of(sets_[site.set], number);
+    // Each of them may be any of the numbers there.
+    const auto count = static_cast<double>(site.numbers.size());
+    const auto there = static_cast<double>(site.numbers.back().literal - site.numbers.front().literal + 1);
+    return bits - count * std::log2(std::max(1.0, there / count));
+  }
+
+  std::string_view text_;
+  const std::vector<Literal>& literals_;
+  const std::vector<KnownSet>& sets_;
+  std::size_t set_ = 0;
+  std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
+  std::vector<Site> sites_;
+};
+
+/// The most telling sites first take their numbers. A site that has lost half of its numbers is none.
+std::vector<Site> without_shared_numbers(std::vector<Site> sites) {
+  std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return a.bits > b.bits; });
+  std::set<std::size_t> taken;
+  std::vector<Site> kept;
+  for (Site& site : sites) {
+    const auto lost = std::count_if(site.numbers.begin(), site.numbers.end(), [&](const SiteNumber& number) {
+      return taken.count(number.literal) > 0;
+    });
+    if (2 * static_cast<std::size_t>(lost) >= site.numbers.size()) continue;
+    for (const SiteNumber& number : site.numbers) taken.insert(number.literal);
+    kept.push_back(std::move(site));
+  }
+  std::sort(kept.begin(), kept.end(), [](const Site& a, const Site& b) {
+    return a.numbers.front().literal < b.numbers.front().literal;
+  });
+  return kept;
+}
+
+}  // namespace
+
+std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
+                           const std::vector<KnownSet>& sets, const DigitIndex& index) {
+  SiteFinder finder(text, literals, sets);
+  for (const Hit& hit : hits_of(text, literals, index)) finder.add(hit);
+  finder.close();
+  return without_shared_numbers(finder.take());
+}
+
+}  // namespace shadefit

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "lint/scan/digit_index.hpp"
+
+/// Places of a source text that hold the constants of a set.
+namespace shadefit {
+
+/// A number of a text that stands for a constant of a set.
+struct SiteNumber {
+  std::size_t literal = 0;   ///< its place among the literals of the text
+  std::size_t constant = 0;  ///< of the set
+  DigitMatch match = DigitMatch::same;
+  std::optional<std::size_t> variant = {};
+};
+
+/// Numbers near each other that stand for constants of one set, each once, by their places in the text.
+struct Site {
+  std::size_t set = 0;
+  std::vector<SiteNumber> numbers;
+  /// How telling the numbers are: log2 of how seldom as many numbers at random places agree as well.
+  double bits = 0;
+};
+
+/// Sites with at least that many bits need no other evidence. A tree of 10 000 files has some 2^22 numbers,
+/// and there are some 2^8 sets of constants.
+inline constexpr double telling_bits = 24;
+
+/// Sites with fewer bits are not worth reading the expression around them.
+inline constexpr double least_bits = 6;
+
+/// All sites of at least `least_bits`, by their places. Where two sites have most of their numbers in common,
+/// the more telling one is kept.
+std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
+                           const std::vector<KnownSet>& sets, const DigitIndex& index);
+
+}  // namespace shadefit
