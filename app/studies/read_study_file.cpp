@@ -138,12 +138,12 @@ PrintedValues read_numbers(const StudyReader& reader, const toml::table& in) {
 /// A copy that has some of the published values otherwise.
 MistypedCopy read_variant(const StudyReader& reader, const toml::table& table,
                           const PrintedValues& published) {
-  std::vector<std::string> known{"seen"};
+  std::vector<std::string> known{"seen", "replaced"};
   for (const auto& value : published) known.push_back(value.first);
   reader.require_keys(table, known);
-  MistypedCopy copy{{}, reader.required(table, "seen")};
+  MistypedCopy copy{{}, reader.required(table, "seen"), reader.optional(table, "replaced", "")};
   for (const auto& [key, node] : reader.in_order(table))
-    if (key != "seen") copy.values.emplace_back(key, number_text(reader, *node, key));
+    if (key != "seen" && key != "replaced") copy.values.emplace_back(key, number_text(reader, *node, key));
   if (copy.values.empty()) reader.fail(table, "a variant needs the value that differs");
   return copy;
 }

@@ -35,10 +35,11 @@ struct ErrorClaim {
   std::string says = {};  ///< the words of the source
 };
 
-/// A copy with another digit.
+/// A copy with another digit, or with a value that its source has replaced.
 struct MistypedCopy {
-  PrintedValues values;  ///< only those that differ
-  std::string seen;      ///< where
+  PrintedValues values;       ///< only those that differ
+  std::string seen;           ///< where
+  std::string replaced = {};  ///< why its source replaced it; empty: it is mistyped
 };
 
 /// One published set of constants of a form.

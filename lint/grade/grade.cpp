@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace shadefit {
@@ -10,6 +9,19 @@ namespace {
 
 double value_of(const Digits& digits) {
   return mantissa_of(digits) * std::pow(10.0, digits.exponent);
+}
+
+bool is_visible(const GradedSite& site, const EffectLimits& limits) {
+  if (std::isnan(site.effect.absolute.magnitude)) return true;
+  return site.is_shown ? site.effect.srgb_codes > limits.codes
+                       : site.effect.absolute.magnitude > limits.change;
+}
+
+}  // namespace
+
+std::string_view name(Grade grade) {
+  constexpr std::array<std::string_view, 5> names{"right", "truncated", "outdated", "typo", "wrong"};
+  return names[static_cast<std::size_t>(grade)];
 }
 
 Grade grade_of(const KnownSet& set, const SiteNumber& number) {
@@ -28,44 +40,39 @@ Grade grade_of(const KnownSet& set, const SiteNumber& number) {
   return Grade::right;
 }
 
-/// Whether the decimal point of several numbers stands elsewhere: then they are in other units, such as 1000
-/// kelvin, and right.
 bool is_in_other_units(const Site& site) {
   return std::count_if(site.numbers.begin(), site.numbers.end(),
                        [](const SiteNumber& number) { return number.match == DigitMatch::shifted; }) > 1;
 }
 
-}  // namespace
-
-std::string_view name(Grade grade) {
-  constexpr std::array<std::string_view, 5> names{"right", "truncated", "outdated", "typo", "wrong"};
-  return names[static_cast<std::size_t>(grade)];
+std::vector<double> constants_at(const KnownSet& set, const Site& site, std::string_view text,
+                                 const std::vector<Literal>& literals) {
+  std::vector<double> values = published_values(set);
+  const bool has_other_units = is_in_other_units(site);
+  for (const SiteNumber& number : site.numbers) {
+    if (number.match < DigitMatch::rounded) continue;
+    if (has_other_units && number.match == DigitMatch::shifted) continue;
+    const Literal& literal = literals[number.literal];
+    const double found = value_of(digits_of(text.substr(literal.offset, literal.length)));
+    double& value = values[number.constant];
+    value = std::copysign(found, value);
+  }
+  return values;
 }
 
-Grade with_effect(Grade grade, const Effect& effect, bool is_shown, const EffectLimits& limits) {
-  const bool is_visible =
-      is_shown ? effect.srgb_codes > limits.codes : effect.absolute.magnitude > limits.change;
-  return is_visible || std::isnan(effect.absolute.magnitude) ? Grade::wrong : grade;
-}
-
-GradedSite grade_of(const KnownSet& set, const Site& site, std::string_view text,
-                    const std::vector<Literal>& literals, const EffectLimits& limits) {
-  GradedSite graded{.values = published_values(set)};
+GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
+                    const EffectLimits& limits) {
+  GradedSite graded;
   const bool has_other_units = is_in_other_units(site);
   for (const SiteNumber& number : site.numbers) {
     if (has_other_units && number.match == DigitMatch::shifted) continue;
     graded.grade = std::max(graded.grade, grade_of(set, number));
-    // A number that only has more digits, or those of a float, is the published one.
-    if (number.match < DigitMatch::rounded) continue;
-    const Literal& literal = literals[number.literal];
-    const double found = value_of(digits_of(text.substr(literal.offset, literal.length)));
-    double& value = graded.values[number.constant];
-    value = std::copysign(found, value);  // the sign belongs to the expression around
   }
+  if (found.replaced || !found.slip.empty()) graded.grade = Grade::typo;
   if (graded.grade == Grade::right) return graded;
   graded.is_shown = is_shown(set);
-  graded.effect = effect_of(set, graded.values);
-  graded.grade = with_effect(graded.grade, graded.effect, graded.is_shown, limits);
+  graded.effect = effect_of(set, found.form, found.constants);
+  if (is_visible(graded, limits)) graded.grade = Grade::wrong;
   return graded;
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "fit/errors/effect.hpp"
+#include "lint/expression/compare.hpp"
 #include "lint/known/known_set.hpp"
 #include "lint/scan/sites.hpp"
 
@@ -16,36 +16,41 @@ enum class Grade {
   right,      ///< the published digits, or those of the nearest float
   truncated,  ///< fewer digits
   outdated,   ///< a value that its own source or standard has replaced
-  typo,       ///< other digits, without a visible effect
+  typo,       ///< other digits or another operation, without a visible effect
   wrong,      ///< with a visible effect
 };
 
 std::string_view name(Grade grade);
 
-/// What moves a curve that is no colour by more than this is `wrong`: a pixel of 8 bits shows it if the curve
-/// is a factor of its light.
-inline constexpr double visible_change = 1e-3;
-
-/// What moves a colour by more than this many 8-bit sRGB codes is `wrong`: it may change a code.
-inline constexpr double visible_codes = 0.5;
-
-/// The limits of effect above which a site is `wrong`.
+/// The effects above which a site is `wrong`.
 struct EffectLimits {
-  double codes = visible_codes;    ///< of 8-bit sRGB, where the curve is a colour
-  double change = visible_change;  ///< of other curves
+  /// Of a colour, in 8-bit sRGB codes: what moves it by more than half a code may change the code.
+  double codes = 0.5;
+  /// Of any other curve: an 8-bit picture shows a change of 1/256 if the curve is a factor of its light; a
+  /// quarter of that is below any code.
+  double change = 1e-3;
 };
 
 struct GradedSite {
   Grade grade = Grade::right;
-  std::vector<double> values;  ///< the constants of the set as they stand there
-  Effect effect = {};          ///< of these in place of the published ones
-  bool is_shown = false;       ///< whether the curve is a colour
+  Effect effect = {};     ///< of what stands there in place of what was published
+  bool is_shown = false;  ///< whether the curve is a colour
 };
 
-GradedSite grade_of(const KnownSet& set, const Site& site, std::string_view text,
-                    const std::vector<Literal>& literals, const EffectLimits& limits = {});
+/// The grade of a single number, by its digits alone.
+Grade grade_of(const KnownSet& set, const SiteNumber& number);
 
-/// The grade of such an effect beside what the digits alone say.
-Grade with_effect(Grade grade, const Effect& effect, bool is_shown, const EffectLimits& limits);
+/// Whether the decimal points of several numbers stand elsewhere: then they are in other units, such as 1000
+/// kelvin, and right.
+bool is_in_other_units(const Site& site);
+
+/// The constants of a set as they stand at a site, with the signs of the published ones: the sign belongs to
+/// the expression around. A number that only has more digits, or those of a float, is the published one.
+std::vector<double> constants_at(const KnownSet& set, const Site& site, std::string_view text,
+                                 const std::vector<Literal>& literals);
+
+/// The grade of a form with constants that stand at a site.
+GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
+                    const EffectLimits& limits);
 
 }  // namespace shadefit

@@ -49,9 +49,9 @@ std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies);
 /// The constants of a set as published.
 std::vector<double> published_values(const KnownSet& set);
 
-/// What changes where constants, in the order of the set, stand in place of the published ones: over even
-/// places of its ranges.
-Effect effect_of(const KnownSet& set, const std::vector<double>& constants);
+/// What changes where this form and these constants, in the order of the set, stand in place of the published
+/// ones: over even places of the ranges.
+Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<double>& constants);
 
 /// Whether the values of a set's form lie in [0, 1], as those of a colour do.
 bool is_shown(const KnownSet& set);

@@ -10,7 +10,7 @@ constexpr bool is_digit(char c) {
   return '0' <= c && c <= '9';
 }
 constexpr bool is_letter(char c) {
-  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_' || c == '$';
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
 }
 /// C++ and Rust separate digits.
 constexpr bool is_separator(char c) {
@@ -91,6 +91,19 @@ class LiteralReader {
            letters == "d" || letters == "D" || letters == "lf" || letters == "m";
   }
 
+  /// Whether a factor 10^n follows, as LaTeX and plain text write it.
+  bool is_before_power_of_ten() const {
+    std::string_view rest = text_.substr(at_, 20);
+    while (rest.starts_with(' ')) rest.remove_prefix(1);
+    for (const std::string_view sign : {"\\times", "\\cdot", "\xc3\x97", "x", "*"}) {
+      if (!rest.starts_with(sign)) continue;
+      rest.remove_prefix(sign.size());
+      while (rest.starts_with(' ')) rest.remove_prefix(1);
+      return rest.starts_with("10^") || rest.starts_with("10**");
+    }
+    return false;
+  }
+
   void number() {
     const std::size_t first = at_;
     std::uint32_t significant = 0;
@@ -112,7 +125,7 @@ class LiteralReader {
       while (is_digit(peek(0))) ++at_;
     }
     if (is_number && !is_version && significant > 0 && at_ - first <= most_digits)
-      literals_.push_back({first, at_ - first, significant, comment_ != '\0'});
+      literals_.push_back({first, at_ - first, significant, comment_ != '\0', is_before_power_of_ten()});
   }
 
   std::string_view text_;

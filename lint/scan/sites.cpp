@@ -25,8 +25,10 @@ std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& lite
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
     if (literals[i].significant < 3) continue;
-    for (const NumberMatch& match : index.find(digits_of(text_of(text, literals[i]))))
+    for (NumberMatch match : index.find(digits_of(text_of(text, literals[i])))) {
+      if (match.match == DigitMatch::shifted && literals[i].has_power_of_ten) match.match = DigitMatch::same;
       hits.push_back({match.place.set, i, match});
+    }
   }
   // Of several constants of a set that a number may stand for, the closest comes first.
   std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lint/expression/source_expression.hpp"
+#include "lint/known/known_set.hpp"
+
+/// Whether the expression of a site is the form of its set.
+namespace shadefit {
+
+/// What an expression of a source text is, beside the form of a set.
+struct ExpressionMatch {
+  Symbolic form;                  ///< of the set, or that with the slip
+  std::vector<double> constants;  ///< in it
+  /// A slip by which it differs from the form: "1 + k c for 1 - k c"; empty: it is the form.
+  std::string slip = {};
+  /// A constant of `missing` in whose place another number stands.
+  std::optional<std::size_t> replaced = {};
+};
+
+/// Looks for a part of the expression, with as many of these numbers as it holds, that has the values of
+/// the form: as it is, with a constant of `missing` replaced by a number of the expression, or with one slip
+/// (lint/expression/mutants.hpp). The names of the expression may be the variables of the form in any order.
+/// Empty if no part is one of these.
+std::optional<ExpressionMatch> match_expression(const SourceExpression& expression, const KnownSet& set,
+                                                const std::vector<double>& constants,
+                                                const std::vector<double>& numbers,
+                                                const std::vector<std::size_t>& missing);
+
+}  // namespace shadefit

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "lint/expression/source_expression.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The longest expression that is read.
+constexpr std::size_t most_bytes = 600;
+
+bool is_open(char c) {
+  return c == '(' || c == '[';
+}
+bool is_close(char c) {
+  return c == ')' || c == ']';
+}
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/// What ends an expression at any depth.
+bool ends_statement(char c) {
+  return c == ';' || c == '{' || c == '}' || c == '"' || c == '`' || c == '$' || c == '\\' || c == '@';
+}
+
+/// An operator that needs an operand on its other side.
+bool joins(char c) {
+  return std::string_view("+-*/(,?:<>&|=[^%").find(c) != std::string_view::npos;
+}
+
+char before(std::string_view text, std::size_t at) {
+  while (at > 0 && is_blank(text[at - 1])) --at;
+  return at > 0 ? text[at - 1] : ';';
+}
+
+char after(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  return at < text.size() ? text[at] : ';';
+}
+
+/// Whether the line that ends there goes on in the next one.
+bool goes_on(std::string_view text, std::size_t line_end) {
+  const char last = before(text, line_end), next = after(text, line_end);
+  return joins(last) || std::string_view("+-*/),?:<>&|]^.").find(next) != std::string_view::npos;
+}
+
+bool is_assignment(std::string_view text, std::size_t at) {
+  if (text[at] != '=') return false;
+  const char last = at > 0 ? text[at - 1] : ' ', next = at + 1 < text.size() ? text[at + 1] : ' ';
+  return next != '=' && last != '=' && last != '<' && last != '>' && last != '!';
+}
+
+/// "x *= .." multiplies what follows: it is only a part of an expression.
+bool is_behind_compound_assignment(std::string_view text, std::size_t begin) {
+  return begin >= 2 && text[begin - 1] == '=' &&
+         std::string_view("+-*/").find(text[begin - 2]) != std::string_view::npos;
+}
+
+bool is_return(std::string_view text, std::size_t begin) {
+  constexpr std::string_view word = "return";
+  return begin >= word.size() && text.substr(begin - word.size(), word.size()) == word &&
+         (begin == word.size() || !is_word(text[begin - word.size() - 1]));
+}
+
+/// Where an expression around `begin` starts: behind an opening parenthesis that closes behind `begin`, a
+/// comma beside it, or the begin of the statement.
+std::size_t begin_of(std::string_view text, std::size_t begin) {
+  const std::size_t least = begin - std::min(begin, most_bytes);
+  int depth = 0;
+  while (begin > least) {
+    const char c = text[begin - 1];
+    if (ends_statement(c) || is_assignment(text, begin - 1)) break;
+    if (c == '\n' && depth == 0 && !goes_on(text, begin - 1)) break;
+    if (is_close(c)) ++depth;
+    if (is_open(c) && depth-- == 0) break;
+    if (c == ',' && depth == 0) break;
+    if (is_return(text, begin) && !is_word(text[begin])) break;
+    --begin;
+  }
+  return begin;
+}
+
+std::size_t end_of(std::string_view text, std::size_t end) {
+  const std::size_t most = std::min(text.size(), end + most_bytes);
+  int depth = 0;
+  while (end < most) {
+    const char c = text[end];
+    if (ends_statement(c) || is_assignment(text, end)) break;
+    if (c == '\n' && depth == 0 && !goes_on(text, end)) break;
+    if (is_open(c)) ++depth;
+    if (is_close(c) && depth-- == 0) break;
+    if (c == ',' && depth == 0) break;
+    ++end;
+  }
+  return end;
+}
+
+/// Extends [begin, end) until its parentheses are balanced. False if they cannot be.
+bool balance(std::string_view text, std::size_t& begin, std::size_t& end) {
+  int depth = 0, lowest = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (ends_statement(text[i])) return false;
+    if (is_open(text[i])) ++depth;
+    if (is_close(text[i])) lowest = std::min(lowest, --depth);
+  }
+  for (int opened = depth - lowest; opened > 0; --opened) {
+    end = end_of(text, end);
+    while (end < text.size() && text[end] == ',') end = end_of(text, end + 1);
+    if (end >= text.size() || !is_close(text[end])) return false;
+    ++end;
+  }
+  for (int closed = -lowest; closed > 0; --closed) {
+    begin = begin_of(text, begin);
+    while (begin > 0 && text[begin - 1] == ',') begin = begin_of(text, begin - 1);
+    if (begin == 0 || !is_open(text[begin - 1])) return false;
+    --begin;
+    while (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
+      --begin;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<std::string_view> expressions_around(std::string_view text, std::size_t begin, std::size_t end) {
+  std::vector<std::string_view> found;
+  constexpr int most_levels = 6;
+  for (int level = 0; level < most_levels; ++level) {
+    if (end - begin > most_bytes || !balance(text, begin, end)) break;
+    begin = begin_of(text, begin);
+    end = end_of(text, end);
+    const std::string_view one = text.substr(begin, end - begin);
+    if (one.size() > most_bytes || is_behind_compound_assignment(text, begin)) break;
+    if (found.empty() || one.size() > found.back().size()) found.push_back(one);
+    // The next one goes out of the parentheses around.
+    const bool has_left = begin > 0 && (is_open(text[begin - 1]) || text[begin - 1] == ','),
+               has_right = end < text.size() && (is_close(text[end]) || text[end] == ',');
+    if (!has_left || !has_right) break;
+    --begin;
+    if (is_open(text[begin]) && is_close(text[end])) {
+      ++end;
+      while (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
+        --begin;
+    } else if (is_open(text[begin])) {
+      ++begin;
+      ++end;  // over the comma
+    }
+  }
+  return found;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,135 @@
+#include "lint/expression/mutants.hpp"
+
+#include <array>
+#include <functional>
+#include <utility>
+
+namespace shadefit {
+namespace {
+
+using Kind = Symbolic::Kind;
+
+std::vector<std::string_view> kin_of(std::string_view function) {
+  constexpr std::array<std::array<std::string_view, 3>, 4> families{{
+      {"exp", "exp2", "expm1"},
+      {"log", "log2", "log1p"},
+      {"sin", "cos", "tan"},
+      {"min", "max", "max"},
+  }};
+  std::vector<std::string_view> others;
+  for (const auto& family : families) {
+    bool is_in = false;
+    for (const std::string_view member : family) is_in = is_in || member == function;
+    if (!is_in) continue;
+    for (std::size_t i = 0; i < family.size(); ++i)
+      if (family[i] != function && (i == 0 || family[i] != family[i - 1])) others.push_back(family[i]);
+  }
+  return others;
+}
+
+bool is_sum(const Symbolic& formula) {
+  return formula.kind() == Kind::add || formula.kind() == Kind::subtract;
+}
+
+/// a (b + c) as a b + c, (a + b) c as a + b c, and so for quotients and differences.
+void append_lost_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
+  const Symbolic &a = formula.part(0), &b = formula.part(1);
+  if (is_sum(b))
+    others.push_back(b.with_parts({Symbolic::operation(formula.kind(), {a, b.part(0)}), b.part(1)}));
+  if (is_sum(a))
+    others.push_back(a.with_parts({a.part(0), Symbolic::operation(formula.kind(), {a.part(1), b})}));
+  if (formula.kind() == Kind::divide && b.kind() == Kind::multiply)
+    others.push_back(a / b.part(0) * b.part(1));
+}
+
+/// What may stand in place of an operation.
+std::vector<Symbolic> slips_of(const Symbolic& formula) {
+  std::vector<Symbolic> others;
+  const auto operation = [&](Kind kind) { others.push_back(Symbolic::operation(kind, formula.parts())); };
+  const auto parts = [&] { others.insert(others.end(), formula.parts().begin(), formula.parts().end()); };
+  switch (formula.kind()) {
+    case Kind::add:
+      operation(Kind::subtract);
+      operation(Kind::multiply);
+      parts();
+      break;
+    case Kind::subtract:
+      operation(Kind::add);
+      others.push_back(formula.part(1) - formula.part(0));
+      parts();
+      break;
+    case Kind::multiply:
+      operation(Kind::add);
+      operation(Kind::divide);
+      parts();
+      append_lost_parentheses(formula, others);
+      break;
+    case Kind::divide:
+      operation(Kind::multiply);
+      others.push_back(formula.part(1) / formula.part(0));
+      others.push_back(formula.part(0));
+      append_lost_parentheses(formula, others);
+      break;
+    case Kind::negate:
+      others.push_back(formula.part(0));
+      break;
+    case Kind::integer_power:
+      for (const int change : {-1, 1})
+        if (formula.exponent() + change != 0)
+          others.push_back(Symbolic::integer_power(formula.part(0), formula.exponent() + change));
+      if (is_sum(formula.part(0)))
+        others.push_back(formula.part(0).with_parts(
+            {formula.part(0).part(0), formula.with_parts({formula.part(0).part(1)})}));
+      break;
+    case Kind::real_power:
+      others.push_back(
+          Symbolic::operation(Kind::real_power, {formula.part(0), Symbolic::number("1") / formula.part(1)}));
+      others.push_back(formula.part(0));
+      break;
+    case Kind::choice:
+      others.push_back(
+          formula.with_parts({formula.part(0), formula.part(1), formula.part(3), formula.part(2)}));
+      break;
+    case Kind::function:
+      for (const std::string_view other : kin_of(formula.name()))
+        others.push_back(Symbolic::function(other, formula.parts()));
+      if (formula.parts().size() == 1) parts();
+      break;
+    case Kind::variable:
+    case Kind::number:
+    case Kind::constant:
+    case Kind::integral:
+      break;
+  }
+  return others;
+}
+
+using Visit = std::function<void(const Symbolic& whole, const Symbolic& before, const Symbolic& after)>;
+
+/// Visits the whole formula with each slip in each of its parts.
+void visit_slips(const Symbolic& part, const std::function<Symbolic(const Symbolic&)>& around,
+                 const Visit& visit) {
+  for (const Symbolic& other : slips_of(part)) visit(around(other), part, other);
+  for (std::size_t i = 0; i < part.parts().size(); ++i) {
+    const auto with_part = [&](const Symbolic& inner) {
+      std::vector<Symbolic> parts = part.parts();
+      parts[i] = inner;
+      return around(part.with_parts(std::move(parts)));
+    };
+    visit_slips(part.part(i), with_part, visit);
+  }
+}
+
+}  // namespace
+
+std::vector<Mutant> mutants_of(const Symbolic& formula) {
+  std::vector<Mutant> mutants;
+  visit_slips(
+      formula, [](const Symbolic& whole) { return whole; },
+      [&](const Symbolic& whole, const Symbolic& before, const Symbolic& after) {
+        mutants.push_back({whole, to_text(after) + " for " + to_text(before)});
+      });
+  return mutants;
+}
+
+}  // namespace shadefit

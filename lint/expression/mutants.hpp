@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "fit/scalars/symbolic.hpp"
+
+/// Formulas with one slip of the pen.
+namespace shadefit {
+
+struct Mutant {
+  Symbolic formula;
+  std::string words;  ///< "1 + k c for 1 - k c"
+};
+
+/// The formulas that differ from this one at one operation: another sign, a product for a sum, a function of
+/// the same family (exp for exp2), a lost term or factor, swapped operands, or a lost pair of parentheses.
+std::vector<Mutant> mutants_of(const Symbolic& formula);
+
+}  // namespace shadefit

@@ -1,0 +1,105 @@
+#include "lint/lint_text.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lint/expression/source_expression.hpp"
+
+namespace shadefit {
+namespace {
+
+/// A wrong expression is believed only where the numbers tell enough: log2 of how seldom two of some 100
+/// slips of some 100 forms fit by chance.
+constexpr double bits_for_a_slip = 13;
+
+/// A text, its numbers, and a site in it.
+class SiteJudge {
+ public:
+  SiteJudge(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
+            const KnownSet& set, const Site& site)
+      : text_(text), style_(style), literals_(literals), set_(set), site_(site) {}
+
+  /// The site, unless neither its numbers nor the expression around tell that it is one.
+  std::optional<JudgedSite> judge(const EffectLimits& limits) const {
+    const std::vector<double> constants = constants_at(set_, site_, text_, literals_);
+    const auto read = is_in_other_units(site_) ? std::nullopt : read_around(constants);
+    if (!read && site_.bits < telling_bits) return std::nullopt;
+    JudgedSite judged;
+    judged.set = site_.set;
+    judged.numbers = judged_numbers();
+    const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, constants});
+    judged.graded = grade_of(set_, site_, found, limits);
+    judged.slip = found.slip;
+    judged.is_read = read.has_value();
+    judged.is_in_other_units = is_in_other_units(site_);
+    judged.is_in_comment =
+        std::all_of(site_.numbers.begin(), site_.numbers.end(),
+                    [&](const SiteNumber& number) { return literals_[number.literal].is_in_comment; });
+    for (const SiteNumber& number : site_.numbers)
+      if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
+    return judged;
+  }
+
+ private:
+  std::vector<JudgedNumber> judged_numbers() const {
+    std::vector<JudgedNumber> numbers;
+    for (const SiteNumber& number : site_.numbers) {
+      const Literal& literal = literals_[number.literal];
+      numbers.push_back({literal.offset, literal.length, number.constant, shadefit::grade_of(set_, number)});
+    }
+    return numbers;
+  }
+
+  std::vector<std::size_t> missing_constants() const {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < set_.constants.size(); ++i) {
+      const bool is_there = std::any_of(site_.numbers.begin(), site_.numbers.end(),
+                                        [&](const SiteNumber& number) { return number.constant == i; });
+      if (!is_there) missing.push_back(i);
+    }
+    return missing;
+  }
+
+  /// The smallest expression around the numbers that is the form, or that with a slip.
+  std::optional<ExpressionMatch> read_around(const std::vector<double>& constants) const {
+    const Literal &first = literals_[site_.numbers.front().literal],
+                  &last = literals_[site_.numbers.back().literal];
+    std::vector<double> numbers;
+    for (const SiteNumber& number : site_.numbers) numbers.push_back(std::abs(constants[number.constant]));
+    const std::vector<std::size_t> missing = missing_constants();
+    std::optional<ExpressionMatch> slip;
+    for (const std::string_view one : expressions_around(text_, first.offset, last.offset + last.length)) {
+      const auto expression = read_expression(one, style_);
+      if (!expression) continue;
+      auto match = match_expression(*expression, set_, constants, numbers, missing);
+      if (!match) continue;
+      if (match->slip.empty()) return match;
+      // A comment may tell its formula in halves.
+      if (!slip && !literals_[site_.numbers.front().literal].is_in_comment && site_.bits >= bits_for_a_slip &&
+          site_.numbers.size() > 1)
+        slip = std::move(match);
+    }
+    return slip;
+  }
+
+  std::string_view text_;
+  CommentStyle style_;
+  const std::vector<Literal>& literals_;
+  const KnownSet& set_;
+  const Site& site_;
+};
+
+}  // namespace
+
+std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
+                                   const EffectLimits& limits) {
+  const std::vector<Literal> literals = literals_of(text, style);
+  std::vector<JudgedSite> judged;
+  for (const Site& site : sites_of(text, literals, known.sets, known.index)) {
+    const SiteJudge judge(text, style, literals, known.sets[site.set], site);
+    if (auto one = judge.judge(limits)) judged.push_back(std::move(*one));
+  }
+  return judged;
+}
+
+}  // namespace shadefit

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lint/grade/grade.hpp"
+#include "lint/known/known_set.hpp"
+#include "lint/scan/digit_index.hpp"
+#include "lint/scan/literals.hpp"
+
+/// Finds and judges the published constants of one source text.
+namespace shadefit {
+
+/// All that does not depend on the text.
+struct KnownConstants {
+  std::vector<KnownSet> sets;
+  DigitIndex index;
+
+  explicit KnownConstants(std::vector<KnownSet> known) : sets(std::move(known)), index(sets) {}
+};
+
+/// A number of a site.
+struct JudgedNumber {
+  std::size_t offset = 0, length = 0;
+  std::size_t constant = 0;  ///< of the set
+  Grade grade = Grade::right;
+};
+
+/// Constants of a set in a text.
+struct JudgedSite {
+  std::size_t set = 0;
+  std::vector<JudgedNumber> numbers;  ///< by their places
+  GradedSite graded;
+  std::string slip = {};       ///< of the expression: see ExpressionMatch
+  std::string replaced = {};   ///< why a value that stands here was replaced by its source
+  bool is_read = false;        ///< whether the expression around is known to be the form, or that with a slip
+  bool is_in_comment = false;  ///< all numbers
+  bool is_in_other_units = false;
+};
+
+/// All sites, by their places.
+std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
+                                   const EffectLimits& limits);
+
+}  // namespace shadefit
