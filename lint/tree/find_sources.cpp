@@ -1,0 +1,236 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "fit/support/bounded_file.hpp"
+#include "fit/support/user_error.hpp"
+#include "lint/tree/folder_rules.hpp"
+#include "lint/tree/shown_name.hpp"
+#include "lint/tree/source_tree.hpp"
+
+namespace shadefit::lint {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folders of others' code, in small letters: those of package managers, and those that engines use.
+constexpr std::string_view vendored_names[] = {"node_modules",    "bower_components",
+                                               "jspm_packages",   "third_party",
+                                               "third-party",     "thirdparty",
+                                               "3rdparty",        "3rd_party",
+                                               "3rd-party",       "external",
+                                               "externals",       "extern",
+                                               "externs",         "vendor",
+                                               "vendors",         "vendored",
+                                               ".vendored",       "deps",
+                                               "_deps",           "dependencies",
+                                               "godeps",          "pods",
+                                               "carthage",        "site-packages",
+                                               ".venv",           "venv",
+                                               "vcpkg_installed", ".yarn",
+                                               ".cargo",          ".tox"};
+
+/// What version control keeps of its own.
+constexpr std::string_view control_names[] = {".git", ".hg", ".svn"};
+
+constexpr std::size_t most_large_messages = 5;
+
+/// A licence may stand before the first line that shows the language.
+constexpr std::uintmax_t looked_into = 16384;
+
+std::string in_small_letters(std::string text) {
+  for (char& c : text)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+template <class Values, class Value>
+bool is_one_of(const Values& names, const Value& name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+bool is_minified_name(const std::string& name) {
+  const std::string small = in_small_letters(name);
+  return small.ends_with(".min.js") || small.ends_with(".min.mjs") || small.ends_with(".min.cjs");
+}
+
+/// A place on the way: where it is opened, its absolute name without links, its name as shown.
+struct Place {
+  fs::path path;
+  std::string absolute, name;
+
+  Place below(const fs::path& entry) const {
+    const std::string text = entry.string();
+    return {path / entry, absolute == "/" ? "/" + text : absolute + "/" + text,
+            name.empty()          ? text
+            : name.ends_with('/') ? name + text
+                                  : name + "/" + text};
+  }
+};
+
+class Search {
+ public:
+  explicit Search(const TreeOptions& options) : options_(options) {
+    std::error_code none;  // a folder that was removed: all names stay as given
+    current_ = fs::current_path(none);
+  }
+
+  void add_path(const std::string& given) {
+    std::error_code error;
+    const fs::path absolute = given.empty() ? fs::path() : fs::canonical(given, error);
+    if (given.empty() || error)
+      throw UserError(fmt::format("path '{}': {}", given,
+                                  given.empty() || error == std::errc::no_such_file_or_directory
+                                      ? "there is no such file or folder"
+                                      : error.message()));
+    const Place place{given, absolute.string(), shown_name(given, current_)};
+    const fs::file_status status = fs::status(absolute, error);
+    if (!fs::is_directory(status)) {
+      add_named_file(place, status.type());
+      return;
+    }
+    globs_.clear();
+    add_globs(options_.configured, absolute);
+    add_globs({current_, options_.exclude}, absolute);
+    walk(place, rules_above(absolute));
+  }
+
+  SourceTree take() {
+    std::sort(tree_.files.begin(), tree_.files.end(),
+              [](const SourceFile& a, const SourceFile& b) { return a.name < b.name; });
+    return std::move(tree_);
+  }
+
+ private:
+  void add_globs(const FolderGlobs& given, const fs::path& path) {
+    std::error_code none;
+    std::string folder = fs::weakly_canonical(given.folder, none).string(), lines;
+    const std::string inside = path.string() + "/";
+    if (none || !inside.starts_with(folder == "/" ? folder : folder + "/")) folder = path.string();
+    for (const std::string& glob : given.globs) lines += glob + "\n";
+    globs_.push_back(rules_of(folder, parse_ignore_rules(lines)));
+  }
+
+  void cannot_read(const std::string& name, const std::string& reason) {
+    ++tree_.skipped.unreadable;
+    tree_.skipped.messages.push_back(fmt::format("cannot read '{}': {}", name, reason));
+  }
+
+  /// The lists of rules are those of the folders above.
+  void walk(const Place& folder, RuleLists lists) {
+    if (!seen_.insert(folder.absolute).second) return;
+    std::error_code error;
+    std::vector<fs::directory_entry> entries;
+    fs::directory_iterator entry(folder.path, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) entries.push_back(*entry);
+    if (error) cannot_read(folder.name.empty() ? "." : folder.name, error.message());
+    std::sort(entries.begin(), entries.end());
+    enter(folder.absolute, lists);
+    for (const fs::directory_entry& one : entries) {
+      const Place place = folder.below(one.path().filename());
+      const fs::file_type type = one.symlink_status(error).type();
+      if (type == fs::file_type::symlink) {
+        ++tree_.skipped.links;
+      } else if (type == fs::file_type::directory) {
+        if (is_wanted_folder(place, one.path().filename().string(), lists)) walk(place, lists);
+      } else {
+        add_found_file(place, one, type, lists);
+      }
+    }
+  }
+
+  bool is_wanted_folder(const Place& place, const std::string& name, const RuleLists& lists) {
+    if (is_one_of(control_names, name)) return false;
+    if (is_ignored(place, true, lists)) {
+      ++tree_.skipped.ignored;
+      return false;
+    }
+    const bool is_others = !options_.with_vendored && is_one_of(vendored_names, in_small_letters(name)) &&
+                           verdict(globs_, place.absolute, true) != IgnoreVerdict::kept;
+    if (is_others) ++tree_.skipped.vendored;
+    return !is_others;
+  }
+
+  bool is_ignored(const Place& place, bool is_folder, const RuleLists& lists) const {
+    IgnoreVerdict said = verdict(globs_, place.absolute, is_folder);
+    if (said == IgnoreVerdict::none) said = verdict(lists, place.absolute, is_folder);
+    return said == IgnoreVerdict::ignored;
+  }
+
+  void add_found_file(const Place& place, const fs::directory_entry& entry, fs::file_type type,
+                      const RuleLists& lists) {
+    const std::string name = entry.path().filename().string();
+    const auto named = language_of(name);
+    if (!named) {
+      ++tree_.skipped.unknown_language;
+      return;
+    }
+    const auto& wanted = options_.languages;
+    if (!wanted.empty() && !is_one_of(wanted, named->language)) return;
+    if (is_ignored(place, false, lists)) {
+      ++tree_.skipped.ignored;
+    } else if (is_minified_name(name)) {
+      ++tree_.skipped.minified;
+    } else {
+      add_file(place, *named, type);
+    }
+  }
+
+  /// A file of an unknown language is read as if it were C: numbers and comments are much the same in most.
+  void add_named_file(const Place& place, fs::file_type type) {
+    const auto named = language_of(fs::path(place.absolute).filename().string());
+    const auto language = named ? named->language : SourceLanguage::c_family;
+    add_file(place, {language, true}, type);
+  }
+
+  void add_file(const Place& place, NamedLanguage named, fs::file_type type) {
+    if (!seen_.insert(place.absolute).second) return;
+    if (type != fs::file_type::regular) {
+      cannot_read(place.name, "it is not a regular file");
+      return;
+    }
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(place.path, error);
+    if (error) {
+      cannot_read(place.name, error.message());
+    } else if (size > options_.largest) {
+      if (++tree_.skipped.too_large <= most_large_messages)
+        tree_.skipped.messages.push_back(
+            fmt::format("'{}' has {} bytes, more than {}", place.name, size, options_.largest));
+    } else if (named.is_sure || is_shader(place, size)) {
+      tree_.files.push_back({place.path, place.name, named.language, size});
+    }
+  }
+
+  /// Whether a file whose name leaves it open is a shader; if not, it is counted.
+  bool is_shader(const Place& place, std::uintmax_t size) {
+    try {
+      if (looks_like_shader(read_part(place.path, 0, std::min(size, looked_into)))) return true;
+      ++tree_.skipped.unknown_language;
+    } catch (const UserError& error) {
+      ++tree_.skipped.unreadable;
+      tree_.skipped.messages.emplace_back(error.what());
+    }
+    return false;
+  }
+
+  const TreeOptions& options_;
+  fs::path current_;
+  RuleLists globs_;             ///< of the options
+  std::set<std::string> seen_;  ///< absolute names
+  SourceTree tree_;
+};
+
+}  // namespace
+
+SourceTree find_sources(const std::vector<std::string>& paths, const TreeOptions& options) {
+  Search search(options);
+  for (const std::string& path : paths) search.add_path(path);
+  return search.take();
+}
+
+}  // namespace shadefit::lint

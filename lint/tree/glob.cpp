@@ -1,0 +1,196 @@
+#include "lint/tree/glob.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace shadefit::lint {
+namespace {
+
+using Kind = GlobStep::Kind;
+
+constexpr std::size_t index_of(char c) {
+  return static_cast<unsigned char>(c);
+}
+
+bool within(char c, char first, char last) {
+  return index_of(first) <= index_of(c) && index_of(c) <= index_of(last);
+}
+
+/// The classes of ASCII, in every locale. git's spaces are these four.
+bool is_in_class(std::string_view name, char c) {
+  const bool is_letter = within(c, 'a', 'z') || within(c, 'A', 'Z'), is_digit = within(c, '0', '9');
+  if (name == "alnum") return is_letter || is_digit;
+  if (name == "alpha") return is_letter;
+  if (name == "blank") return c == ' ' || c == '\t';
+  if (name == "cntrl") return index_of(c) < ' ' || c == '\x7F';
+  if (name == "digit") return is_digit;
+  if (name == "graph") return within(c, '!', '~');
+  if (name == "lower") return within(c, 'a', 'z');
+  if (name == "print") return within(c, ' ', '~');
+  if (name == "punct") return within(c, '!', '~') && !is_letter && !is_digit;
+  if (name == "space") return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+  if (name == "upper") return within(c, 'A', 'Z');
+  return is_digit || within(c, 'a', 'f') || within(c, 'A', 'F');
+}
+
+constexpr std::array<std::string_view, 12> class_names{"alnum", "alpha", "blank", "cntrl", "digit", "graph",
+                                                       "lower", "print", "punct", "space", "upper", "xdigit"};
+
+/// The set behind a '[', up to and with its ']', which are taken from the text. Nothing if it is malformed.
+std::optional<std::bitset<256>> take_set(std::string_view& text) {
+  std::bitset<256> set;
+  const auto take = [&]() -> std::optional<char> {
+    if (text.empty()) return std::nullopt;
+    const char c = text.front();
+    text.remove_prefix(1);
+    return c;
+  };
+  const bool is_negative = text.starts_with('!') || text.starts_with('^');
+  if (is_negative) text.remove_prefix(1);
+  std::optional<char> before;  // the byte that a range may begin with
+  for (bool is_first = true;; is_first = false) {
+    std::optional<char> c = take();
+    if (!c) return std::nullopt;
+    if (*c == ']' && !is_first) break;
+    const std::size_t close = text.find(']');
+    if (*c == '-' && before && !text.empty() && text.front() != ']') {
+      c = take();
+      if (*c == '\\') c = take();
+      if (!c) return std::nullopt;
+      for (std::size_t i = index_of(*before); i <= index_of(*c); ++i) set.set(i);
+      before.reset();
+      continue;
+    }
+    if (*c == '[' && text.starts_with(':') && close == std::string_view::npos) return std::nullopt;
+    // "[:]" has no room for the second colon.
+    if (*c == '[' && text.starts_with(':') && close >= 2 && text[close - 1] == ':') {
+      const std::string_view name = text.substr(1, close - 2);
+      if (std::find(class_names.begin(), class_names.end(), name) == class_names.end()) return std::nullopt;
+      for (std::size_t i = 0; i < set.size(); ++i)
+        if (is_in_class(name, static_cast<char>(i))) set.set(i);
+      text.remove_prefix(close + 1);
+      before.reset();
+      continue;
+    }
+    if (*c == '\\') c = take();
+    if (!c) return std::nullopt;
+    set.set(index_of(*c));
+    before = c;
+  }
+  return is_negative ? ~set : set;
+}
+
+GlobStep one_of(const std::bitset<256>& bytes) {
+  return {Kind::byte, bytes};
+}
+
+GlobStep one(char c) {
+  return one_of(std::bitset<256>().set(index_of(c)));
+}
+
+/// Takes the stars that the rest of a pattern begins with.
+void take_stars(std::string_view pattern, std::string_view& rest, std::vector<GlobStep>& steps) {
+  const std::size_t begin = pattern.size() - rest.size();
+  const std::size_t count = std::min(rest.find_first_not_of('*'), rest.size());
+  rest.remove_prefix(count);
+  const bool is_behind_slash = begin == 0 || pattern[begin - 1] == '/';
+  const bool is_before_slash = rest.empty() || rest.starts_with('/') || rest.starts_with("\\/");
+  if (count == 1 || !is_behind_slash || !is_before_slash) {
+    steps.push_back({Kind::star});
+  } else if (rest.starts_with('/')) {
+    steps.insert(steps.end(), {{Kind::optional}, {Kind::stars}, one('/')});
+    rest.remove_prefix(1);
+  } else {
+    steps.push_back({Kind::stars});
+  }
+}
+
+/// The steps of a pattern, or nothing if it is malformed.
+std::optional<std::vector<GlobStep>> read_steps(std::string_view pattern) {
+  std::vector<GlobStep> steps;
+  for (std::string_view rest = pattern; !rest.empty();) {
+    char c = rest.front();
+    if (c == '*') {
+      take_stars(pattern, rest, steps);
+      continue;
+    }
+    rest.remove_prefix(1);
+    if (c == '?' || c == '[') {
+      auto set = c == '?' ? std::optional(~std::bitset<256>()) : take_set(rest);
+      if (!set) return std::nullopt;
+      steps.push_back(one_of(set->reset(index_of('/'))));
+      continue;
+    }
+    if (c == '\\') {
+      if (rest.empty()) return std::nullopt;
+      c = rest.front();
+      rest.remove_prefix(1);
+    }
+    steps.push_back(one(c));
+  }
+  return steps;
+}
+
+/// Moves the last single bytes from the steps to a text.
+std::string take_end(std::vector<GlobStep>& steps) {
+  std::string end;
+  while (!steps.empty() && steps.back().kind == Kind::byte && steps.back().bytes.count() == 1) {
+    const bool is_optional = steps.size() >= 3 && steps[steps.size() - 3].kind == Kind::optional;
+    if (is_optional) break;
+    std::size_t byte = 0;
+    while (!steps.back().bytes[byte]) ++byte;
+    end.push_back(static_cast<char>(byte));
+    steps.pop_back();
+  }
+  std::reverse(end.begin(), end.end());
+  return end;
+}
+
+/// Also marks the steps behind those that match nothing too.
+void leave_out(std::vector<char>& at, const std::vector<GlobStep>& steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (at[i] == 0 || steps[i].kind == Kind::byte) continue;
+    at[i + 1] = 1;
+    if (steps[i].kind == Kind::optional) at[i + 3] = 1;
+  }
+}
+
+}  // namespace
+
+Glob parse_glob(std::string_view pattern) {
+  const std::size_t wild = std::min(pattern.find_first_of("*?[\\"), pattern.size());
+  auto steps = read_steps(pattern.substr(wild));
+  if (!steps) return {{}, {}, {}, false};
+  std::string end = take_end(*steps);
+  return {std::string(pattern.substr(0, wild)), std::move(end), *std::move(steps)};
+}
+
+bool matches(const Glob& glob, std::string_view text) {
+  if (!glob.is_valid || text.size() < glob.start.size() + glob.end.size()) return false;
+  if (!text.starts_with(glob.start) || !text.ends_with(glob.end)) return false;
+  text = text.substr(glob.start.size(), text.size() - glob.start.size() - glob.end.size());
+  const std::vector<GlobStep>& steps = glob.steps;
+  if (steps.empty()) return text.empty();
+  if (steps.size() == 1 && steps[0].kind == Kind::star) return text.find('/') == std::string_view::npos;
+  // All ways at once, byte by byte: a hostile glob cannot make them branch.
+  std::vector<char> at(steps.size() + 1), next(steps.size() + 1);
+  at[0] = 1;
+  leave_out(at, steps);
+  for (const char c : text) {
+    std::fill(next.begin(), next.end(), '\0');
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (at[i] == 0) continue;
+      const Kind kind = steps[i].kind;
+      if (kind == Kind::byte && steps[i].bytes[index_of(c)]) next[i + 1] = 1;
+      if (kind == Kind::stars || (kind == Kind::star && c != '/')) next[i] = 1;
+    }
+    leave_out(next, steps);
+    at.swap(next);
+  }
+  return at.back() != 0;
+}
+
+}  // namespace shadefit::lint
