@@ -8,16 +8,17 @@
 #include <array>
 
 #include "app/options/study_options.hpp"
-#include "app/studies/study_reader.hpp"
 #include "fit/support/sweep.hpp"
+#include "fit/support/toml_reader.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 namespace {
 
 constexpr int study_schema = 1;
 
-void read_over(const StudyReader& reader, const toml::table& over, Study& study) {
+void read_over(const TomlReader& reader, const toml::table& over, Study& study) {
   for (const auto& [variable, node] : reader.in_order(over)) {
     std::string range, density = "1";
     if (const toml::table* table = node->as_table()) {
@@ -35,7 +36,7 @@ void read_over(const StudyReader& reader, const toml::table& over, Study& study)
   }
 }
 
-void read_definitions(const StudyReader& reader, const toml::table& let, Study& study) {
+void read_definitions(const TomlReader& reader, const toml::table& let, Study& study) {
   for (const auto& [name, node] : reader.in_order(let)) {
     const toml::table* table = node->as_table();
     if (table == nullptr) {
@@ -50,7 +51,7 @@ void read_definitions(const StudyReader& reader, const toml::table& let, Study& 
   }
 }
 
-double number(const StudyReader& reader, const toml::node& node, const std::string& key) {
+double number(const TomlReader& reader, const toml::node& node, const std::string& key) {
   if (const auto value = node.value<double>()) return *value;
   const std::string text = reader.text(node, key);
   if (const auto value = parse_number(text)) return *value;
@@ -59,7 +60,7 @@ double number(const StudyReader& reader, const toml::node& node, const std::stri
 
 /// The value that has the text as its name.
 template <class T, std::size_t N>
-T choice(const StudyReader& reader, const toml::node& node, const std::string& key,
+T choice(const TomlReader& reader, const toml::node& node, const std::string& key,
          const std::array<T, N>& values) {
   const std::string word = reader.text(node, key);
   std::vector<std::string_view> words;
@@ -71,7 +72,7 @@ T choice(const StudyReader& reader, const toml::node& node, const std::string& k
               fmt::format("{} '{}' is unknown: it must be one of {}", key, word, fmt::join(words, ", ")));
 }
 
-void read_metric(const StudyReader& reader, const toml::table& metric, StudyFile& file) {
+void read_metric(const TomlReader& reader, const toml::table& metric, StudyFile& file) {
   reader.require_keys(
       metric, {"norm", "error", "weight", "exact_at", "one_sided", "at_most", "at_least", "monotone"});
   const auto with = [&](const char* key, const auto& use) {
@@ -101,7 +102,7 @@ void read_metric(const StudyReader& reader, const toml::table& metric, StudyFile
 }
 
 /// One claim for each error that the table states.
-std::vector<ErrorClaim> read_claims(const StudyReader& reader, const toml::table& table) {
+std::vector<ErrorClaim> read_claims(const TomlReader& reader, const toml::table& table) {
   std::vector<std::string> keys{"says"};
   for (const StatedError error : stated_errors) keys.emplace_back(name(error));
   reader.require_keys(table, keys);
@@ -121,14 +122,14 @@ std::vector<ErrorClaim> read_claims(const StudyReader& reader, const toml::table
   return claims;
 }
 
-std::string number_text(const StudyReader& reader, const toml::node& node, const std::string& key) {
+std::string number_text(const TomlReader& reader, const toml::node& node, const std::string& key) {
   const std::string printed = reader.text(node, key);
   if (!parse_number(printed)) reader.fail(node, fmt::format("{} '{}' is not a number", key, printed));
   return printed;
 }
 
 /// A table of numbers as texts, all digits kept.
-PrintedValues read_numbers(const StudyReader& reader, const toml::table& in) {
+PrintedValues read_numbers(const TomlReader& reader, const toml::table& in) {
   PrintedValues values;
   for (const auto& [key, node] : reader.in_order(in))
     values.emplace_back(key, number_text(reader, *node, key));
@@ -136,7 +137,7 @@ PrintedValues read_numbers(const StudyReader& reader, const toml::table& in) {
 }
 
 /// A copy that has some of the published values otherwise.
-MistypedCopy read_variant(const StudyReader& reader, const toml::table& table,
+MistypedCopy read_variant(const TomlReader& reader, const toml::table& table,
                           const PrintedValues& published) {
   std::vector<std::string> known{"seen", "replaced"};
   for (const auto& value : published) known.push_back(value.first);
@@ -148,7 +149,7 @@ MistypedCopy read_variant(const StudyReader& reader, const toml::table& table,
   return copy;
 }
 
-PublishedSet read_published(const StudyReader& reader, const toml::table& table,
+PublishedSet read_published(const TomlReader& reader, const toml::table& table,
                             const std::vector<StudyForm>& forms) {
   reader.require_keys(table, {"form", "given", "values", "source", "where", "claim", "variants"});
   PublishedSet set{.form = reader.optional(table, "form", forms.front().id), .values = {}, .source = {}};
@@ -174,7 +175,7 @@ PublishedSet read_published(const StudyReader& reader, const toml::table& table,
   return set;
 }
 
-void read_forms(const StudyReader& reader, const toml::table& whole, StudyFile& file) {
+void read_forms(const TomlReader& reader, const toml::table& whole, StudyFile& file) {
   for (const toml::node* node : reader.list(whole, "form")) {
     const toml::table& form = reader.table(*node, "form");
     reader.require_keys(form, {"id", "formula"});
@@ -187,19 +188,11 @@ void read_forms(const StudyReader& reader, const toml::table& whole, StudyFile& 
   if (file.forms.empty()) reader.fail(whole, "a study needs a [[form]]");
 }
 
-toml::table parse_toml(const StudyReader& reader, const std::string& text) {
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    reader.fail(static_cast<long>(error.source().begin.line), std::string(error.description()));
-  }
-}
-
 }  // namespace
 
 StudyFile read_study_file(const std::string& text, const std::string& name) {
-  const StudyReader reader(name);
-  const toml::table whole = parse_toml(reader, text);
+  const TomlReader reader("study '" + printable(name) + "'");
+  const toml::table whole = reader.parse(text);
   reader.require_keys(whole, {"schema", "id", "title", "about", "over", "given", "let", "target", "form",
                               "metric", "published"});
   const auto schema = whole["schema"].value<int>();

@@ -42,12 +42,6 @@ constexpr std::size_t most_large_messages = 5;
 /// A licence may stand before the first line that shows the language.
 constexpr std::uintmax_t looked_into = 16384;
 
-std::string in_small_letters(std::string text) {
-  for (char& c : text)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 template <class Values, class Value>
 bool is_one_of(const Values& names, const Value& name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
@@ -58,17 +52,18 @@ bool is_minified_name(const std::string& name) {
   return small.ends_with(".min.js") || small.ends_with(".min.mjs") || small.ends_with(".min.cjs");
 }
 
-/// A place on the way: where it is opened, its absolute name without links, its name as shown.
+/// A place on the way: its absolute name without links, and its name as shown, which is empty for the current
+/// folder.
 struct Place {
-  fs::path path;
   std::string absolute, name;
 
-  Place below(const fs::path& entry) const {
-    const std::string text = entry.string();
-    return {path / entry, absolute == "/" ? "/" + text : absolute + "/" + text,
-            name.empty()          ? text
-            : name.ends_with('/') ? name + text
-                                  : name + "/" + text};
+  fs::path path() const { return name.empty() ? "." : name; }
+
+  Place below(const std::string& entry) const {
+    const auto joined = [&](const std::string& folder) {
+      return folder.empty() || folder.ends_with('/') ? folder + entry : folder + "/" + entry;
+    };
+    return {joined(absolute), joined(name)};
   }
 };
 
@@ -87,7 +82,7 @@ class Search {
                                   given.empty() || error == std::errc::no_such_file_or_directory
                                       ? "there is no such file or folder"
                                       : error.message()));
-    const Place place{given, absolute.string(), shown_name(given, current_)};
+    const Place place{absolute.string(), shown_name(given, current_)};
     const fs::file_status status = fs::status(absolute, error);
     if (!fs::is_directory(status)) {
       add_named_file(place, status.type());
@@ -108,16 +103,17 @@ class Search {
  private:
   void add_globs(const FolderGlobs& given, const fs::path& path) {
     std::error_code none;
-    std::string folder = fs::weakly_canonical(given.folder, none).string(), lines;
+    std::string folder = fs::weakly_canonical(given.folder.empty() ? current_ : given.folder, none).string(),
+                lines;
     const std::string inside = path.string() + "/";
     if (none || !inside.starts_with(folder == "/" ? folder : folder + "/")) folder = path.string();
     for (const std::string& glob : given.globs) lines += glob + "\n";
     globs_.push_back(rules_of(folder, parse_ignore_rules(lines)));
   }
 
-  void cannot_read(const std::string& name, const std::string& reason) {
+  void cannot_read(const fs::path& path, const std::string& reason) {
     ++tree_.skipped.unreadable;
-    tree_.skipped.messages.push_back(fmt::format("cannot read '{}': {}", name, reason));
+    tree_.skipped.messages.push_back(fmt::format("cannot read '{}': {}", path.string(), reason));
   }
 
   /// The lists of rules are those of the folders above.
@@ -125,13 +121,13 @@ class Search {
     if (!seen_.insert(folder.absolute).second) return;
     std::error_code error;
     std::vector<fs::directory_entry> entries;
-    fs::directory_iterator entry(folder.path, error);
+    fs::directory_iterator entry(folder.path(), error);
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) entries.push_back(*entry);
-    if (error) cannot_read(folder.name.empty() ? "." : folder.name, error.message());
+    if (error) cannot_read(folder.path(), error.message());
     std::sort(entries.begin(), entries.end());
     enter(folder.absolute, lists);
     for (const fs::directory_entry& one : entries) {
-      const Place place = folder.below(one.path().filename());
+      const Place place = folder.below(one.path().filename().string());
       const fs::file_type type = one.symlink_status(error).type();
       if (type == fs::file_type::symlink) {
         ++tree_.skipped.links;
@@ -194,7 +190,7 @@ class Search {
       return;
     }
     std::error_code error;
-    const std::uintmax_t size = fs::file_size(place.path, error);
+    const std::uintmax_t size = fs::file_size(place.path(), error);
     if (error) {
       cannot_read(place.name, error.message());
     } else if (size > options_.largest) {
@@ -202,14 +198,14 @@ class Search {
         tree_.skipped.messages.push_back(
             fmt::format("'{}' has {} bytes, more than {}", place.name, size, options_.largest));
     } else if (named.is_sure || is_shader(place, size)) {
-      tree_.files.push_back({place.path, place.name, named.language, size});
+      tree_.files.push_back({place.path(), place.name, named.language, size});
     }
   }
 
   /// Whether a file whose name leaves it open is a shader; if not, it is counted.
   bool is_shader(const Place& place, std::uintmax_t size) {
     try {
-      if (looks_like_shader(read_part(place.path, 0, std::min(size, looked_into)))) return true;
+      if (looks_like_shader(read_part(place.path(), 0, std::min(size, looked_into)))) return true;
       ++tree_.skipped.unknown_language;
     } catch (const UserError& error) {
       ++tree_.skipped.unreadable;

@@ -11,33 +11,42 @@ namespace {
 
 using Kind = GlobStep::Kind;
 
-constexpr std::size_t index_of(char c) {
+constexpr std::size_t byte_index(char c) {
   return static_cast<unsigned char>(c);
 }
 
-bool within(char c, char first, char last) {
-  return index_of(first) <= index_of(c) && index_of(c) <= index_of(last);
+bool is_byte_within(char c, char first, char last) {
+  return byte_index(first) <= byte_index(c) && byte_index(c) <= byte_index(last);
 }
 
 /// The classes of ASCII, in every locale. git's spaces are these four.
 bool is_in_class(std::string_view name, char c) {
-  const bool is_letter = within(c, 'a', 'z') || within(c, 'A', 'Z'), is_digit = within(c, '0', '9');
+  const bool is_letter = is_byte_within(c, 'a', 'z') || is_byte_within(c, 'A', 'Z'),
+             is_digit = is_byte_within(c, '0', '9');
   if (name == "alnum") return is_letter || is_digit;
   if (name == "alpha") return is_letter;
   if (name == "blank") return c == ' ' || c == '\t';
-  if (name == "cntrl") return index_of(c) < ' ' || c == '\x7F';
+  if (name == "cntrl") return byte_index(c) < ' ' || c == '\x7F';
   if (name == "digit") return is_digit;
-  if (name == "graph") return within(c, '!', '~');
-  if (name == "lower") return within(c, 'a', 'z');
-  if (name == "print") return within(c, ' ', '~');
-  if (name == "punct") return within(c, '!', '~') && !is_letter && !is_digit;
+  if (name == "graph") return is_byte_within(c, '!', '~');
+  if (name == "lower") return is_byte_within(c, 'a', 'z');
+  if (name == "print") return is_byte_within(c, ' ', '~');
+  if (name == "punct") return is_byte_within(c, '!', '~') && !is_letter && !is_digit;
   if (name == "space") return c == ' ' || c == '\t' || c == '\n' || c == '\r';
-  if (name == "upper") return within(c, 'A', 'Z');
-  return is_digit || within(c, 'a', 'f') || within(c, 'A', 'F');
+  if (name == "upper") return is_byte_within(c, 'A', 'Z');
+  return is_digit || is_byte_within(c, 'a', 'f') || is_byte_within(c, 'A', 'F');
 }
 
 constexpr std::array<std::string_view, 12> class_names{"alnum", "alpha", "blank", "cntrl", "digit", "graph",
                                                        "lower", "print", "punct", "space", "upper", "xdigit"};
+
+/// The set of a class, or nothing for an unknown one.
+std::optional<std::bitset<256>> set_of_class(std::string_view name) {
+  if (std::find(class_names.begin(), class_names.end(), name) == class_names.end()) return std::nullopt;
+  std::bitset<256> set;
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] = is_in_class(name, static_cast<char>(i));
+  return set;
+}
 
 /// The set behind a '[', up to and with its ']', which are taken from the text. Nothing if it is malformed.
 std::optional<std::bitset<256>> take_set(std::string_view& text) {
@@ -50,45 +59,44 @@ std::optional<std::bitset<256>> take_set(std::string_view& text) {
   };
   const bool is_negative = text.starts_with('!') || text.starts_with('^');
   if (is_negative) text.remove_prefix(1);
-  std::optional<char> before;  // the byte that a range may begin with
+  std::size_t before = 0;  // the byte that a range may begin with; 0: none
   for (bool is_first = true;; is_first = false) {
     std::optional<char> c = take();
     if (!c) return std::nullopt;
     if (*c == ']' && !is_first) break;
     const std::size_t close = text.find(']');
-    if (*c == '-' && before && !text.empty() && text.front() != ']') {
+    if (*c == '-' && before > 0 && !text.empty() && text.front() != ']') {
       c = take();
       if (*c == '\\') c = take();
       if (!c) return std::nullopt;
-      for (std::size_t i = index_of(*before); i <= index_of(*c); ++i) set.set(i);
-      before.reset();
+      for (std::size_t i = before; i <= byte_index(*c); ++i) set.set(i);
+      before = 0;
       continue;
     }
     if (*c == '[' && text.starts_with(':') && close == std::string_view::npos) return std::nullopt;
     // "[:]" has no room for the second colon.
     if (*c == '[' && text.starts_with(':') && close >= 2 && text[close - 1] == ':') {
-      const std::string_view name = text.substr(1, close - 2);
-      if (std::find(class_names.begin(), class_names.end(), name) == class_names.end()) return std::nullopt;
-      for (std::size_t i = 0; i < set.size(); ++i)
-        if (is_in_class(name, static_cast<char>(i))) set.set(i);
+      const auto named = set_of_class(text.substr(1, close - 2));
+      if (!named) return std::nullopt;
+      set |= *named;
       text.remove_prefix(close + 1);
-      before.reset();
+      before = 0;
       continue;
     }
     if (*c == '\\') c = take();
     if (!c) return std::nullopt;
-    set.set(index_of(*c));
-    before = c;
+    set.set(byte_index(*c));
+    before = byte_index(*c);
   }
   return is_negative ? ~set : set;
 }
 
-GlobStep one_of(const std::bitset<256>& bytes) {
+GlobStep set_step(const std::bitset<256>& bytes) {
   return {Kind::byte, bytes};
 }
 
-GlobStep one(char c) {
-  return one_of(std::bitset<256>().set(index_of(c)));
+GlobStep byte_step(char c) {
+  return set_step(std::bitset<256>().set(byte_index(c)));
 }
 
 /// Takes the stars that the rest of a pattern begins with.
@@ -101,7 +109,7 @@ void take_stars(std::string_view pattern, std::string_view& rest, std::vector<Gl
   if (count == 1 || !is_behind_slash || !is_before_slash) {
     steps.push_back({Kind::star});
   } else if (rest.starts_with('/')) {
-    steps.insert(steps.end(), {{Kind::optional}, {Kind::stars}, one('/')});
+    steps.insert(steps.end(), {{Kind::optional}, {Kind::stars}, byte_step('/')});
     rest.remove_prefix(1);
   } else {
     steps.push_back({Kind::stars});
@@ -121,7 +129,7 @@ std::optional<std::vector<GlobStep>> read_steps(std::string_view pattern) {
     if (c == '?' || c == '[') {
       auto set = c == '?' ? std::optional(~std::bitset<256>()) : take_set(rest);
       if (!set) return std::nullopt;
-      steps.push_back(one_of(set->reset(index_of('/'))));
+      steps.push_back(set_step(set->reset(byte_index('/'))));
       continue;
     }
     if (c == '\\') {
@@ -129,7 +137,7 @@ std::optional<std::vector<GlobStep>> read_steps(std::string_view pattern) {
       c = rest.front();
       rest.remove_prefix(1);
     }
-    steps.push_back(one(c));
+    steps.push_back(byte_step(c));
   }
   return steps;
 }
@@ -184,7 +192,7 @@ bool matches(const Glob& glob, std::string_view text) {
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (at[i] == 0) continue;
       const Kind kind = steps[i].kind;
-      if (kind == Kind::byte && steps[i].bytes[index_of(c)]) next[i + 1] = 1;
+      if (kind == Kind::byte && steps[i].bytes[byte_index(c)]) next[i + 1] = 1;
       if (kind == Kind::stars || (kind == Kind::star && c != '/')) next[i] = 1;
     }
     leave_out(next, steps);

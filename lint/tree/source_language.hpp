@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 /// The languages that source files are written in, and how they are told apart.
@@ -37,6 +38,9 @@ std::string_view name(SourceLanguage language);
 
 /// The language of that name, or nothing.
 std::optional<SourceLanguage> language_named(std::string_view name);
+
+/// The text with small letters for those of ASCII.
+std::string in_small_letters(std::string_view text);
 
 /// What the name of a file says about its language.
 struct NamedLanguage {

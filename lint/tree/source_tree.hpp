@@ -16,7 +16,7 @@ namespace shadefit::lint {
 inline constexpr std::uintmax_t largest_source = 4 << 20;
 
 struct SourceFile {
-  std::filesystem::path path;
+  std::filesystem::path path;  ///< to open it from the current folder
   std::string
       name;  ///< as shown: PATH as given, or relative to the current folder if below it; '/' between folders
   SourceLanguage language;
@@ -42,15 +42,15 @@ struct SourceTree {
   SkippedFiles skipped;
 };
 
-/// Globs as in .gitignore, with the folder that they count from.
+/// Globs as in .gitignore, with the folder that they count from; empty: the current one.
 struct FolderGlobs {
   std::filesystem::path folder;
-  std::vector<std::string> globs;
+  std::vector<std::string> globs = {};
 };
 
 struct TreeOptions {
-  std::vector<std::string> exclude;       ///< globs as in .gitignore, from the current folder
-  std::vector<SourceLanguage> languages;  ///< empty: all
+  std::vector<std::string> exclude = {};       ///< globs as in .gitignore, from the current folder
+  std::vector<SourceLanguage> languages = {};  ///< empty: all
   bool with_vendored = false;
   std::uintmax_t largest = largest_source;
   FolderGlobs configured = {};  ///< those of a configuration; `exclude` has the last word

@@ -9,23 +9,31 @@
 #include <utility>
 #include <vector>
 
-#include "fit/study/study_file.hpp"
 #include "fit/support/nearest.hpp"
 #include "fit/support/user_error.hpp"
-#include "reports/io/utf8.hpp"
 
 namespace shadefit {
 
 /// Takes the values of a TOML file; what it refuses is refused with the name of the file and the line.
-class StudyReader {
+class TomlReader {
  public:
-  explicit StudyReader(const std::string& name) : name_(printable(name)) {}
+  /// The name is that of messages: "study 'line.toml'".
+  explicit TomlReader(std::string name) : name_(std::move(name)) {}
+
+  /// The whole file.
+  toml::table parse(const std::string& text) const {
+    try {
+      return toml::parse(text);
+    } catch (const toml::parse_error& error) {
+      fail(static_cast<long>(error.source().begin.line), std::string(error.description()));
+    }
+  }
 
   [[noreturn]] void fail(const toml::node& node, const std::string& rule) const {
     fail(static_cast<long>(node.source().begin.line), rule);
   }
   [[noreturn]] void fail(long line, const std::string& rule) const {
-    throw UserError(fmt::format("study '{}', line {}: {}", name_, line, one_line(rule)));
+    throw UserError(fmt::format("{}, line {}: {}", name_, line, rule));
   }
 
   /// What `parse` makes of a text, its refusals with the line of the node.
@@ -91,13 +99,6 @@ class StudyReader {
     };
     std::sort(result.begin(), result.end(),
               [&](const auto& a, const auto& b) { return place(a) < place(b); });
-    return result;
-  }
-
-  /// A table of texts.
-  PrintedValues texts(const toml::table& in) const {
-    PrintedValues result;
-    for (const auto& [key, node] : in_order(in)) result.emplace_back(key, text(*node, key));
     return result;
   }
 
