@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a check found, as plain data, and its texts for terminals, dashboards and code hosts.
+namespace shadefit {
+
+enum class FindingLevel { error, warning, note };
+
+/// A region of a file. Lines and columns count from 1; 0: not known. A column counts code points.
+/// `end_column` is one past the last character.
+struct FindingPlace {
+  std::string path;  ///< relative to the folder of the call, '/' between folders; or absolute
+  long line = 0, column = 0, end_line = 0, end_column = 0;
+};
+
+struct Finding {
+  std::string rule;  ///< the id of a `FindingRule`
+  FindingLevel level = FindingLevel::error;
+  std::string message;  ///< one sentence
+  std::optional<FindingPlace> place = {};
+  std::string fingerprint = {};                ///< the same for the same finding when lines move
+  std::optional<std::string> suppressed = {};  ///< the reason; such a finding fails nothing
+  bool is_known = false;                       ///< in the baseline: "unchanged", else "new"
+};
+
+struct FindingRule {
+  std::string id;  ///< stable, such as "wrong-constant"
+  std::string title, help;
+};
+
+struct FindingReport {
+  std::string command;  ///< "lint", "check"
+  std::vector<FindingRule> rules;
+  std::vector<Finding> findings;  ///< in order of place
+  std::size_t checked = 0;
+  std::string checked_words;  ///< what was checked: 812 "files", 38000 "numbers"
+};
+
+enum class FindingFormat { text, json, junit, sarif, github, markdown };
+
+/// The report in one of the formats, with a line end at its end where it is not empty:
+/// - text: a line for each finding, as compilers write them, and a line that counts;
+/// - json: an object of our own, docs/output-formats.md;
+/// - junit: XML of JUnit, a test for each rule and file;
+/// - sarif: SARIF 2.1.0 (OASIS, 2020);
+/// - github: workflow commands of GitHub Actions;
+/// - markdown: a summary for $GITHUB_STEP_SUMMARY.
+std::string write_findings(const FindingReport& report, FindingFormat format);
+
+}  // namespace shadefit
