@@ -1,12 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-/// What a check found, as plain data, and its texts for terminals, dashboards and code hosts.
-namespace shadefit {
+/// What a check found, as plain data, and its texts for terminals, dashboards and code hosts. They have
+/// a namespace of their own, because the ledger has a `Finding` too.
+namespace shadefit::findings {
 
 enum class FindingLevel { error, warning, note };
 
@@ -41,6 +44,23 @@ struct FindingReport {
 };
 
 enum class FindingFormat { text, json, junit, sarif, github, markdown };
+inline constexpr std::array finding_formats{FindingFormat::text,   FindingFormat::json,
+                                            FindingFormat::junit,  FindingFormat::sarif,
+                                            FindingFormat::github, FindingFormat::markdown};
+
+constexpr std::string_view name(FindingFormat format) {
+  constexpr std::array<std::string_view, finding_formats.size()> names{"text",  "json",   "junit",
+                                                                       "sarif", "github", "markdown"};
+  return names[static_cast<std::size_t>(format)];
+}
+
+/// Whether a finding fails its check: an error that is neither suppressed nor in the baseline.
+inline bool is_failure(const Finding& finding) {
+  return finding.level == FindingLevel::error && !finding.suppressed && !finding.is_known;
+}
+
+/// Whether no finding fails the check.
+bool passes(const FindingReport& report);
 
 /// The report in one of the formats, with a line end at its end where it is not empty:
 /// - text: a line for each finding, as compilers write them, and a line that counts;
@@ -51,4 +71,4 @@ enum class FindingFormat { text, json, junit, sarif, github, markdown };
 /// - markdown: a summary for $GITHUB_STEP_SUMMARY.
 std::string write_findings(const FindingReport& report, FindingFormat format);
 
-}  // namespace shadefit
+}  // namespace shadefit::findings

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "reports/findings/finding_texts.hpp"
+#include "reports/io/utf8.hpp"
+
+namespace shadefit::findings {
+namespace {
+
+/// "1 file", "2 files".
+std::string counted(std::size_t count, std::string_view plural) {
+  if (count == 1 && plural.ends_with('s')) plural.remove_suffix(1);
+  return fmt::format("{} {}", count, plural);
+}
+
+/// A line for each finding, as compilers write them: an editor can jump to its place.
+std::string findings_text(const FindingReport& report) {
+  std::string text;
+  for (const Finding& finding : report.findings) {
+    if (finding.suppressed || finding.is_known) continue;
+    const std::string place = finding.place ? place_text(*finding.place) + ": " : "";
+    text += fmt::format("{}{}: {} [{}]\n", printable(place), name(finding.level), one_line(finding.message),
+                        finding.rule);
+  }
+  return text + summary_of(report) + "\n";
+}
+
+}  // namespace
+
+bool passes(const FindingReport& report) {
+  return std::none_of(report.findings.begin(), report.findings.end(), is_failure);
+}
+
+FindingCounts count(const FindingReport& report) {
+  FindingCounts counts;
+  for (const Finding& finding : report.findings) {
+    if (finding.suppressed) {
+      ++counts.suppressed;
+    } else if (finding.is_known) {
+      ++counts.known;
+    } else {
+      ++(finding.level == FindingLevel::error     ? counts.errors
+         : finding.level == FindingLevel::warning ? counts.warnings
+                                                  : counts.notes);
+    }
+  }
+  return counts;
+}
+
+std::string place_text(const FindingPlace& place) {
+  std::string text = place.path;
+  if (place.line > 0) text += fmt::format(":{}", place.line);
+  if (place.line > 0 && place.column > 0) text += fmt::format(":{}", place.column);
+  return text;
+}
+
+std::string summary_of(const FindingReport& report) {
+  const FindingCounts counts = count(report);
+  const auto listed = [](const std::vector<std::pair<std::size_t, std::string>>& numbers) {
+    std::vector<std::string> parts;
+    for (const auto& [number, word] : numbers) {
+      if (number > 0)
+        parts.push_back(word == "suppressed" || word == "known" ? fmt::format("{} {}", number, word)
+                                                                : counted(number, word));
+    }
+    return fmt::format("{}", fmt::join(parts, ", "));
+  };
+  const std::string found =
+      listed({{counts.errors, "errors"}, {counts.warnings, "warnings"}, {counts.notes, "notes"}});
+  const std::string set_aside = listed({{counts.suppressed, "suppressed"}, {counts.known, "known"}});
+  return fmt::format("{} {}: {} in {}{}", report.command, passes(report) ? "passed" : "failed",
+                     found.empty() ? "nothing found" : found, counted(report.checked, report.checked_words),
+                     set_aside.empty() ? "" : "; " + set_aside);
+}
+
+const FindingRule* rule_of(const FindingReport& report, const Finding& finding) {
+  const auto found = std::find_if(report.rules.begin(), report.rules.end(),
+                                  [&](const FindingRule& rule) { return rule.id == finding.rule; });
+  return found == report.rules.end() ? nullptr : &*found;
+}
+
+std::string write_findings(const FindingReport& report, FindingFormat format) {
+  switch (format) {
+    case FindingFormat::json:
+      return findings_json(report);
+    case FindingFormat::junit:
+      return findings_junit(report);
+    case FindingFormat::sarif:
+      return findings_sarif(report);
+    case FindingFormat::github:
+      return findings_github(report);
+    case FindingFormat::markdown:
+      return findings_markdown(report);
+    case FindingFormat::text:
+      break;
+  }
+  return findings_text(report);
+}
+
+}  // namespace shadefit::findings
