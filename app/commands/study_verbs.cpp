@@ -10,6 +10,7 @@
 #include "app/studies/find_study.hpp"
 #include "app/terminal/progress.hpp"
 #include "fit/better/prove_contenders.hpp"
+#include "fit/support/parallel.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
 #include "reports/gallery/gallery_shard.hpp"
@@ -112,17 +113,20 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
     files.push_back(load_study(path));
     shard.studies.push_back({files.back().id, study_digest(path, files.back())});
   }
-  const Shard& part = shard.shard;
-  const Checkpoint next =
-      stepping(checkpoint, progress, "studies", (files.size() + part.of - part.index) / part.of);
+  std::vector<std::size_t> chosen;
   for (std::size_t k = 0; k < files.size(); ++k) {
-    if (!belongs(k, part)) continue;
-    next();
-    GalleryEntry entry{std::move(files[k]), {}};
-    entry.comparisons = comparisons_of(entry.file, checkpoint);
-    for (StudyComparison& comparison : entry.comparisons) prove_contenders(comparison, checkpoint);
-    shard.judged.push_back(judged_study(entry));
+    if (belongs(k, shard.shard)) chosen.push_back(k);
   }
+  shard.judged.resize(chosen.size());
+  const auto judge = [&](std::size_t place, const Checkpoint& go_on) {
+    GalleryEntry entry{files[chosen[place]], {}};
+    entry.comparisons = comparisons_of(entry.file, go_on);
+    for (StudyComparison& comparison : entry.comparisons) prove_contenders(comparison, go_on);
+    shard.judged[place] = judged_study(entry);
+  };
+  for_each_in_parallel(
+      chosen.size(), judge,
+      {.before_each = stepping(checkpoint, progress, "studies", chosen.size()), .checkpoint = checkpoint});
   progress("");
   const std::vector<File> written =
       options.shard ? std::vector<File>{{shard_file, shard_text(shard)}} : gallery_files(shard.judged);
