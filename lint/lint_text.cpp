@@ -5,7 +5,7 @@
 
 #include "lint/expression/source_expression.hpp"
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 /// A wrong expression is believed only where the numbers tell enough: log2 of how seldom two of some 100
@@ -45,7 +45,7 @@ class SiteJudge {
     std::vector<JudgedNumber> numbers;
     for (const SiteNumber& number : site_.numbers) {
       const Literal& literal = literals_[number.literal];
-      numbers.push_back({literal.offset, literal.length, number.constant, shadefit::grade_of(set_, number)});
+      numbers.push_back({literal.offset, literal.length, number.constant, lint::grade_of(set_, number)});
     }
     return numbers;
   }
@@ -102,4 +102,4 @@ std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, co
   return judged;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -11,7 +11,7 @@
 #include "lint/scan/literals.hpp"
 
 /// Finds and judges the published constants of one source text.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// All that does not depend on the text.
 struct KnownConstants {
@@ -44,4 +44,4 @@ struct JudgedSite {
 std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
                                    const EffectLimits& limits);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

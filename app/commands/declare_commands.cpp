@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands/commands.hpp"
+#include "app/lint/lint_command.hpp"
 #include "app/options/bench_options.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/scene_options.hpp"
@@ -335,7 +336,8 @@ void declare_check(CLI::App& check, CheckOptions& options) {
 
 /// For everything that searches.
 void add_time_limit(CLI::App& app, Call& call) {
-  for (const char* name : {"run", "fit", "better", "certify", "verify", "emit", "scene", "stress", "check"}) {
+  for (const char* name :
+       {"run", "fit", "better", "certify", "verify", "emit", "scene", "stress", "check", "lint"}) {
     const auto limit = [&call](const std::string& text) {
       call.checkpoint = limited(call.checkpoint, parse_seconds("--time-limit", text));
     };
@@ -445,6 +447,10 @@ void declare_commands(CLI::App& app, Call& call) {
       "recompute everything and compare it with the tables of an earlier run; writes nothing",
       "  shadefit check\n  shadefit check --baseline out\n", declare_check,
       [&](const CheckOptions& options) { return check_command(options, call.checkpoint, call.progress); });
+  add_command<LintOptions>(
+      app, call, "lint", "find published constants in source code, and what is wrong with them",
+      "  shadefit lint shaders\n  shadefit lint src --format sarif --fail-on typo\n", declare_lint,
+      [&](const LintOptions& options) { return lint_command(options, call.checkpoint, call.progress); });
   add_time_limit(app, call);
   auto* help = app.add_subcommand("help", "the help of a command")->group("Commands");
   help->add_option("command", "one of the commands")->type_name("COMMAND");

@@ -9,7 +9,7 @@
 
 #include "lint/expression/mutants.hpp"
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 /// Numbers of full float32 digits are nearer to each other than this.
@@ -197,4 +197,4 @@ std::optional<ExpressionMatch> match_expression(const SourceExpression& expressi
   return std::nullopt;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -9,7 +9,7 @@
 #include "lint/known/known_set.hpp"
 
 /// Whether the expression of a site is the form of its set.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// What an expression of a source text is, beside the form of a set.
 struct ExpressionMatch {
@@ -30,4 +30,4 @@ std::optional<ExpressionMatch> match_expression(const SourceExpression& expressi
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "lint/expression/source_expression.hpp"
+#include "lint/scan/characters.hpp"
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 /// The longest expression that is read.
@@ -15,14 +15,6 @@ bool is_open(char c) {
 }
 bool is_close(char c) {
   return c == ')' || c == ']';
-}
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
 /// What ends an expression at any depth.
@@ -66,7 +58,7 @@ bool is_behind_compound_assignment(std::string_view text, std::size_t begin) {
 bool is_return(std::string_view text, std::size_t begin) {
   constexpr std::string_view word = "return";
   return begin >= word.size() && text.substr(begin - word.size(), word.size()) == word &&
-         (begin == word.size() || !is_word(text[begin - word.size() - 1]));
+         (begin == word.size() || !is_of_name(text[begin - word.size() - 1]));
 }
 
 /// Where an expression around `begin` starts: behind an opening parenthesis that closes behind `begin`, a
@@ -81,7 +73,7 @@ std::size_t begin_of(std::string_view text, std::size_t begin) {
     if (is_close(c)) ++depth;
     if (is_open(c) && depth-- == 0) break;
     if (c == ',' && depth == 0) break;
-    if (is_return(text, begin) && !is_word(text[begin])) break;
+    if (is_return(text, begin) && !is_of_name(text[begin])) break;
     --begin;
   }
   return begin;
@@ -121,7 +113,7 @@ bool balance(std::string_view text, std::size_t& begin, std::size_t& end) {
     while (begin > 0 && text[begin - 1] == ',') begin = begin_of(text, begin - 1);
     if (begin == 0 || !is_open(text[begin - 1])) return false;
     --begin;
-    while (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
+    while (begin > 0 && (is_of_name(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
       --begin;
   }
   return true;
@@ -146,7 +138,7 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
     --begin;
     if (is_open(text[begin]) && is_close(text[end])) {
       ++end;
-      while (begin > 0 && (is_word(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
+      while (begin > 0 && (is_of_name(text[begin - 1]) || text[begin - 1] == '.' || text[begin - 1] == ':'))
         --begin;
     } else if (is_open(text[begin])) {
       ++begin;
@@ -156,4 +148,4 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
   return found;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

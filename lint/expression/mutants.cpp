@@ -4,7 +4,7 @@
 #include <functional>
 #include <utility>
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 using Kind = Symbolic::Kind;
@@ -132,4 +132,4 @@ std::vector<Mutant> mutants_of(const Symbolic& formula) {
   return mutants;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -6,7 +6,7 @@
 #include "fit/scalars/symbolic.hpp"
 
 /// Formulas with one slip of the pen.
-namespace shadefit {
+namespace shadefit::lint {
 
 struct Mutant {
   Symbolic formula;
@@ -17,4 +17,4 @@ struct Mutant {
 /// the same family (exp for exp2), a lost term or factor, swapped operands, or a lost pair of parentheses.
 std::vector<Mutant> mutants_of(const Symbolic& formula);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

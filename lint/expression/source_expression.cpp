@@ -8,16 +8,10 @@
 
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/scalars/shader_calls.hpp"
+#include "lint/scan/characters.hpp"
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
 
 /// The text without comments.
 std::string without_comments(std::string_view text, CommentStyle style) {
@@ -85,7 +79,7 @@ class Rewriter {
       const char c = text_[at_];
       if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
         number();
-      } else if (is_word(c)) {
+      } else if (is_of_name(c)) {
         if (!word()) return std::nullopt;
       } else if (c == '.') {
         if (!method()) return std::nullopt;
@@ -104,7 +98,7 @@ class Rewriter {
   char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
   void blanks() {
-    while (std::isspace(static_cast<unsigned char>(peek(0))) != 0) ++at_;
+    while (is_blank(peek(0))) ++at_;
   }
 
   /// A number without its suffix and separators.
@@ -115,8 +109,8 @@ class Rewriter {
       return (peek(0) == '-' || peek(0) == '+') && (last == 'e' || last == 'E') && is_digit(peek(1));
     };
     const auto is_part = [&] {
-      const bool has_member = std::isalpha(static_cast<unsigned char>(peek(1))) != 0 && peek(1) != 'f';
-      return is_word(peek(0)) || (peek(0) == '.' && !has_member) || is_sign_of_exponent();
+      const bool has_member = is_letter(peek(1)) && peek(1) != 'f';
+      return is_of_name(peek(0)) || (peek(0) == '.' && !has_member) || is_sign_of_exponent();
     };
     while (is_part()) ++at_;
     out_ += plain(digits_of(std::string_view(text_).substr(first, at_ - first)));
@@ -138,7 +132,7 @@ class Rewriter {
 
   std::string take_word() {
     const std::size_t first = at_;
-    while (is_word(peek(0))) ++at_;
+    while (is_of_name(peek(0))) ++at_;
     return text_.substr(first, at_ - first);
   }
 
@@ -180,13 +174,13 @@ class Rewriter {
   bool word() {
     std::string path = take_word();
     while (true) {
-      if (peek(0) == ':' && peek(1) == ':' && is_word(peek(2))) {
+      if (peek(0) == ':' && peek(1) == ':' && is_of_name(peek(2))) {
         at_ += 2;
         path = take_word();  // a namespace says nothing
-      } else if (peek(0) == '-' && peek(1) == '>' && is_word(peek(2))) {
+      } else if (peek(0) == '-' && peek(1) == '>' && is_of_name(peek(2))) {
         at_ += 2;
         path += "." + take_word();
-      } else if (peek(0) == '.' && is_word(peek(1)) && !is_method()) {
+      } else if (peek(0) == '.' && is_of_name(peek(1)) && !is_method()) {
         ++at_;
         const std::string member = take_word();
         const bool is_module =
@@ -238,7 +232,8 @@ class Rewriter {
   bool constant(const std::string& path) {
     std::string letters;
     for (const char c : path)
-      if (is_word(c) && c != '_') letters += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+      if (is_of_name(c) && c != '_')
+        letters += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const auto ends = [&](std::string_view word) { return letters.ends_with(word); };
     if (ends("HALFPI") || ends("PIDIV2") || ends("PI2") || ends("PIOVER2") || ends("PIOVERTWO")) {
       out_ += "(pi/2)";
@@ -288,7 +283,7 @@ class Rewriter {
         if (out_[begin] == '(' && --depth == 0) break;
       }
     }
-    while (begin > 0 && (is_word(out_[begin - 1]) || out_[begin - 1] == '.')) --begin;
+    while (begin > 0 && (is_of_name(out_[begin - 1]) || out_[begin - 1] == '.')) --begin;
     return begin;
   }
 
@@ -321,4 +316,4 @@ std::optional<SourceExpression> read_expression(std::string_view text, CommentSt
   }
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -10,7 +10,7 @@
 #include "lint/scan/literals.hpp"
 
 /// The expression around numbers of a source text.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// An expression of a program as a formula. Its names are v0, v1, ..; a call of an unknown function, a member
 /// and an element of an array are names too. A vector of one number, `vec3(x)`, is that number.
@@ -27,4 +27,4 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
 /// scalars' operations: vectors of several numbers, assignments, unknown signs.
 std::optional<SourceExpression> read_expression(std::string_view text, CommentStyle style);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

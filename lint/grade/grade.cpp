@@ -4,17 +4,14 @@
 #include <array>
 #include <cmath>
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
-double value_of(const Digits& digits) {
-  return mantissa_of(digits) * std::pow(10.0, digits.exponent);
-}
-
 bool is_visible(const GradedSite& site, const EffectLimits& limits) {
-  if (std::isnan(site.effect.absolute.magnitude)) return true;
-  return site.is_shown ? site.effect.srgb_codes > limits.codes
-                       : site.effect.absolute.magnitude > limits.change;
+  const double change = site.effect.absolute.magnitude;
+  if (std::isnan(change)) return true;
+  if (limits.of_all) return change > *limits.of_all;
+  return site.is_shown ? site.effect.srgb_codes > limits.codes : change > limits.change;
 }
 
 }  // namespace
@@ -53,7 +50,7 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::str
     if (number.match < DigitMatch::rounded) continue;
     if (has_other_units && number.match == DigitMatch::shifted) continue;
     const Literal& literal = literals[number.literal];
-    const double found = value_of(digits_of(text.substr(literal.offset, literal.length)));
+    const double found = number_of(digits_of(text.substr(literal.offset, literal.length)));
     double& value = values[number.constant];
     value = std::copysign(found, value);
   }
@@ -76,4 +73,4 @@ GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch
   return graded;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -9,7 +10,7 @@
 #include "lint/scan/sites.hpp"
 
 /// How right the constants of a site are.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// From harmless to harmful.
 enum class Grade {
@@ -29,6 +30,7 @@ struct EffectLimits {
   /// Of any other curve: an 8-bit picture shows a change of 1/256 if the curve is a factor of its light; a
   /// quarter of that is below any code.
   double change = 1e-3;
+  std::optional<double> of_all = {};  ///< of every curve, instead of both
 };
 
 struct GradedSite {
@@ -53,4 +55,4 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::str
 GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
                     const EffectLimits& limits);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 bool is_simple_fraction(double value) {
@@ -32,4 +32,4 @@ bool is_common_number(double value) {
   return false;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -1,9 +1,9 @@
 #pragma once
 
-namespace shadefit {
+namespace shadefit::lint {
 
 /// Whether a number is, to seven digits, a simple fraction, or such a multiple of pi, 1/pi, sqrt(2), ln 2 or
 /// 1/ln 2. Such numbers stand in all kinds of code, so their digits tell little.
 bool is_common_number(double value);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

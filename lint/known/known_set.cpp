@@ -11,7 +11,7 @@
 #include "fit/tape/tape_program.hpp"
 #include "lint/known/closed_form.hpp"
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 std::vector<KnownAxis> axes_of(const ReadStudy& study) {
@@ -139,4 +139,4 @@ bool is_shown(const KnownSet& set) {
   });
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -9,7 +9,7 @@
 #include "fit/study/study_file.hpp"
 
 /// Published constants as they may stand in a source tree.
-namespace shadefit {
+namespace shadefit::lint {
 
 struct KnownConstant {
   std::string name;     ///< of a parameter of the form
@@ -56,4 +56,4 @@ Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<do
 /// Whether the values of a set's form lie in [0, 1], as those of a colour do.
 bool is_shown(const KnownSet& set);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

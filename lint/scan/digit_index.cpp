@@ -4,7 +4,7 @@
 #include <string_view>
 #include <tuple>
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 /// Fowler, Noll and Vo's hash (FNV-1a, 64 bits), of a text without the digit at `skipped`.
@@ -15,6 +15,11 @@ std::uint64_t key_of(std::string_view text, std::size_t skipped) {
     hash = (hash ^ static_cast<unsigned char>(text[i])) * 0x100000001b3;
   }
   return hash ^ (hash >> 29);
+}
+
+/// 0.TEXT
+double mantissa_of(const Digits& digits) {
+  return number_of({digits.text, 0});
 }
 
 constexpr std::size_t least_digits = 3;
@@ -98,4 +103,4 @@ void DigitIndex::look_edited(const Digits& found, std::vector<NumberMatch>& matc
   }
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

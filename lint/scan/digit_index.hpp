@@ -12,7 +12,7 @@
 #include "lint/scan/literals.hpp"
 
 /// Finds the published constants that a number may stand for.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// A constant of a set, or a variant of one.
 struct ConstantPlace {
@@ -52,4 +52,4 @@ class DigitIndex {
   std::bitset<1 << 16> has_key_;                               ///< by the last bits of a key
 };
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

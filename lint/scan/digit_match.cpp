@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 /// The text rounded half up to n digits, without trailing zeros; and whether that added a digit before the
@@ -33,17 +33,10 @@ Digits cut_to(const Digits& digits, std::size_t n) {
   return result;
 }
 
-double value_of(const Digits& digits) {
-  const std::string text = "0." + digits.text + "e" + std::to_string(digits.exponent);
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
 bool has_digits_of_float(const Digits& found, const Digits& published) {
   constexpr std::size_t digits_of_a_float = 7;
   return found.text.size() >= digits_of_a_float && std::abs(found.exponent - published.exponent) <= 1 &&
-         static_cast<float>(value_of(found)) == static_cast<float>(value_of(published));
+         static_cast<float>(number_of(found)) == static_cast<float>(number_of(published));
 }
 
 /// Whether one edit makes `a` of `b`: a digit replaced, inserted or left out, or two neighbours swapped.
@@ -60,8 +53,11 @@ bool is_one_edit(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-double mantissa_of(const Digits& digits) {
-  return value_of({digits.text, 0});
+double number_of(const Digits& digits) {
+  const std::string text = "0." + digits.text + "e" + std::to_string(digits.exponent);
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
 }
 
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published) {
@@ -81,4 +77,4 @@ std::optional<DigitMatch> match_digits(const Digits& found, const Digits& publis
   return std::nullopt;
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

@@ -5,7 +5,7 @@
 #include "lint/scan/literals.hpp"
 
 /// How a number of a source text agrees with a published one.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// From the closest to the loosest.
 enum class DigitMatch {
@@ -24,7 +24,7 @@ inline constexpr std::size_t least_digits_to_vary = 4;
 /// Compares a number without its sign; empty if it is another number.
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published);
 
-/// 0.TEXT as a double.
-double mantissa_of(const Digits& digits);
+/// The number with these digits.
+double number_of(const Digits& digits);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

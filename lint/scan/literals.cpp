@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <charconv>
 
-namespace shadefit {
+#include "lint/scan/characters.hpp"
+
+namespace shadefit::lint {
 namespace {
 
-constexpr bool is_digit(char c) {
-  return '0' <= c && c <= '9';
-}
-constexpr bool is_letter(char c) {
-  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
-}
 /// C++ and Rust separate digits.
 constexpr bool is_separator(char c) {
   return c == '_' || c == '\'';
@@ -27,7 +23,7 @@ class LiteralReader {
       const char c = text_[at_];
       if (is_digit(c) || (c == '.' && is_digit(peek(1)))) {
         number();
-      } else if (is_letter(c)) {
+      } else if (is_of_name(c)) {
         word();
       } else {
         if (style_ != CommentStyle::none) comment();
@@ -46,7 +42,7 @@ class LiteralReader {
       ++at_;
       return;
     }
-    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
   }
 
   void comment() {
@@ -83,7 +79,7 @@ class LiteralReader {
   /// f, h, l, f32, f64: anything else behind the digits makes a word of it.
   bool suffix() {
     const std::size_t first = at_;
-    while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
+    while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
     std::string_view letters = text_.substr(first, at_ - first);
     while (letters.starts_with('_')) letters.remove_prefix(1);
     return letters.empty() || letters == "f" || letters == "F" || letters == "h" || letters == "H" ||
@@ -160,7 +156,7 @@ Digits digits_of(std::string_view number) {
       // No number of a source text has a larger one; a sum with it does not overflow.
       point += std::clamp(exponent, -100'000, 100'000);
       break;
-    } else if (is_letter(c) && c != '_') {
+    } else if (is_letter(c)) {
       break;
     }
   }
@@ -173,4 +169,4 @@ std::vector<Literal> literals_of(std::string_view text, CommentStyle style) {
   return LiteralReader(text, style).read();
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

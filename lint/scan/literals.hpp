@@ -6,7 +6,7 @@
 #include <vector>
 
 /// The decimal numbers of a source text.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// How a language writes comments.
 enum class CommentStyle {
@@ -38,4 +38,4 @@ std::vector<Literal> literals_of(std::string_view text, CommentStyle style);
 
 inline constexpr std::size_t most_digits = 40;
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

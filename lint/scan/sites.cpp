@@ -5,7 +5,7 @@
 #include <set>
 #include <tuple>
 
-namespace shadefit {
+namespace shadefit::lint {
 namespace {
 
 /// Constants of one formula stand within that many bytes of each other.
@@ -183,4 +183,4 @@ std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& li
   return without_shared_numbers(finder.take());
 }
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

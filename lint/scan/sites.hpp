@@ -8,7 +8,7 @@
 #include "lint/scan/digit_index.hpp"
 
 /// Places of a source text that hold the constants of a set.
-namespace shadefit {
+namespace shadefit::lint {
 
 /// A number of a text that stands for a constant of a set.
 struct SiteNumber {
@@ -38,4 +38,4 @@ inline constexpr double least_bits = 6;
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
                            const std::vector<KnownSet>& sets, const DigitIndex& index);
 
-}  // namespace shadefit
+}  // namespace shadefit::lint

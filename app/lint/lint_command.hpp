@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options/options.hpp"
+#include "app/options/outcome.hpp"
+#include "app/terminal/progress.hpp"
+#include "lint/grade/grade.hpp"
+#include "lint/tree/source_language.hpp"
+#include "reports/findings/finding.hpp"
+
+/// `shadefit lint PATH..`: finds published constants in source trees and grades them.
+namespace shadefit {
+
+/// What is not given comes from .shadefit.toml, then from these defaults.
+struct LintOptions {
+  std::vector<std::string> paths;  ///< files and folders
+  findings::FindingFormat format = findings::FindingFormat::text;
+  std::optional<std::string> fail_on;  ///< a grade, or "never"; else "wrong"
+  std::optional<double> max_effect;    ///< instead of the limits of `EffectLimits`
+  std::optional<std::string> baseline;
+  std::vector<std::string> exclude;
+  std::vector<lint::SourceLanguage> languages;
+  StudyFolders studies;
+  bool all = false;
+};
+
+void declare_lint(CLI::App& lint, LintOptions& options);
+
+/// Exit code 1 if a site has a grade that fails. Throws UserError for bad paths, a bad configuration and a
+/// bad baseline.
+Outcome lint_command(const LintOptions& options, const Checkpoint& checkpoint, const Progress& progress);
+
+}  // namespace shadefit

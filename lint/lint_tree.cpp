@@ -1,0 +1,147 @@
+#include "lint/lint_tree.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace shadefit::lint {
+namespace {
+
+CommentStyle comments_of(SourceLanguage language) {
+  switch (language) {
+    case SourceLanguage::python:
+      return CommentStyle::hash;
+    case SourceLanguage::markdown:
+      return CommentStyle::none;
+    default:
+      return CommentStyle::c;
+  }
+}
+
+/// Places of a text, asked for in rising order.
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(std::string_view text) : text_(text) {}
+
+  TextPlace at(std::size_t offset) {
+    if (offset < begin_) *this = PlaceFinder(text_);
+    for (std::size_t end = text_.find('\n', begin_); end < offset; end = text_.find('\n', begin_)) {
+      begin_ = end + 1;
+      ++line_;
+    }
+    const std::string_view before = text_.substr(begin_, offset - begin_);
+    // Bytes 10xxxxxx continue a code point.
+    const auto points =
+        std::count_if(before.begin(), before.end(), [](char c) { return (c & 0xC0) != 0x80; });
+    return {line_, points + 1};
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t begin_ = 0;  ///< of the line
+  long line_ = 1;
+};
+
+std::size_t line_begin(std::string_view text, std::size_t offset) {
+  const std::size_t end = offset == 0 ? std::string_view::npos : text.rfind('\n', offset - 1);
+  return end == std::string_view::npos ? 0 : end + 1;
+}
+
+std::string_view line_at(std::string_view text, std::size_t begin) {
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+/// The words behind "shadefit: ignore" in a line.
+std::optional<std::string> ignore_reason(std::string_view line) {
+  constexpr std::string_view mark = "shadefit: ignore";
+  const std::size_t at = line.find(mark);
+  if (at == std::string_view::npos) return std::nullopt;
+  std::string_view reason = line.substr(at + mark.size());
+  for (const std::string_view end : {"*/", "-->"}) reason = reason.substr(0, reason.find(end));
+  const std::size_t first = reason.find_first_not_of(" \t:"), last = reason.find_last_not_of(" \t\r");
+  if (first == std::string_view::npos || first > last) return "no reason given";
+  return std::string(reason.substr(first, last - first + 1));
+}
+
+/// The reason in the first line of a site, in its last one, or in the line above.
+std::optional<std::string> ignored_at(std::string_view text, std::size_t first, std::size_t last) {
+  const std::size_t begin = line_begin(text, first);
+  if (auto reason = ignore_reason(line_at(text, begin))) return reason;
+  if (auto reason = ignore_reason(line_at(text, line_begin(text, last)))) return reason;
+  return begin == 0 ? std::nullopt : ignore_reason(line_at(text, line_begin(text, begin - 1)));
+}
+
+LintedSite linted(const std::string& file, std::string_view text, const KnownSet& set,
+                  const JudgedSite& judged, PlaceFinder& places) {
+  const JudgedNumber &first = judged.numbers.front(), &last = judged.numbers.back();
+  LintedSite site{.file = file,
+                  .begin = places.at(first.offset),
+                  .end = places.at(last.offset + last.length),
+                  .id = set.id,
+                  .form = set.form,
+                  .source = set.source,
+                  .numbers = {},
+                  .grade = judged.graded.grade,
+                  .effect = judged.graded.effect,
+                  .is_shown = judged.graded.is_shown,
+                  .slip = judged.slip,
+                  .replaced = judged.replaced,
+                  .is_in_comment = judged.is_in_comment,
+                  .ignored = ignored_at(text, first.offset, last.offset)};
+  for (const JudgedNumber& number : judged.numbers) {
+    const KnownConstant& constant = set.constants[number.constant];
+    site.numbers.push_back({constant.name, constant.printed,
+                            std::string(text.substr(number.offset, number.length)), number.grade,
+                            number.offset});
+  }
+  return site;
+}
+
+}  // namespace
+
+std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
+                                    const KnownConstants& known, const EffectLimits& limits) {
+  std::vector<LintedSite> sites;
+  PlaceFinder places(text);
+  for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits))
+    sites.push_back(linted(file, text, known.sets[judged.set], judged, places));
+  return sites;
+}
+
+LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
+                     const InParallel& how) {
+  struct OfFile {
+    std::vector<LintedSite> sites;
+    std::optional<std::uintmax_t> bytes;
+    SkippedFiles skipped;
+  };
+  // One piece of work is many files: most files take microseconds.
+  constexpr std::size_t files_of_a_piece = 32;
+  const std::size_t pieces = (tree.files.size() + files_of_a_piece - 1) / files_of_a_piece;
+  std::vector<OfFile> found(tree.files.size());
+  for_each_in_parallel(
+      pieces,
+      [&](std::size_t piece, const Checkpoint& checkpoint) {
+        const std::size_t first = piece * files_of_a_piece;
+        for (std::size_t i = first; i < std::min(first + files_of_a_piece, tree.files.size()); ++i) {
+          checkpoint();
+          const SourceFile& file = tree.files[i];
+          const auto text = read_source(file, found[i].skipped);
+          if (!text) continue;
+          found[i].bytes = text->size();
+          found[i].sites = lint_source(file.name, *text, file.language, known, limits);
+        }
+      },
+      how);
+  LintedTree linted{.sites = {}, .skipped = tree.skipped};
+  for (OfFile& one : found) {
+    add(linted.skipped, one.skipped);
+    if (one.bytes) {
+      ++linted.files;
+      linted.bytes += *one.bytes;
+    }
+    std::move(one.sites.begin(), one.sites.end(), std::back_inserter(linted.sites));
+  }
+  return linted;
+}
+
+}  // namespace shadefit::lint

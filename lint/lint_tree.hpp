@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/support/parallel.hpp"
+#include "lint/lint_text.hpp"
+#include "lint/tree/source_tree.hpp"
+
+/// Judges the published constants of source trees.
+namespace shadefit::lint {
+
+/// A place in a text. Lines and columns count from 1, columns in code points.
+struct TextPlace {
+  long line = 0, column = 0;
+};
+
+/// A number of a site and what should stand there.
+struct LintedNumber {
+  std::string constant, published;  ///< name and digits
+  std::string text;                 ///< as it stands
+  Grade grade = Grade::right;
+  std::size_t offset = 0;  ///< in the file, in bytes
+};
+
+/// A site in a file.
+struct LintedSite {
+  std::string file;
+  TextPlace begin, end;  ///< of its first and behind its last number
+  std::string id, form;  ///< of the set
+  std::string source;
+  std::vector<LintedNumber> numbers;
+  Grade grade = Grade::right;
+  Effect effect = {};
+  bool is_shown = false;
+  std::string slip = {}, replaced = {};  ///< see JudgedSite
+  bool is_in_comment = false;
+  std::optional<std::string> ignored = {};  ///< the reason of a mark "shadefit: ignore REASON"
+};
+
+struct LintedTree {
+  std::vector<LintedSite> sites;  ///< by file, then by place
+  std::size_t files = 0;          ///< that were read
+  std::uintmax_t bytes = 0;
+  SkippedFiles skipped;
+};
+
+/// Reads and judges each file, on all cores. A site whose line, or the line above, has a comment
+/// "shadefit: ignore REASON" keeps its grade and gets the reason.
+LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
+                     const InParallel& how = {});
+
+/// The sites of one text.
+std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
+                                    const KnownConstants& known, const EffectLimits& limits);
+
+}  // namespace shadefit::lint

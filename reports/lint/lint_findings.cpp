@@ -1,0 +1,120 @@
+#include "reports/lint/lint_findings.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "fit/support/decimal.hpp"
+#include "reports/io/digest.hpp"
+
+namespace shadefit {
+namespace {
+
+using findings::FindingLevel;
+using lint::Grade;
+using lint::LintedNumber;
+using lint::LintedSite;
+
+std::string rule_of(const LintedSite& site) {
+  if (!site.slip.empty()) return site.grade == Grade::wrong ? "wrong-expression" : "other-expression";
+  return std::string(name(site.grade)) + "-constant";
+}
+
+std::vector<findings::FindingRule> lint_rules() {
+  return {
+      {"wrong-constant", "A constant with a wrong digit that is visible",
+       "Digits differ from the published ones, and the curve moves by more than half an 8-bit sRGB code, or by "
+       "more than 0.001 where it is no colour."},
+      {"wrong-expression", "A published formula with a wrong operation",
+       "All constants are those of a published formula, but an operation differs."},
+      {"typo-constant", "A constant with a wrong digit", "Digits differ, without a visible effect."},
+      {"other-expression", "A published formula with another operation",
+       "All constants are those of a published formula, an operation differs, without a visible effect."},
+      {"outdated-constant", "A constant that was replaced",
+       "Its own source or standard has another value now."},
+      {"truncated-constant", "A constant with fewer digits",
+       "Fewer digits than published, without a visible effect."},
+      {"right-constant", "A published constant", "The digits are those that were published."},
+  };
+}
+
+/// "by up to 0.0071, 1.7 codes of 8-bit sRGB".
+std::string effect_words(const LintedSite& site) {
+  const double change = site.effect.absolute.magnitude;
+  if (!(change > 0)) return "the curve stays the same";
+  std::string words = std::isfinite(change) ? fmt::format("the curve moves by up to {}", decimal(change, 2))
+                                            : "the curve has no value at some places";
+  if (site.is_shown && std::isfinite(change))
+    words += fmt::format(", {} codes of 8-bit sRGB", decimal(site.effect.srgb_codes, 2));
+  return words;
+}
+
+std::string numbers_words(const LintedSite& site) {
+  std::string words;
+  for (const LintedNumber& number : site.numbers) {
+    if (number.grade == Grade::right) continue;
+    words += fmt::format("{}{} is {} here", words.empty() ? "" : ", ", number.published, number.text);
+  }
+  return words;
+}
+
+std::string message_of(const LintedSite& site) {
+  const std::string set = site.form.empty() ? site.id : fmt::format("{} ({})", site.id, site.form);
+  if (site.grade == Grade::right) return fmt::format("{}: the constants of {}", set, site.source);
+  std::string what = numbers_words(site);
+  if (!site.slip.empty())
+    what += (what.empty() ? "" : ", ") + fmt::format("the expression has {}", site.slip);
+  if (what.empty()) what = "a number differs";
+  if (site.grade == Grade::outdated) return fmt::format("{}: {}; {}", set, what, site.replaced);
+  return fmt::format("{}: {}; {}", set, what, effect_words(site));
+}
+
+FindingLevel level_of(const LintedSite& site, const std::optional<Grade>& fail_on) {
+  if (site.is_in_comment || site.grade == Grade::right) return FindingLevel::note;
+  if (fail_on && site.grade >= *fail_on) return FindingLevel::error;
+  return site.grade == Grade::truncated ? FindingLevel::note : FindingLevel::warning;
+}
+
+/// Of what does not change when lines move: file, rule, set and numbers. Equal sites of a file are counted.
+std::string fingerprint_of(const LintedSite& site, std::map<std::string, int>& seen) {
+  std::string text =
+      fmt::format("{}\n{}\n{} {}\n{}", site.file, rule_of(site), site.id, site.form, site.slip);
+  for (const LintedNumber& number : site.numbers) text += "\n" + number.text;
+  const int count = seen[text]++;
+  return fmt::format("{:08x}{:08x}", crc_of(text), crc_of(fmt::format("{}\n{}", count, text)));
+}
+
+}  // namespace
+
+findings::FindingReport lint_findings(const lint::LintedTree& tree, const LintReportOptions& options) {
+  findings::FindingReport report{"lint", lint_rules(), {}, tree.files, "files"};
+  std::map<std::string, int> seen;
+  for (const LintedSite& site : tree.sites) {
+    if (site.grade == Grade::right && !options.all) continue;
+    findings::Finding finding{
+        .rule = rule_of(site), .level = level_of(site, options.fail_on), .message = message_of(site)};
+    finding.place = {site.file, site.begin.line, site.begin.column, site.end.line, site.end.column};
+    finding.fingerprint = fingerprint_of(site, seen);
+    finding.suppressed = site.ignored;
+    finding.is_known = options.known.count(finding.fingerprint) > 0;
+    report.findings.push_back(std::move(finding));
+  }
+  return report;
+}
+
+std::string skipped_words(const lint::SkippedFiles& skipped) {
+  std::string files;
+  const auto add = [&](std::size_t count, std::string_view what) {
+    if (count > 0) files += fmt::format("{}{} {}", files.empty() ? "" : ", ", count, what);
+  };
+  add(skipped.ignored, "ignored");
+  add(skipped.vendored, skipped.vendored == 1 ? "folder of others" : "folders of others");
+  add(skipped.minified, "minified");
+  add(skipped.binary, "binary");
+  add(skipped.too_large, "too large");
+  add(skipped.links, skipped.links == 1 ? "link" : "links");
+  add(skipped.unreadable, "unreadable");
+  return files.empty() ? "" : "not read: " + files;
+}
+
+}  // namespace shadefit
