@@ -60,18 +60,26 @@ class SiteJudge {
     return missing;
   }
 
-  /// The smallest expression around the numbers that is the form, or that with a slip.
-  std::optional<ExpressionMatch> read_around(const std::vector<double>& constants) const {
+  /// What is computed around the numbers: in one statement, then in several.
+  std::vector<Symbolic> expressions() const {
     const Literal &first = literals_[site_.numbers.front().literal],
                   &last = literals_[site_.numbers.back().literal];
+    std::vector<Symbolic> found;
+    for (const std::string_view one : expressions_around(text_, first.offset, last.offset + last.length))
+      if (auto expression = read_expression(one, style_)) found.push_back(std::move(*expression));
+    for (Symbolic& value : values_around(text_, first.offset, last.offset + last.length, style_))
+      found.push_back(std::move(value));
+    return found;
+  }
+
+  /// The smallest expression around the numbers that is the form, or that with a slip.
+  std::optional<ExpressionMatch> read_around(const std::vector<double>& constants) const {
     std::vector<double> numbers;
     for (const SiteNumber& number : site_.numbers) numbers.push_back(std::abs(constants[number.constant]));
     const std::vector<std::size_t> missing = missing_constants();
     std::optional<ExpressionMatch> slip;
-    for (const std::string_view one : expressions_around(text_, first.offset, last.offset + last.length)) {
-      const auto expression = read_expression(one, style_);
-      if (!expression) continue;
-      auto match = match_expression(*expression, set_, constants, numbers, missing);
+    for (const Symbolic& one : expressions()) {
+      auto match = match_expression(one, set_, constants, numbers, missing);
       if (!match) continue;
       if (match->slip.empty()) return match;
       // A comment may tell its formula in halves.

@@ -164,11 +164,11 @@ class CurveComparison {
 
 }  // namespace
 
-std::optional<ExpressionMatch> match_expression(const SourceExpression& expression, const KnownSet& set,
+std::optional<ExpressionMatch> match_expression(const Symbolic& expression, const KnownSet& set,
                                                 const std::vector<double>& constants,
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing) {
-  const std::vector<Part> parts = full_parts(expression.formula, numbers);
+  const std::vector<Part> parts = full_parts(expression, numbers);
   const CurveComparison comparison(set, parts);
   if (comparison.is_empty()) return std::nullopt;
   const Values right = comparison.values_of(set.formula, constants);

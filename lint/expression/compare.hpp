@@ -25,7 +25,7 @@ struct ExpressionMatch {
 /// the form: as it is, with a constant of `missing` replaced by a number of the expression, or with one slip
 /// (lint/expression/mutants.hpp). The names of the expression may be the variables of the form in any order.
 /// Empty if no part is one of these.
-std::optional<ExpressionMatch> match_expression(const SourceExpression& expression, const KnownSet& set,
+std::optional<ExpressionMatch> match_expression(const Symbolic& expression, const KnownSet& set,
                                                 const std::vector<double>& constants,
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing);

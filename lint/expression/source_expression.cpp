@@ -258,17 +258,26 @@ class Rewriter {
     if (!inside) return false;
     const std::size_t begin = receiver();
     if (begin == out_.size()) return false;
-    std::string head = function + "(" + out_.substr(begin);
-    if (!inside->empty()) {
-      Rewriter arguments(*inside);
-      arguments.names_ = names_;
-      const auto rest = arguments.rewrite();
-      if (!rest) return false;
-      names_ = arguments.names_;
-      head += ", " + *rest;
-    }
-    out_.replace(begin, std::string::npos, head + ")");
+    Rewriter arguments(*inside);
+    arguments.names_ = names_;
+    const auto rest = arguments.rewrite();
+    if (!rest) return false;
+    names_ = arguments.names_;
+    const std::string number = out_.substr(begin);
+    const std::string sign = operator_of(function);
+    const std::string call = sign.empty()
+                                 ? function + "(" + number + (rest->empty() ? "" : ", " + *rest) + ")"
+                                 : "(" + number + sign + "(" + *rest + "))";
+    out_.replace(begin, std::string::npos, call);
     return true;
+  }
+
+  /// x.mul(2) of three.js and of matrix libraries is x * (2).
+  static std::string operator_of(std::string_view function) {
+    if (function == "mul") return " * ";
+    if (function == "add") return " + ";
+    if (function == "sub") return " - ";
+    return function == "div" ? " / " : "";
   }
 
   /// The begin of the operand at the end of the output.
@@ -302,15 +311,18 @@ class Rewriter {
 
 }  // namespace
 
-std::optional<SourceExpression> read_expression(std::string_view text, CommentStyle style) {
+std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
   Rewriter rewriter(without_comments(text, style));
-  const auto formula = rewriter.rewrite();
-  if (!formula) return std::nullopt;
+  const auto rewritten = rewriter.rewrite();
+  if (!rewritten) return std::nullopt;
+  const std::vector<std::string> sources = rewriter.names();
   FormulaNames names;
-  for (std::size_t i = 0; i < rewriter.names().size(); ++i)
-    names.variables.push_back("v" + std::to_string(i));
+  for (std::size_t i = 0; i < sources.size(); ++i) names.variables.push_back("v" + std::to_string(i));
   try {
-    return SourceExpression{read_formula(*formula, names).formula, rewriter.names()};
+    const Symbolic formula = read_formula(*rewritten, names).formula;
+    return evaluate<Symbolic>(formula, [&](const std::string& name) {
+      return Symbolic::variable(sources[std::stoul(name.substr(1))]);
+    });
   } catch (const std::invalid_argument&) {
     return std::nullopt;
   }

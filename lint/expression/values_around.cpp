@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "lint/expression/source_expression.hpp"
+#include "lint/scan/characters.hpp"
+
+namespace shadefit::lint {
+namespace {
+
+/// The most statements that are read behind the last number, and the most bytes before and behind.
+constexpr std::size_t most_statements_behind = 4;
+constexpr std::size_t most_bytes_around = 700;
+
+/// Larger formulas are none that a person wrote.
+constexpr std::size_t deepest_value = 60;
+
+struct Statement {
+  std::size_t begin = 0, end = 0;
+  std::string_view text;
+};
+
+/// The statements of a text from the one with `begin` on.
+std::vector<Statement> statements_of(std::string_view text, std::size_t begin, std::size_t end) {
+  const auto ends = [&](std::size_t i, int depth) {
+    const char c = text[i];
+    if (c == ';' || c == '{' || c == '}') return true;
+    // Python, Go, Swift and JavaScript end a statement with its line.
+    const bool is_line = c == '\n' && depth <= 0;
+    if (!is_line) return false;
+    std::size_t last = i, next = i;
+    while (last > 0 && is_blank(text[last - 1])) --last;
+    while (next < text.size() && is_blank(text[next])) ++next;
+    const bool goes_on =
+        (last > 0 && std::string_view("+-*/(,?:=").find(text[last - 1]) != std::string_view::npos) ||
+        (next < text.size() && std::string_view("+-*/)?:.,").find(text[next]) != std::string_view::npos);
+    return !goes_on;
+  };
+  std::size_t first = begin;
+  const std::size_t least = begin - std::min(begin, most_bytes_around);
+  while (first > least && text[first - 1] != ';' && text[first - 1] != '{' && text[first - 1] != '}' &&
+         !(text[first - 1] == '\n' && ends(first - 1, 0)))
+    --first;
+  std::vector<Statement> statements;
+  std::size_t behind = 0;
+  int depth = 0;
+  const std::size_t most = std::min(text.size(), end + most_bytes_around);
+  for (std::size_t i = first; i < most && behind <= most_statements_behind; ++i) {
+    if (text[i] == '(' || text[i] == '[') ++depth;
+    if (text[i] == ')' || text[i] == ']') --depth;
+    if (!ends(i, depth)) continue;
+    if (i > first) {
+      statements.push_back({first, i, text.substr(first, i - first)});
+      if (i >= end) ++behind;
+    }
+    if (text[i] == '}' && i >= end) break;  // the function ends
+    first = i + 1;
+    depth = 0;
+  }
+  return statements;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// "float3 a = x * 2": the name a, the operator (0, or that of *=) and the right side. "return x": no name.
+struct Assignment {
+  std::string name;
+  char operation = '\0';
+  std::string_view right;
+};
+
+/// The last name of "const float3 a", of "let a: f32" the one before the colon.
+std::string assigned_name(std::string_view left) {
+  left = trimmed(left.substr(0, left.find(':')));
+  std::size_t first = left.size();
+  while (first > 0 && (is_of_name(left[first - 1]) || left[first - 1] == '.')) --first;
+  return std::string(left.substr(first));
+}
+
+std::optional<Assignment> assignment_of(std::string_view statement) {
+  statement = trimmed(statement);
+  constexpr std::string_view word = "return";
+  if (statement.starts_with(word) && statement.size() > word.size() && !is_of_name(statement[word.size()]))
+    return Assignment{"", '\0', statement.substr(word.size())};
+  for (std::size_t i = 1; i + 1 < statement.size(); ++i) {
+    if (statement[i] == '(') return std::nullopt;
+    if (statement[i] != '=') continue;
+    if (statement[i + 1] == '=' || std::string_view("=<>!").find(statement[i - 1]) != std::string_view::npos)
+      return std::nullopt;
+    const bool is_compound = std::string_view("+-*/").find(statement[i - 1]) != std::string_view::npos;
+    const std::size_t sign = is_compound ? i - 1 : i - (statement[i - 1] == ':' ? 1 : 0);
+    std::string name = assigned_name(statement.substr(0, sign));
+    if (name.empty()) return std::nullopt;
+    return Assignment{std::move(name), is_compound ? statement[i - 1] : '\0', statement.substr(i + 1)};
+  }
+  return std::nullopt;
+}
+
+Symbolic combined(char operation, const Symbolic& a, const Symbolic& b) {
+  switch (operation) {
+    case '+':
+      return a + b;
+    case '-':
+      return a - b;
+    case '*':
+      return a * b;
+    case '/':
+      return a / b;
+    default:
+      return b;
+  }
+}
+
+}  // namespace
+
+std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
+                                    CommentStyle style) {
+  std::map<std::string, Symbolic> known;
+  const auto value_of = [&](const std::string& name) {
+    const auto found = known.find(name);
+    return found == known.end() ? Symbolic::variable(name) : found->second;
+  };
+  std::vector<Symbolic> values;
+  for (const Statement& statement : statements_of(text, begin, end)) {
+    const auto assignment = assignment_of(statement.text);
+    if (!assignment) continue;
+    const auto right = read_expression(trimmed(assignment->right), style);
+    if (!right) {
+      known.erase(assignment->name);
+      continue;
+    }
+    Symbolic value = evaluate<Symbolic>(*right, value_of);
+    if (assignment->operation != '\0')
+      value = combined(assignment->operation, value_of(assignment->name), value);
+    if (value.depth() > deepest_value) return values;
+    if (!assignment->name.empty()) known.insert_or_assign(assignment->name, value);
+    if (statement.end >= end) values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace shadefit::lint
