@@ -108,28 +108,72 @@ bool are_same(const Values& a, const Values& b, double slack) {
   return 2 * finite > a.size();
 }
 
+/// The curves of the parts of an expression at the same places as the form.
+struct Sampled {
+  std::vector<std::vector<double>> places;
+  std::vector<Values> curves;  ///< of each part, in each order of its names
+};
+
 /// Compares curves at a few places.
 class CurveComparison {
  public:
-  CurveComparison(const KnownSet& set, const std::vector<Part>& parts)
-      : set_(set), places_(places_in(set.axes)) {
-    std::vector<std::string> names;
-    for (const KnownAxis& axis : set.axes) names.push_back(axis.variable);
-    variables_ = names;
-    for (const Part& part : parts) {
-      if (part.names.size() != set.axes.size()) continue;
-      std::vector<std::string> order(part.names.begin(), part.names.end());
-      do {
-        curves_.push_back(values_at(part.formula, order, places_));
-      } while (std::next_permutation(order.begin(), order.end()));
+  CurveComparison(const KnownSet& set, const std::vector<Part>& parts) : set_(set) {
+    const std::vector<std::vector<double>> places = places_in(set.axes);
+    sample(parts, places, {});
+    if (set.axes.size() < 2) return;
+    // A number of the expression may be the value of a variable: g = 0.76.
+    for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
+      for (const double number : parts.empty() ? Values{} : parts.back().numbers) {
+        if (number < set.axes[axis].lower || number > set.axes[axis].upper) continue;
+        std::vector<std::vector<double>> held = places;
+        for (std::vector<double>& place : held) place[axis] = number;
+        sample(parts, held, axis);
+      }
     }
   }
 
-  bool is_empty() const { return curves_.empty(); }
+  bool is_empty() const { return sampled_.empty(); }
 
-  Values values_of(const Symbolic& form, const std::vector<double>& constants) const {
-    std::vector<std::string> names = variables_;
-    std::vector<std::vector<double>> places = places_;
+  /// Whether a part has the values of a form that is not the same as one of `others`.
+  bool has(const Symbolic& form, const std::vector<double>& constants,
+           const std::vector<std::pair<Symbolic, std::vector<double>>>& others = {}) const {
+    // Digits of floats and published digits differ by 1e-7, and polynomials with large terms enlarge that.
+    constexpr double slack = 1e-5;
+    // A difference that is less is none: rounding hides it.
+    constexpr double hidden = 1e-4;
+    return std::any_of(sampled_.begin(), sampled_.end(), [&](const Sampled& sampled) {
+      const Values curve = values_of(form, constants, sampled.places);
+      if (!(largest(curve) > 0)) return false;
+      const bool is_there = std::any_of(sampled.curves.begin(), sampled.curves.end(),
+                                        [&](const Values& other) { return are_same(other, curve, slack); });
+      return is_there && std::none_of(others.begin(), others.end(), [&](const auto& other) {
+               return are_same(curve, values_of(other.first, other.second, sampled.places), hidden);
+             });
+    });
+  }
+
+ private:
+  /// `held`: the variable whose value is a number there.
+  void sample(const std::vector<Part>& parts, const std::vector<std::vector<double>>& places,
+              std::optional<std::size_t> held) {
+    Sampled sampled{places, {}};
+    std::vector<std::vector<double>> free = places;
+    if (held)
+      for (std::vector<double>& place : free) place.erase(place.begin() + static_cast<std::ptrdiff_t>(*held));
+    for (const Part& part : parts) {
+      if (part.names.size() != set_.axes.size() - (held ? 1 : 0)) continue;
+      std::vector<std::string> order(part.names.begin(), part.names.end());
+      do {
+        sampled.curves.push_back(values_at(part.formula, order, free));
+      } while (std::next_permutation(order.begin(), order.end()));
+    }
+    if (!sampled.curves.empty()) sampled_.push_back(std::move(sampled));
+  }
+
+  Values values_of(const Symbolic& form, const std::vector<double>& constants,
+                   std::vector<std::vector<double>> places) const {
+    std::vector<std::string> names;
+    for (const KnownAxis& axis : set_.axes) names.push_back(axis.variable);
     for (std::size_t i = 0; i < set_.constants.size(); ++i) {
       names.push_back(set_.constants[i].name);
       for (std::vector<double>& place : places) place.push_back(constants[i]);
@@ -137,30 +181,16 @@ class CurveComparison {
     return values_at(form, names, places);
   }
 
-  /// Those of the form and of all its parts.
-  std::vector<Values> values_of_parts(const Symbolic& form, const std::vector<double>& constants) const {
-    std::vector<Values> all{values_of(form, constants)};
-    for (const Symbolic& part : form.parts()) {
-      const std::vector<Values> inner = values_of_parts(part, constants);
-      all.insert(all.end(), inner.begin(), inner.end());
-    }
-    return all;
-  }
-
-  bool has(const Values& curve) const {
-    // Digits of floats and published digits differ by 1e-7, and polynomials with large terms enlarge that.
-    constexpr double slack = 1e-5;
-    return largest(curve) > 0 && std::any_of(curves_.begin(), curves_.end(), [&](const Values& other) {
-             return are_same(other, curve, slack);
-           });
-  }
-
- private:
   const KnownSet& set_;
-  std::vector<std::vector<double>> places_;
-  std::vector<std::string> variables_;
-  std::vector<Values> curves_;  ///< of each part, in each order of its names
+  std::vector<Sampled> sampled_;
 };
+
+/// The form and all its parts.
+void append_parts(const Symbolic& form, const std::vector<double>& constants,
+                  std::vector<std::pair<Symbolic, std::vector<double>>>& parts) {
+  parts.emplace_back(form, constants);
+  for (const Symbolic& part : form.parts()) append_parts(part, constants, parts);
+}
 
 }  // namespace
 
@@ -171,29 +201,23 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
   const std::vector<Part> parts = full_parts(expression, numbers);
   const CurveComparison comparison(set, parts);
   if (comparison.is_empty()) return std::nullopt;
-  const Values right = comparison.values_of(set.formula, constants);
-  if (comparison.has(right)) return ExpressionMatch{set.formula, constants};
+  if (comparison.has(set.formula, constants)) return ExpressionMatch{set.formula, constants};
+  // A part of the form alone is no slip: the rest may stand in another statement.
+  std::vector<std::pair<Symbolic, std::vector<double>>> allowed;
+  append_parts(set.formula, constants, allowed);
   for (const std::size_t constant : missing) {
     for (const double number : parts.back().numbers) {
       if (count_held({number}, numbers) > 0) continue;
       std::vector<double> other = constants;
       other[constant] = std::copysign(number, constants[constant]);
-      const Values curve = comparison.values_of(set.formula, other);
-      if (!are_same(curve, right, same_number) && comparison.has(curve))
+      if (comparison.has(set.formula, other, allowed))
         return ExpressionMatch{.form = set.formula, .constants = other, .replaced = constant};
     }
   }
   if (parts.back().held < numbers.size()) return std::nullopt;
-  // A part of the form alone is no slip: the rest may stand in another statement.
-  const std::vector<Values> allowed = comparison.values_of_parts(set.formula, constants);
-  // A slip that changes less is no slip: rounding hides it.
-  constexpr double hidden = 1e-4;
-  for (const Mutant& mutant : mutants_of(set.formula)) {
-    const Values curve = comparison.values_of(mutant.formula, constants);
-    const bool is_allowed = std::any_of(allowed.begin(), allowed.end(),
-                                        [&](const Values& one) { return are_same(curve, one, hidden); });
-    if (!is_allowed && comparison.has(curve)) return ExpressionMatch{mutant.formula, constants, mutant.words};
-  }
+  for (const Mutant& mutant : mutants_of(set.formula))
+    if (comparison.has(mutant.formula, constants, allowed))
+      return ExpressionMatch{mutant.formula, constants, mutant.words};
   return std::nullopt;
 }
 

@@ -42,6 +42,14 @@ void append_lost_parentheses(const Symbolic& formula, std::vector<Symbolic>& oth
     others.push_back(a / b.part(0) * b.part(1));
 }
 
+/// a b + c as a (b + c), and so for a difference.
+void append_moved_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
+  const Symbolic& product = formula.part(0);
+  if (product.kind() != Kind::multiply) return;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}})
+    others.push_back(product.part(i) * formula.with_parts({product.part(1 - i), formula.part(1)}));
+}
+
 /// What may stand in place of an operation.
 std::vector<Symbolic> slips_of(const Symbolic& formula) {
   std::vector<Symbolic> others;
@@ -52,11 +60,13 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       operation(Kind::subtract);
       operation(Kind::multiply);
       parts();
+      append_moved_parentheses(formula, others);
       break;
     case Kind::subtract:
       operation(Kind::add);
       others.push_back(formula.part(1) - formula.part(0));
       parts();
+      append_moved_parentheses(formula, others);
       break;
     case Kind::multiply:
       operation(Kind::add);

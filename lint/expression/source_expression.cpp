@@ -46,25 +46,31 @@ bool is_number_type(std::string_view word) {
          word == "F3";
 }
 
-/// Names of functions that other languages write in another way.
-std::string_view usual_name(std::string_view word) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> names{{
+std::string in_small_letters(std::string_view word) {
+  std::string small(word);
+  for (char& c : small)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return small;
+}
+
+/// The usual name of a function: Clamp, powr, XeGTAO_FastSqrt.
+std::string usual_name(std::string_view word) {
+  const std::string small = in_small_letters(word);
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> names{{
       {"powr", "pow"},
       {"powi", "pow"},
-      {"mulAdd", "fma"},
+      {"power", "pow"},
+      {"muladd", "fma"},
       {"madd", "fma"},
-      {"Sqrt", "sqrt"},
-      {"Pow", "pow"},
-      {"Exp", "exp"},
-      {"Log", "log"},
       {"arccos", "acos"},
       {"arctan", "atan"},
-      {"power", "pow"},
-      {"mod1", "fract"},
   }};
   for (const auto& [other, usual] : names)
-    if (word == other) return usual;
-  return word;
+    if (small == other) return std::string(usual);
+  if (small.ends_with("sqrt") && !small.ends_with("rsqrt") && small.find("inv") == std::string::npos)
+    return "sqrt";
+  // Functions of C++ libraries begin with a capital letter: Clamp, Pow.
+  return argument_counts(word).empty() ? small : std::string(word);
 }
 
 /// Rewrites a program's expression in the notation of formulas.
@@ -81,6 +87,11 @@ class Rewriter {
         number();
       } else if (is_of_name(c)) {
         if (!word()) return std::nullopt;
+      } else if (c == '*' && peek(1) == '*') {
+        out_ += '^';
+        at_ += 2;
+        blanks();
+        if (peek(0) == '-') sign();
       } else if (c == '.') {
         if (!method()) return std::nullopt;
       } else {
@@ -99,6 +110,13 @@ class Rewriter {
 
   void blanks() {
     while (is_blank(peek(0))) ++at_;
+  }
+
+  /// The sign of an exponent stands directly before it.
+  void sign() {
+    out_ += '-';
+    ++at_;
+    blanks();
   }
 
   /// A number without its suffix and separators.
@@ -194,6 +212,7 @@ class Rewriter {
         break;
       }
     }
+    if (is_number_type(path) && peek(0) == '<') at_ = std::min(text_.find('>', at_), text_.size() - 1) + 1;
     const std::size_t behind = at_;
     blanks();
     if (peek(0) == '(') return call(path);
@@ -218,7 +237,7 @@ class Rewriter {
       at_ = open;  // the parentheses stay
       return true;
     }
-    const std::string_view function = usual_name(path);
+    const std::string function = usual_name(path);
     if (!argument_counts(function).empty()) {
       out_ += function;
       return true;
@@ -230,16 +249,19 @@ class Rewriter {
   }
 
   bool constant(const std::string& path) {
-    std::string letters;
-    for (const char c : path)
-      if (is_of_name(c) && c != '_')
-        letters += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    const auto ends = [&](std::string_view word) { return letters.ends_with(word); };
-    if (ends("HALFPI") || ends("PIDIV2") || ends("PI2") || ends("PIOVER2") || ends("PIOVERTWO")) {
+    const bool is_constant =
+        std::none_of(path.begin(), path.end(), [](char c) { return 'a' <= c && c <= 'z'; }) || path == "pi" ||
+        path == "half_pi" || path == "halfPi";
+    std::string letters = in_small_letters(path);
+    std::erase(letters, '_');
+    const auto ends = [&](std::string_view word) { return is_constant && letters.ends_with(word); };
+    if (ends("halfpi") || ends("pidiv2") || ends("pi2") || ends("piover2")) {
       out_ += "(pi/2)";
-    } else if (ends("INVPI") || ends("1PI") || ends("RECIPROCALPI")) {
+    } else if (ends("invpi") || ends("1pi") || ends("1divpi")) {
       out_ += "(1/pi)";
-    } else if (letters == "PI" || letters == "MPI" || letters == "MPIF" || letters == "XEGTAOPI") {
+    } else if (ends("twopi") || ends("2pi") || ends("tau")) {
+      out_ += "(2*pi)";
+    } else if (ends("pi")) {
       out_ += "pi";
     } else {
       name(path);

@@ -20,6 +20,17 @@ struct Statement {
   std::string_view text;
 };
 
+/// Whether a name and "=" follow: the next declaration of "float a = 2.51, b = 0.03".
+bool begins_declaration(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size() && is_blank(text[i])) ++i;
+  const std::size_t first = i;
+  while (i < text.size() && is_of_name(text[i])) ++i;
+  if (i == first || is_digit(text[first])) return false;
+  while (i < text.size() && is_blank(text[i])) ++i;
+  return i + 1 < text.size() && text[i] == '=' && text[i + 1] != '=';
+}
+
 /// The statements of a text from the one with `begin` on.
 std::vector<Statement> statements_of(std::string_view text, std::size_t begin, std::size_t end) {
   const auto ends = [&](std::size_t i, int depth) {
@@ -48,7 +59,8 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
   for (std::size_t i = first; i < most && behind <= most_statements_behind; ++i) {
     if (text[i] == '(' || text[i] == '[') ++depth;
     if (text[i] == ')' || text[i] == ']') --depth;
-    if (!ends(i, depth)) continue;
+    if (!ends(i, depth) && !(text[i] == ',' && depth == 0 && begins_declaration(text.substr(i + 1))))
+      continue;
     if (i > first) {
       statements.push_back({first, i, text.substr(first, i - first)});
       if (i >= end) ++behind;
@@ -87,7 +99,7 @@ std::optional<Assignment> assignment_of(std::string_view statement) {
   if (statement.starts_with(word) && statement.size() > word.size() && !is_of_name(statement[word.size()]))
     return Assignment{"", '\0', statement.substr(word.size())};
   for (std::size_t i = 1; i + 1 < statement.size(); ++i) {
-    if (statement[i] == '(') return std::nullopt;
+    if (statement[i] == '(') break;
     if (statement[i] != '=') continue;
     if (statement[i + 1] == '=' || std::string_view("=<>!").find(statement[i - 1]) != std::string_view::npos)
       return std::nullopt;
@@ -97,7 +109,8 @@ std::optional<Assignment> assignment_of(std::string_view statement) {
     if (name.empty()) return std::nullopt;
     return Assignment{std::move(name), is_compound ? statement[i - 1] : '\0', statement.substr(i + 1)};
   }
-  return std::nullopt;
+  // The last expression of a function in Rust.
+  return Assignment{"", '\0', statement};
 }
 
 Symbolic combined(char operation, const Symbolic& a, const Symbolic& b) {

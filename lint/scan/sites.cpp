@@ -71,6 +71,7 @@ class SiteFinder {
     if (numbers_.empty()) return;
     Site site{set_, std::move(numbers_)};
     numbers_.clear();
+    drop_comments(site);
     add_companions(site);
     site.bits = bits_of(site);
     if (site.bits >= least_bits) sites_.push_back(std::move(site));
@@ -80,6 +81,15 @@ class SiteFinder {
 
  private:
   Digits digits_at(std::size_t literal) const { return digits_of(text_of(text_, literals_[literal])); }
+
+  /// A number in a comment beside numbers of code is not computed with.
+  void drop_comments(Site& site) const {
+    const auto is_in_comment = [&](const SiteNumber& number) {
+      return literals_[number.literal].is_in_comment;
+    };
+    if (!std::all_of(site.numbers.begin(), site.numbers.end(), is_in_comment))
+      std::erase_if(site.numbers, is_in_comment);
+  }
 
   /// Constants of few digits, such as 0.03, are looked for only near the others.
   void add_companions(Site& site) const {
@@ -94,7 +104,9 @@ class SiteFinder {
       for (std::size_t i = begin; i < end; ++i) {
         const bool is_near = literals_[i].offset + most_gap > literals_[first].offset &&
                              literals_[i].offset < literals_[last].offset + most_gap;
-        if (!is_near || is_taken(site, i) || digits_at(i) != published) continue;
+        if (!is_near || is_taken(site, i) || digits_at(i) != published ||
+            literals_[i].is_in_comment != literals_[first].is_in_comment)
+          continue;
         site.numbers.push_back({i, c});
         break;
       }
@@ -137,13 +149,24 @@ class SiteFinder {
     return 0;
   }
 
+  /// One order of n! if all n constants stand in the published one, with nothing between.
+  double bits_of_order(const Site& site) const {
+    const std::size_t count = sets_[site.set].constants.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (site.numbers.size() != count || site.numbers[i].constant != i ||
+          site.numbers[i].literal != site.numbers[0].literal + i)
+        return 0;
+    }
+    return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0);
+  }
+
   double bits_of(const Site& site) const {
     double bits = 0;
     for (const SiteNumber& number : site.numbers) bits += bits_of(sets_[site.set], number);
     // Each of them may be any of the numbers there.
     const auto count = static_cast<double>(site.numbers.size());
     const auto there = static_cast<double>(site.numbers.back().literal - site.numbers.front().literal + 1);
-    return bits - count * std::log2(std::max(1.0, there / count));
+    return bits + bits_of_order(site) - count * std::log2(std::max(1.0, there / count));
   }
 
   std::string_view text_;
