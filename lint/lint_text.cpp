@@ -1,6 +1,7 @@
 #include "lint/lint_text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lint/expression/source_expression.hpp"
@@ -22,15 +23,19 @@ class SiteJudge {
   /// The site, unless neither its numbers nor the expression around tell that it is one.
   std::optional<JudgedSite> judge(const EffectLimits& limits) const {
     const std::vector<double> constants = constants_at(set_, site_, text_, literals_);
-    const auto read = is_in_other_units(site_) ? std::nullopt : read_around(constants);
+    auto read = is_in_other_units(site_) ? std::nullopt : read_around(constants);
+    const bool is_read = read.has_value();
     if (!read && site_.bits < telling_bits) return std::nullopt;
+    if (!read) read = replaced_in_order(constants);
     JudgedSite judged;
     judged.set = site_.set;
     judged.numbers = judged_numbers();
     const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, constants});
     judged.graded = grade_of(set_, site_, found, limits);
+    if (found.replaced)
+      add_replaced(*found.replaced, std::abs(found.constants[*found.replaced]), judged.numbers);
     judged.slip = found.slip;
-    judged.is_read = read.has_value();
+    judged.is_read = is_read;
     judged.is_in_other_units = is_in_other_units(site_);
     judged.is_in_comment =
         std::all_of(site_.numbers.begin(), site_.numbers.end(),
@@ -50,6 +55,23 @@ class SiteJudge {
     return numbers;
   }
 
+  /// The number that stands in place of a constant, near the others.
+  void add_replaced(std::size_t constant, double value, std::vector<JudgedNumber>& numbers) const {
+    constexpr std::size_t near = 8;
+    const std::size_t first = site_.numbers.front().literal, last = site_.numbers.back().literal;
+    for (std::size_t i = first - std::min(first, near); i < std::min(literals_.size(), last + near); ++i) {
+      const Literal& literal = literals_[i];
+      const bool is_taken = std::any_of(numbers.begin(), numbers.end(), [&](const JudgedNumber& number) {
+        return number.offset == literal.offset;
+      });
+      if (is_taken || number_of(digits_of(text_.substr(literal.offset, literal.length))) != value) continue;
+      numbers.push_back({literal.offset, literal.length, constant, Grade::typo});
+      break;
+    }
+    std::sort(numbers.begin(), numbers.end(),
+              [](const JudgedNumber& a, const JudgedNumber& b) { return a.offset < b.offset; });
+  }
+
   std::vector<std::size_t> missing_constants() const {
     std::vector<std::size_t> missing;
     for (std::size_t i = 0; i < set_.constants.size(); ++i) {
@@ -58,6 +80,25 @@ class SiteJudge {
       if (!is_there) missing.push_back(i);
     }
     return missing;
+  }
+
+  /// Where the published order is kept and one constant inside it is missing, the only number between its
+  /// neighbours stands in its place: vec4(1, 0.0425, 1.0, -0.04).
+  std::optional<ExpressionMatch> replaced_in_order(const std::vector<double>& constants) const {
+    constexpr std::size_t least_constants = 5;  // of fewer, the order says little
+    const std::vector<std::size_t> missing = missing_constants();
+    if (missing.size() != 1 || set_.constants.size() < least_constants) return std::nullopt;
+    for (std::size_t i = 1; i < site_.numbers.size(); ++i)
+      if (site_.numbers[i].constant <= site_.numbers[i - 1].constant) return std::nullopt;
+    const std::size_t place = missing.front();
+    if (place == 0 || place + 1 == set_.constants.size()) return std::nullopt;
+    const std::size_t before = site_.numbers[place - 1].literal, behind = site_.numbers[place].literal;
+    const Literal& literal = literals_[before + 1];
+    if (behind != before + 2 || literal.is_in_comment != literals_[before].is_in_comment) return std::nullopt;
+    std::vector<double> found = constants;
+    found[place] =
+        std::copysign(number_of(digits_of(text_.substr(literal.offset, literal.length))), constants[place]);
+    return ExpressionMatch{.form = set_.formula, .constants = found, .replaced = place};
   }
 
   /// What is computed around the numbers: in one statement, then in several.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <span>
 #include <tuple>
 
 namespace shadefit::lint {
@@ -42,14 +43,16 @@ class SiteFinder {
   SiteFinder(std::string_view text, const std::vector<Literal>& literals, const std::vector<KnownSet>& sets)
       : text_(text), literals_(literals), sets_(sets) {}
 
-  /// Takes hits of one set in order. A constant that comes again begins the next site.
-  void add(const Hit& hit) {
+  /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
+  /// site.
+  void add(std::span<const Hit> hits) {
+    const Hit& first = hits.front();
     if (!numbers_.empty()) {
       const Literal& last = literals_[numbers_.back().literal];
-      if (hit.set != set_ || literals_[hit.literal].offset > last.offset + most_gap) close();
+      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap) close();
     }
-    set_ = hit.set;
-    if (!numbers_.empty() && numbers_.back().literal == hit.literal) return;
+    set_ = first.set;
+    const Hit& hit = next_in_order(hits);
     const SiteNumber number{hit.literal, hit.match.place.constant, hit.match.match, hit.match.variant};
     const auto same = std::find_if(numbers_.begin(), numbers_.end(), [&](const SiteNumber& other) {
       return other.constant == number.constant;
@@ -80,6 +83,24 @@ class SiteFinder {
   std::vector<Site> take() { return std::move(sites_); }
 
  private:
+  /// Several constants of a set may have the same digits. Then the number is the next of them in the
+  /// published order, or the first that the site does not have yet.
+  const Hit& next_in_order(std::span<const Hit> hits) const {
+    const DigitMatch closest = hits.front().match.match;
+    const auto is_free = [&](const Hit& hit) {
+      return hit.match.match == closest &&
+             std::none_of(numbers_.begin(), numbers_.end(), [&](const SiteNumber& number) {
+               return number.constant == hit.match.place.constant;
+             });
+    };
+    for (const Hit& hit : hits)
+      if (is_free(hit) && (numbers_.empty() || hit.match.place.constant > numbers_.back().constant))
+        return hit;
+    for (const Hit& hit : hits)
+      if (is_free(hit)) return hit;
+    return hits.front();
+  }
+
   Digits digits_at(std::size_t literal) const { return digits_of(text_of(text_, literals_[literal])); }
 
   /// A number in a comment beside numbers of code is not computed with.
@@ -97,22 +118,31 @@ class SiteFinder {
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
     const std::size_t begin = first - std::min(first, most_literals),
                       end = std::min(literals_.size(), last + most_literals + 1);
+    const auto may_be = [&](std::size_t i, const Digits& published) {
+      return literals_[i].offset + most_gap > literals_[first].offset &&
+             literals_[i].offset < literals_[last].offset + most_gap && !is_taken(site, i) &&
+             literals_[i].is_in_comment == literals_[first].is_in_comment && digits_at(i) == published;
+    };
     const KnownSet& set = sets_[site.set];
     for (std::size_t c = 0; c < set.constants.size(); ++c) {
       if (has_constant(site, c)) continue;
       const Digits published = digits_of(set.constants[c].printed);
+      std::optional<std::size_t> any;
       for (std::size_t i = begin; i < end; ++i) {
-        const bool is_near = literals_[i].offset + most_gap > literals_[first].offset &&
-                             literals_[i].offset < literals_[last].offset + most_gap;
-        if (!is_near || is_taken(site, i) || digits_at(i) != published ||
-            literals_[i].is_in_comment != literals_[first].is_in_comment)
-          continue;
-        site.numbers.push_back({i, c});
-        break;
+        if (!may_be(i, published)) continue;
+        if (!any || (!keeps_order(site, c, *any) && keeps_order(site, c, i))) any = i;
       }
+      if (any) site.numbers.push_back({*any, c});
     }
     std::sort(site.numbers.begin(), site.numbers.end(),
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
+  }
+
+  /// Whether the constant there leaves those of a site in the published order.
+  static bool keeps_order(const Site& site, std::size_t constant, std::size_t literal) {
+    return std::all_of(site.numbers.begin(), site.numbers.end(), [&](const SiteNumber& number) {
+      return (number.constant < constant) == (number.literal < literal);
+    });
   }
 
   static bool has_constant(const Site& site, std::size_t constant) {
@@ -201,7 +231,11 @@ std::vector<Site> without_shared_numbers(std::vector<Site> sites) {
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
                            const std::vector<KnownSet>& sets, const DigitIndex& index) {
   SiteFinder finder(text, literals, sets);
-  for (const Hit& hit : hits_of(text, literals, index)) finder.add(hit);
+  const std::vector<Hit> hits = hits_of(text, literals, index);
+  for (std::size_t i = 0, end = 0; i < hits.size(); i = end) {
+    while (end < hits.size() && hits[end].set == hits[i].set && hits[end].literal == hits[i].literal) ++end;
+    finder.add(std::span(hits).subspan(i, end - i));
+  }
   finder.close();
   return without_shared_numbers(finder.take());
 }
