@@ -87,6 +87,7 @@ TEST_F(SourceTreeTest, LeavesOutTheCodeOfOthersUnlessItIsNamed) {
   EXPECT_EQ(names_of(tree), (Names{"a.h", "src/external.h"}));
   EXPECT_EQ(tree.skipped.vendored, 3U);
   EXPECT_EQ(tree.skipped.minified, 1U);
+  EXPECT_EQ(find_sources({".", "src"}, {}).skipped.vendored, 3U) << "each once";
   EXPECT_EQ(found({"src/ThirdParty"}), Names{"src/ThirdParty/lib/c.h"});
   EXPECT_EQ(found({"."}, {.with_vendored = true}),
             (Names{"a.h", "external/b.h", "node_modules/d.js", "src/ThirdParty/lib/c.h", "src/external.h"}));
@@ -110,16 +111,17 @@ TEST_F(SourceTreeTest, TakesOnlyTheLanguagesThatAreAskedFor) {
 }
 
 TEST_F(SourceTreeTest, FollowsTheRulesOfTheRepositoryAroundAPath) {
-  files({"p/.git/HEAD", "p/a/b/x.h", "p/a/b/y.h", "p/a/x.h", "p/out/z.h", "p/out/sub/x.h", "outer.h"});
+  files(
+      {"p/.git/HEAD", "p/a/b/x.h", "p/a/b/y.h", "p/a/x.h", "p/out/z.h", "p/out/sub/x.h", "p/k.h", "outer.h"});
   files({".gitignore"}, "*.h\n");  // outside of the repository
   files({"p/.gitignore"}, "x.h\nout\n");
   files({"p/a/.gitignore"}, "!/x.h\n");
   files({"p/.git/info/exclude"}, "y.h\n");
-  EXPECT_EQ(found({"p"}), Names{"p/a/x.h"});
+  EXPECT_EQ(found({"p"}), (Names{"p/a/x.h", "p/k.h"}));
   EXPECT_EQ(found({"p/a/b"}), Names{});
   EXPECT_EQ(found({"p/out"}), (Names{"p/out/sub/x.h", "p/out/z.h"})) << "named, though ignored";
   EXPECT_EQ(find_sources({"p"}, {}).skipped.ignored, 3U) << "x.h and y.h in b, and the folder out";
-  EXPECT_EQ(found({"."}), Names{"p/a/x.h"}) << "a repository within has only its own rules";
+  EXPECT_EQ(found({"."}), (Names{"p/a/x.h", "p/k.h"})) << "a repository within has only its own rules";
 }
 
 TEST_F(SourceTreeTest, ExcludesByGlobsFromTheCurrentFolderAndThatOfTheConfiguration) {
