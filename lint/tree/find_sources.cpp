@@ -18,21 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The folders of others' code, in small letters: those of package managers, and those that engines use.
-constexpr std::string_view vendored_names[] = {"node_modules",    "bower_components",
-                                               "jspm_packages",   "third_party",
-                                               "third-party",     "thirdparty",
-                                               "3rdparty",        "3rd_party",
-                                               "3rd-party",       "external",
-                                               "externals",       "extern",
-                                               "externs",         "vendor",
-                                               "vendors",         "vendored",
-                                               ".vendored",       "deps",
-                                               "_deps",           "dependencies",
-                                               "godeps",          "pods",
-                                               "carthage",        "site-packages",
-                                               ".venv",           "venv",
-                                               "vcpkg_installed", ".yarn",
-                                               ".cargo",          ".tox"};
+constexpr std::string_view vendored_names[] = {
+    // package managers and build tools
+    "node_modules", "bower_components", "jspm_packages", "site-packages", ".venv", "venv", ".tox", ".yarn",
+    ".cargo", "godeps", "pods", "carthage", "vcpkg_installed", "_deps",
+    // by hand
+    "third_party", "third-party", "thirdparty", "3rdparty", "3rd_party", "3rd-party", "external", "externals",
+    "extern", "externs", "vendor", "vendors", "vendored", ".vendored", "deps", "dependencies"};
 
 /// What version control keeps of its own.
 constexpr std::string_view control_names[] = {".git", ".hg", ".svn"};
@@ -77,15 +69,13 @@ class Search {
   void add_path(const std::string& given) {
     std::error_code error;
     const fs::path absolute = given.empty() ? fs::path() : fs::canonical(given, error);
-    if (given.empty() || error)
-      throw UserError(fmt::format("path '{}': {}", given,
-                                  given.empty() || error == std::errc::no_such_file_or_directory
-                                      ? "there is no such file or folder"
-                                      : error.message()));
+    if (given.empty() || error == std::errc::no_such_file_or_directory)
+      throw UserError(fmt::format("path '{}': there is no such file or folder", given));
+    if (error) throw UserError(fmt::format("path '{}': {}", given, error.message()));
     const Place place{absolute.string(), shown_name(given, current_)};
     const fs::file_status status = fs::status(absolute, error);
     if (!fs::is_directory(status)) {
-      add_named_file(place, status.type());
+      add_named_file(place, fs::is_regular_file(status));
       return;
     }
     globs_.clear();
@@ -127,14 +117,15 @@ class Search {
     std::sort(entries.begin(), entries.end());
     enter(folder.absolute, lists);
     for (const fs::directory_entry& one : entries) {
-      const Place place = folder.below(one.path().filename().string());
-      const fs::file_type type = one.symlink_status(error).type();
-      if (type == fs::file_type::symlink) {
+      const std::string name = one.path().filename().string();
+      const Place place = folder.below(name);
+      // The type that the folder's own list has: no look at each file.
+      if (one.is_symlink(error)) {
         ++tree_.skipped.links;
-      } else if (type == fs::file_type::directory) {
-        if (is_wanted_folder(place, one.path().filename().string(), lists)) walk(place, lists);
+      } else if (one.is_directory(error)) {
+        if (is_wanted_folder(place, name, lists)) walk(place, lists);
       } else {
-        add_found_file(place, one, type, lists);
+        add_found_file(place, name, one.is_regular_file(error), lists);
       }
     }
   }
@@ -157,9 +148,7 @@ class Search {
     return said == IgnoreVerdict::ignored;
   }
 
-  void add_found_file(const Place& place, const fs::directory_entry& entry, fs::file_type type,
-                      const RuleLists& lists) {
-    const std::string name = entry.path().filename().string();
+  void add_found_file(const Place& place, const std::string& name, bool is_regular, const RuleLists& lists) {
     const auto named = language_of(name);
     if (!named) {
       ++tree_.skipped.unknown_language;
@@ -172,20 +161,20 @@ class Search {
     } else if (is_minified_name(name)) {
       ++tree_.skipped.minified;
     } else {
-      add_file(place, *named, type);
+      add_file(place, *named, is_regular);
     }
   }
 
   /// A file of an unknown language is read as if it were C: numbers and comments are much the same in most.
-  void add_named_file(const Place& place, fs::file_type type) {
+  void add_named_file(const Place& place, bool is_regular) {
     const auto named = language_of(fs::path(place.absolute).filename().string());
     const auto language = named ? named->language : SourceLanguage::c_family;
-    add_file(place, {language, true}, type);
+    add_file(place, {language, true}, is_regular);
   }
 
-  void add_file(const Place& place, NamedLanguage named, fs::file_type type) {
+  void add_file(const Place& place, NamedLanguage named, bool is_regular) {
     if (!seen_.insert(place.absolute).second) return;
-    if (type != fs::file_type::regular) {
+    if (!is_regular) {
       cannot_read(place.name, "it is not a regular file");
       return;
     }
