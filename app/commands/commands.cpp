@@ -247,6 +247,11 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     slow_baselines.push_back(
         read_tables(std::filesystem::path(options.baseline) / slow_tables_folder, slow.names));
   }
+  std::string recomputed;
+  if (options.all) {
+    for (const auto& path : study_files(study_folders(options.studies)))
+      recomputed += recomputed_text(load_study(path), checkpoint);
+  }
   const Results results = compute_results({}, checkpoint);
   auto drifts = compare(baseline, results);
   std::size_t cells = count_cells(results);
@@ -256,7 +261,9 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     drifts.insert(drifts.end(), more.begin(), more.end());
     cells += count_cells(files);
   }
-  return check_outcome(drifts, cells, options.baseline, options.terminal);
+  Outcome outcome = check_outcome(drifts, cells, options.baseline, options.terminal);
+  outcome.out = recomputed + outcome.out;
+  return outcome;
 }
 
 }  // namespace shadefit

@@ -331,7 +331,8 @@ void declare_check(CLI::App& check, CheckOptions& options) {
   add_studies(check, options.studies);
   add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of those tables")
       ->default_str(options.baseline);
-  check.add_flag("--all", options.all, "also the tables that take longer, of stress and bench");
+  check.add_flag("--all", options.all,
+                 "also the tables that take longer, of stress and bench, and rows of the tables of studies");
 }
 
 /// For everything that searches.

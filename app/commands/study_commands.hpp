@@ -36,6 +36,10 @@ Outcome explain_study_command(const StudyFile& file, const ExplainOptions& optio
 Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 Outcome run_study_command(const StudyFile& file, const RunOptions& options, const Checkpoint& checkpoint);
+
+/// Recomputes drawn rows of the table of a study, if it says by which formula, and says how many. Throws
+/// CheckFailed with both values of the first row that differs.
+std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint);
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options, const Checkpoint& checkpoint);
 
 /// What `check` prints: the drifts as a table, or how many cells agree.

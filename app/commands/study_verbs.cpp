@@ -10,6 +10,8 @@
 #include "app/studies/find_study.hpp"
 #include "app/terminal/progress.hpp"
 #include "fit/better/prove_contenders.hpp"
+#include "fit/scalars/symbolic.hpp"
+#include "fit/study/recomputed_rows.hpp"
 #include "fit/support/parallel.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
@@ -42,6 +44,21 @@ std::string failed_lines(const std::vector<StudyComparison>& comparisons) {
 }
 
 }  // namespace
+
+std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint) {
+  if (!file.recompute) return "";
+  const MeasuredRows& rows = *file.study.rows;
+  const RecomputedRows result =
+      recompute_rows(combinations(file.study, file.given).front(), *file.recompute, checkpoint);
+  if (result.wrong.empty())
+    return fmt::format("{} of {} rows of {} recomputed: {}\n", result.drawn, rows.value.size(), rows.file,
+                       *file.recompute);
+  const WrongRow& first = result.wrong.front();
+  throw CheckFailed(fmt::format("line {} of '{}' has {}, where {} is {}: {} of {} recomputed rows {}",
+                                line_of_row(first.row), rows.file, to_text(first.value), *file.recompute,
+                                to_text(first.recomputed), result.wrong.size(), result.drawn,
+                                result.wrong.size() == 1 ? "differs" : "differ"));
+}
 
 std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint) {
   std::vector<StudyComparison> comparisons;
@@ -138,10 +155,13 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options,
                             const Checkpoint& checkpoint) {
   const Baseline baseline = read_tables(options.baseline, {"better.csv"});
+  const std::string recomputed = recomputed_text(file, checkpoint);
   std::vector<File> files = study_files_of(file, comparisons_of(file, checkpoint), {});
   std::erase_if(files, [](const File& made) { return made.name != "better.csv"; });
-  return check_outcome(compare_files(baseline, files), count_cells(files), options.baseline,
-                       options.terminal);
+  Outcome outcome =
+      check_outcome(compare_files(baseline, files), count_cells(files), options.baseline, options.terminal);
+  outcome.out = recomputed + outcome.out;
+  return outcome;
 }
 
 }  // namespace shadefit

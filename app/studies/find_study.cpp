@@ -43,6 +43,7 @@ void require_formulas(const StudyFile& file, const fs::path& path) {
       for (const PublishedSet& set : file.published)
         if (set.form == form.id) values_of(set, read.parameters);
     }
+    if (file.recompute) read_recompute(study, *file.recompute);
   } catch (const UserError& error) {
     throw UserError("study '" + printable(path.string()) + "': " + error.what());
   }

@@ -216,11 +216,14 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (over == nullptr) reader.fail(whole, "a study needs [over]");
   if (target == nullptr) reader.fail(whole, "a study needs [target]");
   read_over(reader, *over, file.study);
-  reader.require_keys(*target, {"formula", "table"});
+  reader.require_keys(*target, {"formula", "table", "recompute"});
   file.table = reader.optional(*target, "table");
   if (file.table.empty()) file.study.target = reader.required(*target, "formula");
   if (!file.table.empty() && target->contains("formula"))
     reader.fail(*target, "a target is a formula or a table, not both");
+  if (target->contains("recompute")) file.recompute = reader.required(*target, "recompute");
+  if (file.table.empty() && file.recompute)
+    reader.fail(*target, "'recompute' goes with a table: it is the formula of its values");
   if (const toml::table* given = part("given")) {
     for (const auto& [constant, node] : reader.in_order(*given))
       file.given.push_back(reader.parsed(*node, [&, &key = constant, &value = node] {

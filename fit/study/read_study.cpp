@@ -123,6 +123,17 @@ std::map<std::string, Definition, std::less<>> definitions_of(const Study& study
   return result;
 }
 
+std::vector<std::string> variables_of(const std::vector<StudyAxis>& axes) {
+  std::vector<std::string> variables;
+  for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
+  return variables;
+}
+
+/// What the formulas of a study may name.
+FormulaNames names_of(const Study& study, const std::vector<std::string>& variables) {
+  return {.variables = variables, .definitions = definitions_of(study, variables), .takes_integrals = true};
+}
+
 void require_enough_rows(const ReadStudy& study) {
   const std::size_t rows = study.rows->value.size(), parameters = study.parameters.size();
   if (rows < parameters)
@@ -154,10 +165,8 @@ std::vector<std::string> formula_inputs(const ReadStudy& study) {
 
 ReadStudy read_formulas(const Study& study) {
   const std::vector<StudyAxis> axes = axes_of(study);
-  std::vector<std::string> variables;
-  for (const StudyAxis& axis : axes) variables.push_back(axis.variable);
-  const FormulaNames names{
-      .variables = variables, .definitions = definitions_of(study, variables), .takes_integrals = true};
+  const std::vector<std::string> variables = variables_of(axes);
+  const FormulaNames names = names_of(study, variables);
   const Symbolic target =
       study.rows ? Symbolic::variable("value") : read("--target", study.target, names).formula;
   FormulaNames of_form = names;
@@ -195,6 +204,10 @@ ReadStudy read_formulas(const Study& study) {
     throw UserError("--over: neither target nor form contains a variable");
   }
   return result;
+}
+
+Symbolic read_recompute(const Study& study, const std::string& formula) {
+  return read("recompute", formula, names_of(study, variables_of(axes_of(study)))).formula;
 }
 
 ReadStudy read_study(const Study& study) {

@@ -82,4 +82,8 @@ ReadStudy read_study(const Study& study);
 /// The same for a form that is not fitted: it need not have a free parameter.
 ReadStudy read_formulas(const Study& study);
 
+/// The formula from which the rows of a study were computed: in its variables, with its given constants and
+/// definitions.
+Symbolic read_recompute(const Study& study, const std::string& formula);
+
 }  // namespace shadefit

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,6 +58,7 @@ struct StudyFile {
   std::string id, title, about;
   Study study;             ///< its form is empty: it is one of `forms`
   std::string table = {};  ///< the file of measured rows, beside the file of the study; empty: a formula
+  std::optional<std::string> recompute = {};  ///< the formula that gave the values of the table
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyForm> forms;                                              ///< the first is the usual one
   Norm norm = Norm::least_squares;

@@ -323,6 +323,48 @@ TEST_F(StudyFolder, TakesMeasuredRows) {
                  "study '" + path("line.toml") + "', line 5: a target is a formula or a table, not both");
 }
 
+TEST_F(StudyFolder, RecomputesRowsOfATable) {
+  const std::string table = replaced(replaced(good, "x = \"0:1\"", "x = \"\""), "norm = \"minimax\"\n", "");
+  const auto with = [&](const std::string& target) {
+    write("line.toml", replaced(table, "formula = \"x^2\"", target));
+  };
+  const std::vector<std::string> check{"check", path("line.toml"), "--baseline", path("out")};
+  const std::string recomputed = "table = \"rows.csv\"\nrecompute = \"x^2\"";
+  directory_.file("rows.csv", "x,value\n0,0\n0.5,0.25\n1,1\n");
+  with(recomputed);
+  ASSERT_EQ(run_command_line({"run", path("line.toml"), "--no-plots", "--out", path("out")}).exit_code, 0);
+  EXPECT_TRUE(
+      run_command_line(check).out.starts_with("3 of 3 rows of rows.csv recomputed: x^2\ncheck passed"))
+      << run_command_line(check).out;
+
+  directory_.file("rows.csv", "x,value\n0,0\n0.5,0.26\n1,1\n");
+  const Outcome changed = run_command_line(check);
+  EXPECT_EQ(changed.exit_code, 1);
+  EXPECT_EQ(changed.out, "");
+  EXPECT_EQ(changed.err,
+            "shadefit: line 3 of 'rows.csv' has 0.26, where x^2 is 0.25: 1 of 3 recomputed rows differs\n");
+  with("table = \"rows.csv\"");
+  EXPECT_EQ(run_command_line(check).out.find("recomputed"), std::string::npos);
+
+  const auto refused = [&](const std::string& target, const std::string& rule) {
+    with(target);
+    for (const char* verb : {"fit", "explain"}) {
+      expect_refusal({verb, path("line.toml")}, "study '" + path("line.toml") + "'" + rule);
+    }
+  };
+  refused("table = \"rows.csv\"\nrecompute = \"x^k\"",
+          ": recompute: formula 'x^k': expected one of x, pi, ln2 and the functions, not 'k' at place 3");
+  refused(
+      "table = \"rows.csv\"\nrecompute = \"value\"",
+      ": recompute: formula 'value': expected one of x, pi, ln2 and the functions, not 'value' at place 1");
+  refused("table = \"rows.csv\"\nrecompute = 2",
+          ", line 7: 'recompute' must be a text in quotes, so that every digit is kept");
+  write("line.toml", replaced(good, "formula = \"x^2\"", "formula = \"x^2\"\nrecompute = \"x^2\""));
+  expect_refusal({"fit", path("line.toml")},
+                 "study '" + path("line.toml") +
+                     "', line 5: 'recompute' goes with a table: it is the formula of its values");
+}
+
 TEST_F(StudyFolder, RefusesBadInput) {
   expect_refusal({"fit", "acos-linaer"},
                  "unknown form, constant or study 'acos-linaer': did you mean 'acos-linear'?");
