@@ -12,6 +12,7 @@
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/solve/under.hpp"
+#include "fit/study/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
 
@@ -77,11 +78,32 @@ Answer fit_of(const shadefit::Study& study, const std::vector<shadefit::Held>& s
   return answer;
 }
 
-shadefit::SampledStudy<double> sampled_on_30_nodes(const shadefit::ReadStudy& study,
-                                                   const shadefit::StudyError& error) {
+shadefit::StudyNodes thirty_nodes(const shadefit::ReadStudy& study) {
   const std::vector<shadefit::StudyEdge> unit{{0}, {1}};
   constexpr unsigned nodes_on_axis = 30;
-  return {error, shadefit::nodes_of(study, {study.axes.size(), unit}, nodes_on_axis)};
+  return shadefit::nodes_of(study, {study.axes.size(), unit}, nodes_on_axis);
+}
+
+/// The parameters after a step of Newton's method in T. The inverse of the Hessian may be an older one.
+template <class T>
+std::vector<double> moved(std::vector<double> parameters, const shadefit::MatrixOf<double>& inverse,
+                          const shadefit::VectorOf<T>& gradient) {
+  const shadefit::VectorOf<T> step = inverse.cast<T>() * gradient;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    parameters[i] = static_cast<double>(T(parameters[i]) - step[static_cast<Eigen::Index>(i)]);
+  return parameters;
+}
+
+/// The end of a descent has 8 digits or more. A step in double doubles them, up to the rounding of the
+/// gradient; one with the gradient in long double takes that away.
+std::vector<double> polished(const shadefit::StudyError& error, const shadefit::StudyNodes& nodes,
+                             const shadefit::SampledStudy<double>& sampled,
+                             const std::vector<double>& parameters) {
+  const auto sums = sampled.derivatives(parameters);
+  const auto inverse = shadefit::ScaledHessian(sums.hessian).inverse();
+  const std::vector<double> near = moved(parameters, inverse, sums.gradient);
+  const std::vector<long double> wide(near.begin(), near.end());
+  return moved(near, inverse, shadefit::SampledStudy<long double>(error, nodes).gradient(wide).gradient);
 }
 
 /// One descent from a start on 30 nodes of each variable, of a study that is read outside the timed part.
@@ -89,19 +111,30 @@ std::function<Answer()> descent(const shadefit::Study& study, const std::vector<
   const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
   const auto error = std::make_shared<const shadefit::StudyError>(*read);
   return [=] {
-    const auto sampled = sampled_on_30_nodes(*read, *error);
+    const shadefit::SampledStudy<double> sampled(*error, thirty_nodes(*read));
     return answer_of(read->parameters,
                      shadefit::search_basins(*error, sampled, sampled, {0, 0, {start}}).front().parameters);
   };
 }
 
-/// The same with the nodes made outside the timed part too.
+/// The same and Newton's polish, for all digits.
+std::function<Answer()> polished_descent(const shadefit::Study& study, const std::vector<double>& start) {
+  const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
+  const auto error = std::make_shared<const shadefit::StudyError>(*read);
+  return [=] {
+    const shadefit::StudyNodes nodes = thirty_nodes(*read);
+    const shadefit::SampledStudy<double> sampled(*error, nodes);
+    const auto end = shadefit::search_basins(*error, sampled, sampled, {0, 0, {start}}).front();
+    return answer_of(read->parameters, polished(*error, nodes, sampled, end.parameters));
+  };
+}
+
+/// The same without it, with the nodes made outside the timed part too.
 std::function<Answer()> descent_on_ready_nodes(const shadefit::Study& study,
                                                const std::vector<double>& start) {
   const auto read = std::make_shared<const shadefit::ReadStudy>(shadefit::read_study(study));
   const auto error = std::make_shared<const shadefit::StudyError>(*read);
-  const auto sampled =
-      std::make_shared<const shadefit::SampledStudy<double>>(sampled_on_30_nodes(*read, *error));
+  const auto sampled = std::make_shared<const shadefit::SampledStudy<double>>(*error, thirty_nodes(*read));
   return [=] {
     return answer_of(read->parameters,
                      shadefit::search_basins(*error, *sampled, *sampled, {0, 0, {start}}).front().parameters);
@@ -135,6 +168,8 @@ std::vector<Variant> other_tasks() {
        }},
       {"T1", "as a study, nodes and one descent from a given start", Standing::listed,
        descent(pair_study, {-5, -5})},
+      {"T1", "as a study, nodes, one descent and Newton's polish from a given start", Standing::listed,
+       polished_descent(pair_study, {-5, -5})},
       {"T7", "from text, with a search", Standing::judged, [=] { return fit_of(plane); }},
       {"T7", "one descent, 30 x 30 nodes ready", Standing::listed,
        descent_on_ready_nodes(plane, {1, 0, 0, 0, 0, 0, 0, 0})}};
