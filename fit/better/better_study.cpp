@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "approx/scalar.hpp"
+#include "fit/better/prove_properties.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/support/user_error.hpp"
@@ -48,25 +49,29 @@ bool is_shown(const SampledCurve& curve) {
 }
 
 StudyContender contender_of(const StudyForm& form, const Study& study, std::string origin,
-                            std::vector<double> values) {
+                            std::vector<double> values, std::vector<std::string> printed,
+                            const Checkpoint& checkpoint) {
   const ReadStudy read = read_study(study);
   const bool is_plain = error_of(study) == "max_abs_error";
   const StudyExtremum largest = is_plain ? largest_error(read, values) : largest_weighted_error(read, values);
   const double rms = rms_error(read, StudyError(read), values);
   const SampledCurve curve = sample_curve(read, values);
   const Symbolic code = form_with(read, values);
-  return {.form = form.id,
-          .formula = form.formula,
-          .origin = std::move(origin),
-          .names = read.parameters,
-          .values = std::move(values),
-          .code = code,
-          .operations = count_operations(code),
-          .max_error = largest,
-          .rms_error = rms,
-          .properties = properties_of(read, curve),
-          .effect = effect_of(curve),
-          .is_shown = is_shown(curve)};
+  StudyContender contender{.form = form.id,
+                           .formula = form.formula,
+                           .origin = std::move(origin),
+                           .names = read.parameters,
+                           .printed = std::move(printed),
+                           .values = std::move(values),
+                           .code = code,
+                           .operations = count_operations(code),
+                           .max_error = largest,
+                           .rms_error = rms,
+                           .properties = properties_of(read, curve),
+                           .effect = effect_of(curve),
+                           .is_shown = is_shown(curve)};
+  prove_properties(study, size_of(curve), contender, checkpoint);
+  return contender;
 }
 
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
@@ -78,9 +83,8 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
     const std::vector<std::string> printed = values_of(set, read.parameters);
     std::vector<double> values;
     for (const std::string& text : printed) values.push_back(constant<double>(text));
-    StudyContender contender = contender_of(form, study, set.source, values);
+    StudyContender contender = contender_of(form, study, set.source, values, printed, checkpoint);
     contender.published = &set;
-    contender.printed = printed;
     contender.judgement = judge_set(objective_of(study, file.norm, file.constraints), set, checkpoint);
     for (const ErrorClaim& claim : set.claims) contender.claims.push_back(judge_error(claim, study, values));
     comparison.contenders.push_back(contender);
@@ -105,7 +109,8 @@ void append_fit(StudyComparison& comparison, const StudyFile& file, const StudyF
   if (asked.starts.empty()) objective.study.starts = published_starts(file, form.id, asked);
   const StudyFit fit = fit_study(objective, checkpoint);
   if (fit.status == Status::converged) {
-    comparison.contenders.push_back(contender_of(form, asked, objective.words, fit.parameters));
+    comparison.contenders.push_back(
+        contender_of(form, asked, objective.words, fit.parameters, {}, checkpoint));
   } else {
     comparison.left_out.push_back(form.id + ", " + objective.words + ": " + std::string(name(fit.status)) +
                                   ", " + fit.why);

@@ -33,7 +33,7 @@ struct StudyContender {
   Operations operations;                         ///< of that
   StudyExtremum max_error;                       ///< in the error of the study; sampled and refined
   double rms_error = 0;                          ///< weighted, by the density
-  std::vector<StudyProperty> properties = {};    ///< that it shares with its target
+  std::vector<StudyProperty> properties = {};    ///< that it shares with its target; proven or sampled
   Effect effect = {};                            ///< of the form in place of its target, sampled
   bool is_shown = false;                         ///< whether the target lies in [0, 1], as a colour does
   std::optional<StudyJudgement> judgement = {};  ///< of a published set

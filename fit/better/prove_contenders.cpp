@@ -2,26 +2,12 @@
 
 #include <algorithm>
 
+#include "fit/better/prove_properties.hpp"
 #include "fit/study_proof/study_certificate.hpp"
-#include "fit/support/hex_float.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
-
-StudySubject subject_of(const StudyComparison& comparison, const StudyContender& contender) {
-  StudySubject subject{comparison.study, {}};
-  subject.study.form = contender.formula;
-  subject.study.held.clear();
-  subject.study.starts.clear();
-  for (StudyRange& range : subject.study.over) range.density = "1";  // only a fit has a density
-  for (std::size_t i = 0; i < contender.names.size(); ++i)
-    subject.parameters.emplace_back(
-        contender.names[i], contender.printed.empty() ? hex_text(contender.values[i]) : contender.printed[i]);
-  for (const Held& held : comparison.study.held)
-    subject.parameters.emplace_back(held.parameter, hex_text(held.value));
-  return subject;
-}
 
 bool has_integral(const Symbolic& formula) {
   return formula.kind() == Symbolic::Kind::integral ||
@@ -51,7 +37,7 @@ void prove_contenders(StudyComparison& comparison, const Checkpoint& checkpoint)
   for (StudyContender& contender : comparison.contenders) {
     if (&contender != first && &contender != best) continue;
     checkpoint();
-    const StudySubject subject = subject_of(comparison, contender);
+    const StudySubject subject = subject_of(comparison.study, contender);
     if (fault_of(subject).empty()) contender.proof = proven(subject, checkpoint);
   }
 }

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/study_proof/prove_shape.hpp"
+
 namespace shadefit {
 namespace {
-
-double largest_finite(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  return largest;
-}
 
 /// Whether no value is below the one before it, by more than `slack`.
 bool never_falls(const std::vector<double>& values, double slack) {
@@ -30,7 +25,7 @@ bool are_all(const std::vector<double>& values, double lower, double upper) {
 
 void append_ends(const StudyAxis& axis, const SampledCurve& curve, double largest,
                  std::vector<StudyProperty>& properties) {
-  const double last_place = 0x1p-24 * largest;
+  const double last_place = exact_slack * largest;
   const auto add = [&](std::size_t i, double end) {
     if (std::abs(curve.form[i] - curve.target[i]) <= last_place)
       properties.push_back({"exact at " + axis.variable + " = " + to_text(end), {.exact_at = {end}}});
@@ -39,12 +34,26 @@ void append_ends(const StudyAxis& axis, const SampledCurve& curve, double larges
   add(curve.form.size() - 1, axis.upper);
 }
 
+/// Properties after each other, each with what a function adds to it.
+template <class Added>
+std::string listed(const std::vector<StudyProperty>& properties, const Added& added) {
+  std::string text;
+  for (const StudyProperty& property : properties)
+    text += (text.empty() ? "" : ", ") + property.words + added(property);
+  return text.empty() ? "none" : text;
+}
+
 }  // namespace
 
+double size_of(const SampledCurve& curve) {
+  double largest = 0;
+  for (const double value : curve.target)
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCurve& curve) {
-  const double largest = largest_finite(curve.target);
-  // A fit under a constraint touches its bound, and rounding may cross it by some last bits.
-  const double slack = 1e-12 * largest;
+  const double largest = size_of(curve), slack = shape_slack * largest;
   std::vector<StudyProperty> properties;
   if (study.axes.size() == 1 && !study.rows) {
     append_ends(study.axes.front(), curve, largest, properties);
@@ -71,9 +80,13 @@ std::vector<StudyProperty> lost_properties(const std::vector<StudyProperty>& wan
 }
 
 std::string to_text(const std::vector<StudyProperty>& properties) {
-  std::string text;
-  for (const StudyProperty& property : properties) text += (text.empty() ? "" : ", ") + property.words;
-  return text.empty() ? "none" : text;
+  return listed(properties, [](const StudyProperty&) { return ""; });
+}
+
+std::string text_with_proofs(const std::vector<StudyProperty>& properties) {
+  return listed(properties, [](const StudyProperty& property) {
+    return property.is_proven ? " (proven)" : " (sampled)";
+  });
 }
 
 Constraints constraints_of(const std::vector<StudyProperty>& properties) {

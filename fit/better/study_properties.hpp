@@ -13,7 +13,11 @@ namespace shadefit {
 struct StudyProperty {
   std::string words;        ///< "exact at x = 0", "rises", "falls", "not negative", "at most 1"
   Constraints constraints;  ///< under which a fit has it
+  bool is_proven = false;   ///< by `prove_properties`, on the whole range; else it is sampled
 };
+
+/// The size of a target: the largest magnitude of its finite samples.
+double size_of(const SampledCurve& curve);
 
 /// The properties of a curve that its target has too, sampled at its places. In one variable: that it is
 /// exact at an end (to the last place of a float, 2^-24 of the largest target), and that it never falls or
@@ -26,6 +30,9 @@ std::vector<StudyProperty> lost_properties(const std::vector<StudyProperty>& wan
 
 /// "exact at x = 0, rises"; "none" without any.
 std::string to_text(const std::vector<StudyProperty>& properties);
+
+/// The same with what is known of each: "exact at x = 0 (proven), rises (sampled)".
+std::string text_with_proofs(const std::vector<StudyProperty>& properties);
 
 /// All constraints together.
 Constraints constraints_of(const std::vector<StudyProperty>& properties);

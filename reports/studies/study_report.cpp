@@ -76,6 +76,7 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
     lines.push_back("Better at no more instructions, with these properties: " + words(*best));
   if (best != nullptr && best->proof)
     lines.push_back("Its largest error, proven: " + proof_text(*best->proof));
+  if (best != nullptr) lines.push_back("Its properties: " + text_with_proofs(best->properties));
   if (least != nullptr && least != best)
     lines.push_back(fmt::format("Smaller yet, without {}: {}",
                                 to_text(lost_properties(published.properties, least->properties)),
@@ -117,7 +118,7 @@ std::vector<std::string> published_lines(const PublishedSet& set,
     if (contender == nullptr) continue;
     lines.push_back(fmt::format("Verdict: {}", verdict_text(*contender->judgement)));
     if (contender->judgement->tried > 1) lines.push_back(trials_text(*contender->judgement));
-    lines.push_back("Properties of the target that it keeps: " + to_text(contender->properties));
+    lines.push_back("Properties of the target that it keeps: " + text_with_proofs(contender->properties));
     lines.push_back("Largest change of the target: " + effect_text(*contender));
     if (contender->proof) lines.push_back("Largest error, proven: " + proof_text(*contender->proof));
     append_better(comparison, *contender, lines);

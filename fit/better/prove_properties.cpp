@@ -1,0 +1,37 @@
+#include "fit/better/prove_properties.hpp"
+
+#include <utility>
+
+#include "fit/proof/constants.hpp"
+#include "fit/study_proof/prove_shape.hpp"
+#include "fit/support/hex_float.hpp"
+
+namespace shadefit {
+
+StudySubject subject_of(const Study& study, const StudyContender& contender) {
+  StudySubject subject{study, {}};
+  subject.study.form = contender.formula;
+  subject.study.held.clear();
+  subject.study.starts.clear();
+  for (StudyRange& range : subject.study.over) range.density = "1";  // only a fit has a density
+  Constants constants;
+  for (std::size_t i = 0; i < contender.names.size(); ++i)
+    constants.emplace_back(contender.names[i],
+                           contender.printed.empty() ? hex_text(contender.values[i]) : contender.printed[i]);
+  for (const Held& held : study.held) constants.emplace_back(held.parameter, hex_text(held.value));
+  subject.parameters = in_order(std::move(constants), read_formulas(subject.study).parameters);
+  return subject;
+}
+
+void prove_properties(const Study& study, double size, StudyContender& contender,
+                      const Checkpoint& checkpoint) {
+  if (contender.properties.empty()) return;
+  const StudySubject subject = subject_of(study, contender);
+  std::erase_if(contender.properties, [&](StudyProperty& property) {
+    const Proof proof = prove_shape(subject, property.constraints, size, checkpoint).proof;
+    property.is_proven = proof == Proof::proven;
+    return proof == Proof::refuted;
+  });
+}
+
+}  // namespace shadefit

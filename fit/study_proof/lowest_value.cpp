@@ -1,0 +1,112 @@
+#include "fit/study_proof/lowest_value.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "fit/proof/interval_ends.hpp"
+
+namespace shadefit {
+namespace {
+
+std::vector<Interval> numbers_on(const StudyBox& box, std::span<const Domain> ranges) {
+  std::vector<Interval> numbers;
+  for (std::size_t i = 0; i < box.size(); ++i) numbers.push_back(numbers_of(box[i], ranges[i]));
+  return numbers;
+}
+
+/// The variable with the largest part of its range in a box.
+std::size_t widest_axis(const StudyBox& box, std::span<const Domain> ranges) {
+  const auto share = [&](std::size_t i) {
+    return (box[i].upper - box[i].lower) / (ranges[i].upper - ranges[i].lower);
+  };
+  std::size_t widest = 0;
+  for (std::size_t i = 1; i < box.size(); ++i) {
+    if (share(i) > share(widest)) widest = i;
+  }
+  return widest;
+}
+
+/// -infinity in place of NaN.
+double lowest_in(const Interval& x) {
+  return std::isnan(lower_end(x)) || std::isnan(upper_end(x)) ? -std::numeric_limits<double>::infinity()
+                                                              : lower_end(x);
+}
+
+}  // namespace
+
+/// The tapes of the value and of the slopes by the variables.
+struct LowestValue::Programs {
+  Programs(Graph graph, int node, std::size_t variables)
+      : jumps(graph), value(value_tape(graph, node, jumps)), slopes(slope_tape(graph, node, variables)) {}
+
+  static Tape tape(Graph& graph, std::span<const int> outputs) {
+    std::vector<int> given;
+    for (const std::string& input : std::vector(graph.inputs().begin(), graph.inputs().end()))
+      given.push_back(graph.add(Symbolic::variable(input)));
+    return {graph, outputs, given};
+  }
+  static Tape value_tape(Graph& graph, int node, const Jumps& jumps) {
+    std::vector<int> outputs{node};
+    for (const int deciding : jumps.deciding_nodes()) outputs.push_back(deciding);
+    return tape(graph, outputs);
+  }
+  static Tape slope_tape(Graph& graph, int node, std::size_t variables) {
+    std::vector<int> outputs;
+    for (std::size_t i = 0; i < variables; ++i) outputs.push_back(graph.derivative(node, i));
+    return tape(graph, outputs);
+  }
+
+  Jumps jumps;  // first: the graph of the slopes has more of them
+  Tape value, slopes;
+};
+
+LowestValue::LowestValue(Graph graph, int node, std::vector<Domain> ranges,
+                         std::span<const Interval> parameters)
+    : LowestValue(Programs(std::move(graph), node, ranges.size()), ranges, parameters) {}
+
+LowestValue::LowestValue(Programs programs, std::vector<Domain> ranges, std::span<const Interval> parameters)
+    : ranges_(std::move(ranges)),
+      jumps_(std::move(programs.jumps)),
+      value_(programs.value, parameters),
+      slopes_(programs.slopes, parameters) {}
+
+const Interval& LowestValue::values_on(const StudyBox& box) {
+  value_.run(numbers_on(box, ranges_));
+  return value_.output(0);
+}
+
+LowestOnBox LowestValue::on(const StudyBox& box, double enough) {
+  LowestOnBox result{values_on(box), jumps_.may_happen(value_, 1), 0, widest_axis(box, ranges_)};
+  result.lowest = lowest_in(result.values);
+  // Near a pole a bounded slope does not tell that the function is continuous.
+  if (!(result.lowest >= enough) && !result.may_jump && is_bounded(result.values))
+    result.lowest = std::fmax(result.lowest, by_mean_value(box, result.axis));
+  return result;
+}
+
+double LowestValue::by_mean_value(const StudyBox& box, std::size_t& axis) {
+  slopes_.run(numbers_on(box, ranges_));
+  StudyBox low = box;  // the places of the least value, as far as the slopes tell
+  Interval rest(0);
+  double widest_term = -1;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const Interval& slope = slopes_.output(i);
+    if (!is_bounded(slope)) continue;  // all numbers of the variable stay
+    if (is_never_negative(slope)) {
+      low[i].upper = low[i].lower;
+    } else if (is_never_positive(slope)) {
+      low[i].lower = low[i].upper;
+    } else {
+      low[i] = middle_of(box[i]);
+      const Interval term = slope * (span_of(box[i].lower, box[i].upper) - Interval(low[i].lower));
+      rest = rest + term;
+      if (width_of(term) > widest_term) {
+        widest_term = width_of(term);
+        axis = i;
+      }
+    }
+  }
+  return lowest_in(values_on(low) + rest);
+}
+
+}  // namespace shadefit

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fit/proof/certificate.hpp"
+#include "fit/quadrature/metric.hpp"
+#include "fit/study_proof/study_certificate.hpp"
+#include "fit/support/checkpoint.hpp"
+
+namespace shadefit {
+
+/// How far a fit under a constraint may cross it, as a part of the largest value: it touches its bound, and
+/// the rounding of its parameters to doubles moves it by some last bits, 1e-16 for each of some terms.
+inline constexpr double shape_slack = 1e-12;
+
+/// How far a form that is exact at an end may be off there, as a part of the largest value: a last place of a
+/// float.
+inline constexpr double exact_slack = 0x1p-24;
+
+/// The most boxes on which a form is enclosed for one constraint. Each takes some microseconds for each
+/// operation of the form.
+inline constexpr std::size_t most_shape_boxes = 4000;
+
+/// The result of a proof that a form keeps a constraint.
+struct ShapeProof {
+  Proof proof = Proof::none;
+  std::vector<double> place = {};  ///< where it is refuted, to the nearest doubles
+  std::size_t boxes = 0;           ///< on which the form was enclosed
+};
+
+/// Proves in interval arithmetic, at all numbers of the ranges, that the form of a subject keeps a
+/// constraint, where `scale` is the size of its values:
+/// - `at_least`, `at_most`: it crosses the bound by no more than `shape_slack * scale`;
+/// - `monotone`, in one variable: it never falls, or never rises, by more than that, however many times;
+/// - `exact_at` an end, in one variable: it differs from the target by no more than `exact_slack * scale`.
+/// Of several constraints only the first one in this order is proven; of others none.
+///
+/// A bound is proven on boxes, which are cut until it holds on each. A course is proven by the sum over boxes
+/// of how far the form may run against it: the width of the box times the wrong part of the slope, or the
+/// width of the values where there is no slope, as at the end of sqrt(1 - x) or where a choice may jump. The
+/// answer is `open` if that needs more than `most_shape_boxes`, if the form has an integral, or if the target
+/// at an end has one inside another. Throws UserError for formulas that cannot be read, and for other
+/// parameters than those of the form.
+ShapeProof prove_shape(const StudySubject& subject, const Constraints& constraint, double scale,
+                       const Checkpoint& checkpoint = keep_going);
+
+}  // namespace shadefit
