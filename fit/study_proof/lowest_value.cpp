@@ -26,6 +26,11 @@ std::size_t widest_axis(const StudyBox& box, std::span<const Domain> ranges) {
   return widest;
 }
 
+StudyBox middle_of_all(StudyBox box) {
+  for (Stretch& side : box) side = middle_of(side);
+  return box;
+}
+
 /// -infinity in place of NaN.
 double lowest_in(const Interval& x) {
   return std::isnan(lower_end(x)) || std::isnan(upper_end(x)) ? -std::numeric_limits<double>::infinity()
@@ -37,7 +42,10 @@ double lowest_in(const Interval& x) {
 /// The tapes of the value and of the slopes by the variables.
 struct LowestValue::Programs {
   Programs(Graph graph, int node, std::size_t variables)
-      : jumps(graph), value(value_tape(graph, node, jumps)), slopes(slope_tape(graph, node, variables)) {}
+      : jumps(graph),
+        operations(graph.nodes().size()),
+        value(value_tape(graph, node, jumps)),
+        slopes(slope_tape(graph, node, variables)) {}
 
   static Tape tape(Graph& graph, std::span<const int> outputs) {
     std::vector<int> given;
@@ -47,6 +55,7 @@ struct LowestValue::Programs {
   }
   static Tape value_tape(Graph& graph, int node, const Jumps& jumps) {
     std::vector<int> outputs{node};
+    for (std::size_t i = 0; i < graph.nodes().size(); ++i) outputs.push_back(static_cast<int>(i));
     for (const int deciding : jumps.deciding_nodes()) outputs.push_back(deciding);
     return tape(graph, outputs);
   }
@@ -56,7 +65,9 @@ struct LowestValue::Programs {
     return tape(graph, outputs);
   }
 
-  Jumps jumps;  // first: the graph of the slopes has more of them
+  // In this order: the slopes add nodes to the graph.
+  Jumps jumps;
+  std::size_t operations;
   Tape value, slopes;
 };
 
@@ -67,6 +78,7 @@ LowestValue::LowestValue(Graph graph, int node, std::vector<Domain> ranges,
 LowestValue::LowestValue(Programs programs, std::vector<Domain> ranges, std::span<const Interval> parameters)
     : ranges_(std::move(ranges)),
       jumps_(std::move(programs.jumps)),
+      operations_(programs.operations),
       value_(programs.value, parameters),
       slopes_(programs.slopes, parameters) {}
 
@@ -75,16 +87,27 @@ const Interval& LowestValue::values_on(const StudyBox& box) {
   return value_.output(0);
 }
 
+bool LowestValue::may_have_pole() const {
+  for (std::size_t i = 0; i < operations_; ++i) {
+    if (!is_bounded(value_.output(1 + i))) return true;
+  }
+  return false;
+}
+
 LowestOnBox LowestValue::on(const StudyBox& box, double enough) {
-  LowestOnBox result{values_on(box), jumps_.may_happen(value_, 1), 0, widest_axis(box, ranges_)};
+  LowestOnBox result{.values = values_on(box),
+                     .may_have_pole = may_have_pole(),
+                     .may_jump = jumps_.may_happen(value_, 1 + operations_),
+                     .lowest = 0,
+                     .place = middle_of_all(box),
+                     .axis = widest_axis(box, ranges_)};
   result.lowest = lowest_in(result.values);
-  // Near a pole a bounded slope does not tell that the function is continuous.
-  if (!(result.lowest >= enough) && !result.may_jump && is_bounded(result.values))
-    result.lowest = std::fmax(result.lowest, by_mean_value(box, result.axis));
+  if (!(result.lowest >= enough) && !result.may_have_pole && !result.may_jump)
+    improve_by_mean_value(box, result);
   return result;
 }
 
-double LowestValue::by_mean_value(const StudyBox& box, std::size_t& axis) {
+void LowestValue::improve_by_mean_value(const StudyBox& box, LowestOnBox& result) {
   slopes_.run(numbers_on(box, ranges_));
   StudyBox low = box;  // the places of the least value, as far as the slopes tell
   Interval rest(0);
@@ -102,11 +125,12 @@ double LowestValue::by_mean_value(const StudyBox& box, std::size_t& axis) {
       rest = rest + term;
       if (width_of(term) > widest_term) {
         widest_term = width_of(term);
-        axis = i;
+        result.axis = i;
       }
     }
   }
-  return lowest_in(values_on(low) + rest);
+  result.place = middle_of_all(low);
+  result.lowest = std::fmax(result.lowest, lowest_in(values_on(low) + rest));
 }
 
 }  // namespace shadefit

@@ -15,9 +15,11 @@ namespace shadefit {
 
 /// What is known of a function on a box.
 struct LowestOnBox {
-  Interval values;       ///< encloses all of them; NaN or unbounded near a pole
-  bool may_jump;         ///< whether it may be discontinuous by a choice, sign, floor or atan2
+  Interval values;       ///< encloses all of them
+  bool may_have_pole;    ///< whether an operation may be unbounded or have no value
+  bool may_jump;         ///< whether a choice, sign, floor or atan2 may jump
   double lowest;         ///< no value is below; -infinity if no bound was found
+  StudyBox place;        ///< one place, where the least value is likely
   std::size_t axis = 0;  ///< the variable at which to cut the box for a better bound
 };
 
@@ -28,9 +30,10 @@ class LowestValue {
   /// parameters.
   LowestValue(Graph graph, int node, std::vector<Domain> ranges, std::span<const Interval> parameters);
 
-  /// By the values of the formula, or by the mean value theorem, f(x) = f(p) + sum of slope_i (x_i - p_i),
-  /// where slopes exist and are bounded. p_i is the lower end of the box where f rises with x_i, the upper
-  /// one where it falls, else the middle. Does no more work once no value is below `enough`.
+  /// By the values of the formula; or, where it has neither pole nor jump, by the mean value theorem, f(x) =
+  /// f(p) + sum of slope_i (x_i - p_i). A variable without bounded slope keeps all its numbers; else p_i is
+  /// the lower end of the box where f rises with x_i, the upper one where it falls, else the middle. Does no
+  /// more work once no value is below `enough`.
   LowestOnBox on(const StudyBox& box, double enough = -std::numeric_limits<double>::infinity());
 
  private:
@@ -38,11 +41,14 @@ class LowestValue {
   LowestValue(Programs programs, std::vector<Domain> ranges, std::span<const Interval> parameters);
 
   const Interval& values_on(const StudyBox& box);
-  double by_mean_value(const StudyBox& box, std::size_t& axis);
+  bool may_have_pole() const;  ///< on the box of the last values
+  void improve_by_mean_value(const StudyBox& box, LowestOnBox& result);
 
   std::vector<Domain> ranges_;
-  Jumps jumps_;  ///< the outputs of `value_` after the function are those of their deciding nodes
-  TapeProgram<Interval> value_, slopes_;
+  Jumps jumps_;
+  std::size_t operations_;       ///< nodes of the function
+  TapeProgram<Interval> value_;  ///< of the function, all operations, and the deciding nodes of the jumps
+  TapeProgram<Interval> slopes_;
 };
 
 }  // namespace shadefit

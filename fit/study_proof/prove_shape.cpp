@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "fit/proof/constants.hpp"
 #include "fit/proof/enclosed_constant.hpp"
@@ -15,19 +16,29 @@
 namespace shadefit {
 namespace {
 
-/// A form as a graph, and its constants.
-struct FormGraph {
-  explicit FormGraph(const StudySubject& subject, const ReadStudy& study) : graph(inputs_of(study)) {
-    for (const StudyAxis& axis : study.axes) ranges.push_back({axis.lower, axis.upper});
-    for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
-  }
+std::vector<Interval> parameters_of(const StudySubject& subject, const ReadStudy& study) {
+  const std::string fault = fault_of_constants(subject.parameters, study.parameters, "the form");
+  if (!fault.empty()) throw UserError(fault);
+  std::vector<Interval> parameters;
+  for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
+  return parameters;
+}
 
-  static std::vector<std::string> inputs_of(const ReadStudy& study) {
-    std::vector<std::string> inputs;
-    for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
-    inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
-    return inputs;
-  }
+std::vector<std::string> inputs_of(const ReadStudy& study) {
+  std::vector<std::string> inputs;
+  for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
+  inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
+  return inputs;
+}
+
+std::vector<Domain> ranges_of(const ReadStudy& study) {
+  std::vector<Domain> ranges;
+  for (const StudyAxis& axis : study.axes) ranges.push_back({axis.lower, axis.upper});
+  return ranges;
+}
+
+/// A graph with a form, its ranges and its constants.
+struct FormGraph {
   LowestValue lowest_of(int node) const { return {graph, node, ranges, parameters}; }
 
   Graph graph;
@@ -35,21 +46,19 @@ struct FormGraph {
   std::vector<Interval> parameters;
 };
 
-/// How far a form may violate a constraint on a box, and the variable at which to cut it.
+/// How far a form may violate a constraint on a box.
 struct Violation {
   double amount;
-  std::size_t axis;
+  std::size_t axis = 0;                ///< the variable at which to cut the box
+  std::optional<StudyBox> place = {};  ///< where it certainly violates it by more than the slack
 };
 
-/// A constraint on boxes.
-struct ShapeRule {
-  std::function<Violation(const StudyBox&)> violation;
-  std::function<bool(const StudyBox&)> fails;  ///< whether a place in a box certainly violates it too much
-  bool adds;  ///< whether the violations of all boxes add up; else each one counts alone
-};
+/// A constraint on a box.
+using ShapeRule = std::function<Violation(const StudyBox&)>;
 
-/// Cuts all boxes that violate the rule, again and again.
-ShapeProof prove(const ShapeRule& rule, std::span<const Domain> ranges, double slack,
+/// Cuts all boxes that violate the rule, again and again, until their violations are within the slack:
+/// together if they add up, else each.
+ShapeProof prove(const ShapeRule& rule, bool adds, std::span<const Domain> ranges, double slack,
                  const Checkpoint& checkpoint) {
   ShapeProof result{Proof::open};
   std::vector<StudyBox> open = corners_of(ranges);
@@ -59,9 +68,9 @@ ShapeProof prove(const ShapeRule& rule, std::span<const Domain> ranges, double s
     for (const StudyBox& box : open) {
       checkpoint();
       ++result.boxes;
-      const Violation found = rule.violation(box);
-      if (found.amount <= (rule.adds ? 0 : slack)) continue;
-      if (rule.fails(box)) return {Proof::refuted, place_in(box, ranges), result.boxes};
+      const Violation found = rule(box);
+      if (found.amount <= (adds ? 0 : slack)) continue;
+      if (found.place) return {Proof::refuted, place_in(*found.place, ranges), result.boxes};
       sum = sum + Interval(found.amount);
       const auto halves = halves_of(box, found.axis);
       if (halves) {
@@ -70,7 +79,7 @@ ShapeProof prove(const ShapeRule& rule, std::span<const Domain> ranges, double s
         cut.push_back(box);  // its violation may be small enough beside the others
       }
     }
-    if (cut.empty() || (rule.adds && upper_end(sum) <= slack)) {
+    if (cut.empty() || (adds && upper_end(sum) <= slack)) {
       result.proof = Proof::proven;
       return result;
     }
@@ -79,58 +88,47 @@ ShapeProof prove(const ShapeRule& rule, std::span<const Domain> ranges, double s
   return result;
 }
 
-StudyBox middle_of_box(StudyBox box) {
-  for (Stretch& side : box) side = middle_of(side);
-  return box;
-}
-
 /// That a node of the form's graph is at least a bound.
 ShapeProof prove_bound(const FormGraph& form, int node, double bound, double slack,
                        const Checkpoint& checkpoint) {
   LowestValue lowest = form.lowest_of(node);
-  const auto under = [&](double value) { return upper_end(Interval(bound) - Interval(value)); };
-  const ShapeRule rule{.violation =
-                           [&](const StudyBox& box) {
-                             const LowestOnBox found = lowest.on(box, bound);
-                             return Violation{std::fmax(0, under(found.lowest)), found.axis};
-                           },
-                       .fails =
-                           [&](const StudyBox& box) {
-                             const Interval below = Interval(bound) - lowest.on(middle_of_box(box)).values;
-                             return lower_end(below) > slack;
-                           },
-                       .adds = false};
-  return prove(rule, form.ranges, slack, checkpoint);
+  const auto rule = [&](const StudyBox& box) {
+    const LowestOnBox found = lowest.on(box, bound);
+    Violation result{std::fmax(0, upper_end(Interval(bound) - Interval(found.lowest))), found.axis};
+    if (result.amount > slack && lower_end(Interval(bound) - lowest.on(found.place).values) > slack)
+      result.place = found.place;
+    return result;
+  };
+  return prove(rule, false, form.ranges, slack, checkpoint);
+}
+
+/// How far a function of one variable may fall within a box.
+double largest_fall(LowestValue& value, LowestValue& slope, const StudyBox& box) {
+  const LowestOnBox values = value.on(box);
+  // At a pole that two boxes share it may fall between them.
+  if (values.may_have_pole) return HUGE_VAL;
+  const double by_values = width_of(values.values);
+  if (values.may_jump) return by_values;
+  const LowestOnBox slopes = slope.on(box, 0);
+  if (!is_bounded(slopes.values)) return by_values;
+  const Interval width = Interval(box[0].upper) - Interval(box[0].lower);
+  return std::fmin(by_values, upper_end(Interval(width * Interval(std::fmax(0, -slopes.lowest)))));
 }
 
 /// That a node of the form's graph never falls.
 ShapeProof prove_rise(FormGraph form, int node, double slack, const Checkpoint& checkpoint) {
   LowestValue value = form.lowest_of(node);
   LowestValue slope = form.lowest_of(form.graph.derivative(node, 0));
-  const auto fall_on = [&](const StudyBox& box) {
-    const LowestOnBox values = value.on(box);
-    const double by_values = is_bounded(values.values) ? width_of(values.values) : HUGE_VAL;
-    if (values.may_jump || std::isinf(by_values)) return by_values;
-    const LowestOnBox slopes = slope.on(box, 0);
-    if (!is_bounded(slopes.values)) return by_values;
-    if (slopes.lowest >= 0) return 0.0;
-    const Interval width = Interval(box[0].upper) - Interval(box[0].lower);
-    return std::fmin(by_values, upper_end(Interval(width * Interval(-slopes.lowest))));
+  const auto rule = [&](const StudyBox& box) {
+    Violation result{largest_fall(value, slope, box)};
+    if (result.amount <= 0) return result;
+    StudyBox from = box, to = box;
+    from[0].upper = from[0].lower;
+    to[0].lower = to[0].upper;
+    if (lower_end(value.on(from).values - value.on(to).values) > slack) result.place = from;
+    return result;
   };
-  const ShapeRule rule{.violation =
-                           [&](const StudyBox& box) {
-                             return Violation{fall_on(box), 0};
-                           },
-                       .fails =
-                           [&](const StudyBox& box) {
-                             StudyBox from = box, to = box;
-                             from[0].upper = from[0].lower;
-                             to[0].lower = to[0].upper;
-                             const Interval fall = value.on(from).values - value.on(to).values;
-                             return lower_end(fall) > slack;
-                           },
-                       .adds = true};
-  return prove(rule, form.ranges, slack, checkpoint);
+  return prove(rule, true, form.ranges, slack, checkpoint);
 }
 
 /// That the form is its target at an end.
@@ -141,7 +139,7 @@ ShapeProof prove_exact(const StudySubject& subject, double end, double slack) {
   if (plain.study.rows || !fault_of(plain).empty()) return {Proof::open};
   const ReadStudy study = read_formulas(plain.study);
   if (study.axes.size() > 1) return {Proof::open};
-  EnclosedError error(study, FormGraph(plain, study).parameters);
+  EnclosedError error(study, parameters_of(plain, study));
   const std::vector<double> place{end};
   const Interval difference = error.at(place);
   if (largest_magnitude_in(difference) <= slack) return {Proof::proven, {}, 1};
@@ -159,7 +157,7 @@ ShapeProof prove_shape(const StudySubject& subject, const Constraints& constrain
   }
   const ReadStudy study = read_formulas(subject.study);
   if (integral_depth(study.form) > 0) return {Proof::open};
-  FormGraph form(subject, study);
+  FormGraph form{Graph(inputs_of(study)), ranges_of(study), parameters_of(subject, study)};
   const int value = form.graph.add(study.form);
   const auto turned = [&] { return form.graph.add(-study.form); };
   const double slack = shape_slack * scale;

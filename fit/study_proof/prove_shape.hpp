@@ -39,9 +39,9 @@ struct ShapeProof {
 /// A bound is proven on boxes, which are cut until it holds on each. A course is proven by the sum over boxes
 /// of how far the form may run against it: the width of the box times the wrong part of the slope, or the
 /// width of the values where there is no slope, as at the end of sqrt(1 - x) or where a choice may jump. The
-/// answer is `open` if that needs more than `most_shape_boxes`, if the form has an integral, or if the target
-/// at an end has one inside another. Throws UserError for formulas that cannot be read, and for other
-/// parameters than those of the form.
+/// answer is `open` if that needs more than `most_shape_boxes`, if a form with a course may have a pole, if
+/// the form has an integral, or if the target at an end has one inside another. Throws UserError for formulas
+/// that cannot be read, and for other parameters than those of the form.
 ShapeProof prove_shape(const StudySubject& subject, const Constraints& constraint, double scale,
                        const Checkpoint& checkpoint = keep_going);
 
