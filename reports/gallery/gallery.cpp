@@ -106,7 +106,7 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
           "{} have a better set at no more instructions.</p>\n"
           "<p>The error is the largest one over the stated range, sampled. <b>Verdict</b> says which fit has the printed digits: that of the study "
           "(confirmed; rounding: but for one unit in a last digit), another one (other-objective; undecidable: by chance, perhaps), or none (refuted). The best set has the least largest error among fits that keep the properties of the published one: "
-          "exact ends, rising or falling, not negative, at most 1, as far as its target has them (sampled). Its rms error is at most doubled. <b>Least error</b> is that of a fit which loses some.</p>\n"
+          "exact ends, rising or falling, not negative, at most 1, as far as its target has them; each is proven by interval arithmetic, or its page says that it is sampled. Its rms error is at most doubled. <b>Least error</b> is that of a fit which loses some.</p>\n"
           "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
           rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true)) +
       (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");

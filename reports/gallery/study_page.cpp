@@ -127,8 +127,9 @@ std::string study_page(const GalleryEntry& entry) {
     if (!comparison.left_out.empty())
       body += "<h2>Fits that did not converge</h2>\n" + facts(comparison.left_out);
   }
-  body +=
-      "<p class=\"soft\">The largest errors are sampled. <code>beats</code> names published rows with a larger error at no fewer instructions.</p>\n";
+  body += fmt::format(
+      "<p class=\"soft\">{} The largest errors are sampled. <code>beats</code> names published rows with a larger error at no fewer instructions.</p>\n",
+      html_text(proven_in_words));
   body += code_of(entry);
   return html_page(study_title(entry.file), body);
 }

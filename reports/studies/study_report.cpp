@@ -155,8 +155,9 @@ std::vector<File> study_files_of(const StudyFile& file, const std::vector<StudyC
                         markdown_block(study_comparison_table(comparison)));
     page += left_out_lines(comparison);
   }
-  page +=
-      "\nThe largest errors are sampled. `beats` names published rows with a larger error at no fewer instructions.\n";
+  page += fmt::format(
+      "\n{} The largest errors are sampled. `beats` names published rows with a larger error at no fewer instructions.\n",
+      proven_in_words);
   for (const Figure& figure : figures)
     page += fmt::format("\n![{}](plots/{}.svg)\n", figure.caption, figure.name);
   return {{"report.md", page},

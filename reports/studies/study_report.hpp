@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fit/better/better_study.hpp"
@@ -11,6 +12,10 @@
 
 /// A study on a page.
 namespace shadefit {
+
+/// What "(proven)" behind a property means (fit/study_proof/prove_shape.hpp).
+inline constexpr std::string_view proven_in_words =
+    "A proven property holds for all numbers of the range, but for 1e-12 of the target's largest value, which is rounding; exact is within 2^-24 of it.";
 
 /// "acos-linear: the arc cosine by a line times a root".
 std::string study_title(const StudyFile& file);
