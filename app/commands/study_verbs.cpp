@@ -10,6 +10,7 @@
 #include "app/studies/find_study.hpp"
 #include "app/terminal/progress.hpp"
 #include "fit/better/prove_contenders.hpp"
+#include "fit/better/round_contenders.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/study/recomputed_rows.hpp"
 #include "fit/support/parallel.hpp"
@@ -138,7 +139,10 @@ Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint,
   const auto judge = [&](std::size_t place, const Checkpoint& go_on) {
     GalleryEntry entry{files[chosen[place]], {}};
     entry.comparisons = comparisons_of(entry.file, go_on);
-    for (StudyComparison& comparison : entry.comparisons) prove_contenders(comparison, go_on);
+    for (StudyComparison& comparison : entry.comparisons) {
+      prove_contenders(comparison, go_on);
+      round_contenders(comparison, go_on);
+    }
     shard.judged[place] = judged_study(entry);
   };
   for_each_in_parallel(

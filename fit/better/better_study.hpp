@@ -21,6 +21,19 @@ struct ProvenError {
   std::size_t boxes = 0;  ///< of which the proof consists
 };
 
+/// A form in a format: its constants are rounded, and so is every operation and function.
+struct ContenderInFormat {
+  /// How `bound` is known: by proof, or because the form was evaluated at every number or row.
+  enum class Evidence { none, proven, every_number, every_row };
+
+  std::string_view format;             ///< "float" or "half"
+  std::vector<std::string> constants;  ///< the shortest decimals that read back; none if one overflows
+  bool is_moved = false;               ///< constants that were searched for, not only rounded
+  double bound = 0;                    ///< of the error of the study
+  Evidence evidence = Evidence::none;
+  std::string reason = {};  ///< why there is no bound
+};
+
 /// A form with its constants.
 struct StudyContender {
   const PublishedSet* published = nullptr;  ///< null for a fit
@@ -39,6 +52,8 @@ struct StudyContender {
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
   std::vector<JudgedError> claims = {};          ///< what the source says of its errors
   std::optional<ProvenError> proof = {};         ///< only by `prove_contenders`
+  std::optional<double> bound = {};              ///< proven too, but maybe far above the largest error
+  std::vector<ContenderInFormat> formats = {};   ///< only by `round_contenders`
   /// The published contenders, by their places in the list, that have a larger error at no fewer
   /// instructions.
   std::vector<std::size_t> beats = {};

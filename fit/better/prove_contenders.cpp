@@ -14,16 +14,14 @@ bool has_integral(const Symbolic& formula) {
          std::any_of(formula.parts().begin(), formula.parts().end(), has_integral);
 }
 
-std::optional<ProvenError> proven(const StudySubject& subject, const Checkpoint& checkpoint) {
+void prove(StudyContender& contender, const StudySubject& subject, const Checkpoint& checkpoint) {
   constexpr double width = 1e-4;  // the pages show four digits
   const std::size_t most = has_integral(read_formulas(subject.study).target) ? 1'500 : 20'000;
   try {
-    const CertifiedStudy certified = certify_study(subject, width, checkpoint, most);
-    if (!certified.is_reached) return std::nullopt;
-    return ProvenError{certified.certificate.lower, certified.certificate.upper,
-                       count_boxes(certified.certificate)};
+    const auto [certificate, is_reached] = certify_study(subject, width, checkpoint, most);
+    contender.bound = certificate.upper;
+    if (is_reached) contender.proof = {certificate.lower, certificate.upper, count_boxes(certificate)};
   } catch (const CheckFailed&) {  // no finite bound
-    return std::nullopt;
   }
 }
 
@@ -38,7 +36,7 @@ void prove_contenders(StudyComparison& comparison, const Checkpoint& checkpoint)
     if (&contender != first && &contender != best) continue;
     checkpoint();
     const StudySubject subject = subject_of(comparison.study, contender);
-    if (fault_of(subject).empty()) contender.proof = proven(subject, checkpoint);
+    if (fault_of(subject).empty()) prove(contender, subject, checkpoint);
   }
 }
 

@@ -1,6 +1,7 @@
 #include "reports/gallery/study_page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include "reports/gallery/grey_ramps.hpp"
 #include "reports/gallery/heat_map.hpp"
 #include "reports/gallery/html.hpp"
+#include "reports/rows/rounded.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_report.hpp"
 #include "reports/studies/study_rows.hpp"
@@ -75,6 +77,47 @@ std::string picture(const StudyComparison& comparison) {
   return fmt::format("<h2>Error map{}</h2>\n{}<p>{}</p>\n", behind(comparison), maps, html_text(words));
 }
 
+std::string evidence_in_words(const ContenderInFormat& in_format) {
+  switch (in_format.evidence) {
+    case ContenderInFormat::Evidence::none:
+      return in_format.reason;
+    case ContenderInFormat::Evidence::proven:
+      return "proven";
+    case ContenderInFormat::Evidence::every_number:
+      return fmt::format("every {} of the range", in_format.format);
+    case ContenderInFormat::Evidence::every_row:
+      return "every row";
+  }
+  return "";
+}
+
+/// The rows of one contender: its constants in float and in half, and how large its errors are there.
+void append_formats(const StudyContender& contender, Table& table) {
+  constexpr int digits = 4;  // the proven bounds are as wide
+  for (const ContenderInFormat& in_format : contender.formats) {
+    std::vector<std::string> constants;
+    for (std::size_t i = 0; i < in_format.constants.size(); ++i)
+      constants.push_back(contender.names[i] + " = " + in_format.constants[i]);
+    const bool is_bounded = in_format.evidence != ContenderInFormat::Evidence::none;
+    table.rows.push_back(
+        {contender.published != nullptr ? "published"
+         : in_format.is_moved           ? "searched in half"
+                                        : "better",
+         contender.form, word(in_format.format), fmt::format("{}", fmt::join(constants, ", ")),
+         is_bounded ? at_most(in_format.bound, digits) : Cell{}, evidence_in_words(in_format)});
+  }
+}
+
+std::string formats(const StudyComparison& comparison) {
+  Table table{
+      {"set", "form", "format", "constants", error_in_words(comparison.error) + " at most", "known by"}, {}};
+  for (const StudyContender* contender : shown(comparison)) append_formats(*contender, table);
+  if (table.rows.empty()) return "";
+  return fmt::format(
+      "<h2>In float and half{}</h2>\n{}<p class=\"soft\">All constants, numbers, operations and functions are rounded to nearest.</p>\n",
+      behind(comparison), html_table(table, false));
+}
+
 /// The name of a function for an id: letters, digits and '_'.
 std::string function_name(std::string id) {
   std::replace(id.begin(), id.end(), '-', '_');
@@ -124,6 +167,7 @@ std::string study_page(const GalleryEntry& entry) {
     body += picture(comparison);
     body += fmt::format("<h2>{}</h2>\n{}", "All forms compared" + behind(comparison),
                         html_table(study_comparison_table(comparison), false));
+    body += formats(comparison);
     if (!comparison.left_out.empty())
       body += "<h2>Fits that did not converge</h2>\n" + facts(comparison.left_out);
   }

@@ -89,8 +89,7 @@ std::string meaning_of_best(const Rounded& rounded) {
 
 }  // namespace
 
-Cell at_most(double bound) {
-  constexpr int digits = 6;
+Cell at_most(double bound, int digits) {
   if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
   const double unit = std::pow(10.0, std::floor(std::log10(bound)) - (digits - 1));
   return Number{std::ceil(bound / unit) * unit, digits};

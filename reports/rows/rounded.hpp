@@ -12,8 +12,8 @@
 /// Rounded constants, as rows and as JSON.
 namespace shadefit {
 
-/// A bound with 6 digits, rounded up, so that the printed number is a bound too.
-Cell at_most(double bound);
+/// A bound with so many digits, rounded up, so that the printed number is a bound too.
+Cell at_most(double bound, int digits = 6);
 
 /// The rounded constants of a fit, or why there are none: the fit did not converge, or the format cannot hold
 /// it.

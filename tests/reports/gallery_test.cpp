@@ -3,9 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "fit/better/prove_contenders.hpp"
+#include "fit/better/round_contenders.hpp"
+#include "fit/scalars/half.hpp"
 #include "reports/gallery/heat_map.hpp"
 #include "reports/gallery/html.hpp"
 
@@ -128,6 +133,49 @@ TEST(Gallery, ProvesTheErrorsThatItShows) {
     EXPECT_NE(page.find(part), std::string::npos) << part;
   for (const StudyContender& other : comparison.contenders)
     EXPECT_EQ(other.proof.has_value(), &other == published || &other == best) << other.origin;
+}
+
+/// The largest error of a x + b for x^2, at every half of [0, 1].
+double parabola_in_half(double a, double b) {
+  double largest = 0;
+  for (std::uint16_t bits = 0; bits <= 0x3c00; ++bits) {
+    const auto x = Eigen::numext::bit_cast<Eigen::half>(bits);
+    const auto form = static_cast<double>(round_to_half(a) * x + round_to_half(b));
+    largest = std::max(largest, std::abs(form - static_cast<double>(x) * static_cast<double>(x)));
+  }
+  return largest;
+}
+
+TEST(Gallery, ShowsConstantsInFloatAndHalf) {
+  GalleryEntry entry = parabola();
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  StudyComparison& comparison = entry.comparisons.front();
+  prove_contenders(comparison);
+  round_contenders(comparison);
+  const StudyContender* published = first_published(comparison);
+  for (const StudyContender* contender : {published, better_at_the_same_cost(comparison, *published)}) {
+    ASSERT_GE(contender->formats.size(), 2U) << contender->origin;
+    const ContenderInFormat &single = contender->formats[0], &half = contender->formats[1];
+    EXPECT_EQ(single.evidence, ContenderInFormat::Evidence::proven);
+    EXPECT_GT(single.bound, contender->proof->upper) << "rounding adds to the error in real numbers";
+    // the product is below 1, and so is the sum; b may be off by 2^-28
+    EXPECT_LE(single.bound, contender->proof->upper + 2.1 * 0x1p-24);
+    EXPECT_EQ(half.evidence, ContenderInFormat::Evidence::every_number);
+    EXPECT_NEAR(half.bound, parabola_in_half(contender->values[0], contender->values[1]), 1e-15);
+  }
+  EXPECT_EQ(published->formats[0].constants, (std::vector<std::string>{"1", "-0.05"}));
+  const std::string page = judged_study(entry).page;
+  EXPECT_NE(page.find("<h2>In float and half</h2>"), std::string::npos);
+  EXPECT_NE(page.find("<td>every half of the range</td>"), std::string::npos);
+
+  // 7e4 is beyond half.
+  entry.file.published.front().values = {{"a", "1.00"}, {"b", "-70000"}};
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  round_contenders(entry.comparisons.front());
+  const auto& formats = first_published(entry.comparisons.front())->formats;
+  ASSERT_EQ(formats.size(), 2U);
+  EXPECT_EQ(formats[0].reason, "no bound proven");
+  EXPECT_EQ(formats[1].reason, "b overflows: the largest is 65504");
 }
 
 /// Of x^2 shown as greys, a line is off by many codes; of x^2 + 3 nothing is shown.

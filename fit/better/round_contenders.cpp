@@ -1,0 +1,162 @@
+#include "fit/better/round_contenders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/better/prove_properties.hpp"
+#include "fit/rounding/lattice.hpp"
+#include "fit/rounding/study_in_format.hpp"
+#include "fit/study_proof/float_rounding.hpp"
+#include "fit/support/decimal.hpp"
+
+namespace shadefit {
+namespace {
+
+using Evidence = ContenderInFormat::Evidence;
+
+/// The numbers of a format as text, or which one overflows.
+template <class Format>
+ContenderInFormat described(const Constants& constants, const std::vector<double>& numbers) {
+  ContenderInFormat result{.format = Format::name, .constants = {}};
+  const BinaryLattice<Format> lattice;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!std::isfinite(numbers[i]))
+      return {.format = Format::name,
+              .constants = {},
+              .reason = constants[i].first + " overflows: the largest is " + largest_text(lattice)};
+    result.constants.push_back(shortest(lattice, lattice.nearest(numbers[i])));
+  }
+  return result;
+}
+
+template <class Format>
+std::vector<double> rounded(std::vector<double> values) {
+  for (double& value : values) value = static_cast<double>(NarrowResult<Format>::rounded(value));
+  return values;
+}
+
+/// The error at every place of a study.
+template <class Format>
+void evaluate(const ReadStudy& read, StudyInFormat<Format>& study, const std::vector<double>& numbers,
+              ContenderInFormat& result) {
+  const ErrorInFormat largest = study.largest_error(numbers);
+  if (std::isfinite(largest.magnitude)) {
+    result.bound = largest.magnitude;
+    result.evidence = read.rows ? Evidence::every_row : Evidence::every_number;
+    return;
+  }
+  std::string place;
+  for (std::size_t i = 0; i < largest.at.size(); ++i)
+    place += (i == 0 ? "" : ", ") + read.axes[i].variable + " = " + decimal(largest.at[i], 6);
+  result.reason = "overflows, or is no number, at " + place;
+}
+
+/// The places where a contender is exact.
+std::vector<double> exact_places(const StudyContender& contender) {
+  std::vector<double> places;
+  for (const StudyProperty& property : contender.properties) {
+    const auto& at = property.constraints.exact_at;
+    places.insert(places.end(), at.begin(), at.end());
+  }
+  return places;
+}
+
+std::vector<double> values_of(const StudyComparison& comparison, const StudyContender& contender) {
+  std::vector<double> values = contender.values;
+  for (const Held& held : comparison.study.held) values.push_back(held.value);
+  return values;
+}
+
+ContenderInFormat in_float(const StudySubject& subject, const StudyContender& contender,
+                           const std::vector<double>& values, const Checkpoint& checkpoint) {
+  const ReadStudy read = read_formulas(subject.study);
+  const std::vector<double> numbers = rounded<FloatFormat>(values);
+  ContenderInFormat result = described<FloatFormat>(subject.parameters, numbers);
+  if (!result.reason.empty()) return result;
+  if (read.rows) {
+    StudyInFormat<FloatFormat> study(read, checkpoint);
+    evaluate(read, study, numbers, result);
+    return result;
+  }
+  const double rounding = contender.bound ? bound_of_float_rounding(subject, checkpoint) : HUGE_VAL;
+  if (std::isfinite(rounding)) {
+    result.bound = std::nextafter(*contender.bound + rounding, HUGE_VAL);
+    result.evidence = Evidence::proven;
+  } else {
+    result.reason = "no bound proven";
+  }
+  return result;
+}
+
+/// A contender in half, and the study to evaluate other constants in.
+struct InHalf {
+  ContenderInFormat rounded;
+  std::vector<double> numbers;
+  std::optional<StudyInFormat<HalfFormat>> study;  ///< none if a constant overflows
+};
+
+/// Empty in two variables, and if the range holds no half.
+std::optional<InHalf> in_half(const StudySubject& subject, const std::vector<double>& values,
+                              const Checkpoint& checkpoint) {
+  const ReadStudy read = read_formulas(subject.study);
+  if (read.axes.size() > 1 && !read.rows) return std::nullopt;
+  InHalf half{{}, rounded<HalfFormat>(values), {}};
+  half.rounded = described<HalfFormat>(subject.parameters, half.numbers);
+  if (!half.rounded.reason.empty()) return half;
+  half.study.emplace(read, checkpoint);
+  if (half.study->size() == 0) return std::nullopt;
+  evaluate(read, *half.study, half.numbers, half.rounded);
+  return half;
+}
+
+/// The best that searches from each start find; empty if that gains no 1 % on the best start.
+std::optional<ContenderInFormat> searched(const StudySubject& subject, const StudyContender& contender,
+                                          StudyInFormat<HalfFormat>& study,
+                                          const std::vector<std::vector<double>>& starts,
+                                          const Checkpoint& checkpoint) {
+  double before = HUGE_VAL, after = HUGE_VAL;
+  std::vector<double> best;
+  for (const std::vector<double>& start : starts) {
+    before = std::min(before, study.largest_error(start).magnitude);
+    const std::vector<double> moved = moved_constants(study, start, exact_places(contender), checkpoint);
+    const double error = study.largest_error(moved).magnitude;
+    if (error < after) best = moved;
+    after = std::min(after, error);
+  }
+  constexpr double worth = 0.99;
+  if (!std::isfinite(after) || !(after < worth * before)) return std::nullopt;
+  ContenderInFormat result = described<HalfFormat>(subject.parameters, best);
+  result.is_moved = true;
+  evaluate(read_formulas(subject.study), study, best, result);
+  return result;
+}
+
+}  // namespace
+
+void round_contenders(StudyComparison& comparison, const Checkpoint& checkpoint) {
+  const StudyContender* first = first_published(comparison);
+  if (first == nullptr) return;
+  const StudyContender* best = better_at_the_same_cost(comparison, *first);
+  std::vector<std::vector<double>> starts;
+  for (StudyContender& contender : comparison.contenders) {  // published ones stand first
+    if (&contender != first && &contender != best) continue;
+    const StudySubject subject = subject_of(comparison.study, contender);
+    if (!fault_of(subject).empty()) continue;
+    const std::vector<double> values = values_of(comparison, contender);
+    contender.formats = {in_float(subject, contender, values, checkpoint)};
+    std::optional<InHalf> half = in_half(subject, values, checkpoint);
+    if (!half) continue;
+    contender.formats.push_back(half->rounded);
+    if (!half->study) continue;
+    if (contender.form != first->form) starts.clear();
+    starts.push_back(half->numbers);
+    if (&contender == first) continue;
+    if (const auto other = searched(subject, contender, *half->study, starts, checkpoint))
+      contender.formats.push_back(*other);
+  }
+}
+
+}  // namespace shadefit

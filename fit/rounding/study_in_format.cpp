@@ -1,0 +1,153 @@
+#include "fit/rounding/study_in_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "fit/rounding/lattice.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Every number of the format in a range.
+template <class Format>
+std::vector<double> numbers_in(const StudyAxis& axis) {
+  const BinaryLattice<Format> lattice;
+  std::vector<double> numbers;
+  std::int64_t i = lattice.nearest(axis.lower);
+  if (lattice.value(i) < axis.lower) ++i;
+  for (; i <= lattice.last() && lattice.value(i) <= axis.upper; ++i) numbers.push_back(lattice.value(i));
+  return numbers;
+}
+
+std::vector<std::string> inputs_of_form(const ReadStudy& study) {
+  std::vector<std::string> names;
+  for (const StudyAxis& axis : study.axes) names.push_back(axis.variable);
+  names.insert(names.end(), study.parameters.begin(), study.parameters.end());
+  return names;
+}
+
+template <class Format>
+double rounded_to(double x) {
+  return static_cast<double>(NarrowResult<Format>::rounded(x));
+}
+
+}  // namespace
+
+template <class Format>
+StudyInFormat<Format>::StudyInFormat(const ReadStudy& study, const Checkpoint& checkpoint)
+    : places_(places_of(study, checkpoint)),
+      order_(places_.size()),
+      form_(tape_of(study.form, inputs_of_form(study)), {}) {
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+}
+
+template <class Format>
+auto StudyInFormat<Format>::places_of(const ReadStudy& study, const Checkpoint& checkpoint)
+    -> std::vector<Place> {
+  std::vector<Place> places;
+  if (study.rows) {
+    for (std::size_t row = 0; row < study.rows->value.size(); ++row) {
+      std::vector<double> variables;
+      for (const auto& column : study.rows->places) variables.push_back(rounded_to<Format>(column[row]));
+      places.push_back({std::move(variables), study.rows->value[row], 1});
+    }
+    return places;
+  }
+  if (study.axes.size() > 1) throw std::logic_error("the numbers of two ranges are too many");
+  const std::vector<std::string> variable{study.axes.front().variable};
+  TapeProgram<double> target(tape_of(study.target, variable), {}),
+      weight(tape_of(study.weight, variable), {});
+  for (const double x : numbers_in<Format>(study.axes.front())) {
+    checkpoint();
+    target.run(std::array{x});
+    weight.run(std::array{x});
+    const double truth = target.output(0), factor = weight.output(0);
+    places.push_back({{x}, truth, study.error == Error::relative ? factor / truth : factor});
+  }
+  return places;
+}
+
+template <class Format>
+double StudyInFormat<Format>::error_at(const Place& place, std::span<const double> constants) {
+  inputs_.clear();
+  for (const double x : place.variables) inputs_.emplace_back(x);
+  for (const double x : constants) inputs_.emplace_back(x);
+  form_.run(inputs_);
+  const double error = std::abs((static_cast<double>(form_.output(0)) - place.target) * place.scale);
+  return std::isnan(error) ? HUGE_VAL : error;
+}
+
+template <class Format>
+ErrorInFormat StudyInFormat<Format>::largest_error(std::span<const double> constants, double enough) {
+  ErrorInFormat largest;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < order_.size() && largest.magnitude < enough; ++i) {
+    const Place& place = places_[order_[i]];
+    const double error = error_at(place, constants);
+    if (i > 0 && error <= largest.magnitude) continue;
+    largest = {error, place.variables};
+    worst = i;
+  }
+  const auto first = order_.begin();
+  if (worst > 0)
+    std::rotate(first, first + static_cast<std::ptrdiff_t>(worst),
+                first + static_cast<std::ptrdiff_t>(worst) + 1);
+  return largest;
+}
+
+template <class Format>
+double StudyInFormat<Format>::error_from(double x, std::span<const double> constants) {
+  const auto place =
+      std::find_if(places_.begin(), places_.end(), [&](const Place& p) { return p.variables.front() >= x; });
+  return place == places_.end() ? 0 : error_at(*place, constants);
+}
+
+template class StudyInFormat<HalfFormat>;
+template class StudyInFormat<FloatFormat>;
+
+std::vector<double> moved_constants(StudyInFormat<HalfFormat>& study, std::vector<double> constants,
+                                    std::span<const double> kept, const Checkpoint& checkpoint) {
+  const BinaryLattice<HalfFormat> lattice;
+  constexpr double smaller = 1 - 1e-9;  // equal errors of two curves differ by rounding of the target
+  constexpr int farthest = 64;
+  const auto errors_at_kept = [&](std::span<const double> values) {
+    std::vector<double> errors;
+    for (const double x : kept) errors.push_back(study.error_from(x, values));
+    return errors;
+  };
+  const std::vector<double> allowed = errors_at_kept(constants);
+  const auto keeps = [&](std::span<const double> values) {
+    const std::vector<double> errors = errors_at_kept(values);
+    return std::equal(errors.begin(), errors.end(), allowed.begin(),
+                      [](double a, double b) { return a <= b; });
+  };
+  double best = study.largest_error(constants).magnitude;
+  const auto try_move = [&](std::size_t i, std::int64_t steps) {
+    const std::int64_t index = lattice.nearest(constants[i]) + steps;
+    if (std::abs(index) > lattice.last()) return false;
+    std::vector<double> moved = constants;
+    moved[i] = lattice.value(index);
+    const double enough = best * smaller;
+    const double error = study.largest_error(moved, enough).magnitude;
+    if (!(error < enough) || !keeps(moved)) return false;
+    constants = moved;
+    best = error;
+    return true;
+  };
+  for (bool has_moved = true; has_moved;) {
+    has_moved = false;
+    for (std::size_t i = 0; i < constants.size(); ++i) {
+      checkpoint();
+      for (std::int64_t steps = 1; steps <= farthest; steps *= 2)
+        has_moved = try_move(i, steps) || try_move(i, -steps) || has_moved;
+    }
+  }
+  return constants;
+}
+
+}  // namespace shadefit

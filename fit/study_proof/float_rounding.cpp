@@ -1,0 +1,114 @@
+#include "fit/study_proof/float_rounding.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+#include <string>
+#include <vector>
+
+#include "fit/proof/enclosed_constant.hpp"
+#include "fit/scalars/integral.hpp"
+#include "fit/study_proof/running_float.hpp"
+#include "fit/study_proof/study_box.hpp"
+#include "fit/tape/tape_program.hpp"
+
+namespace shadefit {
+namespace {
+
+std::vector<std::string> with_parameters(std::vector<std::string> variables, const ReadStudy& study) {
+  variables.insert(variables.end(), study.parameters.begin(), study.parameters.end());
+  return variables;
+}
+
+std::vector<RunningFloat> rounded_constants(const Constants& constants) {
+  std::vector<RunningFloat> rounded;
+  for (const auto& [name, text] : constants)
+    rounded.push_back(RunningFloat::rounded_number(enclosed_constant(text).value()));
+  return rounded;
+}
+
+/// What the difference of form and target is multiplied by.
+Symbolic scale_of(const ReadStudy& study) {
+  return study.error == Error::relative ? study.weight / study.target : study.weight;
+}
+
+/// The bound on boxes. The variables are exact: they are floats.
+class FloatRounding {
+ public:
+  FloatRounding(const ReadStudy& study, const Constants& constants, const std::vector<std::string>& variables)
+      : form_(tape_of(study.form, with_parameters(variables, study)), rounded_constants(constants)),
+        scale_(tape_of(scale_of(study), variables), {}) {
+    for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
+  }
+
+  std::span<const Domain> ranges() const { return ranges_; }
+
+  double bound_on(const StudyBox& box) {
+    std::vector<Interval> numbers;
+    std::vector<RunningFloat> operands;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      numbers.push_back(numbers_of(box[i], ranges_[i]));
+      operands.push_back(RunningFloat::exact(numbers.back()));
+    }
+    form_.run(operands);
+    scale_.run(numbers);
+    return largest_magnitude_in(Interval(form_.output(0).error) * scale_.output(0));
+  }
+
+  /// The variable with the largest part of its range in a box.
+  std::size_t widest(const StudyBox& box) const {
+    std::size_t widest = 0;
+    const auto share = [&](std::size_t i) {
+      return (box[i].upper - box[i].lower) / (ranges_[i].upper - ranges_[i].lower);
+    };
+    for (std::size_t i = 1; i < box.size(); ++i) {
+      if (share(i) > share(widest)) widest = i;
+    }
+    return widest;
+  }
+
+ private:
+  std::vector<Domain> ranges_;
+  TapeProgram<RunningFloat> form_;
+  TapeProgram<Interval> scale_;
+};
+
+struct BoundedBox {
+  double bound;
+  StudyBox box;
+  bool operator<(const BoundedBox& other) const { return bound < other.bound; }
+};
+
+StudyBox centre_of(StudyBox box) {
+  for (Stretch& side : box) side = middle_of(side);
+  return box;
+}
+
+}  // namespace
+
+double bound_of_float_rounding(const StudySubject& subject, const Checkpoint& checkpoint,
+                               std::size_t box_limit) {
+  const ReadStudy study = read_formulas(subject.study);
+  // In intervals the sum that stands for an integral is no enclosure of it.
+  if (integral_depth(study.form) > 0 || integral_depth(scale_of(study)) > 0)
+    return std::numeric_limits<double>::infinity();
+  FloatRounding rounding(study, subject.parameters, node_variables(study));
+  std::priority_queue<BoundedBox> open;
+  double reached = 0;  // at single places: the bound cannot fall below
+  const auto add = [&](const StudyBox& box) {
+    open.push({rounding.bound_on(box), box});
+    reached = std::max(reached, rounding.bound_on(centre_of(box)));
+  };
+  for (const StudyBox& box : corners_of(rounding.ranges())) add(box);
+  constexpr double near = 1.05;
+  while (open.top().bound > near * reached && open.size() < box_limit) {
+    checkpoint();
+    const auto halves = halves_of(open.top().box, rounding.widest(open.top().box));
+    if (!halves) break;
+    open.pop();
+    for (const StudyBox& half : *halves) add(half);
+  }
+  return open.top().bound;
+}
+
+}  // namespace shadefit
