@@ -28,11 +28,12 @@ Symbolic form_with(const ReadStudy& study, const std::vector<double>& values) {
   });
 }
 
-/// The name of the error by which contenders are compared.
+/// The name of the error by which contenders are compared. Rows with sigma are weighted without being asked;
+/// their residuals have the unit of the rows.
 std::string_view error_of(const Study& study) {
-  if (study.rows) return "max_abs_error";
-  if (study.weight != "1") return "max_weighted_error";
-  return study.error == Error::relative ? "max_rel_error" : "max_abs_error";
+  const bool is_of_sigma = study.rows && study.weight == "1/sigma";
+  if (study.weight != "1" && !is_of_sigma) return "max_weighted_error";
+  return study.error == Error::relative && !study.rows ? "max_rel_error" : "max_abs_error";
 }
 
 Effect effect_of(const SampledCurve& curve) {

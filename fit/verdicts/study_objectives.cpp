@@ -113,16 +113,23 @@ StudyObjective holding(StudyObjective objective, const std::string& parameter, d
 
 std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
   std::vector<StudyObjective> objectives;
-  const auto add = [&](StudyObjective objective) {
+  const auto add = [&](StudyObjective objective, const std::string& more = "") {
+    objective.words += more;
     if (objective.words != asked.words) objectives.push_back(std::move(objective));
   };
   const bool has_rows = asked.study.rows != nullptr;
   const std::array errors{Error::absolute, Error::relative};
-  for (const Error error : errors) {
-    Study study = asked.study;
-    study.error = error;
-    add(objective_of(study, Norm::least_squares, {}));
-    if (!has_rows) add(objective_of(study, Norm::minimax, {}));
+  std::vector<std::string> weights{asked.study.weight};
+  if (weights.front() != "1") weights.emplace_back("1");
+  for (const std::string& weight : weights) {
+    for (const Error error : errors) {
+      Study study = asked.study;
+      study.error = error;
+      study.weight = weight;
+      const std::string words = weight == weights.front() ? "" : ", without the weight";
+      add(objective_of(study, Norm::least_squares, {}), words);
+      if (!has_rows) add(objective_of(study, Norm::minimax, {}), words);
+    }
   }
   if (has_rows || asked.study.over.size() > 1) return objectives;
   const ReadStudy read = read_study(asked.study);

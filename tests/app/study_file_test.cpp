@@ -316,8 +316,12 @@ TEST_F(StudyFolder, TakesMeasuredRows) {
   EXPECT_EQ(fit["published"][0]["verdict"], "confirmed");
   const auto better = json_of({"better", path("line.toml")});
   EXPECT_EQ(better["contenders"].size(), 3u) << "a published set, and two fits by least squares";
+  EXPECT_NEAR(better["contenders"][0]["max_abs_error"].get<double>(), 0.1, 1e-14);
   EXPECT_NE(run_command_line({"emit", path("line.toml"), "--lang", "c"}).out.find("0.95f + 2.15f * x"),
             std::string::npos);
+  write("line.toml", replaced(text, "[metric]\n", "[metric]\nweight = \"1 + x\"\n"));
+  const auto weighted = json_of({"better", path("line.toml")});
+  EXPECT_NEAR(weighted["contenders"][0]["max_weighted_error"].get<double>(), 0.2, 1e-14);
   write("line.toml", replaced(text, "[target]\n", "[target]\nformula = \"x\"\n"));
   expect_refusal({"fit", path("line.toml")},
                  "study '" + path("line.toml") + "', line 5: a target is a formula or a table, not both");

@@ -79,6 +79,15 @@ TEST(StudyVerdict, FindsAHeldConstant) {
   EXPECT_EQ(judgement.objective, "minimax with a = 1.57");
 }
 
+TEST(StudyVerdict, FindsTheFitWithoutTheWeight) {
+  Study weighted = arc_cosine;
+  weighted.weight = "1 + 4 x";
+  const StudyJudgement judgement = judge_set(objective_of(weighted, Norm::least_squares, {}),
+                                             printed(objective_of(arc_cosine, Norm::least_squares, {}), 9));
+  EXPECT_EQ(name(judgement.verdict), "other-objective");
+  EXPECT_EQ(judgement.objective, "least squares, without the weight");
+}
+
 TEST(StudyVerdict, NamesTheNearestFitOfRefutedDigits) {
   PublishedSet set = printed(objective_of(arc_cosine, Norm::minimax, {}), 9);
   set.values[1].second = "-0.168258005";  // six units in the eighth decimal
