@@ -8,7 +8,7 @@ The rows are drawn: one in a hundred, at least five of each table. Which ones fo
 computed by other integrals or in another arithmetic than the table:
 
     karis-*, materialx-ggx-*, conductor-albedo   over the visible normals, not over the directions of the light
-    three-sheen, imageworks-sheen                over the half vectors; three-sheen is cut off, and over the cosine of the light
+    three-sheen                                  over the cosine of the light, and cut off
     airy-*, planck-*                             sums of doubles, not of 30 or 50 digits
     cie-y                                        the table in steps of 1 nm, rounded
 
@@ -132,7 +132,6 @@ RECIPES = {
     "materialx-ggx-scale": (lambda x, y: (x, y), ggx("height-correlated", 1)),
     "materialx-ggx-bias": (lambda x, y: (x, y), ggx("height-correlated", 2)),
     "conductor-albedo": (lambda x, r: (max(x, mpf("0.02")), max(r, mpf("0.035")) ** 2), ggx("separable", 0)),
-    "imageworks-sheen": (lambda x, y: (x, y), lambda mu, alpha: albedo.sheen_by_normals(mu, alpha, NODES)),
     "three-sheen": (lambda x, r: (x, r * r), cut_sheen),
     "airy-x": (float, airy(1)),
     "airy-y": (float, airy(2)),

@@ -188,7 +188,6 @@ def tables():
     entries = even(0, 1, 32)
     result["conductor-albedo.csv"] = table("r", entries, entries, lambda x, r: [ggx(separable, max(x, 0.02), max(r, 0.035) ** 2, False)])[0]
     result["three-sheen.csv"] = table("r", views, grades, lambda x, r: [min(1, sheen(x, r * r, 1))])[0]
-    result["imageworks-sheen.csv"] = table("y", views, grades, lambda x, y: [sheen(x, y)])[0]
     return result
 
 

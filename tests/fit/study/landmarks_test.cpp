@@ -253,9 +253,9 @@ TEST(Landmarks, AMirror) {
 // From above sin^2 of the half vector is (1 - l)/2 all around, and the albedo of sheen is a beta function.
 TEST(Landmarks, SheenFromAbove) {
   int above = 0;
-  for (const auto& row : rows_of("imageworks-sheen")) {
+  for (const auto& row : rows_of("three-sheen")) {
     if (row[0] != 1) continue;
-    const double m = 1 / (2 * row[1]);
+    const double m = 1 / (2 * row[1] * row[1]);
     EXPECT_NEAR(row[2], (1 + m) / 2 * std::exp2(-m) / ((m + 1) * (m + 2)), table_rounding) << row[1];
     ++above;
   }
