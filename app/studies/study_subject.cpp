@@ -69,7 +69,8 @@ ChosenStudySubject chosen_study_subject(const StudyFile& file, const Study& stud
   const std::vector<std::string> names = read_formulas(bare).parameters;
   const auto chosen = [&](const Constants& constants, std::string_view from, const std::string& origin) {
     ChosenStudySubject result{{bare, in_order(constants, names)}, from, origin};
-    if (const std::string fault = fault_of(result.subject); !fault.empty()) throw UserError(fault);
+    const std::string fault = fault_of_constants(result.subject.parameters, names, "the form");
+    if (!fault.empty()) throw UserError(fault);
     return result;
   };
   const std::string asks_for_fit = option_of_fits(options);
