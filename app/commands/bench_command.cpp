@@ -14,8 +14,10 @@
 #include "bench/tradeoff/google_json.hpp"
 #include "bench/tradeoff/grid_errors.hpp"
 #include "bench/tradeoff/measure.hpp"
+#include "bench/tradeoff/older_run.hpp"
 #include "bench/tradeoff/report.hpp"
 #include "bench/tradeoff/tables.hpp"
+#include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/utf8.hpp"
@@ -52,8 +54,65 @@ std::string report_line(const BenchOptions& options) {
   return fmt::format("\nReport: {}\n", printable((without_detours(options.out) / "bench.md").string()));
 }
 
+/// The older run of --compare; read before anything is measured.
+std::optional<bench::Medians> older_run(const BenchOptions& options) {
+  // A whole bench writes 3 MB.
+  constexpr std::uintmax_t most_bytes = 64U << 20;
+  using findings::name;
+  const bool is_about_findings =
+      options.format == FindingFormat::junit || options.format == FindingFormat::github;
+  if (is_about_findings && !options.compare)
+    throw UserError(
+        fmt::format("--format '{}' needs --compare: without it bench checks nothing", name(options.format)));
+  if (!options.compare) return std::nullopt;
+  return bench::medians_of(read_bounded(*options.compare, most_bytes), *options.compare);
+}
+
+/// What a bench has measured, as text for people.
+struct BenchTexts {
+  std::string console, markdown;
+};
+
+/// The outcome of a bench: its times, and what --compare finds. `err` and `exit_code` are those of the rest.
+Outcome bench_outcome(const BenchOptions& options, const bench::Trade& trade,
+                      const std::optional<bench::Medians>& older, const BenchTexts& texts,
+                      const Outcome& rest) {
+  findings::FindingReport report;
+  if (older) {
+    const auto times = bench::times_in_both(trade, *older);
+    if (times.empty())
+      throw UserError(
+          fmt::format("--compare '{}' has no form of this run with its reference", *options.compare));
+    report = bench::slower_forms(times, options.fail_above, *options.compare);
+  }
+  Outcome outcome = rest;
+  if (!passes(report)) outcome.exit_code = 1;
+  switch (options.format) {
+    case FindingFormat::json:
+      outcome.out = google_json(trade, bench::this_occasion());
+      break;
+    case FindingFormat::markdown:
+      outcome.out = (older ? write_findings(report, options.format) + "\n" : "") + texts.markdown;
+      break;
+    case FindingFormat::text:
+      outcome.out = texts.console;
+      break;
+    default:
+      outcome.out = write_findings(report, options.format);
+  }
+  if (options.format == FindingFormat::text && older && passes(report))
+    outcome.out += fmt::format("Compared: {} forms take at most {:g} % longer than in '{}'\n", report.checked,
+                               100 * options.fail_above, printable(*options.compare));
+  if (options.format == FindingFormat::text || options.format == FindingFormat::json) {
+    for (const auto& finding : report.findings)
+      outcome.err += fmt::format("shadefit: {}\n", one_line(finding.message));
+  }
+  return outcome;
+}
+
 /// The forms of a study.
 Outcome bench_study(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const auto older = older_run(options);
   const OutputFolder folder(options.out);
   const StudyFile file = named_study(*options.study, study_folders(options.studies));
   const bench::Trade trade = bench::measure_study(
@@ -63,23 +122,28 @@ Outcome bench_study(const BenchOptions& options, const Checkpoint& checkpoint, c
         show(share);
       });
   const auto put = folder.prepare(bench::study_bench_files(trade), {}, options.force, checkpoint);
-  if (options.json) return {0, google_json(trade, bench::this_occasion()), "", put};
-  std::string text;
+  BenchTexts texts;
   for (const bench::TimedTarget& target : trade.targets) {
-    text +=
-        fmt::format("{}{}\n{}", text.empty() ? "" : "\n", target.title,
-                    write_console(bench::study_times(trade, target.id), Precision::report, options.terminal));
+    const Table times = bench::study_times(trade, target.id);
+    texts.console += fmt::format("{}{}\n{}", texts.console.empty() ? "" : "\n", target.title,
+                                 write_console(times, Precision::report, options.terminal));
+    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(times));
   }
-  return {0, text + report_line(options), "", put};
+  texts.console += report_line(options);
+  return bench_outcome(options, trade, older, texts, {0, "", "", put});
 }
 
-std::string console_text(const bench::Trade& trade, const Terminal& terminal) {
-  std::string text;
+BenchTexts texts_of(const bench::Trade& trade, const Terminal& terminal) {
+  BenchTexts texts;
   for (const bench::TimedTarget& target : trade.targets) {
-    text += fmt::format("{}\n{}\n", target.title,
-                        write_console(bench::front_table(trade, target.id), Precision::report, terminal));
+    const Table front = bench::front_table(trade, target.id);
+    texts.console += fmt::format("{}\n{}\n", target.title, write_console(front, Precision::report, terminal));
+    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(front));
   }
-  return text + write_console(bench::goals_table(trade), Precision::report, terminal);
+  const Table goals = bench::goals_table(trade);
+  texts.console += write_console(goals, Precision::report, terminal);
+  texts.markdown += "### Goals\n\n" + markdown_block(goals);
+  return texts;
 }
 
 }  // namespace
@@ -93,6 +157,7 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
                       const Progress& progress) {
   if (options.exhaustive) return exhaustive_command(options, version, checkpoint, progress);
   if (options.study) return bench_study(options, checkpoint, progress);
+  const auto older = older_run(options);
   const OutputFolder folder(options.out);
   const auto widths = widths_of(options);
   const forms::Catalogue catalogue = forms::catalogue();
@@ -119,9 +184,9 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
   files.insert(files.end(), report.begin(), report.end());
   const auto put = folder.prepare(files, missing, options.force, checkpoint);
   const std::string err = widths_line(options) + news.err;
-  if (options.json) return {news.err.empty() ? 0 : 1, google_json(trade, bench::this_occasion()), err, put};
-  return {news.err.empty() ? 0 : 1, console_text(trade, options.terminal) + news.out + report_line(options),
-          err, put};
+  BenchTexts texts = texts_of(trade, options.terminal);
+  texts.console += news.out + report_line(options);
+  return bench_outcome(options, trade, older, texts, {news.err.empty() ? 0 : 1, "", err, put});
 }
 
 }  // namespace shadefit

@@ -18,6 +18,7 @@
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/check/baseline.hpp"
+#include "reports/check/drift_findings.hpp"
 #include "reports/figures/plots.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/comparisons.hpp"
@@ -220,19 +221,19 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
   return {err.empty() ? 0 : 1, out, err, put};
 }
 
-Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const std::string& baseline,
-                      const Terminal& terminal) {
-  if (drifts.empty())
-    return {0, fmt::format("check passed: {} cells agree with {}\n", cells, printable(baseline)), ""};
+Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const CheckOptions& options) {
+  if (options.format != FindingFormat::text) return outcome_of(drift_findings(drifts, cells), options.format);
+  const std::string baseline = printable(options.baseline);
+  if (drifts.empty()) return {0, fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
   // These texts come from the baseline's files and may hold anything, so each becomes one short line.
   for (const Drift& d : drifts) {
     table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
   }
   return {1,
-          write_console(table, Precision::report, terminal) +
+          write_console(table, Precision::report, options.terminal) +
               fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
-                          drifts.size() == 1 ? "difference" : "differences", printable(baseline)),
+                          drifts.size() == 1 ? "difference" : "differences", baseline),
           ""};
 }
 
@@ -261,8 +262,8 @@ Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint,
     drifts.insert(drifts.end(), more.begin(), more.end());
     cells += count_cells(files);
   }
-  Outcome outcome = check_outcome(drifts, cells, options.baseline, options.terminal);
-  outcome.out = recomputed + outcome.out;
+  Outcome outcome = check_outcome(drifts, cells, options);
+  if (options.format == findings::FindingFormat::text) outcome.out = recomputed + outcome.out;
   return outcome;
 }
 

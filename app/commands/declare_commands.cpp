@@ -6,6 +6,7 @@
 #include "app/commands/commands.hpp"
 #include "app/lint/lint_command.hpp"
 #include "app/options/bench_options.hpp"
+#include "app/options/finding_format.hpp"
 #include "app/options/option_values.hpp"
 #include "app/options/scene_options.hpp"
 #include "app/shards/merge_command.hpp"
@@ -40,8 +41,8 @@ void add_command(CLI::App& app, Call& call, const std::string& name, const std::
     if constexpr (requires { options->present; }) options->present = present_in(*command);
     if constexpr (requires { options->fit.present; }) options->fit.present = present_in(*command);
     if constexpr (requires { options->words; })
-      options->words = words_of(
-          *command, {"file", "--lang", "--out", "--force", "--check", "--shade", "--json", "--time-limit"});
+      options->words = words_of(*command, {"file", "--lang", "--out", "--force", "--check", "--format",
+                                           "--shade", "--json", "--time-limit"});
     call.outcome = run(*options);
   });
 }
@@ -285,6 +286,7 @@ void declare_verify(CLI::App& verify, VerifyOptions& options) {
   verify.add_option("file", options.file, "a file of 'shadefit certify --out'")
       ->required()
       ->type_name("FILE");
+  add_finding_format(verify, options.format, false);
 }
 
 /// Generated files list the options in this order.
@@ -303,8 +305,9 @@ void declare_emit(CLI::App& emit, EmitOptions& options) {
   add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
   add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
   add_force(emit, options.force);
-  add_value(emit, "--check", options.check, parse_text, "FILE",
-            "exit 1 unless shadefit would generate this file again as it is");
+  auto* check = add_value(emit, "--check", options.check, parse_text, "FILE",
+                          "exit 1 unless shadefit would generate this file again as it is");
+  add_finding_format(emit, options.format, true)->needs(check);
 }
 
 void declare_explain(CLI::App& explain, ExplainOptions& options) {
@@ -333,6 +336,7 @@ void declare_check(CLI::App& check, CheckOptions& options) {
       ->default_str(options.baseline);
   check.add_flag("--all", options.all,
                  "also the tables that take longer, of stress and bench, and rows of the tables of studies");
+  add_finding_format(check, options.format, true);
 }
 
 /// For everything that searches.
@@ -400,12 +404,13 @@ void declare_commands(CLI::App& app, Call& call) {
       });
   add_command<VerifyOptions>(
       app, call, "verify", "check a certificate again, on the intervals that it names",
-      "  shadefit verify pair.json\n", declare_verify,
+      "  shadefit verify pair.json\n  shadefit verify pair.json --format junit\n", declare_verify,
       [&](const VerifyOptions& options) { return verify_command(options, call.checkpoint, call.progress); });
   add_command<EmitOptions>(app, call, "emit", "a form as shader code, generated from its formula",
                            "  shadefit emit fresnel-quadratic --lang glsl\n"
                            "  shadefit emit sg-offset-mean --lang hlsl --name lobe --out lobe.hlsl\n"
-                           "  shadefit emit --check lobe.hlsl\n",
+                           "  shadefit emit --check lobe.hlsl\n"
+                           "  shadefit emit --check lobe.hlsl --format github\n",
                            declare_emit, [&](const EmitOptions& options) {
                              return emit_command(options, call.checkpoint, call.progress);
                            });
@@ -428,6 +433,7 @@ void declare_commands(CLI::App& app, Call& call) {
       app, call, "bench", "run time against error of every form, on this machine",
       "  shadefit bench --quick --only schlick --no-plots\n"
       "  shadefit bench --quick acos-linear --no-plots\n"
+      "  shadefit bench --quick --only schlick --no-plots --compare old.json\n"
       "  shadefit bench --exhaustive schlick --range 0x3f000000:0x3f001000\n",
       [](CLI::App& bench, BenchOptions& options) {
         add_out(bench, options.out);
@@ -446,7 +452,7 @@ void declare_commands(CLI::App& app, Call& call) {
   add_command<CheckOptions>(
       app, call, "check",
       "recompute everything and compare it with the tables of an earlier run; writes nothing",
-      "  shadefit check\n  shadefit check --baseline out\n", declare_check,
+      "  shadefit check\n  shadefit check --baseline out\n  shadefit check --format sarif\n", declare_check,
       [&](const CheckOptions& options) { return check_command(options, call.checkpoint, call.progress); });
   add_command<LintOptions>(
       app, call, "lint", "find published constants in source code, and what is wrong with them",

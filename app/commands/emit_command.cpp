@@ -223,7 +223,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
     if (!options.fit.id.empty() || options.language)
       throw UserError(fmt::format("--check '{}' takes no other argument: the file names its own command",
                                   *options.check));
-    return check_generated_file(*options.check, checkpoint);
+    return check_generated_file(*options.check, options.format, checkpoint);
   }
   if (options.fit.id.empty() && !options.fit.study.form)
     throw UserError("emit needs the id of a form, see 'shadefit list', or --form");

@@ -130,16 +130,37 @@ std::vector<std::string> from_here(std::vector<std::string> words, const std::fi
   return words;
 }
 
-Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoint) {
+/// The check as findings: one, if a line differs.
+findings::FindingReport code_findings(const std::string& file, std::optional<int> line) {
+  findings::FindingReport report{
+      "emit",
+      {{"outdated-code", "The code is not what shadefit generates now",
+        "Generate the file again by the command in its comment, or take back the change of the file."}},
+      {},
+      1,
+      "files"};
+  if (line) {
+    const std::string path = std::filesystem::path(file).lexically_normal().generic_string();
+    report.findings.push_back({.rule = report.rules.front().id,
+                               .message = fmt::format("line {} is not what shadefit generates now", *line),
+                               .place = findings::FindingPlace{.path = path, .line = *line},
+                               .fingerprint = fmt::format("{} {}", report.rules.front().id, path)});
+  }
+  return report;
+}
+
+Outcome check_generated_file(const std::string& file, FindingFormat format, const Checkpoint& checkpoint) {
   const std::string code = with_plain_ends(read_file(file));
   const std::vector<std::string> command = command_in(code, file);
   Outcome now = run_command_line(from_here(command, std::filesystem::path(file).parent_path()), checkpoint);
   if (!now.err.empty()) return now;
   if (command.front() == "scene") now.out = with_command_of(now.out, code);
-  if (now.out == code) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
+  const auto line = now.out == code ? std::nullopt : std::optional(first_difference(code, now.out));
+  if (format != FindingFormat::text) return outcome_of(code_findings(file, line), format);
+  if (!line) return {0, fmt::format("{} is what would be generated now\n", printable(file)), ""};
   return {1, "",
           fmt::format("shadefit: {} is out of date: line {} is not what shadefit generates now\n",
-                      printable(file), first_difference(code, now.out))};
+                      printable(file), *line)};
 }
 
 }  // namespace shadefit

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/options/finding_format.hpp"
 #include "app/options/outcome.hpp"
 #include "fit/support/checkpoint.hpp"
 
@@ -18,6 +19,6 @@ std::string command_text(const std::vector<std::string>& words);
 /// Runs the command named in the comment of a generated file and compares the output: exit 1 if it would
 /// print something else now. The files of a scene are relative to the folder of `file`. Throws UserError if
 /// the file names no command.
-Outcome check_generated_file(const std::string& file, const Checkpoint& checkpoint);
+Outcome check_generated_file(const std::string& file, FindingFormat format, const Checkpoint& checkpoint);
 
 }  // namespace shadefit

@@ -49,6 +49,39 @@ void refuse_options_of_fits(const Metric& metric) {
   refuse_minimax_constraints(constraints);
 }
 
+VerifiedCertificate verify_family(const std::string& text, const std::string& file, const ShareDone& done) {
+  const ReadCertificate read = read_certificate(text, file);
+  const Certificate& certificate = read.certificate;
+  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
+  if (!reason.empty()) return {reason, ""};
+  const std::size_t ends = certificate.horizon.size() + certificate.peak.size();
+  const std::size_t sides = (certificate.horizon.empty() ? 0 : 1) + (certificate.peak.empty() ? 0 : 1);
+  return {"", fmt::format(
+                  "certificate '{}' holds: the largest {} error of {} is in [{}, {}], checked on {} boxes\n",
+                  printable(file), name(certificate.subject.error), certificate.form, certificate.lower,
+                  certificate.upper, ends - sides) +
+                  statement_of(certificate)};
+}
+
+/// The check as findings: one, if the certificate is refused.
+findings::FindingReport certificate_findings(const std::string& file, const std::string& refused) {
+  findings::FindingReport report{
+      "verify",
+      {{"refused-certificate", "A certificate does not hold",
+        "Nothing is proven by it. Make it again: shadefit certify FORM --out FILE."}},
+      {},
+      1,
+      "certificates"};
+  if (!refused.empty()) {
+    const std::string& rule = report.rules.front().id;
+    report.findings.push_back({.rule = rule,
+                               .message = refused,
+                               .place = findings::FindingPlace{.path = file},
+                               .fingerprint = fmt::format("{} {}", rule, file)});
+  }
+  return report;
+}
+
 }  // namespace
 
 Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpoint,
@@ -103,22 +136,15 @@ Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoin
     show(share);
   };
   const std::string text = read_bounded(options.file, most_certificate_bytes);
-  if (is_study_certificate(text, options.file)) return verify_study(text, options.file, done);
-  const ReadCertificate read = read_certificate(text, options.file);
-  const Certificate& certificate = read.certificate;
-  const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
-  const std::string file = printable(options.file);
-  if (!reason.empty())
-    return {1, "", fmt::format("shadefit: certificate '{}' is refused: {}\n", file, one_line(reason))};
-  const std::size_t ends = certificate.horizon.size() + certificate.peak.size();
-  const std::size_t sides = (certificate.horizon.empty() ? 0 : 1) + (certificate.peak.empty() ? 0 : 1);
+  const auto [refused, statement] = is_study_certificate(text, options.file)
+                                        ? verify_study(text, options.file, done)
+                                        : verify_family(text, options.file, done);
+  if (options.format != FindingFormat::text)
+    return outcome_of(certificate_findings(options.file, refused), options.format);
+  if (refused.empty()) return {0, statement, ""};
   return {
-      0,
-      fmt::format("certificate '{}' holds: the largest {} error of {} is in [{}, {}], checked on {} boxes\n",
-                  file, name(certificate.subject.error), certificate.form, certificate.lower,
-                  certificate.upper, ends - sides) +
-          statement_of(certificate),
-      ""};
+      1, "",
+      fmt::format("shadefit: certificate '{}' is refused: {}\n", printable(options.file), one_line(refused))};
 }
 
 }  // namespace shadefit

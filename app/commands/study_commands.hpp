@@ -29,8 +29,13 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
                              const Progress& progress);
 Outcome certify_study_command(const StudyFile& file, const CertifyOptions& options,
                               const Checkpoint& checkpoint, const Progress& progress);
+/// What `verify` found of a certificate.
+struct VerifiedCertificate {
+  std::string refused;    ///< the reason; empty: it holds
+  std::string statement;  ///< what it proves, on lines of their own
+};
 /// `text` is the certificate in `file`.
-Outcome verify_study(const std::string& text, const std::string& file, const ShareDone& done);
+VerifiedCertificate verify_study(const std::string& text, const std::string& file, const ShareDone& done);
 Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options);
 /// The pages of a study, or of all studies in the folders.
 Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress);
@@ -42,8 +47,7 @@ Outcome run_study_command(const StudyFile& file, const RunOptions& options, cons
 std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint);
 Outcome check_study_command(const StudyFile& file, const CheckOptions& options, const Checkpoint& checkpoint);
 
-/// What `check` prints: the drifts as a table, or how many cells agree.
-Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const std::string& baseline,
-                      const Terminal& terminal);
+/// What `check` prints: the drifts as a table or in a format of findings, or how many cells agree.
+Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const CheckOptions& options);
 
 }  // namespace shadefit

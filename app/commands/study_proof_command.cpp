@@ -63,21 +63,18 @@ Outcome certify_study_command(const StudyFile& file, const CertifyOptions& optio
   return {err.empty() ? 0 : 1, out, err, put};
 }
 
-Outcome verify_study(const std::string& text, const std::string& file, const ShareDone& done) {
+VerifiedCertificate verify_study(const std::string& text, const std::string& file, const ShareDone& done) {
   const ReadStudyCertificate read = read_study_certificate(text, file);
   const StudyCertificate& certificate = read.certificate;
   const std::string reason = read.refused.empty() ? reason_to_refuse(certificate, done) : read.refused;
-  if (!reason.empty())
-    return {1, "",
-            fmt::format("shadefit: certificate '{}' is refused: {}\n", printable(file), one_line(reason))};
+  if (!reason.empty()) return {reason, ""};
   const Study& study = certificate.subject.study;
-  return {0,
+  return {"",
           fmt::format(
               "certificate '{}' holds: the largest {}{} error of {} is in [{}, {}], checked on {} boxes\n",
               printable(file), study.weight == "1" ? "" : "weighted ", name(study.error),
               printable(study.form), certificate.lower, certificate.upper, count_boxes(certificate)) +
-              statement_of(certificate),
-          ""};
+              statement_of(certificate)};
 }
 
 }  // namespace shadefit

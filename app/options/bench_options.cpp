@@ -47,6 +47,27 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
       "{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001", option, text));
 }
 
+/// "10%" as 0.1.
+double parse_percentage(const std::string& option, const std::string& text) {
+  const bool has_sign = text.ends_with('%');
+  const double percent = has_sign ? parse_finite(option, text.substr(0, text.size() - 1)) : 0;
+  if (!(percent > 0))
+    throw UserError(fmt::format("{} '{}' must be a percentage above 0, such as 10%", option, text));
+  return percent / 100;
+}
+
+/// Adds the options for a comparison with an older run.
+void add_comparison(CLI::App& bench, BenchOptions& options, CLI::Option* exhaustive) {
+  auto* compare = add_value(bench, "--compare", options.compare, parse_text, "OLD.json",
+                            "exit 1 if a form takes longer than in this file of --json, each in the time of "
+                            "its target's reference in the same run")
+                      ->excludes(exhaustive);
+  add_value(bench, "--fail-above", options.fail_above, parse_percentage, "P%",
+            "with --compare: how much longer a form may take")
+      ->default_str("10%")
+      ->needs(compare);
+}
+
 }  // namespace
 
 void declare_bench(CLI::App& bench, BenchOptions& options) {
@@ -63,8 +84,11 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
       ->excludes(exhaustive)
       ->excludes(study);
   bench.add_flag("--quick", options.quick, "fewer and shorter rounds: seconds")->excludes(exhaustive);
-  bench.add_flag("--json", options.json,
-                 "print the times as Google Benchmark does; with --exhaustive the result");
+  auto* json = bench.add_flag_callback(
+      "--json", [&options] { options.format = FindingFormat::json; },
+      "print the times as Google Benchmark does; with --exhaustive the result");
+  add_finding_format(bench, options.format, false)->excludes(json)->excludes(exhaustive);
+  add_comparison(bench, options, exhaustive);
   bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
       ->excludes(exhaustive);
   add_value(bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/options/finding_format.hpp"
 #include "app/options/outcome.hpp"
 #include "app/terminal/progress.hpp"
 #include "bench/exhaustive/sweep.hpp"
@@ -24,7 +25,9 @@ struct BenchOptions {
   std::vector<std::string> only = {};  ///< ids of targets
   bool force = false;                  ///< as in `RunOptions`
   bool quick = false;
-  bool json = false;
+  FindingFormat format = FindingFormat::text;  ///< json: the times, as Google Benchmark prints them
+  std::optional<std::string> compare = {};     ///< a file of `bench --json`
+  double fail_above = 0.1;                     ///< how much longer a form may take than there: 0.1 is 10 %
   bool no_plots = false;
   std::optional<forms::Width> width = {};
   std::optional<std::string> exhaustive = {};  ///< the id of a form: every float, instead of times

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/options/finding_format.hpp"
 #include "app/options/study_options.hpp"
 #include "fit/families/surface.hpp"
 #include "fit/quadrature/metric.hpp"
@@ -84,11 +85,12 @@ struct EmitOptions {
   std::optional<Parameters> parameters = {};  ///< as in `CertifyOptions`
   std::optional<Language> language = {};      ///< empty with `check`
   ShaderPrecision precision = ShaderPrecision::float32;
-  std::optional<std::string> name = {};   ///< of the function; empty: the family's
-  std::optional<std::string> out = {};    ///< a file; empty: printed
-  bool force = false;                     ///< as in `RunOptions`
-  std::optional<std::string> check = {};  ///< a generated file
-  std::vector<std::string> words = {};    ///< of the command that prints this code, for its comment
+  std::optional<std::string> name = {};        ///< of the function; empty: the family's
+  std::optional<std::string> out = {};         ///< a file; empty: printed
+  bool force = false;                          ///< as in `RunOptions`
+  std::optional<std::string> check = {};       ///< a generated file
+  FindingFormat format = FindingFormat::text;  ///< of what `check` prints
+  std::vector<std::string> words = {};         ///< of the command that prints this code, for its comment
 };
 
 struct MergeOptions {
@@ -99,6 +101,7 @@ struct MergeOptions {
 
 struct VerifyOptions {
   std::string file;
+  FindingFormat format = FindingFormat::text;
 };
 
 struct StressOptions {
@@ -123,6 +126,7 @@ struct CheckOptions {
   StudyFolders studies = {};
   std::string baseline = "reports/baseline";
   bool all = false;  ///< also the slow tables
+  FindingFormat format = FindingFormat::text;
   Terminal terminal = {};
 };
 

@@ -80,26 +80,43 @@ std::optional<std::string> curve_effect(const FitRow& origin, const std::string&
 using EffectOf = std::function<std::string(std::size_t row, const std::string& column,
                                            const std::string& before, const std::string& after)>;
 
-std::vector<Drift> compare_tables(const std::string& file, const CsvTable& before, const CsvTable& after,
-                                  const EffectOf& effect_of) {
+/// A table of the baseline, as it was read.
+struct OldTable {
+  std::string file, path;
+  CsvTable table;
+};
+
+/// The line of a row: no cell has line ends.
+long line_of(std::size_t row) {
+  constexpr long first = 2;  // after the header
+  return first + static_cast<long>(row);
+}
+
+std::vector<Drift> compare_tables(const OldTable& old, const CsvTable& after, const EffectOf& effect_of) {
+  const CsvTable& before = old.table;
   std::vector<Drift> drifts;
+  const auto add = [&](const std::string& row, const std::string& column, const std::string& from,
+                       const std::string& to, const std::string& effect, long line) {
+    drifts.push_back({old.file, row, column, from, to, effect, old.path, line});
+  };
   const auto old_keys = keys_of(before), new_keys = keys_of(after);
   for (std::size_t i = 0; i < after.rows.size(); ++i) {
     const auto match = std::find(old_keys.begin(), old_keys.end(), new_keys[i]);
     if (match == old_keys.end()) {
-      drifts.push_back({file, new_keys[i], "", "", "", "the baseline has no such row"});
+      add(new_keys[i], "", "", "", "the baseline has no such row", 1);
       continue;
     }
-    const auto& old_row = before.rows[static_cast<std::size_t>(match - old_keys.begin())];
+    const auto row = static_cast<std::size_t>(match - old_keys.begin());
+    const auto& old_row = before.rows[row];
     for (std::size_t j = 0; j < after.columns.size(); ++j) {
       if (old_row[j] == after.rows[i][j]) continue;
-      drifts.push_back({file, new_keys[i], after.columns[j], old_row[j], after.rows[i][j],
-                        effect_of(i, after.columns[j], old_row[j], after.rows[i][j])});
+      add(new_keys[i], after.columns[j], old_row[j], after.rows[i][j],
+          effect_of(i, after.columns[j], old_row[j], after.rows[i][j]), line_of(row));
     }
   }
-  for (const std::string& key : old_keys) {
-    if (std::find(new_keys.begin(), new_keys.end(), key) != new_keys.end()) continue;
-    drifts.push_back({file, key, "", "", "", "a row that is no longer computed"});
+  for (std::size_t row = 0; row < old_keys.size(); ++row) {
+    if (std::find(new_keys.begin(), new_keys.end(), old_keys[row]) != new_keys.end()) continue;
+    add(old_keys[row], "", "", "", "a row that is no longer computed", line_of(row));
   }
   return drifts;
 }
@@ -120,11 +137,13 @@ CsvTable parse_with_columns(const std::string& content, const std::string& path,
   return table;
 }
 
-CsvTable parse_checked(const Baseline& baseline, const std::string& name,
+OldTable parse_checked(const Baseline& baseline, const std::string& name,
                        const std::vector<std::string>& columns) {
   const auto file = std::find_if(baseline.files.begin(), baseline.files.end(),
                                  [&](const File& f) { return f.name == name; });
-  return parse_with_columns(file->content, (baseline.directory / name).string(), columns);
+  const std::filesystem::path path = baseline.directory / name;
+  return {name, path.lexically_normal().generic_string(),
+          parse_with_columns(file->content, path.string(), columns)};
 }
 
 struct NamedTable {
@@ -169,9 +188,9 @@ Baseline read_tables(const std::filesystem::path& directory, const std::vector<s
 
 std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
   const FitsTable fits = fits_table(results.refits);
-  const CsvTable old_fits = parse_checked(baseline, fits_file, fits.table.columns);
+  const OldTable old_fits = parse_checked(baseline, fits_file, fits.table.columns);
   auto drifts = compare_tables(
-      fits_file, old_fits, as_csv(fits.table, fits_file),
+      old_fits, as_csv(fits.table, fits_file),
       [&](std::size_t row, const std::string& column, const std::string& before, const std::string& after) {
         if (column == "fitted") {
           if (const auto effect = curve_effect(fits.origins[row], before)) return *effect;
@@ -179,10 +198,9 @@ std::vector<Drift> compare(const Baseline& baseline, const Results& results) {
         return plain_effect(before, after);
       });
   for (const auto& [file, table] : plain_tables(results)) {
-    const auto others =
-        compare_tables(file, parse_checked(baseline, file, table.columns), as_csv(table, file),
-                       [](std::size_t, const std::string&, const std::string& before,
-                          const std::string& after) { return plain_effect(before, after); });
+    const auto others = compare_tables(parse_checked(baseline, file, table.columns), as_csv(table, file),
+                                       [](std::size_t, const std::string&, const std::string& before,
+                                          const std::string& after) { return plain_effect(before, after); });
     drifts.insert(drifts.end(), others.begin(), others.end());
   }
   return drifts;
@@ -192,9 +210,9 @@ std::vector<Drift> compare_files(const Baseline& tables, const std::vector<File>
   std::vector<Drift> drifts;
   for (const File& file : now) {
     const CsvTable after = parse_csv(file.content, file.name);
-    const CsvTable before = parse_checked(tables, file.name, after.columns);
+    const OldTable before = parse_checked(tables, file.name, after.columns);
     const auto others =
-        compare_tables(file.name, before, after,
+        compare_tables(before, after,
                        [](std::size_t, const std::string&, const std::string& old_cell,
                           const std::string& new_cell) { return plain_effect(old_cell, new_cell); });
     drifts.insert(drifts.end(), others.begin(), others.end());

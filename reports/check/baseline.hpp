@@ -16,7 +16,9 @@ struct Drift {
   std::string column;  ///< empty if the whole row is missing or new
   std::string before;
   std::string after;
-  std::string effect;  ///< what it means: of the curve, a relative change, or a changed word
+  std::string effect;     ///< what it means: of the curve, a relative change, or a changed word
+  std::string path = {};  ///< of the baseline's file
+  long line = 1;          ///< of the row in it; of the header, if the row is new
 };
 
 /// The tables that a baseline holds, read into memory.

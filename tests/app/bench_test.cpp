@@ -68,6 +68,66 @@ TEST(BenchCommand, WritesTimesReportAndPictureData) {
   EXPECT_EQ(places, (std::set<std::string>{"L1", "memory"}));
 }
 
+// Without a limit that another process could reach: a form is at most 100 times as slow as a moment ago.
+TEST(BenchCommand, ComparesWithAnOlderRun) {
+  const TemporaryDirectory directory;
+  const std::vector<std::string> quick{"--quick", "--no-plots", "--only", "schlick",        "--width",
+                                       "scalar",  "--force",    "--out",  directory / "out"};
+  const auto run = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), quick.begin(), quick.end());
+    return bench(more);
+  };
+  const Outcome old = run({"--json"});
+  ASSERT_EQ(old.exit_code, 0) << old.err;
+  const std::string same = directory.file("same.json", old.out), faster = directory / "faster.json";
+  const Outcome good = run({"--compare", same, "--fail-above", "9900%"});
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_NE(good.out.find(" forms take at most 9900 % longer than in '" + same + "'\n"), std::string::npos);
+
+  const std::string name = "schlick/schlick/float/scalar/L1";
+  auto json = nlohmann::json::parse(old.out);
+  for (auto& row : json["benchmarks"]) {
+    if (row["run_name"] == name) row["real_time"] = row["real_time"].get<double>() / 1e6;
+  }
+  directory.file("faster.json", json.dump());
+  for (const char* format : {"text", "json", "junit", "github", "markdown"}) {
+    const Outcome bad = run({"--compare", faster, "--fail-above", "9900%", "--format", format});
+    EXPECT_EQ(bad.exit_code, 1) << format;
+    const bool is_on_error = std::string(format) == "text" || std::string(format) == "json";
+    const std::string line = name + " takes ";
+    EXPECT_NE((is_on_error ? bad.err : bad.out).find(line), std::string::npos) << bad.out << bad.err;
+    EXPECT_EQ(std::count(bad.err.begin(), bad.err.end(), '\n'), is_on_error ? 1 : 0) << bad.err;
+  }
+  // The times differ, the names do not.
+  const auto names = [](const std::string& text) {
+    std::vector<std::string> found;
+    for (const auto& row : nlohmann::json::parse(text).at("benchmarks")) found.push_back(row.at("name"));
+    return found;
+  };
+  EXPECT_EQ(names(run({"--format", "json"}).out), names(old.out));
+  EXPECT_TRUE(run({"--format", "markdown"}).out.starts_with("### schlick: (1 - c)^5\n\n| form "));
+}
+
+TEST(BenchCommand, RefusesComparisonsThatCannotBe) {
+  const TemporaryDirectory directory;
+  EXPECT_EQ(refusal({"--format", "junit"}),
+            "shadefit: --format 'junit' needs --compare: without it bench checks nothing\n");
+  EXPECT_EQ(refusal({"--fail-above", "10%"}),
+            "shadefit: --fail-above requires --compare (see 'shadefit help bench')\n");
+  for (const char* share : {"10", "0%", "-1%", "%"})
+    EXPECT_NE(refusal({"--compare", "old.json", "--fail-above", share}).find("--fail-above '"),
+              std::string::npos);
+  EXPECT_EQ(refusal({"--compare", directory.file("other.json", "{}")}),
+            "shadefit: '" + (directory / "other.json") +
+                "' is not a file of 'shadefit bench --json': it has no list 'benchmarks'\n");
+  const std::string other = directory.file(
+      "old.json", R"({"benchmarks": [{"aggregate_name": "median", "run_name": "a", "real_time": 1}]})");
+  EXPECT_EQ(refusal({"--compare", other, "--quick", "--only", "schlick", "--width", "scalar", "--out",
+                     directory / "out"}),
+            "shadefit: --compare '" + other + "' has no form of this run with its reference\n");
+  EXPECT_FALSE(std::filesystem::exists(directory / "out"));
+}
+
 // The C compiler of this machine compiles the code that `emit` writes.
 TEST(BenchCommand, TimesTheFormsOfAStudy) {
   const TemporaryDirectory directory;

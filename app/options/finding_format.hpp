@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/options/outcome.hpp"
+#include "reports/findings/finding.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+/// --format of the commands that check.
+namespace shadefit {
+
+using findings::FindingFormat;
+
+/// Adds --format. SARIF is for findings with a place in a file: `has_places`.
+CLI::Option* add_finding_format(CLI::App& command, FindingFormat& format, bool has_places);
+
+/// The outcome of a check in that format: exit 1 where a finding fails it.
+Outcome outcome_of(const findings::FindingReport& report, FindingFormat format);
+
+}  // namespace shadefit

@@ -1,0 +1,174 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command_line.hpp"
+#include "reports/check/baseline.hpp"
+#include "reports/findings/finding.hpp"
+#include "reports/io/files.hpp"
+#include "tests/app/refusal.hpp"
+#include "tests/temporary_directory.hpp"
+
+// --format of the commands that check: a planted fault is exit 1 in each format, and its place is the
+// fault's.
+namespace shadefit {
+namespace {
+
+using findings::FindingFormat;
+using testing::expect_refusal;
+using testing::TemporaryDirectory;
+using Words = std::vector<std::string>;
+
+const std::string committed = SHADEFIT_SOURCE_DIR "/reports/baseline";
+
+Outcome in_format(Words words, std::string_view format) {
+  words.insert(words.end(), {"--format", std::string(format)});
+  return run_command_line(words);
+}
+
+/// Runs a command in each format: exit 0 and no finding without a fault, exit 1 and this rule with it.
+/// Nothing is on standard error but in text, the form of before.
+void expect_in_each_format(const Words& words, bool has_places, const std::string& rule, bool is_faulty) {
+  for (const FindingFormat format : findings::finding_formats) {
+    if (format == FindingFormat::sarif && !has_places) continue;
+    const Outcome outcome = in_format(words, name(format));
+    EXPECT_EQ(outcome.exit_code, is_faulty ? 1 : 0) << name(format) << outcome.err;
+    if (format == FindingFormat::text) {
+      const Outcome usual = run_command_line(words);
+      EXPECT_EQ(usual.out, outcome.out);
+      EXPECT_EQ(usual.err, outcome.err);
+      continue;
+    }
+    EXPECT_EQ(outcome.err, "") << name(format);
+    EXPECT_TRUE(outcome.out.ends_with('\n'));
+    if (is_faulty) {
+      EXPECT_NE(outcome.out.find(rule), std::string::npos) << outcome.out;
+    }
+    if (format == FindingFormat::json) {
+      const auto json = nlohmann::json::parse(outcome.out);
+      EXPECT_EQ(json.at("passed"), !is_faulty);
+      EXPECT_EQ(json.at("findings").size(), is_faulty ? 1U : 0U);
+    }
+  }
+}
+
+/// The only finding of a command, as JSON.
+nlohmann::json finding_of(const Words& words) {
+  const auto json = nlohmann::json::parse(in_format(words, "json").out);
+  EXPECT_EQ(json.at("findings").size(), 1U);
+  return json.at("findings").at(0);
+}
+
+/// The line of a text with this part, from 1.
+long line_with(const std::string& text, const std::string& part) {
+  return 1 + std::count(text.begin(), text.begin() + static_cast<long>(text.find(part)), '\n');
+}
+
+TEST(FindingFormats, OfCheck) {
+  const TemporaryDirectory directory;
+  for (const File& table : read_baseline(committed).files) directory.file(table.name, table.content);
+  const Words command{"check", "--baseline", directory.path().string()};
+  expect_in_each_format(command, true, "changed-cell", false);
+
+  std::string fits = read_file(committed + "/fits.csv");
+  const std::string wrong = "0.7875446198";
+  directory.file("fits.csv", fits.replace(fits.find("0.7875446197"), wrong.size(), wrong));
+  expect_in_each_format(command, true, "changed-cell", true);
+  const auto finding = finding_of(command);
+  EXPECT_EQ(finding.at("path"), directory / "fits.csv");
+  EXPECT_EQ(finding.at("line"), line_with(fits, wrong));
+  EXPECT_EQ(finding.at("fingerprint"), "changed-cell fits.csv sg-offset x 5 cosine fitted");
+}
+
+// Lines above it move a finding, and its fingerprint stays.
+TEST(FindingFormats, OfCheckWithRowsThatAreNewOrLost) {
+  const TemporaryDirectory directory;
+  for (const File& table : read_baseline(committed).files) directory.file(table.name, table.content);
+  const Words command{"check", "--baseline", directory.path().string()};
+  const std::string table = read_file(committed + "/normalization.csv"),
+                    row = "norm-none,1,1,1,0,1e-12,confirmed\n";
+  directory.file("normalization.csv", table + row);
+  const auto last = finding_of(command);
+  EXPECT_EQ(last.at("rule"), "changed-row");
+  EXPECT_EQ(last.at("line"), line_with(table + row, row));
+  std::string moved = table;
+  moved.insert(moved.find('\n') + 1, row);
+  directory.file("normalization.csv", moved);
+  const auto first = finding_of(command);
+  EXPECT_EQ(first.at("line"), 2);
+  EXPECT_EQ(first.at("fingerprint"), last.at("fingerprint"));
+
+  directory.file("normalization.csv", table.substr(0, table.rfind('\n', table.size() - 2) + 1));
+  const auto lost = finding_of(command);
+  EXPECT_EQ(lost.at("rule"), "changed-row");
+  EXPECT_EQ(lost.at("line"), 1) << "the header: the row has no place";
+}
+
+TEST(FindingFormats, OfCheckOfAStudy) {
+  const TemporaryDirectory directory;
+  const std::string folder = directory / "a b";
+  ASSERT_EQ(run_command_line({"run", "acos-linear", "--no-plots", "--out", folder}).exit_code, 0);
+  const Words command{"check", "acos-linear", "--baseline", folder};
+  expect_in_each_format(command, true, "changed-cell", false);
+  std::string table = read_file(folder + "/better.csv");
+  const std::string digits = "0.0090";
+  ASSERT_NE(table.find(digits), std::string::npos) << table;
+  directory.file("a b/better.csv", table.replace(table.find(digits), digits.size(), "0.0091"));
+  expect_in_each_format(command, true, "changed-cell", true);
+  EXPECT_EQ(finding_of(command).at("line"), line_with(table, "0.0091"));
+  EXPECT_NE(in_format(command, "sarif").out.find("a%20b/better.csv"), std::string::npos);
+}
+
+TEST(FindingFormats, OfEmit) {
+  const TemporaryDirectory directory;
+  const std::string file = directory / "pair.glsl";
+  ASSERT_EQ(run_command_line({"emit", "fresnel-quadratic", "--lang", "glsl", "--out", file}).exit_code, 0);
+  const Words command{"emit", "--check", file};
+  expect_in_each_format(command, true, "outdated-code", false);
+  std::string code = read_file(file);
+  const std::string wrong = "-5.55437 *";
+  directory.file("pair.glsl", code.replace(code.find("-5.55473 *"), wrong.size(), wrong));
+  expect_in_each_format(command, true, "outdated-code", true);
+  EXPECT_EQ(finding_of(command).at("path"), file);
+  EXPECT_EQ(finding_of(command).at("line"), line_with(code, wrong));
+  expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--format", "json"},
+                 "--format requires --check (see 'shadefit help emit')");
+}
+
+// A family and a study of one's own have certificates of two kinds.
+TEST(FindingFormats, OfVerify) {
+  const TemporaryDirectory directory;
+  for (const Words& subject : {Words{"fresnel-quadratic"},
+                               Words{"--target", "acos(x)", "--form", "a sqrt(1-x)", "--over", "x=0:1"}}) {
+    const std::string name = subject.front() + ".json", file = directory / name;
+    Words certify{"certify", "--out", file};
+    certify.insert(certify.begin() + 1, subject.begin(), subject.end());
+    ASSERT_EQ(run_command_line(certify).exit_code, 0);
+    const Words command{"verify", file};
+    expect_in_each_format(command, false, "refused-certificate", false);
+    auto proof = nlohmann::ordered_json::parse(read_file(file));
+    proof["parameters"]["a"] = "1";  // with the digest of before
+    directory.file(name, proof.dump(1));
+    expect_in_each_format(command, false, "refused-certificate", true);
+    EXPECT_EQ(finding_of(command).at("path"), file);
+  }
+  expect_refusal({"verify", "proof.json", "--format", "sarif"},
+                 "--format 'sarif' is unknown: it must be one of text, json, junit, github, markdown");
+}
+
+// What is no finding but a wrong call is one line on standard error in each format.
+TEST(FindingFormats, BadInputIsNoFinding) {
+  const TemporaryDirectory directory;
+  for (const FindingFormat format : findings::finding_formats) {
+    const Outcome outcome = in_format({"check", "--baseline", directory / "none"}, name(format));
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(outcome.err.starts_with("shadefit: baseline '")) << outcome.err;
+  }
+  expect_refusal({"check", "--format", "xml"},
+                 "--format 'xml' is unknown: it must be one of text, json, junit, sarif, github, markdown");
+}
+
+}  // namespace
+}  // namespace shadefit

@@ -1,0 +1,279 @@
+#include "reports/findings/finding.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/temporary_directory.hpp"
+
+namespace shadefit::findings {
+namespace {
+
+using testing::TemporaryDirectory;
+using Json = nlohmann::json;
+
+/// What the reader of tests/reports/findings/check_findings.py says of a text.
+struct Reader {
+  int exit_code;
+  std::string said;
+};
+
+Reader read_by_python(const std::string& kind, const std::string& text) {
+  const TemporaryDirectory directory;
+  const std::string command = SHADEFIT_PYTHON " -B " SHADEFIT_SOURCE_DIR
+                                              "/tests/reports/findings/check_findings.py " +
+                              kind + " '" + directory.file("findings", text) + "' 2>&1";
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::string said;
+  std::array<char, 4096> buffer;
+  for (std::size_t n; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    said.append(buffer.data(), n);
+  return {WEXITSTATUS(::pclose(pipe)), said};
+}
+
+/// A failure, a warning, one that is known and one that is suppressed; and a rule that nothing breaks.
+FindingReport usual() {
+  return {"lint",
+          {{"wrong-constant", "A constant has a wrong digit", "Take the published digits."},
+           {"unknown-constant", "A constant has no source", "Name one."},
+           {"unused", "Nothing breaks this rule", "Nothing to do."}},
+          {{.rule = "wrong-constant",
+            .message = "-5.55437 is -5.55473 with two digits swapped",
+            .place = FindingPlace{"shaders/fresnel.glsl", 12, 5, 12, 13},
+            .fingerprint = "wrong-constant fresnel-quadratic a"},
+           {.rule = "unknown-constant",
+            .level = FindingLevel::warning,
+            .message = "8.35 is in no list",
+            .place = FindingPlace{"shaders/lobe.glsl", 3}},
+           {.rule = "wrong-constant",
+            .message = "0.22 is 0.25",
+            .place = FindingPlace{"shaders/bayer.glsl", 7, 1, 0, 0},
+            .is_known = true},
+           {.rule = "unknown-constant",
+            .level = FindingLevel::note,
+            .message = "1.7 is in no list",
+            .place = FindingPlace{"shaders/lobe.glsl", 9},
+            .suppressed = "measured by us"}},
+          812,
+          "files"};
+}
+
+/// What might break a format: quotes, ends of sections, control characters, a byte that is no UTF-8.
+const std::string odd_text =
+    "a \"b\" 'c' <d> & ]]> {e} | `f` *g* %h, i: j\n::error::\x01\x1b[31m \xFF \xC3\xA9";
+const std::string odd_path = "a b/\xC3\xA9:,%#?\"<\x02\xFF.glsl";
+
+FindingReport odd() {
+  FindingReport report = usual();
+  report.findings[0].message = report.rules[0].title = report.rules[0].help = odd_text;
+  report.findings[0].place->path = odd_path;
+  report.findings[0].fingerprint = odd_text;
+  report.findings[3].suppressed = odd_text;
+  return report;
+}
+
+FindingReport none() {
+  FindingReport report = usual();
+  report.findings.clear();
+  return report;
+}
+
+TEST(Findings, TheFailuresAreErrorsThatNobodySetAside) {
+  EXPECT_FALSE(passes(usual()));
+  EXPECT_TRUE(passes(none()));
+  for (const auto change : {+[](Finding& finding) { finding.is_known = true; },
+                            +[](Finding& finding) { finding.suppressed = "a reason"; },
+                            +[](Finding& finding) { finding.level = FindingLevel::warning; }}) {
+    FindingReport report = usual();
+    change(report.findings[0]);
+    EXPECT_TRUE(passes(report));
+  }
+}
+
+TEST(Findings, AsText) {
+  EXPECT_EQ(
+      write_findings(usual(), FindingFormat::text),
+      "shaders/fresnel.glsl:12:5: error: -5.55437 is -5.55473 with two digits swapped [wrong-constant]\n"
+      "shaders/lobe.glsl:3: warning: 8.35 is in no list [unknown-constant]\n"
+      "lint failed: 1 error, 1 warning in 812 files; 1 suppressed, 1 known\n");
+  FindingReport report = none();
+  report.checked = 1;
+  EXPECT_EQ(write_findings(report, FindingFormat::text), "lint passed: nothing found in 1 file\n");
+  const std::string text = write_findings(odd(), FindingFormat::text);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+}
+
+TEST(Findings, AsJson) {
+  const Json json = Json::parse(write_findings(usual(), FindingFormat::json));
+  EXPECT_EQ(json.at("schema"), 1);
+  EXPECT_EQ(json.at("passed"), false);
+  EXPECT_EQ(json.at("checked"), 812);
+  EXPECT_EQ(json.at("counts"),
+            Json::parse(R"({"errors": 1, "warnings": 1, "notes": 0, "suppressed": 1, "known": 1})"));
+  const Json& first = json.at("findings").at(0);
+  EXPECT_EQ(first.at("path"), "shaders/fresnel.glsl");
+  EXPECT_EQ(first.at("end_column"), 13);
+  EXPECT_EQ(first.at("suppressed"), nullptr);
+  EXPECT_EQ(json.at("findings").at(1).at("column"), nullptr);
+  EXPECT_EQ(json.at("findings").at(3).at("suppressed"), "measured by us");
+  const Json other = Json::parse(write_findings(odd(), FindingFormat::json));
+  EXPECT_EQ(other.at("findings").at(0).at("path"), "a b/\xC3\xA9:,%#?\"<\x02\xEF\xBF\xBD.glsl");
+}
+
+TEST(Findings, AsSarifByTheSchemaOfTheStandard) {
+  FindingReport without_places = usual();
+  for (Finding& finding : without_places.findings) finding.place.reset();
+  for (const FindingReport& report : {usual(), odd(), none(), without_places}) {
+    const Reader reader = read_by_python("sarif", write_findings(report, FindingFormat::sarif));
+    EXPECT_EQ(reader.exit_code, 0) << reader.said;
+  }
+}
+
+// The reader of the schema itself: what it must refuse, and its reason.
+TEST(Findings, TheSchemaRefusesWhatIsNoSarif) {
+  const std::string good = write_findings(usual(), FindingFormat::sarif);
+  for (const auto& [from, to, reason] : std::vector<std::array<std::string, 3>>{
+           {"\"version\": \"2.1.0\"", "\"version\": \"2.0.0\"", "log.version is '2.0.0': not one of"},
+           {"\"level\": \"error\"", "\"level\": \"bad\"", "results[0].level is 'bad': not one of"},
+           {"\"startLine\": 12", "\"startLine\": 0", "startLine is 0: out of range"},
+           {"\"startLine\": 12", "\"startLine\": true", "startLine is not of type integer"},
+           {"\"kind\": \"inSource\",", "", "suppressions[0] lacks kind"},
+           {"\"kind\": \"inSource\"", "\"kind\": \"inSource\", \"kin\": 1", "has kin, which the schema"},
+           {"shaders/fresnel.glsl", "shaders/ .glsl", "uri is 'shaders/ .glsl': no uri-reference"}}) {
+    std::string bad = good;
+    const auto at = bad.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    const Reader reader = read_by_python("sarif", bad.replace(at, from.size(), to));
+    EXPECT_EQ(reader.exit_code, 1) << to;
+    EXPECT_NE(reader.said.find(reason), std::string::npos) << reader.said;
+  }
+}
+
+TEST(Findings, SarifHasWhatCodeHostsRead) {
+  const Json log = Json::parse(write_findings(usual(), FindingFormat::sarif));
+  const Json& run = log.at("runs").at(0);
+  EXPECT_EQ(run.at("columnKind"), "unicodeCodePoints");
+  EXPECT_EQ(run.at("automationDetails").at("id"), "shadefit/lint/");
+  const Json& results = run.at("results");
+  ASSERT_EQ(results.size(), 4U);
+  for (const Json& result : results) {
+    const Json& rule = run.at("tool").at("driver").at("rules").at(result.at("ruleIndex").get<std::size_t>());
+    EXPECT_EQ(rule.at("id"), result.at("ruleId"));
+    EXPECT_GT(result.at("locations").at(0).at("physicalLocation").at("region").at("startLine"), 0);
+  }
+  EXPECT_EQ(results[0].at("partialFingerprints").at("shadefit/v1"), "wrong-constant fresnel-quadratic a");
+  EXPECT_EQ(results[0].at("baselineState"), "new");
+  EXPECT_EQ(results[0].at("suppressions"), Json::array());
+  EXPECT_EQ(results[2].at("baselineState"), "unchanged");
+  EXPECT_EQ(results[3].at("suppressions").at(0).at("justification"), "measured by us");
+}
+
+TEST(Findings, PathsOfSarifAreUris) {
+  const auto artifact_of = [](const std::string& path) {
+    FindingReport report = usual();
+    report.findings[0].place->path = path;
+    const Json log = Json::parse(write_findings(report, FindingFormat::sarif));
+    return log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"];
+  };
+  EXPECT_EQ(artifact_of(odd_path).at("uri"), "a%20b/%C3%A9%3A%2C%25%23%3F%22%3C%02%FF.glsl");
+  EXPECT_EQ(artifact_of(odd_path).at("uriBaseId"), "%SRCROOT%");
+  EXPECT_EQ(artifact_of("/tables/a b.csv"), Json::parse(R"({"uri": "file:///tables/a%20b.csv"})"));
+}
+
+/// The tests of a JUnit file, as Python reads them: class, name, file, the kind of what is in it, its words.
+std::vector<Json> junit_tests(const FindingReport& report) {
+  const Reader reader = read_by_python("junit", write_findings(report, FindingFormat::junit));
+  EXPECT_EQ(reader.exit_code, 0) << reader.said;
+  std::vector<Json> tests;
+  std::istringstream lines(reader.said);
+  for (std::string line; std::getline(lines, line);) tests.push_back(Json::parse(line, nullptr, false));
+  return tests;
+}
+
+TEST(Findings, AsJunit) {
+  const auto tests = junit_tests(usual());
+  ASSERT_EQ(tests.size(), 5U);
+  EXPECT_EQ(tests[0],
+            Json::parse(R"(["shadefit.lint.unused", "Nothing breaks this rule", null, false, null])"));
+  EXPECT_EQ(tests[1], Json::parse(R"(["shadefit.lint.wrong-constant",
+                "shaders/fresnel.glsl:12:5: -5.55437 is -5.55473 with two digits swapped", "shaders/fresnel.glsl",
+                "failure", "-5.55437 is -5.55473 with two digits swapped"])"));
+  EXPECT_EQ(tests[2].at(3), "system-out") << "a warning fails nothing";
+  EXPECT_EQ(tests[3].at(4), "in the baseline");
+  EXPECT_EQ(tests[4].at(3), "skipped");
+  EXPECT_EQ(tests[4].at(4), "suppressed: measured by us");
+  EXPECT_EQ(junit_tests(none()).size(), 3U) << "each rule is a test, as dashboards want at least one";
+}
+
+TEST(Findings, JunitHoldsOddTexts) {
+  const auto tests = junit_tests(odd());
+  ASSERT_EQ(tests.size(), 5U);
+  const std::string held =
+      "a \"b\" 'c' <d> & ]]> {e} | `f` *g* %h, i: j\n::error::\xEF\xBF\xBD\xEF\xBF\xBD[31m \xEF\xBF\xBD \xC3\xA9";
+  EXPECT_EQ(tests[1].at(4), held) << "all but what XML cannot hold";
+  EXPECT_EQ(tests[1].at(2), "a b/\xC3\xA9:,%#?\"<\xEF\xBF\xBD\xEF\xBF\xBD.glsl");
+}
+
+TEST(Findings, AsWorkflowCommands) {
+  EXPECT_EQ(
+      write_findings(usual(), FindingFormat::github),
+      "::error file=shaders/fresnel.glsl,line=12,endLine=12,col=5,endColumn=13,title=A constant has a wrong "
+      "digit::-5.55437 is -5.55473 with two digits swapped [wrong-constant]\n"
+      "::warning file=shaders/lobe.glsl,line=3,title=A constant has no source::8.35 is in no list "
+      "[unknown-constant]\n"
+      "lint failed: 1 error, 1 warning in 812 files; 1 suppressed, 1 known\n");
+  FindingReport note = usual();
+  note.findings[0].level = FindingLevel::note;
+  EXPECT_TRUE(write_findings(note, FindingFormat::github).starts_with("::notice file="));
+}
+
+TEST(Findings, WorkflowCommandsAreEscaped) {
+  FindingReport report = usual();
+  report.findings.resize(1);
+  report.findings[0].message = "50 %\r\nat a:b,c\x1b";
+  report.findings[0].place = FindingPlace{"a,b:c%.glsl", 1};
+  report.rules[0].title = "x: y, z\n";
+  EXPECT_EQ(write_findings(report, FindingFormat::github),
+            "::error file=a%2Cb%3Ac%25.glsl,line=1,title=x%3A y%2C z%0A::50 %25%0D%0Aat a:b,c\\x1b "
+            "[wrong-constant]\n"
+            "lint failed: 1 error in 812 files\n");
+}
+
+TEST(Findings, AsMarkdown) {
+  EXPECT_EQ(write_findings(usual(), FindingFormat::markdown),
+            R"(### shadefit lint failed: 1 error, 1 warning in 812 files; 1 suppressed, 1 known
+
+| level   | place                     | rule             | finding                                      |
+|:--------|:--------------------------|:-----------------|:---------------------------------------------|
+| error   | shaders/fresnel.glsl:12:5 | wrong-constant   | -5.55437 is -5.55473 with two digits swapped |
+| warning | shaders/lobe.glsl:3       | unknown-constant | 8.35 is in no list                           |
+
+Suppressed:
+
+| level | place               | rule             | finding           | reason         |
+|:------|:--------------------|:-----------------|:------------------|:---------------|
+| note  | shaders/lobe.glsl:9 | unknown-constant | 1.7 is in no list | measured by us |
+)");
+  EXPECT_EQ(write_findings(none(), FindingFormat::markdown),
+            "### shadefit lint passed: nothing found in 812 files\n");
+}
+
+TEST(Findings, MarkdownShowsOddTextsAndLeavesRowsOut) {
+  const std::string text = write_findings(odd(), FindingFormat::markdown);
+  EXPECT_NE(text.find("&lt;d&gt; &amp; \\]\\]&gt; {e} \\| \\`f\\` \\*g\\* %h, i: j\\\\x0a::error::"),
+            std::string::npos)
+      << text;
+  FindingReport many = usual();
+  many.findings.assign(203, many.findings[0]);
+  EXPECT_TRUE(write_findings(many, FindingFormat::markdown).ends_with("|\n\n3 more are not shown.\n"));
+  many.findings.resize(200);
+  EXPECT_TRUE(write_findings(many, FindingFormat::markdown).ends_with("|\n"));
+}
+
+}  // namespace
+}  // namespace shadefit::findings
