@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "app/options/finding_format.hpp"
 #include "app/options/option_values.hpp"
 #include "app/studies/find_study.hpp"
 #include "fit/support/bounded_file.hpp"
@@ -87,7 +88,7 @@ std::string warnings_of(const lint::SkippedFiles& skipped) {
 void declare_lint(CLI::App& lint, LintOptions& options) {
   lint.add_option("paths", options.paths, "files and folders (default: `paths` of .shadefit.toml)")
       ->type_name("PATH");
-  add_choice(lint, "--format", options.format, by_name(findings::finding_formats), "how to print");
+  add_finding_format(lint, options.format, true);
   Choices<std::string> grades;
   for (const std::string& word : fail_on_words()) grades.emplace_back(word, word);
   add_choice(lint, "--fail-on", options.fail_on, grades, "the least grade that fails (default: wrong)");

@@ -24,7 +24,7 @@ std::vector<Interval> parameters_of(const StudySubject& subject, const ReadStudy
   return parameters;
 }
 
-std::vector<std::string> inputs_of(const ReadStudy& study) {
+std::vector<std::string> shape_inputs(const ReadStudy& study) {
   std::vector<std::string> inputs;
   for (const StudyAxis& axis : study.axes) inputs.push_back(axis.variable);
   inputs.insert(inputs.end(), study.parameters.begin(), study.parameters.end());
@@ -157,7 +157,7 @@ ShapeProof prove_shape(const StudySubject& subject, const Constraints& constrain
   }
   const ReadStudy study = read_formulas(subject.study);
   if (integral_depth(study.form) > 0) return {Proof::open};
-  FormGraph form{Graph(inputs_of(study)), ranges_of(study), parameters_of(subject, study)};
+  FormGraph form{Graph(shape_inputs(study)), ranges_of(study), parameters_of(subject, study)};
   const int value = form.graph.add(study.form);
   const auto turned = [&] { return form.graph.add(-study.form); };
   const double slack = shape_slack * scale;
