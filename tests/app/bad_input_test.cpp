@@ -383,7 +383,7 @@ TEST(BadInput, Usage) {
   expect_refusal(
       {},
       "name a command: list, run, merge, fit, better, certify, verify, emit, scene, explain, cite, bench, stress, "
-      "check, help" +
+      "check, lint, help" +
           see(""));
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
   expect_refusal({"help", "chekc"}, "unknown command 'chekc': did you mean 'check'?");
