@@ -9,9 +9,9 @@
 namespace shadefit::lint {
 namespace {
 
-/// A wrong expression is believed only where the numbers tell enough: log2 of how seldom two of some 100
-/// slips of some 100 forms fit by chance.
-constexpr double bits_for_a_slip = 13;
+/// A wrong expression is believed only where numbers and operations tell enough: log2 of how seldom two of
+/// some 100 slips of some 100 forms fit by chance is 13, and a form has some 8 operations, a bit for each.
+constexpr double bits_for_a_slip = 13 + 8;
 
 /// A text, its numbers, and a site in it.
 class SiteJudge {
@@ -34,6 +34,8 @@ class SiteJudge {
     judged.graded = grade_of(set_, site_, found, limits);
     if (found.replaced)
       add_replaced(*found.replaced, std::abs(found.constants[*found.replaced]), judged.numbers);
+    if (found.is_published)
+      for (JudgedNumber& number : judged.numbers) number.grade = Grade::right;
     judged.slip = found.slip;
     judged.is_read = is_read;
     judged.is_in_other_units = is_in_other_units(site_);
@@ -65,7 +67,8 @@ class SiteJudge {
         return number.offset == literal.offset;
       });
       if (is_taken || number_of(digits_of(text_.substr(literal.offset, literal.length))) != value) continue;
-      numbers.push_back({literal.offset, literal.length, constant, Grade::typo});
+      numbers.push_back(
+          {literal.offset, literal.length, constant, grade_of_other(set_.constants[constant], value)});
       break;
     }
     std::sort(numbers.begin(), numbers.end(),
@@ -118,17 +121,21 @@ class SiteJudge {
     std::vector<double> numbers;
     for (const SiteNumber& number : site_.numbers) numbers.push_back(std::abs(constants[number.constant]));
     const std::vector<std::size_t> missing = missing_constants();
-    std::optional<ExpressionMatch> slip;
+    std::optional<ExpressionMatch> slip, core;
     for (const Symbolic& one : expressions()) {
       auto match = match_expression(one, set_, constants, numbers, missing);
       if (!match) continue;
+      if (match->is_core && !match->replaced) {
+        if (!core) core = std::move(match);
+        continue;
+      }
       if (match->slip.empty()) return match;
       // A comment may tell its formula in halves.
-      if (!slip && !literals_[site_.numbers.front().literal].is_in_comment && site_.bits >= bits_for_a_slip &&
-          site_.numbers.size() > 1)
+      if (!slip && !literals_[site_.numbers.front().literal].is_in_comment && site_.numbers.size() > 1 &&
+          site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip)
         slip = std::move(match);
     }
-    return slip;
+    return slip ? slip : core;
   }
 
   std::string_view text_;

@@ -1,196 +1,108 @@
 #include "lint/expression/compare.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <set>
 #include <utility>
 
+#include "lint/expression/curves.hpp"
 #include "lint/expression/mutants.hpp"
 
 namespace shadefit::lint {
 namespace {
 
-/// Numbers of full float32 digits are nearer to each other than this.
-constexpr double same_number = 1e-6;
-
-bool is_near(double a, double b, double slack) {
-  return std::abs(a - b) <= slack * std::max(std::abs(a), std::abs(b));
+/// The form and all its parts.
+void append_parts(const Curve& curve, std::vector<Curve>& parts) {
+  parts.push_back(curve);
+  for (const Symbolic& part : curve.form.parts()) append_parts({part, curve.constants}, parts);
 }
 
-/// A part of an expression with what it holds.
-struct Part {
-  Symbolic formula;
+void append_names(const Symbolic& formula, std::set<std::string>& names) {
+  if (formula.kind() == Symbolic::Kind::variable) names.insert(formula.name());
+  for (const Symbolic& part : formula.parts()) append_names(part, names);
+}
+
+bool has_all_constants(const KnownSet& set, const Symbolic& formula) {
   std::set<std::string> names;
-  std::vector<double> numbers;
-  std::size_t held = 0;  ///< how many of the wanted numbers
-};
-
-std::size_t count_held(const std::vector<double>& numbers, const std::vector<double>& wanted) {
-  return static_cast<std::size_t>(std::count_if(wanted.begin(), wanted.end(), [&](double value) {
-    return std::any_of(numbers.begin(), numbers.end(),
-                       [&](double number) { return is_near(number, value, same_number); });
-  }));
+  append_names(formula, names);
+  return std::all_of(set.constants.begin(), set.constants.end(),
+                     [&](const KnownConstant& constant) { return names.count(constant.name) > 0; });
 }
 
-/// All parts of an expression, inner ones first.
-Part collect(const Symbolic& formula, const std::vector<double>& wanted, std::vector<Part>& parts) {
-  Part whole{formula, {}, {}};
-  if (formula.kind() == Symbolic::Kind::variable) whole.names.insert(formula.name());
-  if (formula.kind() == Symbolic::Kind::number) whole.numbers.push_back(constant<double>(formula.name()));
-  for (const Symbolic& inner : formula.parts()) {
-    const Part part = collect(inner, wanted, parts);
-    whole.names.insert(part.names.begin(), part.names.end());
-    whole.numbers.insert(whole.numbers.end(), part.numbers.begin(), part.numbers.end());
-  }
-  whole.held = count_held(whole.numbers, wanted);
-  if (!formula.parts().empty()) parts.push_back(whole);
-  return whole;
-}
-
-/// The parts that hold as many of the wanted numbers as the whole does.
-std::vector<Part> full_parts(const Symbolic& formula, const std::vector<double>& wanted) {
-  std::vector<Part> parts;
-  const std::size_t held = collect(formula, wanted, parts).held;
-  std::erase_if(parts, [&](const Part& part) { return part.held < held || held == 0; });
-  return parts;
-}
-
-/// Places inside the ranges, in no simple ratio to each other: multiples of the golden ratio and its kin (the
-/// R sequence of M. Roberts, 2018).
-std::vector<std::vector<double>> places_in(const std::vector<KnownAxis>& axes) {
-  constexpr int count = 9;
-  constexpr std::array<double, 3> steps{0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
-  std::vector<std::vector<double>> places;
-  for (int i = 1; i <= count; ++i) {
-    std::vector<double> place;
-    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-      const double share = std::fmod(i * steps[axis], 1.0);
-      place.push_back(axes[axis].lower + (axes[axis].upper - axes[axis].lower) * share);
+/// The innermost part of the form that has all its constants, as a set of its own: of a phase function of
+/// k = a g - b g^3 that polynomial. Empty if it is the whole form, or too simple to be told from others.
+std::optional<KnownSet> core_of(const KnownSet& set) {
+  constexpr int least_operations = 3;
+  Symbolic core = set.formula;
+  for (bool is_innermost = false; !is_innermost;) {
+    is_innermost = true;
+    for (const Symbolic& part : core.parts()) {
+      if (!has_all_constants(set, part)) continue;
+      core = part;
+      is_innermost = false;
+      break;
     }
-    places.push_back(std::move(place));
   }
-  return places;
+  std::set<std::string> names;
+  append_names(core, names);
+  KnownSet small = set;
+  small.formula = core;
+  std::erase_if(small.axes, [&](const KnownAxis& axis) { return names.count(axis.variable) == 0; });
+  if (small.axes.empty() || small.axes.size() == set.axes.size()) return std::nullopt;
+  return count_operations(core).total() < least_operations ? std::nullopt : std::optional(std::move(small));
 }
 
-using Values = std::vector<double>;
-
-/// The values of a formula at places, its names in the order of the numbers of a place.
-Values values_at(const Symbolic& formula, const std::vector<std::string>& names,
-                 const std::vector<std::vector<double>>& places) {
-  Values values;
-  for (const std::vector<double>& place : places) {
-    values.push_back(evaluate<double>(formula, [&](const std::string& name) {
-      const auto found = std::find(names.begin(), names.end(), name);
-      return found == names.end() ? std::nan("") : place[static_cast<std::size_t>(found - names.begin())];
-    }));
-  }
-  return values;
-}
-
-double largest(const Values& values) {
-  double most = 0;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
-}
-
-/// Whether two curves agree, to `slack` of the largest value. Places where both have no value do not count.
-bool are_same(const Values& a, const Values& b, double slack) {
-  const double most = largest(b);
-  std::size_t finite = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (std::isfinite(a[i]) != std::isfinite(b[i])) return false;
-    if (!std::isfinite(b[i])) continue;
-    ++finite;
-    if (!(std::abs(a[i] - b[i]) <= slack * most)) return false;
-  }
-  return 2 * finite > a.size();
-}
-
-/// The curves of the parts of an expression at the same places as the form.
-struct Sampled {
-  std::vector<std::vector<double>> places;
-  std::vector<Values> curves;  ///< of each part, in each order of its names
-};
-
-/// Compares curves at a few places.
-class CurveComparison {
+/// An expression against a form.
+class ExpressionMatcher {
  public:
-  CurveComparison(const KnownSet& set, const std::vector<Part>& parts) : set_(set) {
-    const std::vector<std::vector<double>> places = places_in(set.axes);
-    sample(parts, places, {});
-    if (set.axes.size() < 2) return;
-    // A number of the expression may be the value of a variable: g = 0.76.
-    for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
-      for (const double number : parts.empty() ? Values{} : parts.back().numbers) {
-        if (number < set.axes[axis].lower || number > set.axes[axis].upper) continue;
-        std::vector<std::vector<double>> held = places;
-        for (std::vector<double>& place : held) place[axis] = number;
-        sample(parts, held, axis);
+  ExpressionMatcher(const Symbolic& expression, const KnownSet& set, const std::vector<double>& constants,
+                    const std::vector<double>& numbers)
+      : set_(set),
+        constants_(constants),
+        numbers_(numbers),
+        parts_(full_parts(expression, numbers)),
+        comparison_(set, parts_) {
+    append_parts({set.formula, constants}, allowed_);
+  }
+
+  std::optional<ExpressionMatch> form() const {
+    if (comparison_.has({set_.formula, constants_})) return ExpressionMatch{set_.formula, constants_};
+    const std::vector<double> published = published_values(set_);
+    if (constants_ == published || !comparison_.has({set_.formula, published})) return std::nullopt;
+    return ExpressionMatch{.form = set_.formula, .constants = published, .is_published = true};
+  }
+
+  /// A part of the form alone is no slip: the rest may stand in another statement.
+  std::optional<ExpressionMatch> replaced(const std::vector<std::size_t>& missing) const {
+    if (comparison_.is_empty()) return std::nullopt;
+    for (const std::size_t constant : missing) {
+      for (const double number : parts_.back().numbers) {
+        if (count_held({number}, numbers_) > 0) continue;
+        std::vector<double> other = constants_;
+        other[constant] = std::copysign(number, constants_[constant]);
+        if (comparison_.has_other({set_.formula, other}, allowed_, same_curve))
+          return ExpressionMatch{.form = set_.formula, .constants = other, .replaced = constant};
       }
     }
+    return std::nullopt;
   }
 
-  bool is_empty() const { return sampled_.empty(); }
-
-  /// Whether a part has the values of a form that is not the same as one of `others`.
-  bool has(const Symbolic& form, const std::vector<double>& constants,
-           const std::vector<std::pair<Symbolic, std::vector<double>>>& others = {}) const {
-    // Digits of floats and published digits differ by 1e-7, and polynomials with large terms enlarge that.
-    constexpr double slack = 1e-5;
+  std::optional<ExpressionMatch> slipped() const {
     // A difference that is less is none: rounding hides it.
     constexpr double hidden = 1e-4;
-    return std::any_of(sampled_.begin(), sampled_.end(), [&](const Sampled& sampled) {
-      const Values curve = values_of(form, constants, sampled.places);
-      if (!(largest(curve) > 0)) return false;
-      const bool is_there = std::any_of(sampled.curves.begin(), sampled.curves.end(),
-                                        [&](const Values& other) { return are_same(other, curve, slack); });
-      return is_there && std::none_of(others.begin(), others.end(), [&](const auto& other) {
-               return are_same(curve, values_of(other.first, other.second, sampled.places), hidden);
-             });
-    });
+    if (comparison_.is_empty() || parts_.back().held < numbers_.size()) return std::nullopt;
+    for (const Mutant& mutant : mutants_of(set_.formula))
+      if (comparison_.has_other({mutant.formula, constants_}, allowed_, hidden))
+        return ExpressionMatch{.form = mutant.formula, .constants = constants_, .slip = mutant.words};
+    return std::nullopt;
   }
 
  private:
-  /// `held`: the variable whose value is a number there.
-  void sample(const std::vector<Part>& parts, const std::vector<std::vector<double>>& places,
-              std::optional<std::size_t> held) {
-    Sampled sampled{places, {}};
-    std::vector<std::vector<double>> free = places;
-    if (held)
-      for (std::vector<double>& place : free) place.erase(place.begin() + static_cast<std::ptrdiff_t>(*held));
-    for (const Part& part : parts) {
-      if (part.names.size() != set_.axes.size() - (held ? 1 : 0)) continue;
-      std::vector<std::string> order(part.names.begin(), part.names.end());
-      do {
-        sampled.curves.push_back(values_at(part.formula, order, free));
-      } while (std::next_permutation(order.begin(), order.end()));
-    }
-    if (!sampled.curves.empty()) sampled_.push_back(std::move(sampled));
-  }
-
-  Values values_of(const Symbolic& form, const std::vector<double>& constants,
-                   std::vector<std::vector<double>> places) const {
-    std::vector<std::string> names;
-    for (const KnownAxis& axis : set_.axes) names.push_back(axis.variable);
-    for (std::size_t i = 0; i < set_.constants.size(); ++i) {
-      names.push_back(set_.constants[i].name);
-      for (std::vector<double>& place : places) place.push_back(constants[i]);
-    }
-    return values_at(form, names, places);
-  }
-
   const KnownSet& set_;
-  std::vector<Sampled> sampled_;
+  const std::vector<double>&constants_, &numbers_;
+  std::vector<Part> parts_;
+  CurveComparison comparison_;
+  std::vector<Curve> allowed_;
 };
-
-/// The form and all its parts.
-void append_parts(const Symbolic& form, const std::vector<double>& constants,
-                  std::vector<std::pair<Symbolic, std::vector<double>>>& parts) {
-  parts.emplace_back(form, constants);
-  for (const Symbolic& part : form.parts()) append_parts(part, constants, parts);
-}
 
 }  // namespace
 
@@ -198,27 +110,22 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
                                                 const std::vector<double>& constants,
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing) {
-  const std::vector<Part> parts = full_parts(expression, numbers);
-  const CurveComparison comparison(set, parts);
-  if (comparison.is_empty()) return std::nullopt;
-  if (comparison.has(set.formula, constants)) return ExpressionMatch{set.formula, constants};
-  // A part of the form alone is no slip: the rest may stand in another statement.
-  std::vector<std::pair<Symbolic, std::vector<double>>> allowed;
-  append_parts(set.formula, constants, allowed);
-  for (const std::size_t constant : missing) {
-    for (const double number : parts.back().numbers) {
-      if (count_held({number}, numbers) > 0) continue;
-      std::vector<double> other = constants;
-      other[constant] = std::copysign(number, constants[constant]);
-      if (comparison.has(set.formula, other, allowed))
-        return ExpressionMatch{.form = set.formula, .constants = other, .replaced = constant};
+  const ExpressionMatcher whole(expression, set, constants, numbers);
+  if (auto match = whole.form()) return match;
+  if (auto match = whole.replaced(missing)) return match;
+  if (const auto small = core_of(set)) {
+    const ExpressionMatcher core(expression, *small, constants, numbers);
+    auto match = core.form();
+    if (!match) match = core.replaced(missing);
+    if (match) {
+      match->form = set.formula;
+      match->is_core = true;
     }
+    if (match && match->replaced) return match;
+    if (auto slip = whole.slipped()) return slip;
+    return match;
   }
-  if (parts.back().held < numbers.size()) return std::nullopt;
-  for (const Mutant& mutant : mutants_of(set.formula))
-    if (comparison.has(mutant.formula, constants, allowed))
-      return ExpressionMatch{mutant.formula, constants, mutant.words};
-  return std::nullopt;
+  return whole.slipped();
 }
 
 }  // namespace shadefit::lint

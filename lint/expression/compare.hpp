@@ -17,14 +17,18 @@ struct ExpressionMatch {
   std::vector<double> constants;  ///< in it
   /// A slip by which it differs from the form: "1 + k c for 1 - k c"; empty: it is the form.
   std::string slip = {};
+  /// Whether it computes the published curve although its numbers are others: 6.07995 + (90 - z).
+  bool is_published = false;
+  /// Whether only the part of the form with all its constants was found, or that with a replaced one.
+  bool is_core = false;
   /// A constant of `missing` in whose place another number stands.
   std::optional<std::size_t> replaced = {};
 };
 
 /// Looks for a part of the expression, with as many of these numbers as it holds, that has the values of
-/// the form: as it is, with a constant of `missing` replaced by a number of the expression, or with one slip
-/// (lint/expression/mutants.hpp). The names of the expression may be the variables of the form in any order.
-/// Empty if no part is one of these.
+/// the form, or of the part of the form that has all constants: as it is, with a constant of `missing`
+/// replaced by a number of the expression, or with one slip (lint/expression/mutants.hpp). The names of the
+/// expression may be the variables of the form in any order. Empty if no part is one of these.
 std::optional<ExpressionMatch> match_expression(const Symbolic& expression, const KnownSet& set,
                                                 const std::vector<double>& constants,
                                                 const std::vector<double>& numbers,

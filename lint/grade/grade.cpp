@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 namespace shadefit::lint {
@@ -37,6 +38,13 @@ Grade grade_of(const KnownSet& set, const SiteNumber& number) {
   return Grade::right;
 }
 
+Grade grade_of_other(const KnownConstant& constant, double found) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::abs(found));
+  const Digits digits = digits_of({text.data(), static_cast<std::size_t>(end.ptr - text.data())});
+  return is_shortened(digits, digits_of(constant.printed)) ? Grade::truncated : Grade::typo;
+}
+
 bool is_in_other_units(const Site& site) {
   return std::count_if(site.numbers.begin(), site.numbers.end(),
                        [](const SiteNumber& number) { return number.match == DigitMatch::shifted; }) > 1;
@@ -60,12 +68,16 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::str
 GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
                     const EffectLimits& limits) {
   GradedSite graded;
+  if (found.is_published) return graded;
   const bool has_other_units = is_in_other_units(site);
   for (const SiteNumber& number : site.numbers) {
     if (has_other_units && number.match == DigitMatch::shifted) continue;
     graded.grade = std::max(graded.grade, grade_of(set, number));
   }
-  if (found.replaced || !found.slip.empty()) graded.grade = Grade::typo;
+  if (found.replaced)
+    graded.grade = std::max(graded.grade,
+                            grade_of_other(set.constants[*found.replaced], found.constants[*found.replaced]));
+  if (!found.slip.empty()) graded.grade = Grade::typo;
   if (graded.grade == Grade::right) return graded;
   graded.is_shown = is_shown(set);
   graded.effect = effect_of(set, found.form, found.constants);

@@ -42,6 +42,10 @@ struct GradedSite {
 /// The grade of a single number, by its digits alone.
 Grade grade_of(const KnownSet& set, const SiteNumber& number);
 
+/// The grade of a number in the place of a constant that does not match it: `truncated` for 0.0023 in place
+/// of 0.00232, else `typo`.
+Grade grade_of_other(const KnownConstant& constant, double found);
+
 /// Whether the decimal points of several numbers stand elsewhere: then they are in other units, such as 1000
 /// kelvin, and right.
 bool is_in_other_units(const Site& site);

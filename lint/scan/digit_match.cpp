@@ -1,6 +1,7 @@
 #include "lint/scan/digit_match.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -33,10 +34,24 @@ Digits cut_to(const Digits& digits, std::size_t n) {
   return result;
 }
 
-bool has_digits_of_float(const Digits& found, const Digits& published) {
+bool is_same_float(const Digits& found, const Digits& published) {
   constexpr std::size_t digits_of_a_float = 7;
   return found.text.size() >= digits_of_a_float && std::abs(found.exponent - published.exponent) <= 1 &&
          static_cast<float>(number_of(found)) == static_cast<float>(number_of(published));
+}
+
+/// Whether the digits are those that one prints for the float or for the published number: rounded or cut
+/// off. 0.159301758125 for 0.1593017578125 is the same float, but nobody prints it: a digit was lost.
+bool is_print_of_float(const Digits& found, const Digits& published) {
+  if (!is_same_float(found, published)) return false;
+  if (is_shortened(found, published)) return true;
+  // A float has at most 112 significant digits.
+  std::array<char, 128> exact{};
+  const auto end = std::to_chars(exact.data(), exact.data() + exact.size(),
+                                 static_cast<double>(static_cast<float>(number_of(published))),
+                                 std::chars_format::scientific, 112);
+  const Digits all = digits_of({exact.data(), static_cast<std::size_t>(end.ptr - exact.data())});
+  return found == rounded_to(all, found.text.size()) || found == cut_to(all, found.text.size());
 }
 
 /// Whether one edit makes `a` of `b`: a digit replaced, inserted or left out, or two neighbours swapped.
@@ -60,20 +75,25 @@ double number_of(const Digits& digits) {
   return value;
 }
 
+bool is_shortened(const Digits& found, const Digits& published) {
+  const std::size_t count = found.text.size();
+  return 0 < count && count < published.text.size() &&
+         (found == rounded_to(published, count) || found == cut_to(published, count));
+}
+
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published) {
   if (found == published) return DigitMatch::same;
   const std::size_t count = published.text.size();
+  constexpr std::size_t least_digits_to_shift = 3;
+  if (count >= least_digits_to_shift && found.text == published.text) return DigitMatch::shifted;
   if (count < least_digits_to_vary || found.text.empty()) return std::nullopt;
   if (found.text.size() > count && rounded_to(found, count) == published) return DigitMatch::longer;
-  if (has_digits_of_float(found, published)) return DigitMatch::float32;
+  if (is_print_of_float(found, published)) return DigitMatch::float32;
   constexpr std::size_t least_rounded = 3;
-  const std::size_t shorter = found.text.size();
-  if (least_rounded <= shorter && shorter < count &&
-      (found == rounded_to(published, shorter) || found == cut_to(published, shorter)))
-    return DigitMatch::rounded;
-  if (found.text == published.text) return DigitMatch::shifted;
+  if (found.text.size() >= least_rounded && is_shortened(found, published)) return DigitMatch::rounded;
   if (std::abs(found.exponent - published.exponent) <= 1 && is_one_edit(found.text, published.text))
     return DigitMatch::edited;
+  if (is_same_float(found, published)) return DigitMatch::float32;
   return std::nullopt;
 }
 

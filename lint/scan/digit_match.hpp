@@ -11,7 +11,7 @@ namespace shadefit::lint {
 enum class DigitMatch {
   same,     ///< the same digits
   longer,   ///< more digits, which round to the published ones
-  float32,  ///< the digits of the float nearest to the published number
+  float32,  ///< the digits of the float nearest to the published number, or others of that float
   rounded,  ///< fewer digits, rounded or cut off
   shifted,  ///< the same digits, with the decimal point elsewhere
   edited,   ///< one digit differs, is missing or too many, or two neighbours are swapped
@@ -23,6 +23,9 @@ inline constexpr std::size_t least_digits_to_vary = 4;
 
 /// Compares a number without its sign; empty if it is another number.
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published);
+
+/// Whether the digits are the first ones of the published number, rounded or cut off.
+bool is_shortened(const Digits& found, const Digits& published);
 
 /// The number with these digits.
 double number_of(const Digits& digits);

@@ -62,9 +62,10 @@ class SiteFinder {
       if (number.match < same->match && same->match >= DigitMatch::rounded) {
         numbers_.erase(same);
       } else if (number.match > same->match && number.match >= DigitMatch::rounded) {
+        looser_ = number;
         return;
       } else {
-        close();
+        begin_again(number);
       }
     }
     numbers_.push_back(number);
@@ -74,6 +75,7 @@ class SiteFinder {
     if (numbers_.empty()) return;
     Site site{set_, std::move(numbers_)};
     numbers_.clear();
+    looser_.reset();
     drop_comments(site);
     add_companions(site);
     site.bits = bits_of(site);
@@ -83,6 +85,15 @@ class SiteFinder {
   std::vector<Site> take() { return std::move(sites_); }
 
  private:
+  /// Closes a site before a constant that it has. A looser match behind its last number is the first number
+  /// of the next site: the first of a row of a table may be the one with the wrong digit.
+  void begin_again(const SiteNumber& next) {
+    const std::optional<SiteNumber> looser = looser_;
+    const std::size_t last = numbers_.back().literal;
+    close();
+    if (looser && looser->literal > last && looser->constant != next.constant) numbers_.push_back(*looser);
+  }
+
   /// Several constants of a set may have the same digits. Then the number is the next of them in the
   /// published order, or the first that the site does not have yet.
   const Hit& next_in_order(std::span<const Hit> hits) const {
@@ -179,7 +190,17 @@ class SiteFinder {
     return 0;
   }
 
-  /// One order of n! if all n constants stand in the published one, with nothing between.
+  bool is_next_to(std::size_t literal, bool before, std::string_view brackets) const {
+    const Literal& one = literals_[literal];
+    const std::string_view rest =
+        before ? text_.substr(0, one.offset) : text_.substr(one.offset + one.length);
+    const std::string_view blanks = before ? " \t\r\n+-" : " \t\r\n";
+    const std::size_t at = before ? rest.find_last_not_of(blanks) : rest.find_first_not_of(blanks);
+    return at != std::string_view::npos && brackets.find(rest[at]) != std::string_view::npos;
+  }
+
+  /// One order of n! if all n constants stand in the published one, with nothing between. If they are a whole
+  /// list, (a, b, c), three more: a row of numbers at a random place is no list.
   double bits_of_order(const Site& site) const {
     const std::size_t count = sets_[site.set].constants.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -187,7 +208,10 @@ class SiteFinder {
           site.numbers[i].literal != site.numbers[0].literal + i)
         return 0;
     }
-    return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0);
+    constexpr double bits_of_a_list = 3;
+    const bool is_list = is_next_to(site.numbers.front().literal, true, "([{") &&
+                         is_next_to(site.numbers.back().literal, false, ")]}");
+    return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0) + (is_list ? bits_of_a_list : 0);
   }
 
   double bits_of(const Site& site) const {
@@ -203,7 +227,8 @@ class SiteFinder {
   const std::vector<Literal>& literals_;
   const std::vector<KnownSet>& sets_;
   std::size_t set_ = 0;
-  std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
+  std::vector<SiteNumber> numbers_;        ///< of the site that is being collected
+  std::optional<SiteNumber> looser_ = {};  ///< the last number for a constant that a closer one stands for
   std::vector<Site> sites_;
 };
 

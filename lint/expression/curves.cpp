@@ -1,0 +1,178 @@
+#include "lint/expression/curves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace shadefit::lint {
+namespace {
+
+using Values = std::vector<double>;
+
+/// Numbers of full float32 digits are nearer to each other than this.
+constexpr double same_number = 1e-6;
+
+bool is_near(double a, double b, double slack) {
+  return std::abs(a - b) <= slack * std::max(std::abs(a), std::abs(b));
+}
+
+/// All parts of an expression, inner ones first.
+Part collect(const Symbolic& formula, const std::vector<double>& wanted, std::vector<Part>& parts) {
+  Part whole{formula, {}, {}};
+  if (formula.kind() == Symbolic::Kind::variable) whole.names.insert(formula.name());
+  if (formula.kind() == Symbolic::Kind::number) whole.numbers.push_back(constant<double>(formula.name()));
+  for (const Symbolic& inner : formula.parts()) {
+    const Part part = collect(inner, wanted, parts);
+    whole.names.insert(part.names.begin(), part.names.end());
+    whole.numbers.insert(whole.numbers.end(), part.numbers.begin(), part.numbers.end());
+  }
+  whole.held = count_held(whole.numbers, wanted);
+  if (!formula.parts().empty()) parts.push_back(whole);
+  return whole;
+}
+
+/// Places inside the ranges, in no simple ratio to each other: multiples of the golden ratio and its kin (the
+/// R sequence of M. Roberts, 2018).
+std::vector<std::vector<double>> places_in(const std::vector<KnownAxis>& axes) {
+  constexpr int count = 9;
+  constexpr std::array<double, 3> steps{0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
+  std::vector<std::vector<double>> places;
+  for (int i = 1; i <= count; ++i) {
+    std::vector<double> place;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const double share = std::fmod(i * steps[axis], 1.0);
+      place.push_back(axes[axis].lower + (axes[axis].upper - axes[axis].lower) * share);
+    }
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
+/// Near the lower and the upper ends, where a lost term may be all that is left.
+std::vector<std::vector<double>> ends_of(const std::vector<KnownAxis>& axes) {
+  std::vector<std::vector<double>> ends(2);
+  constexpr double near = 1e-4;
+  for (const KnownAxis& axis : axes) {
+    ends[0].push_back(axis.lower + (axis.upper - axis.lower) * near);
+    ends[1].push_back(axis.upper - (axis.upper - axis.lower) * near);
+  }
+  return ends;
+}
+
+/// The values of a formula at places, its names in the order of the numbers of a place.
+Values values_at(const Symbolic& formula, const std::vector<std::string>& names,
+                 const std::vector<std::vector<double>>& places) {
+  Values values;
+  for (const std::vector<double>& place : places) {
+    values.push_back(evaluate<double>(formula, [&](const std::string& name) {
+      const auto found = std::find(names.begin(), names.end(), name);
+      return found == names.end() ? std::nan("") : place[static_cast<std::size_t>(found - names.begin())];
+    }));
+  }
+  return values;
+}
+
+double largest(const Values& values) {
+  double most = 0;
+  for (const double value : values) most = std::max(most, std::abs(value));
+  return most;
+}
+
+/// Whether the first `count` values of two curves agree, to `slack` of the largest. Places where both have no
+/// value do not count.
+bool are_same(const Values& a, const Values& b, std::size_t count, double slack) {
+  const double most = largest(b);
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::isfinite(a[i]) != std::isfinite(b[i])) return false;
+    if (!std::isfinite(b[i])) continue;
+    ++finite;
+    if (!(std::abs(a[i] - b[i]) <= slack * most)) return false;
+  }
+  return 2 * finite > count;
+}
+
+}  // namespace
+
+std::size_t count_held(const std::vector<double>& numbers, const std::vector<double>& wanted) {
+  return static_cast<std::size_t>(std::count_if(wanted.begin(), wanted.end(), [&](double value) {
+    return std::any_of(numbers.begin(), numbers.end(),
+                       [&](double number) { return is_near(number, value, same_number); });
+  }));
+}
+
+/// The parts that hold as many of the wanted numbers as the whole does.
+std::vector<Part> full_parts(const Symbolic& formula, const std::vector<double>& wanted) {
+  std::vector<Part> parts;
+  const std::size_t held = collect(formula, wanted, parts).held;
+  std::erase_if(parts, [&](const Part& part) { return part.held < held || held == 0; });
+  return parts;
+}
+
+CurveComparison::CurveComparison(const KnownSet& set, const std::vector<Part>& parts) : set_(set) {
+  std::vector<std::vector<double>> places = places_in(set.axes);
+  inner_places_ = places.size();
+  for (std::vector<double>& end : ends_of(set.axes)) places.push_back(std::move(end));
+  sample(parts, places, {});
+  if (set.axes.size() < 2) return;
+  // A number of the expression may be the value of a variable: g = 0.76.
+  for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
+    for (const double number : parts.empty() ? Values{} : parts.back().numbers) {
+      if (number < set.axes[axis].lower || number > set.axes[axis].upper) continue;
+      std::vector<std::vector<double>> held = places;
+      for (std::vector<double>& place : held) place[axis] = number;
+      sample(parts, held, axis);
+    }
+  }
+}
+
+bool CurveComparison::has(const Curve& curve) const {
+  return std::any_of(sampled_.begin(), sampled_.end(), [&](const Sampled& sampled) {
+    return is_there(sampled, values_of(curve, sampled.places), inner_places_);
+  });
+}
+
+bool CurveComparison::has_other(const Curve& curve, const std::vector<Curve>& allowed, double hidden) const {
+  return std::any_of(sampled_.begin(), sampled_.end(), [&](const Sampled& sampled) {
+    const Values values = values_of(curve, sampled.places);
+    return is_there(sampled, values, values.size()) &&
+           std::none_of(allowed.begin(), allowed.end(), [&](const Curve& other) {
+             return are_same(values, values_of(other, sampled.places), values.size(), hidden);
+           });
+  });
+}
+
+bool CurveComparison::is_there(const Sampled& sampled, const Values& values, std::size_t count) {
+  return largest(values) > 0 &&
+         std::any_of(sampled.curves.begin(), sampled.curves.end(),
+                     [&](const Values& other) { return are_same(other, values, count, same_curve); });
+}
+
+void CurveComparison::sample(const std::vector<Part>& parts, const std::vector<std::vector<double>>& places,
+                             std::optional<std::size_t> held) {
+  Sampled sampled{places, {}};
+  std::vector<std::vector<double>> free = places;
+  if (held)
+    for (std::vector<double>& place : free) place.erase(place.begin() + static_cast<std::ptrdiff_t>(*held));
+  for (const Part& part : parts) {
+    if (part.names.size() != set_.axes.size() - (held ? 1 : 0)) continue;
+    std::vector<std::string> order(part.names.begin(), part.names.end());
+    do {
+      sampled.curves.push_back(values_at(part.formula, order, free));
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+  if (!sampled.curves.empty()) sampled_.push_back(std::move(sampled));
+}
+
+CurveComparison::Values CurveComparison::values_of(const Curve& curve,
+                                                   std::vector<std::vector<double>> places) const {
+  std::vector<std::string> names;
+  for (const KnownAxis& axis : set_.axes) names.push_back(axis.variable);
+  for (std::size_t i = 0; i < set_.constants.size(); ++i) {
+    names.push_back(set_.constants[i].name);
+    for (std::vector<double>& place : places) place.push_back(curve.constants[i]);
+  }
+  return values_at(curve.form, names, places);
+}
+
+}  // namespace shadefit::lint

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "fit/scalars/symbolic.hpp"
+#include "lint/known/known_set.hpp"
+
+/// Whether an expression computes a curve: at a few places, whatever its names and the order of its
+/// operations.
+namespace shadefit::lint {
+
+/// A part of an expression with what it holds.
+struct Part {
+  Symbolic formula;
+  std::set<std::string> names;
+  std::vector<double> numbers;
+  std::size_t held = 0;  ///< how many of the wanted numbers
+};
+
+/// How many of the wanted numbers are among these, to the accuracy of a float.
+std::size_t count_held(const std::vector<double>& numbers, const std::vector<double>& wanted);
+
+/// The parts that hold as many of the wanted numbers as the whole does, inner ones first. Empty if it holds
+/// none.
+std::vector<Part> full_parts(const Symbolic& formula, const std::vector<double>& wanted);
+
+/// A form of the variables and constants of a set, with values of the constants.
+struct Curve {
+  Symbolic form;
+  std::vector<double> constants;
+};
+
+/// Digits of floats and published digits differ by 1e-7, and polynomials with large terms enlarge that.
+inline constexpr double same_curve = 1e-5;
+
+/// The curves of the parts of an expression, for each order of their names and where a name is a number.
+class CurveComparison {
+ public:
+  CurveComparison(const KnownSet& set, const std::vector<Part>& parts);
+
+  bool is_empty() const { return sampled_.empty(); }
+
+  /// Whether a part has this curve inside the ranges. At their ends programs have branches of their own.
+  bool has(const Curve& curve) const;
+
+  /// Whether a part has this curve, also at the ends, and it differs from all that are allowed by more than
+  /// `hidden` of the largest value.
+  bool has_other(const Curve& curve, const std::vector<Curve>& allowed, double hidden) const;
+
+ private:
+  using Values = std::vector<double>;
+
+  struct Sampled {
+    std::vector<std::vector<double>> places;
+    std::vector<Values> curves;
+  };
+
+  static bool is_there(const Sampled& sampled, const Values& values, std::size_t count);
+
+  /// `held`: the variable whose value is a number there.
+  void sample(const std::vector<Part>& parts, const std::vector<std::vector<double>>& places,
+              std::optional<std::size_t> held);
+
+  Values values_of(const Curve& curve, std::vector<std::vector<double>> places) const;
+
+  const KnownSet& set_;
+  std::size_t inner_places_ = 0;
+  std::vector<Sampled> sampled_;
+};
+
+}  // namespace shadefit::lint

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Rewrites expressions of programs in the notation of formulas.
+namespace shadefit::lint {
+
+/// An expression as a formula of v0, v1 and so on, and what these are in the program.
+struct Rewritten {
+  std::string formula;
+  std::vector<std::string> names;
+};
+
+/// Rewrites an expression without comments. Empty if it has more than operations of scalars.
+std::optional<Rewritten> rewritten(std::string_view text);
+
+}  // namespace shadefit::lint
