@@ -25,7 +25,7 @@ class SiteJudge {
     const std::vector<double> constants = constants_at(set_, site_, text_, literals_);
     auto read = is_in_other_units(site_) ? std::nullopt : read_around(constants);
     const bool is_read = read.has_value();
-    if (!read && site_.bits < telling_bits) return std::nullopt;
+    if (!read && (site_.bits < telling_bits || has_borrowed_variant())) return std::nullopt;
     if (!read) read = replaced_in_order(constants);
     JudgedSite judged;
     judged.set = site_.set;
@@ -42,6 +42,8 @@ class SiteJudge {
     judged.is_in_comment =
         std::all_of(site_.numbers.begin(), site_.numbers.end(),
                     [&](const SiteNumber& number) { return literals_[number.literal].is_in_comment; });
+    // A comment without a formula may break a number or tell of an older one.
+    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right) return std::nullopt;
     for (const SiteNumber& number : site_.numbers)
       if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
     return judged;
@@ -73,6 +75,13 @@ class SiteJudge {
     }
     std::sort(numbers.begin(), numbers.end(),
               [](const JudgedNumber& a, const JudgedNumber& b) { return a.offset < b.offset; });
+  }
+
+  /// Digits of another formula beside this one: sRGB's threshold of the other direction.
+  bool has_borrowed_variant() const {
+    return std::any_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
+      return number.variant && set_.variants[*number.variant].is_borrowed;
+    });
   }
 
   std::vector<std::size_t> missing_constants() const {

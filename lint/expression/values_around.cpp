@@ -12,6 +12,9 @@ namespace {
 constexpr std::size_t most_statements_behind = 4;
 constexpr std::size_t most_bytes_around = 700;
 
+/// The bytes in which constants with a name may stand before the first number: let a = 1.0; let b = 0.03;
+constexpr std::size_t most_bytes_before = 300;
+
 /// Larger formulas are none that a person wrote.
 constexpr std::size_t deepest_value = 60;
 
@@ -70,6 +73,20 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
     depth = 0;
   }
   return statements;
+}
+
+/// Where the block around a place begins, if that is near.
+std::size_t block_begin(std::string_view text, std::size_t at) {
+  const std::size_t least = at - std::min(at, most_bytes_before);
+  const std::size_t brace = text.substr(least, at - least).find_last_of("{}");
+  if (brace != std::string_view::npos) return least + brace + 1;
+  const std::size_t line = text.find('\n', least);
+  return least == 0 ? 0 : std::min(line, at);
+}
+
+bool is_number(const Symbolic& value) {
+  if (value.kind() == Symbolic::Kind::variable) return false;
+  return std::all_of(value.parts().begin(), value.parts().end(), is_number);
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -138,7 +155,7 @@ std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, st
     return found == known.end() ? Symbolic::variable(name) : found->second;
   };
   std::vector<Symbolic> values;
-  for (const Statement& statement : statements_of(text, begin, end)) {
+  for (const Statement& statement : statements_of(text, block_begin(text, begin), end)) {
     const auto assignment = assignment_of(statement.text);
     if (!assignment) continue;
     const auto right = read_expression(trimmed(assignment->right), style);
@@ -147,6 +164,8 @@ std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, st
       continue;
     }
     Symbolic value = evaluate<Symbolic>(*right, value_of);
+    // What else is computed before the numbers are the variables of the formula.
+    if (statement.end <= begin && !is_number(value)) continue;
     if (assignment->operation != '\0')
       value = combined(assignment->operation, value_of(assignment->name), value);
     if (value.depth() > deepest_value) return values;

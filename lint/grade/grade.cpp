@@ -23,7 +23,13 @@ std::string_view name(Grade grade) {
 }
 
 Grade grade_of(const KnownSet& set, const SiteNumber& number) {
-  if (number.variant) return set.variants[*number.variant].replaced.empty() ? Grade::typo : Grade::outdated;
+  if (number.variant) {
+    const KnownVariant& variant = set.variants[*number.variant];
+    if (!variant.replaced.empty()) return Grade::outdated;
+    const bool is_short =
+        is_shortened(digits_of(variant.printed), digits_of(set.constants[number.constant].printed));
+    return is_short ? Grade::truncated : Grade::typo;
+  }
   switch (number.match) {
     case DigitMatch::same:
     case DigitMatch::longer:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "approx/ledger/catalogue.hpp"
@@ -36,7 +37,7 @@ KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet
   for (const auto& [name, printed] : published.values) set.constants.push_back(constant_of(name, printed));
   for (const MistypedCopy& copy : published.variants)
     for (const auto& [name, printed] : copy.values)
-      set.variants.push_back({place_of(set.constants, name), printed, copy.replaced});
+      set.variants.push_back({place_of(set.constants, name), printed, copy.replaced, false});
   return set;
 }
 
@@ -78,9 +79,17 @@ void append_families(std::vector<KnownSet>& sets) {
     }
     KnownSet& set = sets[place->second];
     for (const Variant& variant : record.variants)
-      set.variants.push_back({set.constants.size(), std::string(variant.printed), ""});
+      set.variants.push_back({set.constants.size(), std::string(variant.printed), "", false});
     set.constants.push_back(constant_of(record.parameter, record.printed));
   }
+}
+
+void mark_borrowed(std::vector<KnownSet>& sets) {
+  std::set<std::string> published;
+  for (const KnownSet& set : sets)
+    for (const KnownConstant& constant : set.constants) published.insert(constant.printed);
+  for (KnownSet& set : sets)
+    for (KnownVariant& variant : set.variants) variant.is_borrowed = published.count(variant.printed) > 0;
 }
 
 std::vector<double> values_on_grid(const KnownSet& set, const Symbolic& form,
@@ -114,6 +123,7 @@ std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies) {
   std::vector<KnownSet> sets;
   append_families(sets);
   for (const StudyFile& study : studies) append_sets(study, sets);
+  mark_borrowed(sets);
   return sets;
 }
 

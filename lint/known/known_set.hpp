@@ -28,7 +28,8 @@ struct KnownAxis {
 struct KnownVariant {
   std::size_t constant = 0;  ///< its place in `constants`
   std::string printed;
-  std::string replaced;  ///< why it was replaced; empty: it is a mistyped copy
+  std::string replaced;      ///< why it was replaced; empty: it is a mistyped copy
+  bool is_borrowed = false;  ///< whether another set publishes these digits: beside it they tell nothing
 };
 
 /// Constants that belong together: those of one published form.

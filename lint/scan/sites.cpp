@@ -173,7 +173,7 @@ class SiteFinder {
     const std::size_t digits = digits_of(constant.printed).text.size();
     const std::size_t published = constant.is_common ? std::min(digits, digits_of_a_common_number) : digits;
     const auto bits = [&](std::size_t count) { return bits_of_a_digit * (static_cast<double>(count) - 1); };
-    if (number.variant) return bits(published);
+    if (number.variant) return set.variants[*number.variant].is_borrowed ? 0 : bits(published);
     switch (number.match) {
       case DigitMatch::same:
       case DigitMatch::longer:
