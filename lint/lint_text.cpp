@@ -10,8 +10,9 @@ namespace shadefit::lint {
 namespace {
 
 /// A wrong expression is believed only where numbers and operations tell enough: log2 of how seldom two of
-/// some 100 slips of some 100 forms fit by chance is 13, and a form has some 8 operations, a bit for each.
-constexpr double bits_for_a_slip = 13 + 8;
+/// some 100 slips of some 100 forms fit by chance is 13, and the median form has 6 operations, a bit for
+/// each.
+constexpr double bits_for_a_slip = 13 + 6;
 
 /// A text, its numbers, and a site in it.
 class SiteJudge {
