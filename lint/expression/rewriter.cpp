@@ -33,6 +33,8 @@ class Rewriter {
         if (peek(0) == '-') sign();
       } else if (c == '.') {
         if (!method()) return std::nullopt;
+      } else if (c == '-' && is_behind_operator()) {
+        negation();
       } else {
         if (std::string_view("+-*/(),?:<>=!&| \t\r\n").find(c) == std::string_view::npos) return std::nullopt;
         out_ += c;
@@ -49,6 +51,25 @@ class Rewriter {
 
   void blanks() {
     while (is_blank(peek(0))) ++at_;
+  }
+
+  bool is_behind_operator() const {
+    const std::size_t last = out_.find_last_not_of(" \t\r\n");
+    return last != std::string::npos && std::string_view("+-*/").find(out_[last]) != std::string_view::npos;
+  }
+
+  /// Programs write a + -2 * b and a / -b; formulas need a + (-2) * b and a / (-1) / b.
+  void negation() {
+    const char last = out_[out_.find_last_not_of(" \t\r\n")];
+    ++at_;
+    blanks();
+    if (is_digit(peek(0)) || peek(0) == '.') {
+      out_ += "(-";
+      number();
+      out_ += ')';
+    } else {
+      out_ += last == '/' ? "(-1) / " : "(-1) * ";
+    }
   }
 
   /// The sign of an exponent stands directly before it.
@@ -137,12 +158,10 @@ class Rewriter {
       } else if (peek(0) == '-' && peek(1) == '>' && is_of_name(peek(2))) {
         at_ += 2;
         path += "." + take_word();
-      } else if (peek(0) == '.' && is_of_name(peek(1)) && !is_method()) {
+      } else if (peek(0) == '.' && is_of_name(peek(1)) && (is_module(path) || !is_method())) {
         ++at_;
         const std::string member = take_word();
-        const bool is_module =
-            path == "Math" || path == "np" || path == "math" || path == "numpy" || path == "dr";
-        path = is_module ? member : path + "." + member;
+        path = is_module(path) ? member : path + "." + member;
       } else if (peek(0) == '[') {
         const auto inside = group('[', ']');
         if (!inside) return false;
@@ -157,6 +176,11 @@ class Rewriter {
     if (peek(0) == '(') return call(path);
     at_ = behind;
     return constant(path);
+  }
+
+  /// Names in front of functions that say nothing: Math.pow, np.exp.
+  static bool is_module(std::string_view path) {
+    return path == "Math" || path == "np" || path == "math" || path == "numpy" || path == "dr";
   }
 
   /// Whether a member that begins here is a function on the number before it: x.powf(2.4).

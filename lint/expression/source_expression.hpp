@@ -24,7 +24,8 @@ std::optional<Symbolic> read_expression(std::string_view text, CommentStyle styl
 
 /// The values of the statements around the bytes [begin, end) in terms of what is not assigned there: for
 ///   float a = x * (x + 0.0245786); float b = x * 0.983729 + 0.238081; return a / b;
-/// the last one is a quotient in x. From the first value that depends on the last of these bytes on.
+/// the last one is a quotient in x. From the first value that depends on the last of these bytes on. First
+/// those in terms of what is computed before the bytes, then those in terms of what that is computed from.
 std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
                                     CommentStyle style);
 

@@ -35,7 +35,10 @@ bool begins_declaration(std::string_view text) {
 }
 
 /// The statements of a text from the one with `begin` on.
-std::vector<Statement> statements_of(std::string_view text, std::size_t begin, std::size_t end) {
+std::vector<Statement> statements_of(std::string_view text, std::size_t begin, std::size_t end,
+                                     CommentStyle style) {
+  // In Python a colon ends the head of a block; elsewhere it joins the parts of a choice.
+  const std::string_view joining = style == CommentStyle::hash ? "+-*/(,=" : "+-*/(,?:=";
   const auto ends = [&](std::size_t i, int depth) {
     const char c = text[i];
     if (c == ';' || c == '{' || c == '}') return true;
@@ -46,7 +49,7 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
     while (last > 0 && is_blank(text[last - 1])) --last;
     while (next < text.size() && is_blank(text[next])) ++next;
     const bool goes_on =
-        (last > 0 && std::string_view("+-*/(,?:=").find(text[last - 1]) != std::string_view::npos) ||
+        (last > 0 && joining.find(text[last - 1]) != std::string_view::npos) ||
         (next < text.size() && std::string_view("+-*/)?:.,").find(text[next]) != std::string_view::npos);
     return !goes_on;
   };
@@ -145,17 +148,17 @@ Symbolic combined(char operation, const Symbolic& a, const Symbolic& b) {
   }
 }
 
-}  // namespace
-
-std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
-                                    CommentStyle style) {
+/// The values from the last number on. `keeps_all`: also with what is computed before the first number, not
+/// only with constants.
+std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::size_t begin, std::size_t end,
+                                CommentStyle style, bool keeps_all) {
   std::map<std::string, Symbolic> known;
   const auto value_of = [&](const std::string& name) {
     const auto found = known.find(name);
     return found == known.end() ? Symbolic::variable(name) : found->second;
   };
   std::vector<Symbolic> values;
-  for (const Statement& statement : statements_of(text, block_begin(text, begin), end)) {
+  for (const Statement& statement : statements) {
     const auto assignment = assignment_of(statement.text);
     if (!assignment) continue;
     const auto right = read_expression(trimmed(assignment->right), style);
@@ -164,14 +167,25 @@ std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, st
       continue;
     }
     Symbolic value = evaluate<Symbolic>(*right, value_of);
-    // What else is computed before the numbers are the variables of the formula.
-    if (statement.end <= begin && !is_number(value)) continue;
+    if (statement.end <= begin && !keeps_all && !is_number(value)) continue;
     if (assignment->operation != '\0')
       value = combined(assignment->operation, value_of(assignment->name), value);
     if (value.depth() > deepest_value) return values;
     if (!assignment->name.empty()) known.insert_or_assign(assignment->name, value);
     if (statement.end >= end) values.push_back(value);
   }
+  return values;
+}
+
+}  // namespace
+
+std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
+                                    CommentStyle style) {
+  const std::vector<Statement> statements = statements_of(text, block_begin(text, begin), end, style);
+  std::vector<Symbolic> values = values_of(statements, begin, end, style, false);
+  if (statements.empty() || statements.front().end > begin) return values;
+  // A formula of x with x = 1 - y before it, or one of y with t = y y before it.
+  for (Symbolic& value : values_of(statements, begin, end, style, true)) values.push_back(std::move(value));
   return values;
 }
 

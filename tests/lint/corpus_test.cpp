@@ -4,25 +4,16 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <iostream>
-#include <map>
 #include <string>
-#include <vector>
 
-#include "app/studies/find_study.hpp"
 #include "lint/lint_tree.hpp"
+#include "tests/lint/all_known.hpp"
 
 /// The places of tests/lint/corpus.toml.
 namespace shadefit::lint {
 namespace {
 
 constexpr const char* elsewhere = "elsewhere";
-
-KnownConstants known_constants() {
-  const std::filesystem::path studies = SHADEFIT_SOURCE_DIR "/studies";
-  std::vector<StudyFile> files;
-  for (const auto& path : study_files({studies, studies / "exact"})) files.push_back(load_study(path));
-  return KnownConstants(known_sets(files));
-}
 
 /// The most harmful grade that lint gives a text.
 std::string grade_in(const std::string& text, SourceLanguage language, const KnownConstants& known) {
@@ -33,7 +24,7 @@ std::string grade_in(const std::string& text, SourceLanguage language, const Kno
 }
 
 TEST(LintCorpus, EachPlaceHasTheGradeThatIsNoted) {
-  const KnownConstants known = known_constants();
+  const KnownConstants known = all_known();
   const toml::table corpus = toml::parse_file(SHADEFIT_SOURCE_DIR "/tests/lint/corpus.toml");
   std::size_t sites = 0, found = 0, graded = 0, traps = 0, false_alarms = 0;
   for (const toml::node& node : *corpus["site"].as_array()) {

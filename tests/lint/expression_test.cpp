@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "fit/scalars/parse_formula.hpp"
+#include "lint/expression/mutants.hpp"
+#include "lint/expression/source_expression.hpp"
+#include "lint/lint_tree.hpp"
+#include "tests/lint/all_known.hpp"
+
+/// Expressions of programs as formulas.
+namespace shadefit::lint {
+namespace {
+
+/// The value of an expression where its only name is 0.3; NaN if it is not read or has other names.
+double at_point_three(std::string_view text, CommentStyle style = CommentStyle::c) {
+  const auto formula = read_expression(text, style);
+  if (!formula) return std::nan("");
+  std::set<std::string> names;
+  const double value = evaluate<double>(*formula, [&](const std::string& name) {
+    names.insert(name);
+    return 0.3;
+  });
+  return names.size() <= 1 ? value : std::nan("");
+}
+
+constexpr double rounding = 1e-15;  // the same operations in another order
+
+TEST(ReadExpression, ReadsEachLanguage) {
+  const double x = 0.3, expected = std::pow(x + 0.055, 2.4);
+  for (const char* text :
+       {"pow(x + 0.055f, 2.4f)", "std::pow(x + 0.055, 2.4)", "Math.pow(x + 0.055, 2.4)",
+        "np.power(x + 0.055, 2.4)", "(x + 0.055) ** 2.4", "(x + 0.055).powf(2.4)", "x.add(0.055).pow(2.4)",
+        "pow(vec3(x) + vec3(0.055), vec3(2.4))", "powr(x.rgb + .055h, 2.4h)",
+        "pow(x /* encoded */ + 0.055, 2.4) // power", "pow(vec3<f32>(x) + 0.055, vec3f(2.4))"})
+    EXPECT_NEAR(at_point_three(text), expected, rounding) << text;
+  EXPECT_NEAR(at_point_three("x**-2 # inverse", CommentStyle::hash), std::pow(x, -2), 1e-14);
+  EXPECT_NEAR(at_point_three("x.mul_add(2.0, 1.0)"), 2 * x + 1, rounding);
+  EXPECT_NEAR(at_point_three("x.mul(x.add(0.5)).sub(0.25).div(2)"), (x * (x + 0.5) - 0.25) / 2, rounding);
+}
+
+TEST(ReadExpression, ASignMayFollowAnOperator) {
+  EXPECT_NEAR(at_point_three("1.5 + -0.5 * x"), 1.35, rounding);
+  EXPECT_NEAR(at_point_three("1.5 - -x"), 1.8, rounding);
+  EXPECT_NEAR(at_point_three("1.5 * -x + 1.0"), 0.55, rounding);
+  EXPECT_NEAR(at_point_three("1.5 / -x * 2.0"), -10, 1e-14);
+  EXPECT_NEAR(at_point_three("1.5 / - 0.5"), -3, rounding);
+}
+
+TEST(ReadExpression, ACallAMemberAndAnElementAreNames) {
+  EXPECT_NEAR(at_point_three("2 * dot(n, l)"), 0.6, rounding);
+  EXPECT_NEAR(at_point_three("a.b + a.b"), 0.6, rounding);
+  EXPECT_NEAR(at_point_three("a[i + 1] * 2"), 0.6, rounding);
+  EXPECT_NEAR(at_point_three("HALF_PI * x"), 0.3 * std::acos(0.0), rounding);
+}
+
+TEST(ReadExpression, OtherThanScalarsIsNotRead) {
+  for (const char* text : {"vec3(1, 2, 3) * x", "a = x", "x +", "\"x\"", "x; y"})
+    EXPECT_FALSE(read_expression(text, CommentStyle::c)) << text;
+}
+
+TEST(ExpressionsAround, GoFromTheInnermostOut) {
+  const std::string text = "float f = 2 * g(3 + x * 0.55, y);";
+  const std::size_t at = text.find("0.55");
+  const auto found = expressions_around(text, at, at + 4);
+  ASSERT_GE(found.size(), 2u);
+  EXPECT_EQ(found.front(), "3 + x * 0.55");
+  EXPECT_NE(found.back().find("2 * g(3 + x * 0.55, y)"), std::string_view::npos);
+}
+
+/// The last value around the number 0.55 in a text, where its only name is 0.3.
+double value_around(const std::string& text, CommentStyle style = CommentStyle::c) {
+  const std::size_t at = text.find("0.55");
+  const auto values = values_around(text, at, at + 4, style);
+  if (values.empty()) return std::nan("");
+  return evaluate<double>(values.back(), [](const std::string&) { return 0.3; });
+}
+
+TEST(ValuesAround, FollowStatements) {
+  EXPECT_NEAR(value_around("{ float a = x * 0.55; float b = a + 1.0; return a / b; }"), 0.165 / 1.165,
+              rounding);
+  EXPECT_NEAR(value_around("{ float a = x * 0.55; a *= 2.0; a -= x; return a; }"), 0.03, rounding);
+  EXPECT_NEAR(value_around("{ let a = 2.0; let b = 0.55; return a * x + b; }"), 1.15, rounding);
+  EXPECT_NEAR(value_around("def f(x):\n  a = x * 0.55\n  return a + 1\n", CommentStyle::hash), 1.165,
+              rounding);
+  EXPECT_NEAR(value_around("{ float a = 0.55, b = 0.1; return x * a + b; }"), 0.265, rounding);
+}
+
+TEST(ValuesAround, WhatIsComputedBeforeIsAVariableOrIsNot) {
+  const std::string text = "{ float x = 1.0 - y; return 0.55 * x; }";
+  const std::size_t at = text.find("0.55");
+  const auto values = values_around(text, at, at + 4, CommentStyle::c);
+  ASSERT_EQ(values.size(), 2u);
+  EXPECT_EQ(to_text(values[0]), "0.55 x");
+  EXPECT_EQ(to_text(values[1]), "0.55 (1 - y)");
+}
+
+std::set<std::string> mutants(const std::string& formula) {
+  std::set<std::string> texts;
+  for (const Mutant& mutant : mutants_of(read_formula(formula, {.variables = {"a", "b", "c", "x"}}).formula))
+    texts.insert(to_text(mutant.formula));
+  return texts;
+}
+
+TEST(Mutants, HaveEachKindOfSlip) {
+  EXPECT_TRUE(mutants("a + b").count("a - b"));
+  EXPECT_TRUE(mutants("a + b").count("a"));            // a lost term
+  EXPECT_TRUE(mutants("a - b").count("b - a"));        // swapped operands
+  EXPECT_TRUE(mutants("a (b + c)").count("a b + c"));  // lost parentheses
+  EXPECT_TRUE(mutants("a x + c").count("a (x + c)"));  // moved ones
+  EXPECT_TRUE(mutants("exp(x)").count("exp2(x)"));
+  EXPECT_TRUE(mutants("a/b").count("a b"));
+  EXPECT_TRUE(mutants("x^5").count("x^4"));
+  EXPECT_TRUE(mutants("pow(x, a)").count("pow(x, 1/a)") || mutants("pow(x, a)").count("x^(1/a)"));
+  EXPECT_FALSE(mutants("a + b").count("a + b"));
+}
+
+std::vector<LintedSite> lint_formula(const std::string& text) {
+  static const KnownConstants known = all_known();
+  return lint_source("a.glsl", text, SourceLanguage::glsl, known, {});
+}
+
+TEST(MatchExpression, TellsTheSlip) {
+  const auto sites = lint_formula("float f(float c) { return exp2((-5.55473 * c + 6.98316) * c); }");
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_EQ(sites.front().grade, Grade::wrong);
+  EXPECT_NE(sites.front().slip.find(" for "), std::string::npos);
+}
+
+TEST(MatchExpression, ATermThatMattersOnlyAtAnEndIsMissed) {
+  // 0.000090537 is what is left of the numerator near 0.
+  const auto sites = lint_formula(
+      "vec3 f(vec3 v) { vec3 a = v * (v + 0.0245786);\n"
+      "vec3 b = v * (0.983729 * v + 0.4329510) + 0.238081;\nreturn a / b; }");
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_EQ(sites.front().grade, Grade::wrong);
+}
+
+TEST(MatchExpression, TheCoreOfAFormIsEnough) {
+  // k alone; (1 - k^2)/(4 pi (1 - k c)^2) stands elsewhere.
+  const auto right = lint_formula("float k = 1.55 * g - 0.55 * g * g * g;"),
+             wrong = lint_formula("float k = 1.55 * g - 5.55 * g * g * g;");
+  ASSERT_EQ(right.size(), 1u);
+  EXPECT_EQ(right.front().grade, Grade::right);
+  ASSERT_EQ(wrong.size(), 1u);
+  EXPECT_EQ(wrong.front().grade, Grade::wrong);
+}
+
+TEST(MatchExpression, AVariableMayHaveOneValue) {
+  for (const auto& [sign, grade] : {std::pair("-", Grade::right), std::pair("+", Grade::wrong)}) {
+    const std::string s = sign;
+    const auto sites = lint_formula(
+        "float f(float c) { float g = 0.76; float k = 1.55 * g - 0.55 * g * g * g;\n"
+        "return (1.0 - k * k)/(4.0 * PI * (1.0 " +
+        s + " k * c) * (1.0 " + s + " k * c)); }");
+    ASSERT_EQ(sites.size(), 1u);
+    EXPECT_EQ(sites.front().grade, grade) << sign;
+  }
+}
+
+}  // namespace
+}  // namespace shadefit::lint

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lint/lint_tree.hpp"
+#include "tests/lint/all_known.hpp"
+
+/// Which numbers belong together, and what they are worth.
+namespace shadefit::lint {
+namespace {
+
+const KnownConstants& known() {
+  static const KnownConstants all = all_known();
+  return all;
+}
+
+std::vector<LintedSite> lint_glsl(const std::string& text, const EffectLimits& limits = {}) {
+  return lint_source("a.glsl", text, SourceLanguage::glsl, known(), limits);
+}
+
+/// "id grade", for each site.
+std::vector<std::string> graded(const std::string& text) {
+  std::vector<std::string> words;
+  for (const LintedSite& site : lint_glsl(text))
+    words.push_back(site.id + " " + std::string(name(site.grade)));
+  return words;
+}
+
+using Words = std::vector<std::string>;
+
+TEST(Sites, FewDigitsNeedTheOthersOrTheForm) {
+  EXPECT_EQ(graded("float f() { return 2.51; }"), Words{});
+  EXPECT_EQ(graded("vec3 a = vec3(0.2126, 0.7152, 0.0722);"), Words{"luma-709 right"});
+  EXPECT_EQ(graded("float a = 0.2126; int b = 1; int c = 2; float d = 0.0722;"), Words{});
+  EXPECT_EQ(graded("float f(float x) { return (x*(2.51*x + 0.03))/(x*(2.43*x + 0.59) + 0.14); }"),
+            Words{"aces-narkowicz-five right"});
+}
+
+TEST(Sites, AWholeListTellsMore) {
+  EXPECT_EQ(graded("vec3 a = vec3(0.2126, 0.7125, 0.0722);"), Words{"luma-709 typo"});
+  EXPECT_EQ(graded("int a[] = {5, 0.2126, 0.7125, 0.0722, 9};"), Words{});
+}
+
+TEST(Sites, AConstantThatComesAgainBeginsTheNextSite) {
+  const std::string row = "{0.0245786, 0.000090537, 0.983729, 0.4329510, 0.238081},\n";
+  EXPECT_EQ(graded(row + row), (Words{"aces-hill right", "aces-hill right"}));
+  // Also where the first number of the second row is the one with the wrong digit.
+  std::string other = row;
+  other.replace(other.find("0.0245786"), 9, "0.0245796");
+  EXPECT_EQ(graded(row + other), (Words{"aces-hill right", "aces-hill typo"}));
+}
+
+TEST(Sites, NumbersOfCommentsAreApart) {
+  const std::string code = "float f(float c) { return exp2((-5.55473 * c - 6.98316) * c); }\n";
+  EXPECT_EQ(graded(code + "// not 6.98216\n"), Words{"fresnel-quadratic right"});
+  const std::vector<LintedSite> sites = lint_glsl("// exp2((-5.55473 * c - 6.98316) * c)\n");
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_TRUE(sites.front().is_in_comment);
+  // A comment without a formula may break a number.
+  EXPECT_EQ(graded("// 0.1593017, 0.8359375, 18.8515625, 18.68, 78.84375\n"), Words{});
+}
+
+TEST(Sites, DigitsThatAnotherFormulaPublishesTellNothing) {
+  // The end of a row of the decoder and the begin of one of the encoder are no decoder with a wrong
+  // threshold.
+  std::string text;
+  for (const char* x : {"r", "g", "b"})
+    text += fmt::format(
+        "{0} < 0.04045 ? {0} * (1.0 / 12.92) : pow(({0} + 0.055) * (1.0 / (1 + 0.055)), 2.4),\n", x);
+  text += "a);\n} Color to_srgb() const { return Color(\n";
+  for (const char* x : {"r", "g", "b"})
+    text +=
+        fmt::format("{0} < 0.0031308 ? 12.92 * {0} : (1.0 + 0.055) * pow({0}, 1.0f / 2.4f) - 0.055,\n", x);
+  for (const std::string& words : graded("return Color(\n" + text + "a); }"))
+    EXPECT_TRUE(words.ends_with(" right")) << words;
+}
+
+TEST(Sites, SeveralShiftedNumbersAreOtherUnits) {
+  EXPECT_EQ(
+      graded("u = (0.860117757 + 1.54118254 * t + 1.28641212 * t*t)/(1 + 8.42420235 * t + 7.08145163 * t*t)"),
+      Words{"planck-u right"});
+}
+
+TEST(Grade, LimitsHaveTwoSides) {
+  const std::string text = "float f(float c) { return exp2((-5.55473 * c - 6.97316) * c); }\n";
+  const std::vector<LintedSite> sites = lint_glsl(text);
+  ASSERT_EQ(sites.size(), 1u);
+  ASSERT_TRUE(sites.front().is_shown);
+  const double codes = sites.front().effect.srgb_codes, change = sites.front().effect.absolute.magnitude;
+  EXPECT_EQ(lint_glsl(text, {.codes = codes * 0.999}).front().grade, Grade::wrong);
+  EXPECT_EQ(lint_glsl(text, {.codes = codes * 1.001}).front().grade, Grade::typo);
+  EXPECT_EQ(lint_glsl(text, {.of_all = change * 0.999}).front().grade, Grade::wrong);
+  EXPECT_EQ(lint_glsl(text, {.of_all = change * 1.001}).front().grade, Grade::typo);
+  // The largest effect of such a change of b is near c = 1/7: there c exp2(-b c) ln 2 is largest.
+  EXPECT_NEAR(change, 0.01 * 0.6931 * 0.1350 * std::exp2((-5.55473 * 0.1350 - 6.98316) * 0.1350), 2e-5);
+}
+
+TEST(Grade, FewerDigitsAreTruncated) {
+  EXPECT_EQ(graded("float f(float c) { return exp2((-5.555 * c - 6.983) * c); }"),
+            Words{"fresnel-quadratic truncated"});
+  EXPECT_EQ(grade_of_other({"b", "-0.00232", -0.00232}, -0.0023), Grade::truncated);
+  EXPECT_EQ(grade_of_other({"b", "-0.00232", -0.00232}, -0.0025), Grade::typo);
+}
+
+TEST(Grade, AReplacedValueIsOutdatedWithItsReason) {
+  const auto sites =
+      lint_glsl("float f(float u) { return u <= 0.03928 ? u/12.92 : pow((u + 0.055)/1.055, 2.4); }");
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_EQ(sites.front().grade, Grade::outdated);
+  EXPECT_NE(sites.front().replaced.find("0.04045"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace shadefit::lint
