@@ -4,6 +4,8 @@
 #include <functional>
 #include <utility>
 
+#include "lint/expression/source_expression.hpp"
+
 namespace shadefit::lint {
 namespace {
 
@@ -29,6 +31,11 @@ std::vector<std::string_view> kin_of(std::string_view function) {
 
 bool is_sum(const Symbolic& formula) {
   return formula.kind() == Kind::add || formula.kind() == Kind::subtract;
+}
+
+/// Whether a product or quotient only has a factor such as 1/pi: programs fold it into other factors.
+bool is_scaled(const Symbolic& formula) {
+  return is_number(formula.part(0)) || is_number(formula.part(1));
 }
 
 /// a (b + c) as a b + c, (a + b) c as a + b c, and so for quotients and differences.
@@ -69,12 +76,14 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       append_moved_parentheses(formula, others);
       break;
     case Kind::multiply:
+      if (is_scaled(formula)) break;
       operation(Kind::add);
       operation(Kind::divide);
       parts();
       append_lost_parentheses(formula, others);
       break;
     case Kind::divide:
+      if (is_scaled(formula)) break;
       operation(Kind::multiply);
       others.push_back(formula.part(1) / formula.part(0));
       others.push_back(formula.part(0));

@@ -30,6 +30,11 @@ std::string without_comments(std::string_view text, CommentStyle style) {
 
 }  // namespace
 
+bool is_number(const Symbolic& formula) {
+  if (formula.kind() == Symbolic::Kind::variable) return false;
+  return std::all_of(formula.parts().begin(), formula.parts().end(), is_number);
+}
+
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
   const auto source = rewritten(without_comments(text, style));
   if (!source) return std::nullopt;

@@ -22,6 +22,9 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
 /// numbers, assignments, unknown signs.
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style);
 
+/// Whether a formula has no names: 4 pi.
+bool is_number(const Symbolic& formula);
+
 /// The values of the statements around the bytes [begin, end) in terms of what is not assigned there: for
 ///   float a = x * (x + 0.0245786); float b = x * 0.983729 + 0.238081; return a / b;
 /// the last one is a quotient in x. From the first value that depends on the last of these bytes on. First

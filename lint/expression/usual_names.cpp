@@ -10,6 +10,13 @@
 namespace shadefit::lint {
 namespace {
 
+/// Of names such as PI_DIV_2 and M_PI_2 pi/2, of TAU 2 pi.
+std::optional<std::string> divided_pi(std::string_view letters) {
+  for (const std::string_view word : {"pidiv2", "pi2", "piover2"})
+    if (letters.ends_with(word)) return "(pi/2)";
+  return letters.ends_with("tau") ? std::optional<std::string>("(2*pi)") : std::nullopt;
+}
+
 std::string lower_case_of(std::string_view word) {
   std::string small(word);
   for (char& c : small)
@@ -57,12 +64,19 @@ std::optional<std::string> pi_in(std::string_view path) {
       path == "half_pi" || path == "halfPi";
   std::string letters = lower_case_of(path);
   std::erase(letters, '_');
-  const auto ends = [&](std::string_view word) { return is_constant && letters.ends_with(word); };
-  if (ends("halfpi") || ends("pidiv2") || ends("pi2") || ends("piover2")) return "(pi/2)";
-  if (ends("invpi") || ends("1pi") || ends("1divpi")) return "(1/pi)";
-  if (ends("twopi") || ends("2pi") || ends("tau")) return "(2*pi)";
-  if (ends("pi")) return "pi";
-  return std::nullopt;
+  if (!is_constant || !letters.ends_with("pi")) return is_constant ? divided_pi(letters) : std::nullopt;
+  letters.resize(letters.size() - 2);
+  const auto ends = [&](std::string_view word) { return letters.ends_with(word); };
+  if (ends("half")) return "(pi/2)";
+  if (ends("two") || ends("2")) return "(2*pi)";
+  for (const std::string_view word :
+       {"inv", "inverse", "reciprocal", "rcp", "recip", "1", "1div", "1over", "oneover"})
+    if (ends(word)) return "(1/pi)";
+  // SQRT_PI and QUARTER_PI are names as others.
+  for (const std::string_view word :
+       {"sqrt", "quarter", "three", "four", "3", "4", "8", "log", "div", "over"})
+    if (ends(word)) return std::nullopt;
+  return "pi";
 }
 
 }  // namespace shadefit::lint

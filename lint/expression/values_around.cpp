@@ -87,11 +87,6 @@ std::size_t block_begin(std::string_view text, std::size_t at) {
   return least == 0 ? 0 : std::min(line, at);
 }
 
-bool is_number(const Symbolic& value) {
-  if (value.kind() == Symbolic::Kind::variable) return false;
-  return std::all_of(value.parts().begin(), value.parts().end(), is_number);
-}
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);

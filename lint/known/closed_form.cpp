@@ -7,13 +7,12 @@
 namespace shadefit::lint {
 namespace {
 
-bool is_simple_fraction(double value) {
+bool is_simple_fraction(double value, double slack) {
   constexpr int largest_denominator = 16, largest_numerator = 64;
-  constexpr double seven_digits = 5e-8;
   for (int denominator = 1; denominator <= largest_denominator; ++denominator) {
     const double numerator = value * denominator, whole = std::round(numerator);
     if (whole > largest_numerator) return false;
-    if (whole >= 1 && std::abs(numerator - whole) <= seven_digits * whole) return true;
+    if (whole >= 1 && std::abs(numerator - whole) <= slack * whole) return true;
   }
   return false;
 }
@@ -27,8 +26,12 @@ bool is_common_number(double value) {
                                std::numbers::sqrt2,
                                std::numbers::ln2,
                                1 / std::numbers::ln2};
+  if (value == 0) return true;
+  // Half a unit of the seventh digit, as a part of the number.
+  const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 6);
+  const double slack = 0.5 * unit / std::abs(value);
   for (const double factor : factors)
-    if (is_simple_fraction(std::abs(value) / factor)) return true;
+    if (is_simple_fraction(std::abs(value) / factor, slack)) return true;
   return false;
 }
 

@@ -55,6 +55,11 @@ TEST(ReadExpression, ACallAMemberAndAnElementAreNames) {
   EXPECT_NEAR(at_point_three("a.b + a.b"), 0.6, rounding);
   EXPECT_NEAR(at_point_three("a[i + 1] * 2"), 0.6, rounding);
   EXPECT_NEAR(at_point_three("HALF_PI * x"), 0.3 * std::acos(0.0), rounding);
+  EXPECT_NEAR(at_point_three("RECIPROCAL_PI * x"), 0.3 / std::acos(-1.0), rounding);
+  EXPECT_NEAR(at_point_three("M_1_PI * M_PI * x"), 0.3, rounding);
+  EXPECT_NEAR(at_point_three("XE_GTAO_PI * x"), 0.3 * std::acos(-1.0), rounding);
+  EXPECT_NEAR(at_point_three("PI_DIV_2 / TAU * x"), 0.3 / 4, rounding);
+  EXPECT_TRUE(std::isnan(at_point_three("SQRT_PI * x")));  // a second name
 }
 
 TEST(ReadExpression, OtherThanScalarsIsNotRead) {
@@ -116,6 +121,7 @@ TEST(Mutants, HaveEachKindOfSlip) {
   EXPECT_TRUE(mutants("x^5").count("x^4"));
   EXPECT_TRUE(mutants("pow(x, a)").count("pow(x, 1/a)") || mutants("pow(x, a)").count("x^(1/a)"));
   EXPECT_FALSE(mutants("a + b").count("a + b"));
+  EXPECT_FALSE(mutants("(a + b)/(4 pi)").count("a + b"));  // 4 pi may stand elsewhere
 }
 
 std::vector<LintedSite> lint_formula(const std::string& text) {

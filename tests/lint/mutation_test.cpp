@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,73 +7,117 @@
 #include <string>
 #include <vector>
 
-#include "fit/support/user_error.hpp"
 #include "lint/lint_tree.hpp"
 #include "lint/scan/characters.hpp"
-#include "reports/code/shader_code.hpp"
 #include "tests/lint/all_known.hpp"
 
 /// Each digit of each published constant, changed once in generated code.
 namespace shadefit::lint {
 namespace {
 
-/// The form of a set with its constants, in GLSL; empty if shaders have no such function.
-std::string code_of(const KnownSet& set) {
-  std::vector<std::string> variables;
-  for (const KnownAxis& axis : set.axes) variables.push_back("v_" + axis.variable);
-  const Symbolic formula = evaluate<Symbolic>(set.formula, [&](const std::string& name) {
-    for (const KnownConstant& constant : set.constants)
-      if (constant.name == name) return Symbolic::number(constant.printed);
-    return Symbolic::variable("v_" + name);
-  });
-  const std::vector<ShaderFunction> functions{{"f", variables, formula}};
-  try {
-    return shader_code(functions, Language::glsl, ShaderPrecision::float32, {});
-  } catch (const UserError&) {
-    return "";
+/// A formula as a program has it; empty if it has more than operations and usual functions.
+std::string code_of(const Symbolic& formula) {
+  using Kind = Symbolic::Kind;
+  std::vector<std::string> parts;
+  for (const Symbolic& part : formula.parts()) {
+    parts.push_back(code_of(part));
+    if (parts.back().empty()) return "";
   }
+  const auto joined = [&](const char* sign) { return "(" + parts[0] + sign + parts[1] + ")"; };
+  switch (formula.kind()) {
+    case Kind::variable:
+      return formula.name();
+    case Kind::number:
+      return formula.name();
+    case Kind::constant:
+      return formula.name() == "pi" ? "PI" : "0.69314718055994531";
+    case Kind::add:
+      return joined(" + ");
+    case Kind::subtract:
+      return joined(" - ");
+    case Kind::multiply:
+      return joined(" * ");
+    case Kind::divide:
+      return joined(" / ");
+    case Kind::negate:
+      return "(-" + parts[0] + ")";
+    case Kind::real_power:
+      return "pow(" + parts[0] + ", " + parts[1] + ")";
+    case Kind::integer_power:
+      return "pow(" + parts[0] + ", " + formula.name() + ")";
+    case Kind::choice:
+      return "(" + parts[0] + " < " + parts[1] + " ? " + parts[2] + " : " + parts[3] + ")";
+    case Kind::function:
+      return fmt::format("{}({})", formula.name(), fmt::join(parts, ", "));
+    case Kind::integral:
+      return "";
+  }
+  return "";
 }
 
-TEST(LintMutation, EachChangedDigitIsNoticed) {
-  const KnownConstants known = all_known();
-  std::size_t sets = 0, silent = 0, digits = 0, noticed = 0, by_numbers = 0, noticed_by_numbers = 0;
-  std::string missed;
-  const auto sites_in = [&](const std::string& code) {
-    return lint_source("a.glsl", code, SourceLanguage::glsl, known, {});
+/// A function with the form of a set and its constants as published.
+std::string code_of(const KnownSet& set) {
+  return "float f() {\n  return " +
+         code_of(evaluate<Symbolic>(set.formula,
+                                    [&](const std::string& name) {
+                                      for (const KnownConstant& constant : set.constants)
+                                        if (constant.name == name) return Symbolic::number(constant.printed);
+                                      return Symbolic::variable(name);
+                                    })) +
+         ";\n}\n";
+}
+
+/// How many changes were made, and how many of them lint noticed.
+struct Noticed {
+  std::size_t changes = 0, noticed = 0;
+};
+
+/// Changes each digit of each number of a code that lint knows, one at a time.
+Noticed change_digits(const std::string& code, const KnownConstants& known) {
+  const auto sites_in = [&](const std::string& text) {
+    return lint_source("a.glsl", text, SourceLanguage::glsl, known, {});
   };
-  for (const KnownSet& set : known.sets) {
-    const std::string code = code_of(set);
-    if (code.empty()) continue;
-    ++sets;
-    if (std::getenv("SHOWCODE")) std::cout << set.id << " " << set.form << ": " << set.source << "\n" << code;
-    const std::vector<LintedSite> sites = sites_in(code);
-    if (sites.empty()) {
-      ++silent;
-      missed += set.id + " " + set.form + " is not found\n";
-    }
-    for (const LintedSite& site : sites) {
-      for (const LintedNumber& number : site.numbers) {
-        for (std::size_t i = 0; i < number.text.size(); ++i) {
-          if (!is_digit(number.text[i])) continue;
-          std::string other = code;
-          char& digit = other[number.offset + i];
-          digit = static_cast<char>('0' + (digit - '0' + 5) % 10);
-          const std::vector<LintedSite> found = sites_in(other);
-          const bool is_noticed = std::any_of(found.begin(), found.end(),
-                                              [](const LintedSite& one) { return one.grade >= Grade::typo; });
-          ++digits;
-          if (is_noticed) ++noticed;
-          const bool has_telling_digits = digits_of(number.published).text.size() >= least_digits_to_vary;
-          if (has_telling_digits) ++by_numbers;
-          if (has_telling_digits && is_noticed) ++noticed_by_numbers;
-          if (!is_noticed) missed += fmt::format("{} {}: {} at {}\n", set.id, set.form, number.text, i);
-        }
+  Noticed count;
+  for (const LintedSite& site : sites_in(code)) {
+    for (const LintedNumber& number : site.numbers) {
+      // Of fewer digits, too many numbers are near: they are found by the expression alone.
+      if (digits_of(number.published).text.size() < least_digits_to_vary) continue;
+      for (std::size_t i = 0; i < number.text.size(); ++i) {
+        if (!is_digit(number.text[i])) continue;
+        std::string other = code;
+        char& digit = other[number.offset + i];
+        digit = static_cast<char>('0' + (digit - '0' + 5) % 10);
+        const std::vector<LintedSite> found = sites_in(other);
+        ++count.changes;
+        if (std::any_of(found.begin(), found.end(),
+                        [](const LintedSite& one) { return one.grade >= Grade::typo; }))
+          ++count.noticed;
       }
     }
   }
-  std::cout << fmt::format(
-      "{} sets, {} not found; {} digits changed, {} noticed; of constants of four digits {} of {}\n{}", sets,
-      silent, digits, noticed, noticed_by_numbers, by_numbers, missed);
+  return count;
+}
+
+TEST(LintMutation, AChangedDigitIsNoticed) {
+  const KnownConstants known = all_known();
+  constexpr std::size_t most_constants = 8;  // the others take most of the time and tell nothing new
+  std::size_t sets = 0, silent = 0;
+  Noticed all;
+  for (const KnownSet& set : known.sets) {
+    if (set.constants.size() > most_constants) continue;
+    const std::string code = code_of(set);
+    ++sets;
+    if (lint_source("a.glsl", code, SourceLanguage::glsl, known, {}).empty()) ++silent;
+    const Noticed one = change_digits(code, known);
+    all.changes += one.changes;
+    all.noticed += one.noticed;
+  }
+  std::cout << fmt::format("{} sets, {} of them not found; {} digits changed, {} noticed\n", sets, silent,
+                           all.changes, all.noticed);
+  // Not noticed: digits behind those of a float, and numbers that stand twice in a form.
+  EXPECT_GT(static_cast<double>(all.noticed), 0.9 * static_cast<double>(all.changes));
+  // Not found: sets of constants with one or two digits whose form is as simple as others.
+  EXPECT_LE(silent, 12u);
 }
 
 }  // namespace
