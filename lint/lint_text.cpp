@@ -24,7 +24,7 @@ class SiteJudge {
   /// The site, unless neither its numbers nor the expression around tell that it is one.
   std::optional<JudgedSite> judge(const EffectLimits& limits) const {
     const std::vector<double> constants = constants_at(set_, site_, text_, literals_);
-    auto read = is_in_other_units(site_) ? std::nullopt : read_around(constants);
+    auto read = is_in_other_units(site_) || lacks_constants() ? std::nullopt : read_around(constants);
     const bool is_read = read.has_value();
     if (!read && (site_.bits < telling_bits || has_borrowed_variant())) return std::nullopt;
     if (!read) read = replaced_in_order(constants);
@@ -83,6 +83,14 @@ class SiteJudge {
     return std::any_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
       return number.variant && set_.variants[*number.variant].is_borrowed;
     });
+  }
+
+  /// Whether more than one constant is missing that a program has to write: not 1 or pi/2. Then no expression
+  /// can be the form.
+  bool lacks_constants() const {
+    const std::vector<std::size_t> missing = missing_constants();
+    return std::count_if(missing.begin(), missing.end(),
+                         [&](std::size_t constant) { return !set_.constants[constant].is_common; }) > 1;
   }
 
   std::vector<std::size_t> missing_constants() const {
