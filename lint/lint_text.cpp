@@ -26,7 +26,7 @@ class SiteJudge {
     const std::vector<double> constants = constants_at(set_, site_, text_, literals_);
     auto read = is_in_other_units(site_) || lacks_constants() ? std::nullopt : read_around(constants);
     const bool is_read = read.has_value();
-    if (!read && (site_.bits < telling_bits || has_borrowed_variant())) return std::nullopt;
+    if (!read && site_.bits < telling_bits) return std::nullopt;
     if (!read) read = replaced_in_order(constants);
     JudgedSite judged;
     judged.set = site_.set;
@@ -76,13 +76,6 @@ class SiteJudge {
     }
     std::sort(numbers.begin(), numbers.end(),
               [](const JudgedNumber& a, const JudgedNumber& b) { return a.offset < b.offset; });
-  }
-
-  /// Digits of another formula beside this one: sRGB's threshold of the other direction.
-  bool has_borrowed_variant() const {
-    return std::any_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
-      return number.variant && set_.variants[*number.variant].is_borrowed;
-    });
   }
 
   /// Whether more than one constant is missing that a program has to write: not 1 or pi/2. Then no expression
