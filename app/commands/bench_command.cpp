@@ -56,7 +56,7 @@ std::string report_line(const BenchOptions& options) {
 
 /// The older run of --compare; read before anything is measured.
 std::optional<bench::Medians> older_run(const BenchOptions& options) {
-  // A whole bench writes 3 MB.
+  // A whole bench writes 13 MB.
   constexpr std::uintmax_t most_bytes = 64U << 20;
   using findings::name;
   const bool is_about_findings =

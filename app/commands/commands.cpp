@@ -222,7 +222,8 @@ Outcome run_command(const RunOptions& options, const Checkpoint& checkpoint, con
 }
 
 Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const CheckOptions& options) {
-  if (options.format != FindingFormat::text) return outcome_of(drift_findings(drifts, cells), options.format);
+  if (options.format != FindingFormat::text)
+    return outcome_of(drift_findings(drifts, cells, options.fail_above), options.format);
   const std::string baseline = printable(options.baseline);
   if (drifts.empty()) return {0, fmt::format("check passed: {} cells agree with {}\n", cells, baseline), ""};
   Table table{{"file", "row", "column", "baseline", "now", "effect"}, {}};
@@ -230,10 +231,15 @@ Outcome check_outcome(const std::vector<Drift>& drifts, std::size_t cells, const
   for (const Drift& d : drifts) {
     table.rows.push_back({d.file, one_line(d.row), d.column, one_line(d.before), d.after, d.effect});
   }
-  return {1,
+  const auto failing = std::count_if(drifts.begin(), drifts.end(), [&](const Drift& drift) {
+    return is_failing(drift, options.fail_above);
+  });
+  const std::string above =
+      options.fail_above ? fmt::format(", {} above {:g} %", failing, 100 * *options.fail_above) : "";
+  return {failing == 0 ? 0 : 1,
           write_console(table, Precision::report, options.terminal) +
-              fmt::format("\ncheck failed: {} {} from {}\n", drifts.size(),
-                          drifts.size() == 1 ? "difference" : "differences", baseline),
+              fmt::format("\ncheck {}: {} {} from {}{}\n", failing == 0 ? "passed" : "failed", drifts.size(),
+                          drifts.size() == 1 ? "difference" : "differences", baseline, above),
           ""};
 }
 

@@ -336,6 +336,8 @@ void declare_check(CLI::App& check, CheckOptions& options) {
       ->default_str(options.baseline);
   check.add_flag("--all", options.all,
                  "also the tables that take longer, of stress and bench, and rows of the tables of studies");
+  add_value(check, "--fail-above", options.fail_above, parse_percentage, "P%",
+            "a number may change by this share of it (default: each change fails)");
   add_finding_format(check, options.format, true);
 }
 
@@ -452,7 +454,8 @@ void declare_commands(CLI::App& app, Call& call) {
   add_command<CheckOptions>(
       app, call, "check",
       "recompute everything and compare it with the tables of an earlier run; writes nothing",
-      "  shadefit check\n  shadefit check --baseline out\n  shadefit check --format sarif\n", declare_check,
+      "  shadefit check\n  shadefit check --baseline out\n  shadefit check --fail-above 1% --format sarif\n",
+      declare_check,
       [&](const CheckOptions& options) { return check_command(options, call.checkpoint, call.progress); });
   add_command<LintOptions>(
       app, call, "lint", "find published constants in source code, and what is wrong with them",

@@ -75,6 +75,25 @@ int first_difference(const std::string& a, const std::string& b) {
   return 1 + static_cast<int>(std::count(a.begin(), end, '\n'));
 }
 
+/// The check as findings: one, if a line differs.
+findings::FindingReport code_findings(const std::string& file, std::optional<int> line) {
+  findings::FindingReport report{
+      "emit",
+      {{"outdated-code", "The code is not what shadefit generates now",
+        "Generate the file again by the command in its comment, or take back the change of the file."}},
+      {},
+      1,
+      "files"};
+  if (line) {
+    const std::string path = std::filesystem::path(file).lexically_normal().generic_string();
+    report.findings.push_back({.rule = report.rules.front().id,
+                               .message = fmt::format("line {} is not what shadefit generates now", *line),
+                               .place = findings::FindingPlace{.path = path, .line = *line},
+                               .fingerprint = fmt::format("{} {}", report.rules.front().id, path)});
+  }
+  return report;
+}
+
 }  // namespace
 
 std::string shell_text(const std::vector<std::string>& words) {
@@ -128,25 +147,6 @@ std::vector<std::string> from_here(std::vector<std::string> words, const std::fi
   for (std::size_t i = 1; i < words.size() && !words[i].starts_with("--"); ++i)
     words[i] = (folder / words[i]).string();  // an absolute path replaces all of it
   return words;
-}
-
-/// The check as findings: one, if a line differs.
-findings::FindingReport code_findings(const std::string& file, std::optional<int> line) {
-  findings::FindingReport report{
-      "emit",
-      {{"outdated-code", "The code is not what shadefit generates now",
-        "Generate the file again by the command in its comment, or take back the change of the file."}},
-      {},
-      1,
-      "files"};
-  if (line) {
-    const std::string path = std::filesystem::path(file).lexically_normal().generic_string();
-    report.findings.push_back({.rule = report.rules.front().id,
-                               .message = fmt::format("line {} is not what shadefit generates now", *line),
-                               .place = findings::FindingPlace{.path = path, .line = *line},
-                               .fingerprint = fmt::format("{} {}", report.rules.front().id, path)});
-  }
-  return report;
 }
 
 Outcome check_generated_file(const std::string& file, FindingFormat format, const Checkpoint& checkpoint) {

@@ -47,15 +47,6 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
       "{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001", option, text));
 }
 
-/// "10%" as 0.1.
-double parse_percentage(const std::string& option, const std::string& text) {
-  const bool has_sign = text.ends_with('%');
-  const double percent = has_sign ? parse_finite(option, text.substr(0, text.size() - 1)) : 0;
-  if (!(percent > 0))
-    throw UserError(fmt::format("{} '{}' must be a percentage above 0, such as 10%", option, text));
-  return percent / 100;
-}
-
 /// Adds the options for a comparison with an older run.
 void add_comparison(CLI::App& bench, BenchOptions& options, CLI::Option* exhaustive) {
   auto* compare = add_value(bench, "--compare", options.compare, parse_text, "OLD.json",

@@ -54,6 +54,14 @@ double parse_share(const std::string& option, const std::string& text, double mo
   return value;
 }
 
+double parse_percentage(const std::string& option, const std::string& text) {
+  const bool has_sign = text.ends_with('%');
+  const double percent = has_sign ? parse_finite(option, text.substr(0, text.size() - 1)) : 0;
+  if (!(percent > 0))
+    throw UserError(fmt::format("{} '{}' must be a percentage above 0, such as 10%", option, text));
+  return percent / 100;
+}
+
 int parse_whole(const std::string& option, const std::string& text, int least, int most) {
   const double value = parse_finite(option, text);
   if (!(value >= least && value <= most && value == static_cast<int>(value)))

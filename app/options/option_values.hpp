@@ -81,6 +81,9 @@ double parse_seconds(const std::string& option, const std::string& text);
 /// A finite number, or a quotient of two ("1/255"), above 0 and at most `most`.
 double parse_share(const std::string& option, const std::string& text, double most);
 
+/// "10%" as 0.1: a percentage above 0.
+double parse_percentage(const std::string& option, const std::string& text);
+
 /// A whole number from `least` to `most`.
 int parse_whole(const std::string& option, const std::string& text, int least, int most);
 

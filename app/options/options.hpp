@@ -125,7 +125,8 @@ struct CheckOptions {
   std::optional<std::string> study = {};  ///< as in `RunOptions`
   StudyFolders studies = {};
   std::string baseline = "reports/baseline";
-  bool all = false;  ///< also the slow tables
+  bool all = false;                       ///< also the slow tables
+  std::optional<double> fail_above = {};  ///< the relative change that a number may have; empty: none
   FindingFormat format = FindingFormat::text;
   Terminal terminal = {};
 };

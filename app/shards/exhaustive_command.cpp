@@ -223,8 +223,9 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
   }
   if (!before || !before->is_done()) bench::keep_state(path, sweep);
   const std::string text =
-      options.format == FindingFormat::json ? bench::state_text(sweep)
-                   : result_text(sweep, chosen, options.terminal) + fmt::format("\nResult: {}\n", shown);
+      options.format == FindingFormat::json
+          ? bench::state_text(sweep)
+          : result_text(sweep, chosen, options.terminal) + fmt::format("\nResult: {}\n", shown);
   return {0, text, ""};
 }
 

@@ -71,6 +71,8 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
                            .properties = properties_of(read, curve),
                            .effect = effect_of(curve),
                            .is_shown = is_shown(curve)};
+  // The largest error may lie between the samples.
+  if (!read.rows) contender.effect.include(effect_of(sample_place(read, contender.values, largest.at)));
   prove_properties(study, size_of(curve), contender, checkpoint);
   return contender;
 }

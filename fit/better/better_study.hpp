@@ -7,6 +7,7 @@
 
 #include "fit/better/study_properties.hpp"
 #include "fit/errors/effect.hpp"
+#include "fit/proof/constants.hpp"
 #include "fit/study/solve_study.hpp"
 #include "fit/study/study_file.hpp"
 #include "fit/support/checkpoint.hpp"
@@ -26,10 +27,10 @@ struct ContenderInFormat {
   /// How `bound` is known: by proof, or because the form was evaluated at every number or row.
   enum class Evidence { none, proven, every_number, every_row };
 
-  std::string_view format;             ///< "float" or "half"
-  std::vector<std::string> constants;  ///< the shortest decimals that read back; none if one overflows
-  bool is_moved = false;               ///< constants that were searched for, not only rounded
-  double bound = 0;                    ///< of the error of the study
+  std::string_view format;   ///< "float" or "half"
+  Constants constants = {};  ///< the shortest decimals that read back; none if one overflows
+  bool is_moved = false;     ///< constants that were searched for, not only rounded
+  double bound = 0;          ///< of the error of the study
   Evidence evidence = Evidence::none;
   std::string reason = {};  ///< why there is no bound
 };

@@ -20,14 +20,13 @@ using Evidence = ContenderInFormat::Evidence;
 /// The numbers of a format as text, or which one overflows.
 template <class Format>
 ContenderInFormat described(const Constants& constants, const std::vector<double>& numbers) {
-  ContenderInFormat result{.format = Format::name, .constants = {}};
+  ContenderInFormat result{.format = Format::name};
   const BinaryLattice<Format> lattice;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (!std::isfinite(numbers[i]))
       return {.format = Format::name,
-              .constants = {},
               .reason = constants[i].first + " overflows: the largest is " + largest_text(lattice)};
-    result.constants.push_back(shortest(lattice, lattice.nearest(numbers[i])));
+    result.constants.emplace_back(constants[i].first, shortest(lattice, lattice.nearest(numbers[i])));
   }
   return result;
 }
@@ -153,7 +152,7 @@ void round_contenders(StudyComparison& comparison, const Checkpoint& checkpoint)
     if (!half->study) continue;
     if (contender.form != first->form) starts.clear();
     starts.push_back(half->numbers);
-    if (&contender == first) continue;
+    if (&contender == first || !comparison.study.held.empty()) continue;
     if (const auto other = searched(subject, contender, *half->study, starts, checkpoint))
       contender.formats.push_back(*other);
   }

@@ -59,4 +59,13 @@ SampledCurve sample_curve(const ReadStudy& study, const std::vector<double>& par
   return curve;
 }
 
+SampledCurve sample_place(const ReadStudy& study, const std::vector<double>& parameters,
+                          const std::vector<double>& place) {
+  SampledCurve curve;
+  curve.places = {place};
+  curve.target = values_at(study, study.target, parameters, curve.places);
+  curve.form = values_at(study, study.form, parameters, curve.places);
+  return curve;
+}
+
 }  // namespace shadefit

@@ -17,4 +17,8 @@ struct SampledCurve {
 /// row.
 SampledCurve sample_curve(const ReadStudy& study, const std::vector<double>& parameters);
 
+/// The same at one place.
+SampledCurve sample_place(const ReadStudy& study, const std::vector<double>& parameters,
+                          const std::vector<double>& place);
+
 }  // namespace shadefit

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "fit/rounding/lattice.hpp"
 
@@ -127,11 +128,12 @@ std::vector<double> moved_constants(StudyInFormat<HalfFormat>& study, std::vecto
                       [](double a, double b) { return a <= b; });
   };
   double best = study.largest_error(constants).magnitude;
-  const auto try_move = [&](std::size_t i, std::int64_t steps) {
-    const std::int64_t index = lattice.nearest(constants[i]) + steps;
-    if (std::abs(index) > lattice.last()) return false;
-    std::vector<double> moved = constants;
-    moved[i] = lattice.value(index);
+  const auto moved_by = [&](std::vector<double> values, std::size_t i, std::int64_t steps) {
+    const std::int64_t index = lattice.nearest(values[i]) + steps;
+    values[i] = lattice.value(std::clamp(index, -lattice.last(), lattice.last()));
+    return values;
+  };
+  const auto takes = [&](const std::vector<double>& moved) {
     const double enough = best * smaller;
     const double error = study.largest_error(moved, enough).magnitude;
     if (!(error < enough) || !keeps(moved)) return false;
@@ -139,12 +141,19 @@ std::vector<double> moved_constants(StudyInFormat<HalfFormat>& study, std::vecto
     best = error;
     return true;
   };
+  std::vector<std::int64_t> moves;
+  for (std::int64_t steps = 1; steps <= farthest; steps *= 2) moves.insert(moves.end(), {steps, -steps});
   for (bool has_moved = true; has_moved;) {
     has_moved = false;
     for (std::size_t i = 0; i < constants.size(); ++i) {
       checkpoint();
-      for (std::int64_t steps = 1; steps <= farthest; steps *= 2)
-        has_moved = try_move(i, steps) || try_move(i, -steps) || has_moved;
+      for (const std::int64_t steps : moves) has_moved = takes(moved_by(constants, i, steps)) || has_moved;
+      for (std::size_t j = 0; j < i; ++j) {
+        for (const std::int64_t a : moves) {
+          for (const std::int64_t b : moves)
+            has_moved = takes(moved_by(moved_by(constants, i, a), j, b)) || has_moved;
+        }
+      }
     }
   }
   return constants;

@@ -55,9 +55,10 @@ class StudyInFormat {
 extern template class StudyInFormat<HalfFormat>;
 extern template class StudyInFormat<FloatFormat>;
 
-/// Constants in half with a smaller largest error than those given, found by moves of one constant at a time
-/// by 1, 2, 4 .. 64 steps of the format, until no move helps. A move that makes the error larger at a place
-/// of `kept`, where the form should be exact, is not taken. The given constants must be halves.
+/// Constants in half with a smaller largest error than those given, found by moves of one constant or
+/// two, by 1, 2, 4 .. 64 steps of the format, until no move helps. A move that makes the error
+/// larger at a place of `kept`, where the form should be exact, is not taken. The given constants must be
+/// halves.
 std::vector<double> moved_constants(StudyInFormat<HalfFormat>& study, std::vector<double> constants,
                                     std::span<const double> kept, const Checkpoint& checkpoint = keep_going);
 

@@ -79,8 +79,13 @@ struct BoundedBox {
   bool operator<(const BoundedBox& other) const { return bound < other.bound; }
 };
 
+/// A narrow box in the middle of one. At a single place the enclosures know the very rounding.
 StudyBox centre_of(StudyBox box) {
-  for (Stretch& side : box) side = middle_of(side);
+  constexpr double share = 0x1p-10;
+  for (Stretch& side : box) {
+    side.lower = middle_of(side).lower;
+    side.upper = side.lower + (side.upper - side.lower) * share;
+  }
   return box;
 }
 
@@ -94,7 +99,7 @@ double bound_of_float_rounding(const StudySubject& subject, const Checkpoint& ch
     return std::numeric_limits<double>::infinity();
   FloatRounding rounding(study, subject.parameters, node_variables(study));
   std::priority_queue<BoundedBox> open;
-  double reached = 0;  // at single places: the bound cannot fall below
+  double reached = 0;  // on narrow boxes: the bound will not fall far below
   const auto add = [&](const StudyBox& box) {
     open.push({rounding.bound_on(box), box});
     reached = std::max(reached, rounding.bound_on(centre_of(box)));

@@ -8,7 +8,7 @@
 /// What the evaluation of a study's form in float adds to its error.
 namespace shadefit {
 
-/// The most boxes of such a bound. It is a part in a thousand of most errors, so a rough one is enough.
+/// The most boxes of such a bound. It is less than a hundredth of most errors, so a rough one is enough.
 inline constexpr std::size_t most_rounding_boxes = 2'000;
 
 /// A proven bound of |weight * (computed - true)|, or that divided by the target, at every float of the

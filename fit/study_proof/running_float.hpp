@@ -40,6 +40,8 @@ struct RunningFloat {
 
   /// The same for an operation that rounds nothing.
   static RunningFloat enclosed(const Interval& value, const Interval& computed, double error) {
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    if (!is_bounded(value) || !is_bounded(computed)) return {value, any_number(), unknown};
     return {value, computed, std::fmin(error, largest_magnitude_in(Interval(computed - value)))};
   }
 

@@ -53,7 +53,9 @@ void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
 
 /// The exponents for which the effect of a family's constants is computed: below, a lobe is no Gaussian; far
 /// above, it is a point.
-constexpr KnownAxis family_exponents{"k", 3, 30};
+KnownAxis family_exponents() {
+  return {"k", 3, 30};
+}
 
 /// The published constants of the built-in families, one set for each family and source.
 void append_families(std::vector<KnownSet>& sets) {
@@ -71,7 +73,7 @@ void append_families(std::vector<KnownSet>& sets) {
                    {{"c", 0, 1}},
                    family.form(),
                    {}};
-      if (family.has_exponent()) set.axes.push_back(family_exponents);
+      if (family.has_exponent()) set.axes.push_back(family_exponents());
       sets.push_back(std::move(set));
     }
     KnownSet& set = sets[place->second];

@@ -66,6 +66,14 @@ std::string plain_effect(const std::string& before, const std::string& after) {
   return fmt::format("relative change {:.2g}", (*new_value - *old_value) / std::abs(*old_value));
 }
 
+/// How much a number changes, as a share of it; empty for words.
+std::optional<double> change_of(const std::string& before, const std::string& after) {
+  const auto old_value = parse_number(before), new_value = parse_number(after);
+  if (!old_value || !new_value) return std::nullopt;
+  if (*old_value == *new_value) return 0;
+  return std::abs(*new_value - *old_value) / std::abs(*old_value);
+}
+
 /// The effect on the curve if a parameter is `before`, as in the baseline.
 std::optional<std::string> curve_effect(const FitRow& origin, const std::string& before) {
   const auto value = parse_number(before);
@@ -97,7 +105,7 @@ std::vector<Drift> compare_tables(const OldTable& old, const CsvTable& after, co
   std::vector<Drift> drifts;
   const auto add = [&](const std::string& row, const std::string& column, const std::string& from,
                        const std::string& to, const std::string& effect, long line) {
-    drifts.push_back({old.file, row, column, from, to, effect, old.path, line});
+    drifts.push_back({old.file, row, column, from, to, effect, old.path, line, change_of(from, to)});
   };
   const auto old_keys = keys_of(before), new_keys = keys_of(after);
   for (std::size_t i = 0; i < after.rows.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,10 @@ struct Drift {
   std::string column;  ///< empty if the whole row is missing or new
   std::string before;
   std::string after;
-  std::string effect;     ///< what it means: of the curve, a relative change, or a changed word
-  std::string path = {};  ///< of the baseline's file
-  long line = 1;          ///< of the row in it; of the header, if the row is new
+  std::string effect;                 ///< what it means: of the curve, a relative change, or a changed word
+  std::string path = {};              ///< of the baseline's file
+  long line = 1;                      ///< of the row in it; of the header, if the row is new
+  std::optional<double> change = {};  ///< of a number, as a share of the baseline's; infinite from 0
 };
 
 /// The tables that a baseline holds, read into memory.

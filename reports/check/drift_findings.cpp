@@ -20,7 +20,12 @@ std::string message_of(const Drift& drift) {
 
 }  // namespace
 
-findings::FindingReport drift_findings(const std::vector<Drift>& drifts, std::size_t cells) {
+bool is_failing(const Drift& drift, const std::optional<double>& fail_above) {
+  return !fail_above || !drift.change || *drift.change > *fail_above;
+}
+
+findings::FindingReport drift_findings(const std::vector<Drift>& drifts, std::size_t cells,
+                                       const std::optional<double>& fail_above) {
   constexpr const char* renewal =
       "If the change is meant, renew the baseline: shadefit run --no-plots --out DIR, for a study "
       "shadefit run STUDY --no-plots --out DIR.";
@@ -31,12 +36,15 @@ findings::FindingReport drift_findings(const std::vector<Drift>& drifts, std::si
                                  cells,
                                  "cells"};
   for (const Drift& drift : drifts) {
+    using findings::FindingLevel;
     const char* rule = drift.column.empty() ? changed_row : changed_cell;
-    report.findings.push_back({.rule = rule,
-                               .message = message_of(drift),
-                               .place = findings::FindingPlace{.path = drift.path, .line = drift.line},
-                               .fingerprint = fmt::format("{} {} {}{}{}", rule, drift.file, drift.row,
-                                                          drift.column.empty() ? "" : " ", drift.column)});
+    report.findings.push_back(
+        {.rule = rule,
+         .level = is_failing(drift, fail_above) ? FindingLevel::error : FindingLevel::note,
+         .message = message_of(drift),
+         .place = findings::FindingPlace{.path = drift.path, .line = drift.line},
+         .fingerprint = fmt::format("{} {} {}{}{}", rule, drift.file, drift.row,
+                                    drift.column.empty() ? "" : " ", drift.column)});
   }
   std::stable_sort(report.findings.begin(), report.findings.end(), [](const auto& a, const auto& b) {
     return std::tie(a.place->path, a.place->line) < std::tie(b.place->path, b.place->line);

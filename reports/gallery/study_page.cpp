@@ -96,8 +96,7 @@ void append_formats(const StudyContender& contender, Table& table) {
   constexpr int digits = 4;  // the proven bounds are as wide
   for (const ContenderInFormat& in_format : contender.formats) {
     std::vector<std::string> constants;
-    for (std::size_t i = 0; i < in_format.constants.size(); ++i)
-      constants.push_back(contender.names[i] + " = " + in_format.constants[i]);
+    for (const auto& [name, number] : in_format.constants) constants.push_back(name + " = " + number);
     const bool is_bounded = in_format.evidence != ContenderInFormat::Evidence::none;
     table.rows.push_back(
         {contender.published != nullptr ? "published"
@@ -111,11 +110,17 @@ void append_formats(const StudyContender& contender, Table& table) {
 std::string formats(const StudyComparison& comparison) {
   Table table{
       {"set", "form", "format", "constants", error_in_words(comparison.error) + " at most", "known by"}, {}};
-  for (const StudyContender* contender : shown(comparison)) append_formats(*contender, table);
+  bool has_search = false;
+  for (const StudyContender* contender : shown(comparison)) {
+    append_formats(*contender, table);
+    for (const ContenderInFormat& in_format : contender->formats)
+      has_search = has_search || in_format.is_moved;
+  }
   if (table.rows.empty()) return "";
   return fmt::format(
-      "<h2>In float and half{}</h2>\n{}<p class=\"soft\">All constants, numbers, operations and functions are rounded to nearest.</p>\n",
-      behind(comparison), html_table(table, false));
+      "<h2>In float and half{}</h2>\n{}<p class=\"soft\">All constants, numbers, operations and functions are rounded to nearest.{}</p>\n",
+      behind(comparison), html_table(table, false),
+      has_search ? " The search keeps exact ends; other properties may be lost." : "");
 }
 
 /// The name of a function for an id: letters, digits and '_'.
@@ -165,9 +170,9 @@ std::string study_page(const GalleryEntry& entry) {
   }
   for (const StudyComparison& comparison : entry.comparisons) {
     body += picture(comparison);
+    body += formats(comparison);
     body += fmt::format("<h2>{}</h2>\n{}", "All forms compared" + behind(comparison),
                         html_table(study_comparison_table(comparison), false));
-    body += formats(comparison);
     if (!comparison.left_out.empty())
       body += "<h2>Fits that did not converge</h2>\n" + facts(comparison.left_out);
   }

@@ -36,7 +36,7 @@ TEST(BadInput, UnknownIdsSuggestTheNearest) {
       "'norm-phong' is a normalisation constant, an integral; it is not fitted: see 'shadefit run --only norm-phong'");
   expect_refusal({"plot"},
                  "unknown command 'plot': it must be one of list, run, merge, fit, better, certify, verify, "
-                 "emit, scene, explain, cite, bench, stress, check, help");
+                 "emit, scene, explain, cite, bench, stress, check, lint, help");
   expect_refusal({"fit", "sg\n-offset"},
                  "unknown form, constant or study 'sg\\x0a-offset': did you mean 'sg-offset'?");
   expect_refusal({"chekc"}, "unknown command 'chekc': did you mean 'check'?");
@@ -383,7 +383,7 @@ TEST(BadInput, Usage) {
   expect_refusal(
       {},
       "name a command: list, run, merge, fit, better, certify, verify, emit, scene, explain, cite, bench, stress, "
-      "check, help" +
+      "check, lint, help" +
           see(""));
   expect_refusal({"--verison"}, "unexpected argument '--verison' before a command");
   expect_refusal({"help", "chekc"}, "unknown command 'chekc': did you mean 'check'?");

@@ -140,7 +140,7 @@ TEST(StudyFile, RefusesWithTheLine) {
             "study 's.toml', line 18: the source is empty: name author, year, title");
   EXPECT_EQ(refused("\"1.1\"", "\"l.1\""), "study 's.toml', line 20: b 'l.1' is not a number");
   EXPECT_EQ(refused("b = \"1.1\"", "slope = \"1.1\""),
-            "study 's.toml', line 20: unknown key 'slope': it must be one of seen, a, b");
+            "study 's.toml', line 20: unknown key 'slope': it must be one of seen, replaced, a, b");
   EXPECT_EQ(refused("b = \"1.1\", ", ""), "study 's.toml', line 20: a variant needs the value that differs");
   EXPECT_EQ(refused("values = {", "values = [").substr(0, 50),
             "study 's.toml', line 17: Error while parsing value");

@@ -75,6 +75,13 @@ TEST(OlderRun, FormsOfOneRunAreNotCompared) {
   EXPECT_TRUE(times_in_both(now, written(on_machine(1))).empty());
 }
 
+TEST(OlderRun, TimesInMemoryAreNotCompared) {
+  Trade now = on_machine(1);
+  now.forms.push_back(now.forms[0]);
+  now.forms.back().place = DataPlace::memory;  // the reference of `cheap` there
+  EXPECT_EQ(times_in_both(now, written(now)).size(), 5U);
+}
+
 TEST(OlderRun, AFormOfSeveralConstantsCountsOnce) {
   Trade now = on_machine(1);
   now.forms.insert(now.forms.begin() + 4, now.forms[4]);

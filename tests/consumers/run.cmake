@@ -33,7 +33,7 @@ if(PARTS STREQUAL "command")
   file(GLOB_RECURSE files RELATIVE ${prefix} ${prefix}/*)
   set(expected bin/shadefit share/bash-completion/completions/shadefit share/fish/vendor_completions.d/shadefit.fish share/man/man1/shadefit.1
     share/zsh/site-functions/_shadefit)
-  file(GLOB studies RELATIVE ${CMAKE_CURRENT_LIST_DIR}/../.. ${CMAKE_CURRENT_LIST_DIR}/../../studies/*.toml ${CMAKE_CURRENT_LIST_DIR}/../../studies/*.csv)
+  file(GLOB_RECURSE studies RELATIVE ${CMAKE_CURRENT_LIST_DIR}/../.. ${CMAKE_CURRENT_LIST_DIR}/../../studies/*.toml ${CMAKE_CURRENT_LIST_DIR}/../../studies/*.csv)
   list(TRANSFORM studies PREPEND share/shadefit/)
   list(APPEND expected ${studies})
   list(SORT expected)

@@ -155,15 +155,15 @@ TEST(Gallery, ShowsConstantsInFloatAndHalf) {
   const StudyContender* published = first_published(comparison);
   for (const StudyContender* contender : {published, better_at_the_same_cost(comparison, *published)}) {
     ASSERT_GE(contender->formats.size(), 2U) << contender->origin;
-    const ContenderInFormat &single = contender->formats[0], &half = contender->formats[1];
-    EXPECT_EQ(single.evidence, ContenderInFormat::Evidence::proven);
-    EXPECT_GT(single.bound, contender->proof->upper) << "rounding adds to the error in real numbers";
+    const ContenderInFormat &in_float = contender->formats[0], &in_half = contender->formats[1];
+    EXPECT_EQ(in_float.evidence, ContenderInFormat::Evidence::proven);
+    EXPECT_GT(in_float.bound, contender->proof->upper) << "rounding adds to the error in real numbers";
     // the product is below 1, and so is the sum; b may be off by 2^-28
-    EXPECT_LE(single.bound, contender->proof->upper + 2.1 * 0x1p-24);
-    EXPECT_EQ(half.evidence, ContenderInFormat::Evidence::every_number);
-    EXPECT_NEAR(half.bound, parabola_in_half(contender->values[0], contender->values[1]), 1e-15);
+    EXPECT_LE(in_float.bound, contender->proof->upper + 2.1 * 0x1p-24);
+    EXPECT_EQ(in_half.evidence, ContenderInFormat::Evidence::every_number);
+    EXPECT_NEAR(in_half.bound, parabola_in_half(contender->values[0], contender->values[1]), 1e-15);
   }
-  EXPECT_EQ(published->formats[0].constants, (std::vector<std::string>{"1", "-0.05"}));
+  EXPECT_EQ(published->formats[0].constants, (Constants{{"a", "1"}, {"b", "-0.05"}}));
   const std::string page = judged_study(entry).page;
   EXPECT_NE(page.find("<h2>In float and half</h2>"), std::string::npos);
   EXPECT_NE(page.find("<td>every half of the range</td>"), std::string::npos);

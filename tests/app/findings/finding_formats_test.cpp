@@ -81,6 +81,36 @@ TEST(FindingFormats, OfCheck) {
   EXPECT_EQ(finding.at("fingerprint"), "changed-cell fits.csv sg-offset x 5 cosine fitted");
 }
 
+// A number may change by a share of it; on both sides of the limit, in each format.
+TEST(FindingFormats, OfCheckWithALimit) {
+  const TemporaryDirectory directory;
+  for (const File& table : read_baseline(committed).files) directory.file(table.name, table.content);
+  const std::string original = read_file(committed + "/fits.csv");
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string fits = original;
+    directory.file("fits.csv", fits.replace(fits.find(from), from.size(), to));
+  };
+  const auto limited = [&](const std::string& share) {
+    return Words{"check", "--baseline", directory.path().string(), "--fail-above", share};
+  };
+  with("0.7875446197", "0.77");  // 0.7875446197 / 0.77 - 1 is 2.28 %
+  for (const FindingFormat format : findings::finding_formats) {
+    EXPECT_EQ(in_format(limited("2.3%"), name(format)).exit_code, 0) << name(format);
+    EXPECT_EQ(in_format(limited("2.2%"), name(format)).exit_code, 1) << name(format);
+  }
+  EXPECT_EQ(finding_of(limited("2.3%")).at("level"), "note");
+  EXPECT_EQ(finding_of(limited("2.2%")).at("level"), "error");
+  const std::string said = ": 1 difference from " + directory.path().string();
+  EXPECT_TRUE(run_command_line(limited("2.3%")).out.ends_with("check passed" + said + ", 0 above 2.3 %\n"));
+  EXPECT_TRUE(run_command_line(limited("2.2%")).out.ends_with("check failed" + said + ", 1 above 2.2 %\n"));
+  with("0.7875446197", "0");  // from 0, each change is too large
+  EXPECT_EQ(run_command_line(limited("99999%")).exit_code, 1);
+  with("confirmed", "refuted");  // a word has no share
+  EXPECT_EQ(run_command_line(limited("99999%")).exit_code, 1);
+  expect_refusal({"check", "--fail-above", "1"},
+                 "--fail-above '1' must be a percentage above 0, such as 10%");
+}
+
 // Lines above it move a finding, and its fingerprint stays.
 TEST(FindingFormats, OfCheckWithRowsThatAreNewOrLost) {
   const TemporaryDirectory directory;

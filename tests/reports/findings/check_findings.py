@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """Reads what shadefit wrote as others would: check_findings.py sarif|junit FILE
 
-sarif: validates the file by sarif-schema-2.1.0.json, the schema of the standard (OASIS, SARIF 2.1.0 with errata 01,
-https://github.com/oasis-tcs/sarif-spec, sarif-2.1/schema, unchanged). The words of JSON Schema that it uses are here;
-one that is not is an error, so that none is passed over.
+sarif: validates the file by sarif-schema-2.1.0.json, the schema of the standard, unchanged: SARIF 2.1.0 with errata 01,
+https://github.com/oasis-tcs/sarif-spec, sarif-2.1/schema. Copyright OASIS Open; its policy lets the documents of a standard
+be copied, https://www.oasis-open.org/policies-guidelines/ipr. The words of JSON Schema that the schema uses are here; one
+that is not is an error, so that none is passed over.
 junit: parses the XML, compares the counts of the suites with their tests and prints a line for each test.
 Exit 1, with what is wrong, if something is.
 """

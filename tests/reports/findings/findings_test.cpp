@@ -173,6 +173,18 @@ TEST(Findings, SarifHasWhatCodeHostsRead) {
   EXPECT_EQ(results[3].at("suppressions").at(0).at("justification"), "measured by us");
 }
 
+TEST(Findings, APlaceWithoutALineIsTheFirst) {
+  FindingReport report = usual();
+  report.findings.resize(1);
+  report.findings[0].place = FindingPlace{"proof.json"};
+  const Json log = Json::parse(write_findings(report, FindingFormat::sarif));
+  EXPECT_EQ(log["runs"][0]["results"][0]["locations"][0]["physicalLocation"]["region"],
+            Json::parse(R"({"startLine": 1})"))
+      << "code hosts want a region";
+  EXPECT_TRUE(write_findings(report, FindingFormat::text).starts_with("proof.json: error: "));
+  EXPECT_TRUE(write_findings(report, FindingFormat::github).starts_with("::error file=proof.json,title="));
+}
+
 TEST(Findings, PathsOfSarifAreUris) {
   const auto artifact_of = [](const std::string& path) {
     FindingReport report = usual();

@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "app/commands/command_line.hpp"
+#include "tests/temporary_directory.hpp"
+
+/// `lint` as a gate: it passes a clean tree, and it can fail.
+namespace shadefit {
+namespace {
+
+using testing::TemporaryDirectory;
+
+Outcome lint(const std::string& text, const std::vector<std::string>& options = {}) {
+  const TemporaryDirectory folder;
+  std::ofstream(folder.path() / "a.glsl") << text;
+  std::vector<std::string> arguments{"lint", folder.path().string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return run_command_line(arguments);
+}
+
+constexpr const char* right = "float f(float c) { return exp2((-5.55473 * c - 6.98316) * c); }\n";
+constexpr const char* wrong = "float f(float c) { return exp2((-5.55473 * c - 6.8316) * c); }\n";
+
+TEST(LintCommand, ACleanTreePasses) {
+  EXPECT_EQ(lint(right).exit_code, 0);
+  EXPECT_NE(lint(right, {"--all"}).out.find("fresnel-quadratic"), std::string::npos);
+}
+
+TEST(LintCommand, AWrongDigitFailsInEachFormat) {
+  for (const char* format : {"text", "json", "junit", "sarif", "github", "markdown"}) {
+    const Outcome outcome = lint(wrong, {"--format", format});
+    EXPECT_EQ(outcome.exit_code, 1) << format;
+    EXPECT_NE(outcome.out.find("-6.98316 is 6.8316 here"), std::string::npos) << outcome.out;
+    EXPECT_EQ(lint(right, {"--format", format}).exit_code, 0) << format;
+  }
+}
+
+TEST(LintCommand, ATypoWithoutEffectFailsWhereItIsAsked) {
+  const std::string typo = "float f(float c) { return exp2((-5.55437 * c - 6.98316) * c); }\n";
+  EXPECT_EQ(lint(typo).exit_code, 0);
+  EXPECT_EQ(lint(typo, {"--fail-on", "typo"}).exit_code, 1);
+  EXPECT_EQ(lint(typo, {"--max-effect", "1e-7"}).exit_code, 1);
+}
+
+TEST(LintCommand, AWrongOperationFails) {
+  const Outcome outcome = lint("float f(float c) { return exp2((-5.55473 * c + 6.98316) * c); }\n");
+  EXPECT_EQ(lint("float f(float c) { return exp((-5.55473 * c - 6.98316) * c); }\n").exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
+}
+
+TEST(LintCommand, AReasonSuppresses) {
+  const std::string ignored = std::string("// shadefit: ignore as in the game of 2012\n") + wrong;
+  EXPECT_EQ(lint(ignored).exit_code, 0);
+  EXPECT_NE(lint(ignored, {"--format", "json"}).out.find("as in the game of 2012"), std::string::npos);
+}
+
+TEST(LintCommand, BadInput) {
+  EXPECT_EQ(run_command_line({"lint", "/no/such/path"}).exit_code, 2);
+  EXPECT_EQ(lint(right, {"--fail-on", "rong"}).exit_code, 2);
+  EXPECT_EQ(lint(right, {"--baseline", "/no/such/file"}).exit_code, 2);
+  EXPECT_EQ(lint(right, {"--max-effect", "-1"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace shadefit
