@@ -159,12 +159,13 @@ ShapeProof prove_shape(const StudySubject& subject, const Constraints& constrain
   if (integral_depth(study.form) > 0) return {Proof::open};
   FormGraph form{Graph(shape_inputs(study)), ranges_of(study), parameters_of(subject, study)};
   const int value = form.graph.add(study.form);
-  const auto turned = [&] { return form.graph.add(-study.form); };
+  // Added before the graph is copied.
+  const int turned = form.graph.add(-study.form);
   const double slack = shape_slack * scale;
   if (constraint.at_least) return prove_bound(form, value, *constraint.at_least, slack, checkpoint);
-  if (constraint.at_most) return prove_bound(form, turned(), -*constraint.at_most, slack, checkpoint);
+  if (constraint.at_most) return prove_bound(form, turned, -*constraint.at_most, slack, checkpoint);
   if (study.axes.size() > 1) return {Proof::open};
-  return prove_rise(form, constraint.monotone == Course::rises ? value : turned(), slack, checkpoint);
+  return prove_rise(form, constraint.monotone == Course::rises ? value : turned, slack, checkpoint);
 }
 
 }  // namespace shadefit
