@@ -12,6 +12,9 @@ namespace {
 /// Constants of one formula stand within that many bytes of each other.
 constexpr std::size_t most_gap = 700;
 
+/// A number of fewer digits is looked for only near the other constants.
+constexpr std::size_t least_digits_alone = 3;
+
 struct Hit {
   std::size_t set, literal;
   NumberMatch match;
@@ -25,7 +28,7 @@ std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& lite
                          const DigitIndex& index) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
-    if (literals[i].significant < 3) continue;
+    if (literals[i].significant < least_digits_alone) continue;
     for (NumberMatch match : index.find(digits_of(text_of(text, literals[i])))) {
       if (match.match == DigitMatch::shifted && literals[i].has_power_of_ten) match.match = DigitMatch::same;
       hits.push_back({match.place.set, i, match});
@@ -44,12 +47,13 @@ class SiteFinder {
       : text_(text), literals_(literals), sets_(sets) {}
 
   /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
-  /// site.
+  /// site, and so does every number behind a complete one: the next copy of the formula may be the wrong one.
   void add(std::span<const Hit> hits) {
     const Hit& first = hits.front();
     if (!numbers_.empty()) {
       const Literal& last = literals_[numbers_.back().literal];
-      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap) close();
+      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap || is_complete())
+        close();
     }
     set_ = first.set;
     const Hit& hit = next_in_order(hits);
@@ -83,6 +87,15 @@ class SiteFinder {
   std::vector<Site> take() { return std::move(sites_); }
 
  private:
+  /// Whether all constants are there but those that are looked for near others alone.
+  bool is_complete() const {
+    const auto& constants = sets_[set_].constants;
+    return numbers_.size() >= static_cast<std::size_t>(std::count_if(
+                                  constants.begin(), constants.end(), [](const KnownConstant& constant) {
+                                    return digits_of(constant.printed).text.size() >= least_digits_alone;
+                                  }));
+  }
+
   /// Several constants of a set may have the same digits. Then the number is the next of them in the
   /// published order, or the first that the site does not have yet.
   const Hit& next_in_order(std::span<const Hit> hits) const {

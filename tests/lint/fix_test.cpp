@@ -38,10 +38,10 @@ TEST(Rewritten, KeepsThePlaceOfThePointBeforeAnExponent) {
 }
 
 TEST(Rewritten, HasTheValueOfThePublishedNumberInEveryNotation) {
-  for (const std::string literal : {"1", "1.", ".5", "0.5", "12.25", "1e0", "1.5e-3", "0.05e2", "150E+01", "1.e5",
-                                    ".02e-07", "1_000.5", "3e10f", "0.0", "0e5", "2.5f"})
-    for (const std::string published : {"0.775", "-6.98316", "8", "1000", "-.156583", "1e-7", "5.4856e-13",
-                                        "2.50", "0.0722", "107.5", "1.0"}) {
+  for (const char* literal : {"1", "1.", ".5", "0.5", "12.25", "1e0", "1.5e-3", "0.05e2", "150E+01", "1.e5",
+                              ".02e-07", "1_000.5", "3e10f", "0.0", "0e5", "2.5f"})
+    for (const char* published : {"0.775", "-6.98316", "8", "1000", "-.156583", "1e-7", "5.4856e-13", "2.50",
+                                  "0.0722", "107.5", "1.0"}) {
       const std::string text = rewritten(literal, published);
       EXPECT_EQ(digits_of(text), digits_of(published)) << literal << " " << published << " " << text;
       EXPECT_EQ(notation_at(text)->length, text.size()) << text;
@@ -65,10 +65,9 @@ LintedSite site_with(Grade grade, const std::string& text, std::size_t offset, c
 
 TEST(Fixes, TakeTheirScope) {
   const std::string text = "1.1 2.2 3.3 4.4";
-  std::vector<LintedSite> sites{site_with(Grade::truncated, "1.1", 0, "1.111"),
-                                site_with(Grade::typo, "2.2", 4, "2.222"),
-                                site_with(Grade::wrong, "3.3", 8, "3.333"),
-                                site_with(Grade::truncated, "4.4", 12, "4.444")};
+  std::vector<LintedSite> sites{
+      site_with(Grade::truncated, "1.1", 0, "1.111"), site_with(Grade::typo, "2.2", 4, "2.222"),
+      site_with(Grade::wrong, "3.3", 8, "3.333"), site_with(Grade::truncated, "4.4", 12, "4.444")};
   sites[3].is_pinned = true;
   const auto fixed = [&](FixScope scope) { return fixed_text(text, fixes_of(sites, text, scope)); };
   EXPECT_EQ(fixed(FixScope::pins), "1.1 2.2 3.3 4.444");
