@@ -8,6 +8,7 @@
 #include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"
+#include "tests/lint/current_folder.hpp"
 #include "tests/temporary_directory.hpp"
 
 /// `lint --fix` and `lint --diff`.
@@ -17,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using testing::expect_refusal;
+using testing::StandIn;
 using testing::TemporaryDirectory;
 
 /// A pin with a cut number, a typo, a wrong digit, and numbers to leave alone.
@@ -113,19 +115,18 @@ TEST(LintDiff, ShowsWhatFixWouldDoAndWritesNothing) {
   EXPECT_EQ(nothing.out, "");
 }
 
-TEST(LintDiff, IsTakenByPatch) {
+TEST(LintDiff, IsTakenByGit) {
   for (const char* end : {"\n", "\r\n", ""}) {
     const TemporaryDirectory folder;
+    const StandIn current(folder.path());
     const std::string text = replaced(faulty, " as in 2012\n", end);
-    const std::string file = folder.file("a.glsl", text);
-    folder.file("lint.diff", lint_fixing(file, "typo", {"--diff"}).out);
-    const std::string command =
-        "cd '" + folder.path().string() + "' && patch --binary --quiet a.glsl lint.diff";
-    ASSERT_EQ(std::system(command.c_str()), 0);
-    const std::string patched = read_file(file);
-    folder.file("a.glsl", text);
-    lint_fixing(file, "typo");
-    EXPECT_EQ(patched, read_file(file));
+    folder.file("src/a.glsl", text);
+    folder.file("lint.diff", lint_fixing("src", "typo", {"--diff"}).out);
+    ASSERT_EQ(std::system("git apply --whitespace=nowarn lint.diff"), 0);
+    const std::string patched = read_file("src/a.glsl");
+    folder.file("src/a.glsl", text);
+    lint_fixing("src", "typo");
+    EXPECT_EQ(patched, read_file("src/a.glsl"));
     EXPECT_NE(patched, text);
   }
 }
