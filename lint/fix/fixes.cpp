@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "lint/scan/characters.hpp"
 #include "lint/scan/notation.hpp"
 
 namespace shadefit::lint {
@@ -35,6 +36,8 @@ std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view
     if (!is_fixed(site, scope)) continue;
     for (const LintedNumber& number : site.numbers) {
       if (number.grade == Grade::right || !number.is_by_digits) continue;
+      // `v.0` is a member, whatever its digits.
+      if (number.offset > 0 && is_of_name(text[number.offset - 1])) continue;
       if (is_before_factor(text, number.offset + number.text.size())) continue;
       const Fix fix{number.offset, number.text, rewritten(number.text, number.published)};
       const auto [place, is_new] = by_place.emplace(number.offset, fix);

@@ -40,18 +40,38 @@ std::string_view name_behind(std::string_view text) {
   return name;
 }
 
+/// Whether a member begins there: `v.x`, and `v.0` of a tuple, which is no number.
+bool begins_member(std::string_view line, std::size_t at) {
+  return line[at] == '.' && at > 0 &&
+         (is_of_name(line[at - 1]) || line[at - 1] == ')' || line[at - 1] == ']');
+}
+
+/// The number that a text begins with, unless more of a version or of a range follows: 1.2.3, 0..5.
+std::string_view whole_number(std::string_view text) {
+  const auto number = notation_at(text);
+  if (!number) return {};
+  const std::string_view rest = text.substr(number->length);
+  const bool is_continued = rest.size() > 1 && rest[0] == '.' && (is_digit(rest[1]) || rest[1] == '.');
+  return is_continued ? std::string_view{} : text.substr(0, number->length);
+}
+
 /// The last number of a line; empty if there is none or if it is not decimal.
 std::string_view last_number(std::string_view line) {
   std::string_view last;
   for (std::size_t i = 0; i < line.size();) {
     const std::string_view rest = line.substr(i);
-    const bool is_number = is_digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && is_digit(rest[1]));
-    const auto number = is_number ? notation_at(rest) : std::nullopt;
-    if (is_number) last = number ? rest.substr(0, number->length) : std::string_view{};
-    i += number ? number->length : 1;
+    const bool is_member = begins_member(line, i);
+    const bool is_number =
+        !is_member && (is_digit(rest[0]) || (rest[0] == '.' && rest.size() > 1 && is_digit(rest[1])));
+    if (is_number) last = whole_number(rest);
+    if (is_number && !last.empty()) {
+      i += last.size();
+      continue;
+    }
     // The rest of a word, or of a number that is not decimal.
-    if (!number && is_of_name(rest[0]))
-      while (i < line.size() && is_of_name(line[i])) ++i;
+    const bool is_word = is_number || is_member || is_of_name(rest[0]);
+    ++i;
+    while (is_word && i < line.size() && (is_of_name(line[i]) || (is_number && line[i] == '.'))) ++i;
   }
   return last;
 }

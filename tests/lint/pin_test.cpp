@@ -40,6 +40,10 @@ TEST(Pins, TakeTheLastNumberOfTheLine) {
   EXPECT_EQ(marks("3.5\nvec2(1.5, v.x2 * -2.5); // shadefit: x.a, as printed."), Words{"2.5 x.a"});
   EXPECT_EQ(marks("mix(1.0, 0.0) // shadefit: x.a"), Words{"0.0 x.a"});
   EXPECT_EQ(marks("1.5 + 0x1F // shadefit: x.a"), Words{" x.a"}) << "never the one before";
+  EXPECT_EQ(marks("a = 1.5 * p.0; // shadefit: x.a"), Words{"1.5 x.a"}) << "a member of a tuple";
+  EXPECT_EQ(marks("1.5 + 1.2.3; // shadefit: x.a"), Words{" x.a"});
+  EXPECT_EQ(marks("1.5 .. 0..5; // shadefit: x.a"), Words{" x.a"});
+  EXPECT_EQ(marks("5.5.sqrt() // shadefit: x.a"), Words{"5.5 x.a"});
   EXPECT_EQ(marks("1.5\n// shadefit: x.a\n2.5"), Words{" x.a"});
   EXPECT_EQ(marks("1.5 /* shadefit: x.a */ /* shadefit: x.b */"), (Words{"1.5 x.a", " x.b"}));
 }
