@@ -1,7 +1,11 @@
 #include "lint/lint_tree.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
+
+#include "lint/pins/judge_pin.hpp"
+#include "lint/scan/digit_match.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -70,6 +74,18 @@ std::optional<std::string> ignored_at(std::string_view text, std::size_t first, 
   return begin == 0 ? std::nullopt : ignore_reason(line_at(text, line_begin(text, begin - 1)));
 }
 
+/// Whether a number has the digits of a constant, one slip aside, or those of a known copy.
+bool is_by_digits(const KnownSet& set, const JudgedSite& judged, const JudgedNumber& number,
+                  std::string_view text) {
+  const Digits found = digits_of(text.substr(number.offset, number.length));
+  const auto match = match_digits(found, digits_of(set.constants[number.constant].printed));
+  // In other units the point stands elsewhere on purpose.
+  if (match) return *match != DigitMatch::shifted || !judged.is_in_other_units;
+  return std::any_of(set.variants.begin(), set.variants.end(), [&](const KnownVariant& variant) {
+    return variant.constant == number.constant && digits_of(variant.printed) == found;
+  });
+}
+
 LintedSite linted(const std::string& file, std::string_view text, const KnownSet& set,
                   const JudgedSite& judged, PlaceFinder& places) {
   const JudgedNumber &first = judged.numbers.front(), &last = judged.numbers.back();
@@ -91,9 +107,52 @@ LintedSite linted(const std::string& file, std::string_view text, const KnownSet
     const KnownConstant& constant = set.constants[number.constant];
     site.numbers.push_back({constant.name, constant.printed,
                             std::string(text.substr(number.offset, number.length)), number.grade,
-                            number.offset});
+                            number.offset, is_by_digits(set, judged, number, text)});
   }
   return site;
+}
+
+/// A mark as a site: of its number, or where it pins none, of its name.
+LintedSite linted(const std::string& file, std::string_view text, const std::vector<KnownSet>& sets,
+                  const JudgedPin& judged, PlaceFinder& places) {
+  const Pin& pin = judged.pin;
+  const bool is_faulty = !judged.fault.empty();
+  const std::size_t first = is_faulty ? pin.offset : pin.number_offset;
+  const std::size_t length = is_faulty ? pin.name.size() : pin.number.size();
+  LintedSite site;
+  site.file = file;
+  site.begin = places.at(first);
+  site.end = places.at(first + length);
+  site.is_pinned = true;
+  site.ignored = ignored_at(text, first, first);
+  if (is_faulty) {
+    site.id = pin.name;
+    site.grade = Grade::wrong;
+    site.fault = judged.fault;
+    return site;
+  }
+  const KnownSet& set = sets[judged.set];
+  const KnownConstant& constant = set.constants[judged.constant];
+  site.id = set.id;
+  site.form = set.form;
+  site.source = set.source;
+  site.grade = judged.graded.grade;
+  site.effect = judged.graded.effect;
+  site.is_shown = judged.graded.is_shown;
+  site.replaced = judged.replaced;
+  site.numbers = {
+      {constant.name, constant.printed, std::string(pin.number), judged.digits, pin.number_offset, true}};
+  return site;
+}
+
+/// Takes pinned numbers out of a site. Whether anything is left to say.
+bool leave_unpinned(LintedSite& site, const std::set<std::size_t>& pinned) {
+  const std::size_t count =
+      std::erase_if(site.numbers, [&](const LintedNumber& number) { return pinned.contains(number.offset); });
+  return count == 0 || (!site.numbers.empty() &&
+                        (!site.slip.empty() ||
+                         std::any_of(site.numbers.begin(), site.numbers.end(),
+                                     [](const auto& number) { return number.grade != Grade::right; })));
 }
 
 }  // namespace
@@ -101,9 +160,19 @@ LintedSite linted(const std::string& file, std::string_view text, const KnownSet
 std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
                                     const KnownConstants& known, const EffectLimits& limits) {
   std::vector<LintedSite> sites;
+  std::set<std::size_t> pinned;
   PlaceFinder places(text);
-  for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits))
-    sites.push_back(linted(file, text, known.sets[judged.set], judged, places));
+  for (const Pin& pin : pins_of(text)) {
+    if (!pin.number.empty()) pinned.insert(pin.number_offset);
+    sites.push_back(linted(file, text, known.sets, judge_pin(pin, known.sets, limits), places));
+  }
+  for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits)) {
+    LintedSite site = linted(file, text, known.sets[judged.set], judged, places);
+    if (leave_unpinned(site, pinned)) sites.push_back(std::move(site));
+  }
+  std::stable_sort(sites.begin(), sites.end(), [](const LintedSite& a, const LintedSite& b) {
+    return std::pair(a.begin.line, a.begin.column) < std::pair(b.begin.line, b.begin.column);
+  });
   return sites;
 }
 

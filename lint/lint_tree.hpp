@@ -23,9 +23,11 @@ struct LintedNumber {
   std::string text;                 ///< as it stands
   Grade grade = Grade::right;
   std::size_t offset = 0;  ///< in the file, in bytes
+  /// Whether the digits tell that this number stands for the constant, not only the expression around.
+  bool is_by_digits = false;
 };
 
-/// A site in a file.
+/// A site in a file, or a number that a mark pins to a constant (lint/pins/pin.hpp).
 struct LintedSite {
   std::string file;
   TextPlace begin, end;  ///< of its first and behind its last number
@@ -38,6 +40,8 @@ struct LintedSite {
   std::string slip = {}, replaced = {};  ///< see JudgedSite
   bool is_in_comment = false;
   std::optional<std::string> ignored = {};  ///< the reason of a mark "shadefit: ignore REASON"
+  bool is_pinned = false;
+  std::string fault = {};  ///< of a mark that pins nothing, and why; then there are no numbers
 };
 
 struct LintedTree {
@@ -48,7 +52,8 @@ struct LintedTree {
 };
 
 /// Reads and judges each file, on all cores. A site whose line, or the line above, has a comment
-/// "shadefit: ignore REASON" keeps its grade and gets the reason.
+/// "shadefit: ignore REASON" keeps its grade and gets the reason. A pinned number is judged as that alone: a
+/// site is left out if all its other numbers are right.
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how = {});
 

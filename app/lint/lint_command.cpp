@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "app/lint/lint_fix.hpp"
 #include "app/options/finding_format.hpp"
 #include "app/options/option_values.hpp"
 #include "app/studies/find_study.hpp"
@@ -13,6 +14,7 @@
 #include "lint/lint_tree.hpp"
 #include "lint/tree/lint_config.hpp"
 #include "reports/lint/lint_findings.hpp"
+#include "reports/lint/unified_diff.hpp"
 
 namespace shadefit {
 namespace {
@@ -83,6 +85,26 @@ std::string warnings_of(const lint::SkippedFiles& skipped) {
   return lines;
 }
 
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string words_of(const std::vector<FixedFile>& files) {
+  std::size_t numbers = 0;
+  for (const FixedFile& file : files) numbers += file.numbers;
+  return fmt::format("shadefit: rewrote {} in {}\n", counted(numbers, "number"),
+                     counted(files.size(), "file"));
+}
+
+Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown,
+                  findings::FindingFormat format) {
+  const findings::FindingReport report = lint_findings(linted, shown);
+  std::string out = write_findings(report, format);
+  if (format == findings::FindingFormat::text)
+    if (const std::string skipped = skipped_words(linted.skipped); !skipped.empty()) out += skipped + "\n";
+  return {passes(report) ? 0 : 1, out, warnings_of(linted.skipped)};
+}
+
 }  // namespace
 
 void declare_lint(CLI::App& lint, LintOptions& options) {
@@ -114,12 +136,19 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
              "only files of this language; may be repeated");
   add_values(lint, "--studies", options.studies, parse_text, "DIR",
              "also guard the constants of the studies in this folder; may be repeated");
+  add_choice(
+      lint, "--fix", options.fix, by_name(lint::fix_scopes),
+      "write the published digits: of pinned numbers; also of what is a typo or wrong; or wrong alone");
+  lint.add_flag("--diff", options.diff,
+                "print what --fix would change (alone: --fix pins), and write nothing");
   lint.add_flag("--all", options.all, "also print the constants that are right");
 }
 
 Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, const Progress& progress) {
   lint::TreeOptions tree;
   const LintOptions options = with_config(given, tree);
+  if (options.diff && options.format != findings::FindingFormat::text)
+    throw UserError(fmt::format("--diff prints a diff: it takes no --format {}", name(options.format)));
   LintReportOptions shown{.fail_on = grade_named(options.fail_on.value_or("wrong")), .all = options.all};
   if (options.baseline) shown.known = known_fingerprints(*options.baseline);
   lint::EffectLimits limits;
@@ -127,13 +156,21 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   const lint::KnownConstants known = known_constants(options.studies);
   progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
-  const lint::LintedTree linted = lint_tree(sources, known, limits, {.checkpoint = checkpoint});
+  lint::LintedTree linted = lint_tree(sources, known, limits, {.checkpoint = checkpoint});
   progress("");
-  const findings::FindingReport report = lint_findings(linted, shown);
-  std::string out = write_findings(report, options.format);
-  if (options.format == findings::FindingFormat::text)
-    if (const std::string skipped = skipped_words(linted.skipped); !skipped.empty()) out += skipped + "\n";
-  return {passes(report) ? 0 : 1, out, warnings_of(linted.skipped)};
+  if (!options.fix && !options.diff) return report_of(linted, shown, options.format);
+  const std::vector<FixedFile> files = fixed_files(linted, options.fix.value_or(lint::FixScope::pins));
+  if (options.diff) {
+    std::string diffs;
+    for (const FixedFile& file : files) diffs += unified_diff(file.name, file.before, file.after);
+    return {diffs.empty() ? 0 : 1, diffs, warnings_of(linted.skipped)};
+  }
+  judge_again(linted, files, sources, known, limits);
+  Outcome outcome = report_of(linted, shown, options.format);
+  if (files.empty()) return outcome;
+  outcome.err += words_of(files);
+  outcome.put = prepare_files(files, checkpoint);
+  return outcome;
 }
 
 }  // namespace shadefit

@@ -8,6 +8,7 @@
 #include "app/options/options.hpp"
 #include "app/options/outcome.hpp"
 #include "app/terminal/progress.hpp"
+#include "lint/fix/fixes.hpp"
 #include "lint/grade/grade.hpp"
 #include "lint/tree/source_language.hpp"
 #include "reports/findings/finding.hpp"
@@ -26,12 +27,14 @@ struct LintOptions {
   std::vector<lint::SourceLanguage> languages;
   StudyFolders studies;
   bool all = false;
+  std::optional<lint::FixScope> fix;
+  bool diff = false;  ///< of the files, in place of writing them
 };
 
 void declare_lint(CLI::App& lint, LintOptions& options);
 
-/// Exit code 1 if a site has a grade that fails. Throws UserError for bad paths, a bad configuration and a
-/// bad baseline.
+/// Exit code 1 if a site has a grade that fails: with `fix`, after it; with `diff`, if there is one. Throws
+/// UserError for bad paths, a bad configuration and a bad baseline.
 Outcome lint_command(const LintOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 
 }  // namespace shadefit

@@ -285,7 +285,7 @@ class Rewriter {
 
 }  // namespace
 
-std::optional<Rewritten> rewritten(std::string_view text) {
+std::optional<Rewritten> in_formula_notation(std::string_view text) {
   Rewriter rewriter{std::string(text)};
   const auto formula = rewriter.rewrite();
   if (!formula) return std::nullopt;

@@ -15,6 +15,6 @@ struct Rewritten {
 };
 
 /// Rewrites an expression without comments. Empty if it has more than operations of scalars.
-std::optional<Rewritten> rewritten(std::string_view text);
+std::optional<Rewritten> in_formula_notation(std::string_view text);
 
 }  // namespace shadefit::lint

@@ -36,7 +36,7 @@ bool is_number(const Symbolic& formula) {
 }
 
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
-  const auto source = rewritten(without_comments(text, style));
+  const auto source = in_formula_notation(without_comments(text, style));
   if (!source) return std::nullopt;
   FormulaNames names;
   for (std::size_t i = 0; i < source->names.size(); ++i) names.variables.push_back("v" + std::to_string(i));

@@ -12,6 +12,9 @@ namespace {
 /// Constants of one formula stand within that many bytes of each other.
 constexpr std::size_t most_gap = 700;
 
+/// A number of fewer digits is looked for only near the other constants.
+constexpr std::size_t least_digits_alone = 3;
+
 struct Hit {
   std::size_t set, literal;
   NumberMatch match;
@@ -25,7 +28,7 @@ std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& lite
                          const DigitIndex& index) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
-    if (literals[i].significant < 3) continue;
+    if (literals[i].significant < least_digits_alone) continue;
     for (NumberMatch match : index.find(digits_of(text_of(text, literals[i])))) {
       if (match.match == DigitMatch::shifted && literals[i].has_power_of_ten) match.match = DigitMatch::same;
       hits.push_back({match.place.set, i, match});
@@ -44,12 +47,13 @@ class SiteFinder {
       : text_(text), literals_(literals), sets_(sets) {}
 
   /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
-  /// site.
+  /// site, and so does every number behind a complete one: the next copy of the formula may be the wrong one.
   void add(std::span<const Hit> hits) {
     const Hit& first = hits.front();
     if (!numbers_.empty()) {
       const Literal& last = literals_[numbers_.back().literal];
-      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap) close();
+      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap || is_complete())
+        close();
     }
     set_ = first.set;
     const Hit& hit = next_in_order(hits);
@@ -62,10 +66,9 @@ class SiteFinder {
       if (number.match < same->match && same->match >= DigitMatch::rounded) {
         numbers_.erase(same);
       } else if (number.match > same->match && number.match >= DigitMatch::rounded) {
-        looser_ = number;
         return;
       } else {
-        begin_again(number);
+        close();
       }
     }
     numbers_.push_back(number);
@@ -75,7 +78,6 @@ class SiteFinder {
     if (numbers_.empty()) return;
     Site site{set_, std::move(numbers_)};
     numbers_.clear();
-    looser_.reset();
     drop_comments(site);
     add_companions(site);
     site.bits = bits_of(site);
@@ -85,13 +87,13 @@ class SiteFinder {
   std::vector<Site> take() { return std::move(sites_); }
 
  private:
-  /// Closes a site before a constant that it has. A looser match behind its last number is the first number
-  /// of the next site: the first of a row of a table may be the one with the wrong digit.
-  void begin_again(const SiteNumber& next) {
-    const std::optional<SiteNumber> looser = looser_;
-    const std::size_t last = numbers_.back().literal;
-    close();
-    if (looser && looser->literal > last && looser->constant != next.constant) numbers_.push_back(*looser);
+  /// Whether all constants are there but those that are looked for near others alone.
+  bool is_complete() const {
+    const auto& constants = sets_[set_].constants;
+    return numbers_.size() >= static_cast<std::size_t>(std::count_if(
+                                  constants.begin(), constants.end(), [](const KnownConstant& constant) {
+                                    return digits_of(constant.printed).text.size() >= least_digits_alone;
+                                  }));
   }
 
   /// Several constants of a set may have the same digits. Then the number is the next of them in the
@@ -227,8 +229,7 @@ class SiteFinder {
   const std::vector<Literal>& literals_;
   const std::vector<KnownSet>& sets_;
   std::size_t set_ = 0;
-  std::vector<SiteNumber> numbers_;        ///< of the site that is being collected
-  std::optional<SiteNumber> looser_ = {};  ///< the last number for a constant that a closer one stands for
+  std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
   std::vector<Site> sites_;
 };
 

@@ -16,6 +16,8 @@ using lint::LintedNumber;
 using lint::LintedSite;
 
 std::string rule_of(const LintedSite& site) {
+  if (!site.fault.empty()) return "unknown-pin";
+  if (site.is_pinned && site.grade != Grade::right) return "pinned-constant";
   if (!site.slip.empty()) return site.grade == Grade::wrong ? "wrong-expression" : "other-expression";
   return std::string(name(site.grade)) + "-constant";
 }
@@ -34,6 +36,10 @@ std::vector<findings::FindingRule> lint_rules() {
        "Its own source or standard has another value now."},
       {"truncated-constant", "A constant with fewer digits",
        "Fewer digits than published, without a visible effect."},
+      {"pinned-constant", "A pinned number that is not its constant",
+       "The mark behind the number names a published constant, and that has other digits."},
+      {"unknown-pin", "A mark that pins nothing",
+       "It names no published constant, or there is no number before it in its line."},
       {"right-constant", "A published constant", "The digits are those that were published."},
   };
 }
@@ -59,7 +65,9 @@ std::string numbers_words(const LintedSite& site) {
 }
 
 std::string message_of(const LintedSite& site) {
-  const std::string set = site.form.empty() ? site.id : fmt::format("{} ({})", site.id, site.form);
+  if (!site.fault.empty()) return site.fault;
+  const std::string set = fmt::format("{}{}{}", site.id, site.form.empty() ? "" : " (" + site.form + ")",
+                                      site.is_pinned ? ", pinned" : "");
   if (site.grade == Grade::right) return fmt::format("{}: the constants of {}", set, site.source);
   std::string what = numbers_words(site);
   if (!site.slip.empty())

@@ -12,13 +12,13 @@
 namespace shadefit::lint {
 namespace {
 
-const KnownConstants& known() {
+const KnownConstants& the_known() {
   static const KnownConstants all = all_known();
   return all;
 }
 
 std::vector<LintedSite> lint_glsl(const std::string& text, const EffectLimits& limits = {}) {
-  return lint_source("a.glsl", text, SourceLanguage::glsl, known(), limits);
+  return lint_source("a.glsl", text, SourceLanguage::glsl, the_known(), limits);
 }
 
 /// "id grade", for each site.

@@ -1,0 +1,64 @@
+#include "lint/fix/fixes.hpp"
+
+#include <map>
+
+#include "lint/scan/characters.hpp"
+#include "lint/scan/notation.hpp"
+
+namespace shadefit::lint {
+namespace {
+
+bool is_fixed(const LintedSite& site, FixScope scope) {
+  if (site.grade == Grade::right || !site.fault.empty()) return false;
+  if (site.is_pinned) return true;
+  if (site.ignored || site.is_in_comment || !site.slip.empty() || scope == FixScope::pins) return false;
+  return site.grade == Grade::wrong || (scope == FixScope::typo && site.grade == Grade::typo);
+}
+
+/// Whether "\times 10^{-13}" or the like follows: the published number may have the factor inside.
+bool is_before_factor(std::string_view text, std::size_t end) {
+  constexpr std::size_t looked_at = 16;
+  const std::string_view rest = text.substr(end, looked_at);
+  return rest.substr(0, rest.find('\n')).find("10^") != std::string_view::npos ||
+         rest.substr(0, rest.find('\n')).find("10**") != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string_view name(FixScope scope) {
+  constexpr std::array<std::string_view, fix_scopes.size()> names{"pins", "typo", "wrong"};
+  return names[static_cast<std::size_t>(scope)];
+}
+
+std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view text, FixScope scope) {
+  std::map<std::size_t, Fix> by_place;
+  for (const LintedSite& site : sites) {
+    if (!is_fixed(site, scope)) continue;
+    for (const LintedNumber& number : site.numbers) {
+      if (number.grade == Grade::right || !number.is_by_digits) continue;
+      // `v.0` is a member, whatever its digits.
+      if (number.offset > 0 && is_of_name(text[number.offset - 1])) continue;
+      if (is_before_factor(text, number.offset + number.text.size())) continue;
+      const Fix fix{number.offset, number.text, rewritten(number.text, number.published)};
+      const auto [place, is_new] = by_place.emplace(number.offset, fix);
+      if (!is_new && place->second.after != fix.after) place->second.after = number.text;
+    }
+  }
+  std::vector<Fix> fixes;
+  for (const auto& [offset, fix] : by_place)
+    if (fix.after != fix.before) fixes.push_back(fix);
+  return fixes;
+}
+
+std::string fixed_text(std::string_view text, const std::vector<Fix>& fixes) {
+  std::string fixed;
+  std::size_t done = 0;
+  for (const Fix& fix : fixes) {
+    fixed += text.substr(done, fix.offset - done);
+    fixed += fix.after;
+    done = fix.offset + fix.before.size();
+  }
+  return fixed += text.substr(done);
+}
+
+}  // namespace shadefit::lint

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lint/lint_tree.hpp"
+
+/// Puts the published digits in the place of others.
+namespace shadefit::lint {
+
+/// What is rewritten. Pinned numbers always are.
+enum class FixScope {
+  pins,   ///< nothing else
+  typo,   ///< also the numbers of sites graded typo or wrong
+  wrong,  ///< also those graded wrong
+};
+inline constexpr std::array fix_scopes{FixScope::pins, FixScope::typo, FixScope::wrong};
+
+std::string_view name(FixScope scope);
+
+/// A number and what is to stand in its place, in its own notation.
+struct Fix {
+  std::size_t offset = 0;  ///< in the file, in bytes
+  std::string before, after;
+};
+
+/// The fixes of the sites of one text, by rising place. Left alone are: what a mark ignores and what stands
+/// in a comment, unless it is pinned; a site whose expression has a slip; a number that stands for a
+/// constant by the expression alone; one behind which a factor 10^n stands; and one that two sites would
+/// rewrite differently. `text` is what the sites were found in.
+std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view text, FixScope scope);
+
+/// The text with the fixes; no other byte changes.
+std::string fixed_text(std::string_view text, const std::vector<Fix>& fixes);
+
+}  // namespace shadefit::lint

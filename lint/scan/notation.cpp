@@ -1,0 +1,107 @@
+#include "lint/scan/notation.hpp"
+
+#include <algorithm>
+
+#include "lint/scan/characters.hpp"
+#include "lint/scan/literals.hpp"
+
+namespace shadefit::lint {
+namespace {
+
+/// The digits at the start of a text, with the separators between them.
+std::string_view leading_digits(std::string_view text) {
+  std::size_t n = 0;
+  while (n < text.size() &&
+         (is_digit(text[n]) || (n > 0 && n + 1 < text.size() && (text[n] == '_' || text[n] == '\'') &&
+                                is_digit(text[n - 1]) && is_digit(text[n + 1]))))
+    ++n;
+  return text.substr(0, n);
+}
+
+/// "e-3" at the start of a text, or nothing.
+std::string_view leading_exponent(std::string_view text) {
+  if (text.empty() || (text[0] != 'e' && text[0] != 'E')) return {};
+  const std::size_t first = text.size() > 1 && (text[1] == '-' || text[1] == '+') ? 2 : 1;
+  std::size_t n = first;
+  while (n < text.size() && is_digit(text[n])) ++n;
+  return n > first ? text.substr(0, n) : std::string_view{};
+}
+
+/// Whether these letters may stand behind a number; the scanner knows.
+bool is_suffix(std::string_view letters) {
+  const std::string number = "1" + std::string(letters);
+  const auto read = literals_of(number, CommentStyle::none);
+  return read.size() == 1 && read.front().length == number.size();
+}
+
+/// All digits but zeros at the front: as printed, with zeros at the end.
+std::string printed_digits(const Notation& number) {
+  std::string digits(number.whole);
+  digits += number.fraction;
+  std::erase_if(digits, [](char c) { return !is_digit(c); });
+  return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+}
+
+/// The exponent in the style of another: its letter, its '+', and its zeros at the front.
+std::string exponent_like(std::string_view style, int value) {
+  const bool has_sign = style[1] == '-' || style[1] == '+';
+  const std::string_view digits = style.substr(has_sign ? 2 : 1);
+  std::string text = std::to_string(std::abs(value));
+  if (digits[0] == '0' && text.size() < digits.size()) text.insert(0, digits.size() - text.size(), '0');
+  const char* sign = value < 0 ? "-" : style[1] == '+' ? "+" : "";
+  return style[0] + (sign + text);
+}
+
+/// The parts of a number as text. A point stands if the literal has one or if digits follow.
+std::string joined(const Notation& literal, std::string whole, std::string fraction) {
+  if (whole.empty() && !literal.whole.empty()) whole = "0";
+  if (whole == "0" && literal.whole.empty() && !fraction.empty()) whole.clear();
+  if (fraction.empty() && literal.has_point && !literal.fraction.empty()) fraction = "0";
+  return whole + (literal.has_point || !fraction.empty() ? "." : "") + fraction;
+}
+
+std::string with_exponent(const Notation& literal, const Notation& to, std::string_view published) {
+  const std::string digits = printed_digits(to);
+  std::string mantissa(literal.whole);
+  mantissa.append(".").append(literal.fraction);
+  // The mantissa is 0.DIGITS times 10^point.
+  const int point = digits_of(mantissa).text.empty() ? 1 : digits_of(mantissa).exponent;
+  const auto before = static_cast<std::size_t>(std::max(point, 0));
+  std::string whole = digits.substr(0, before), fraction = digits.substr(std::min(before, digits.size()));
+  if (whole.size() < before) whole.append(before - whole.size(), '0');
+  if (point < 0) fraction.insert(0, static_cast<std::size_t>(-point), '0');
+  const int exponent = digits_of(published).text.empty() ? 0 : digits_of(published).exponent - point;
+  return joined(literal, whole, fraction) + exponent_like(literal.exponent, exponent);
+}
+
+}  // namespace
+
+std::optional<Notation> notation_at(std::string_view text) {
+  Notation number;
+  number.whole = leading_digits(text);
+  std::size_t at = number.whole.size();
+  if (at < text.size() && text[at] == '.') {
+    number.has_point = true;
+    number.fraction = leading_digits(text.substr(at + 1));
+    at += 1 + number.fraction.size();
+  }
+  if (number.whole.empty() && number.fraction.empty()) return std::nullopt;
+  number.exponent = leading_exponent(text.substr(at));
+  at += number.exponent.size();
+  const std::size_t suffix = at;
+  while (at < text.size() && is_of_name(text[at])) ++at;
+  number.suffix = text.substr(suffix, at - suffix);
+  number.length = at;
+  if (at > most_digits || !is_suffix(number.suffix)) return std::nullopt;
+  return number;
+}
+
+std::string rewritten(std::string_view literal, std::string_view published) {
+  if (published.starts_with('-') || published.starts_with('+')) published.remove_prefix(1);
+  const Notation as = notation_at(literal).value(), to = notation_at(published).value();
+  const std::string suffix(as.suffix);
+  if (!as.exponent.empty()) return with_exponent(as, to, published) + suffix;
+  return joined(as, std::string(to.whole), std::string(to.fraction)) + std::string(to.exponent) + suffix;
+}
+
+}  // namespace shadefit::lint

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// How a source text writes a decimal number.
+namespace shadefit::lint {
+
+/// The parts of "1.50e-3f": "1", "50", "e-3" and "f".
+struct Notation {
+  std::string_view whole, fraction;  ///< digits and their separators; at most one is empty
+  bool has_point = false;
+  std::string_view exponent;  ///< with its letter and its sign
+  std::string_view suffix;
+  std::size_t length = 0;  ///< of all parts
+};
+
+/// Reads the number that a text begins with, without a sign. Empty if there is none, if it is hexadecimal,
+/// has other letters behind it than a suffix, or is longer than `most_digits`.
+std::optional<Notation> notation_at(std::string_view text);
+
+/// The published number, without its sign, in the notation of a literal: with its suffix, its form of a zero
+/// before the point, and its place of the point before an exponent. "1.5e-3f" and "0.00142" make "1.42e-3f".
+/// Both have to be numbers of `notation_at`, the published one perhaps with a sign.
+std::string rewritten(std::string_view literal, std::string_view published);
+
+}  // namespace shadefit::lint

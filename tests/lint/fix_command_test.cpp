@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "app/commands/command_line.hpp"
+#include "reports/io/files.hpp"
+#include "tests/app/refusal.hpp"
+#include "tests/lint/current_folder.hpp"
+#include "tests/temporary_directory.hpp"
+
+/// `lint --fix` and `lint --diff`.
+namespace shadefit {
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::expect_refusal;
+using testing::StandIn;
+using testing::TemporaryDirectory;
+
+/// A pin with a cut number, a typo, a wrong digit, and numbers to leave alone.
+constexpr const char* faulty =
+    "float a = 1.57079f; // shadefit: acos-linear.a\n"
+    "float t(float c) { return exp2((-5.55437 * c - 6.98316) * c); }\n"
+    "float w(float c) { return exp2((-5.55473 * c - 6.8316) * c); }\n"
+    "// exp2((-5.55473 * c - 6.8316) * c)\n"
+    "float o(float c) { return exp2((-5.55473 * c + 6.98316) * c); }\n"
+    "float i(float c) { return exp2((-5.55473 * c - 6.8316) * c); } // shadefit: ignore as in 2012\n";
+
+std::string replaced(std::string text, const std::string& old, const std::string& fresh) {
+  return text.replace(text.find(old), old.size(), fresh);
+}
+
+const std::string with_pins = replaced(faulty, "1.57079f", "1.5707963f");
+const std::string with_wrong = replaced(with_pins, "6.8316", "6.98316");
+const std::string with_typo = replaced(with_wrong, "5.55437", "5.55473");
+
+Outcome lint_fixing(const std::string& path, const std::string& scope, std::vector<std::string> more = {}) {
+  more.insert(more.begin(), {"lint", path, "--fix", scope});
+  return run_command_line(more);
+}
+
+TEST(LintFix, RewritesItsScopeAndNothingElse) {
+  for (const auto& [scope, expected] :
+       {std::pair("pins", with_pins), std::pair("wrong", with_wrong), std::pair("typo", with_typo)}) {
+    const TemporaryDirectory folder;
+    const std::string file = folder.file("a.glsl", faulty);
+    const Outcome outcome = lint_fixing(folder.path().string(), scope);
+    EXPECT_EQ(read_file(file), expected) << scope;
+    EXPECT_EQ(outcome.exit_code, 1) << "the wrong expression is left";
+    EXPECT_NE(outcome.err.find("shadefit: rewrote "), std::string::npos);
+    EXPECT_EQ(testing::snapshot(folder.path()).size(), 1U) << "no file is left beside";
+    // Once more changes nothing.
+    EXPECT_EQ(lint_fixing(folder.path().string(), scope).err, "");
+    EXPECT_EQ(read_file(file), expected);
+  }
+}
+
+TEST(LintFix, TheExitCodeCountsWhatIsLeft) {
+  const TemporaryDirectory folder;
+  folder.file("a.glsl", "float w(float c) { return exp2((-5.55473 * c - 6.8316) * c); }\n");
+  EXPECT_EQ(lint_fixing(folder.path().string(), "pins").exit_code, 1);
+  const Outcome outcome = lint_fixing(folder.path().string(), "wrong");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+  EXPECT_EQ(outcome.err, "shadefit: rewrote 1 number in 1 file\n");
+  EXPECT_EQ(outcome.out, "lint passed: nothing found in 1 file\n");
+}
+
+TEST(LintFix, KeepsEveryOtherByte) {
+  const std::string start = "\xEF\xBB\xBF// \xFF\xFE caf\xE9\r\n\r\n\tfloat a = ";
+  const std::string end = "F; /* shadefit: acos-linear.a */ \r\n// no end of line \xC3";
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("a.hlsl", start + "1.57" + end);
+  EXPECT_EQ(lint_fixing(file, "pins").exit_code, 0);
+  EXPECT_EQ(read_file(file), start + "1.5707963" + end);
+}
+
+TEST(LintFix, KeepsPermissionsAndLinks) {
+  const TemporaryDirectory folder;
+  const std::string target = folder.file("real/a.glsl", faulty), link = folder / "link.glsl";
+  fs::create_symlink("real/a.glsl", link);
+  ::chmod(target.c_str(), 0750);
+  lint_fixing(link, "typo");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(read_file(target), with_typo);
+  EXPECT_EQ(fs::status(target).permissions(), static_cast<fs::perms>(0750));
+}
+
+TEST(LintFix, WritesFilesOfSeveralFolders) {
+  const TemporaryDirectory folder;
+  for (const char* name : {"a.glsl", "b/a.glsl", "b/c/a.glsl"}) folder.file(name, faulty);
+  EXPECT_EQ(lint_fixing(folder.path().string(), "pins").err, "shadefit: rewrote 3 numbers in 3 files\n");
+  for (const char* name : {"a.glsl", "b/a.glsl", "b/c/a.glsl"})
+    EXPECT_EQ(read_file(folder / name), with_pins);
+}
+
+TEST(LintDiff, ShowsWhatFixWouldDoAndWritesNothing) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("a.glsl", faulty);
+  const Outcome alone = run_command_line({"lint", file, "--diff"});
+  EXPECT_EQ(alone.exit_code, 1);
+  EXPECT_EQ(alone.out, lint_fixing(file, "pins", {"--diff"}).out);
+  EXPECT_NE(alone.out.find("\n-float a = 1.57079f; // shadefit: acos-linear.a\n"
+                           "+float a = 1.5707963f; // shadefit: acos-linear.a\n"),
+            std::string::npos)
+      << alone.out;
+  EXPECT_EQ(read_file(file), faulty);
+  EXPECT_EQ(alone.put, nullptr);
+  folder.file("a.glsl", with_pins);
+  const Outcome nothing = run_command_line({"lint", file, "--diff"});
+  EXPECT_EQ(nothing.exit_code, 0);
+  EXPECT_EQ(nothing.out, "");
+}
+
+TEST(LintDiff, IsTakenByGit) {
+  for (const char* end : {"\n", "\r\n", ""}) {
+    const TemporaryDirectory folder;
+    const StandIn current(folder.path());
+    const std::string text = replaced(faulty, " as in 2012\n", end);
+    folder.file("src/a.glsl", text);
+    folder.file("lint.diff", lint_fixing("src", "typo", {"--diff"}).out);
+    ASSERT_EQ(std::system("git apply --whitespace=nowarn lint.diff"), 0);
+    const std::string patched = read_file("src/a.glsl");
+    folder.file("src/a.glsl", text);
+    lint_fixing("src", "typo");
+    EXPECT_EQ(patched, read_file("src/a.glsl"));
+    EXPECT_NE(patched, text);
+  }
+}
+
+TEST(LintDiff, TakesNoFormat) {
+  const TemporaryDirectory folder;
+  folder.file("a.glsl", faulty);
+  const std::string path = folder.path().string();
+  expect_refusal({"lint", path, "--diff", "--format", "json"},
+                 "--diff prints a diff: it takes no --format json");
+  expect_refusal({"lint", path, "--fix", "all"},
+                 "--fix 'all' is unknown: it must be one of pins, typo, wrong");
+}
+
+}  // namespace
+}  // namespace shadefit
