@@ -38,7 +38,6 @@ class SiteJudge {
     if (found.is_published)
       for (JudgedNumber& number : judged.numbers) number.grade = Grade::right;
     judged.slip = found.slip;
-    judged.is_read = is_read;
     judged.is_in_other_units = is_in_other_units(site_);
     judged.is_in_comment =
         std::all_of(site_.numbers.begin(), site_.numbers.end(),
@@ -69,7 +68,7 @@ class SiteJudge {
       const bool is_taken = std::any_of(numbers.begin(), numbers.end(), [&](const JudgedNumber& number) {
         return number.offset == literal.offset;
       });
-      if (is_taken || number_of(digits_of(text_.substr(literal.offset, literal.length))) != value) continue;
+      if (is_taken || number_of(digits_of(text_, literal)) != value) continue;
       numbers.push_back(
           {literal.offset, literal.length, constant, grade_of_other(set_.constants[constant], value)});
       break;
@@ -110,8 +109,7 @@ class SiteJudge {
     const Literal& literal = literals_[before + 1];
     if (behind != before + 2 || literal.is_in_comment != literals_[before].is_in_comment) return std::nullopt;
     std::vector<double> found = constants;
-    found[place] =
-        std::copysign(number_of(digits_of(text_.substr(literal.offset, literal.length))), constants[place]);
+    found[place] = std::copysign(number_of(digits_of(text_, literal)), constants[place]);
     return ExpressionMatch{.form = set_.formula, .constants = found, .replaced = place};
   }
 

@@ -35,7 +35,6 @@ struct JudgedSite {
   GradedSite graded;
   std::string slip = {};       ///< of the expression: see ExpressionMatch
   std::string replaced = {};   ///< why a value that stands here was replaced by its source
-  bool is_read = false;        ///< whether the expression around is known to be the form, or that with a slip
   bool is_in_comment = false;  ///< all numbers
   bool is_in_other_units = false;
 };

@@ -69,7 +69,7 @@ std::set<std::string> known_fingerprints(const std::string& file) {
   const std::string what = fmt::format("--baseline '{}'", file);
   const auto json = parse_own_json(read_bounded(file, most_bytes), what);
   if (!json.is_object() || !json.contains("findings") || !json["findings"].is_array())
-    throw UserError(what + " is no report of lint: write one by --format json");
+    throw UserError(what + " is not a report of lint: make one with --format json");
   std::set<std::string> known;
   for (const auto& finding : json["findings"]) {
     if (!finding.is_object() || !finding.contains("fingerprint") || !finding["fingerprint"].is_string())

@@ -50,7 +50,7 @@ void evaluate(const ReadStudy& read, StudyInFormat<Format>& study, const std::ve
   std::string place;
   for (std::size_t i = 0; i < largest.at.size(); ++i)
     place += (i == 0 ? "" : ", ") + read.axes[i].variable + " = " + decimal(largest.at[i], 6);
-  result.reason = "overflows, or is no number, at " + place;
+  result.reason = "overflows or is not a number at " + place;
 }
 
 /// The places where a contender is exact.

@@ -13,7 +13,7 @@
 /// The form of a study in a format: every constant, number, operation and function rounded to nearest.
 namespace shadefit {
 
-/// The largest error in a format. It is infinite if the form overflows or is no number at a place.
+/// The largest error in a format. It is infinite if the form overflows or is not a number at a place.
 struct ErrorInFormat {
   double magnitude = 0;
   std::vector<double> at;  ///< the variables, as numbers of the format

@@ -64,7 +64,7 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::str
     if (number.match < DigitMatch::rounded) continue;
     if (has_other_units && number.match == DigitMatch::shifted) continue;
     const Literal& literal = literals[number.literal];
-    const double found = number_of(digits_of(text.substr(literal.offset, literal.length)));
+    const double found = number_of(digits_of(text, literal));
     double& value = values[number.constant];
     value = std::copysign(found, value);
   }

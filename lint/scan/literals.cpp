@@ -165,6 +165,10 @@ Digits digits_of(std::string_view number) {
   return result;
 }
 
+Digits digits_of(std::string_view text, const Literal& literal) {
+  return digits_of(text.substr(literal.offset, literal.length));
+}
+
 std::vector<Literal> literals_of(std::string_view text, CommentStyle style) {
   return LiteralReader(text, style).read();
 }

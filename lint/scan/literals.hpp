@@ -32,6 +32,9 @@ struct Literal {
   bool has_power_of_ten = false;  ///< "5.4856 \times 10^{-13}": its decimal point says nothing
 };
 
+/// The digits of a number of a text.
+Digits digits_of(std::string_view text, const Literal& literal);
+
 /// The numbers of a text in order, but those with a hexadecimal prefix, those inside a word or a version
 /// (1.2.3), and those with more than `most_digits` digits.
 std::vector<Literal> literals_of(std::string_view text, CommentStyle style);

@@ -20,16 +20,12 @@ struct Hit {
   NumberMatch match;
 };
 
-std::string_view text_of(std::string_view text, const Literal& literal) {
-  return text.substr(literal.offset, literal.length);
-}
-
 std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& literals,
                          const DigitIndex& index) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
     if (literals[i].significant < least_digits_alone) continue;
-    for (NumberMatch match : index.find(digits_of(text_of(text, literals[i])))) {
+    for (NumberMatch match : index.find(digits_of(text, literals[i]))) {
       if (match.match == DigitMatch::shifted && literals[i].has_power_of_ten) match.match = DigitMatch::same;
       hits.push_back({match.place.set, i, match});
     }
@@ -114,7 +110,7 @@ class SiteFinder {
     return hits.front();
   }
 
-  Digits digits_at(std::size_t literal) const { return digits_of(text_of(text_, literals_[literal])); }
+  Digits digits_at(std::size_t literal) const { return digits_of(text_, literals_[literal]); }
 
   /// A number in a comment beside numbers of code is not computed with.
   void drop_comments(Site& site) const {

@@ -143,7 +143,7 @@ TEST(LintGate, BadInputIsOneLine) {
   EXPECT_EQ(run_command_line({"lint", "dangling.glsl"}).exit_code, 2);
   folder.file("a.json", "{}");
   expect_refusal({"lint", ".", "--baseline", "a.json"},
-                 "--baseline 'a.json' is no report of lint: write one by --format json");
+                 "--baseline 'a.json' is not a report of lint: make one with --format json");
   folder.file(".shadefit.toml", "[lint]\nfail-on = \"rong\"\n");
   const Outcome broken = run_command_line({"lint", "."});
   EXPECT_EQ(broken.exit_code, 2);

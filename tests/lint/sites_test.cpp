@@ -84,6 +84,12 @@ TEST(Sites, SeveralShiftedNumbersAreOtherUnits) {
       Words{"planck-u right"});
 }
 
+// The encoder's threshold is a mistake in a decoder: beside an encoder of the same numbers it says nothing.
+TEST(Sites, AVariantThatAnotherSetPublishesTellsNothing) {
+  EXPECT_EQ(graded("x = (x < 0.0031308f) ? 12.92f * x : (1.0f + 0.055f) * powf(x, 1.0f / 2.4f) - 0.055f;"),
+            Words{"srgb-encode-standard right"});
+}
+
 TEST(Grade, LimitsHaveTwoSides) {
   const std::string text = "float f(float c) { return exp2((-5.55473 * c - 6.97316) * c); }\n";
   const std::vector<LintedSite> sites = lint_glsl(text);
