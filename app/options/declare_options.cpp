@@ -1,0 +1,300 @@
+#include "app/options/declare_options.hpp"
+
+#include <array>
+
+#include "app/options/finding_format.hpp"
+#include "app/options/option_values.hpp"
+
+namespace shadefit {
+namespace {
+
+constexpr const char* form_help =
+    "a family, a published constant or a study (see 'shadefit list'), or a file of a study, NAME.toml";
+
+void add_json(CLI::App& command, bool& json) {
+  command.add_flag("--json", json, "print JSON, every number to its last bit");
+}
+
+/// The formats of a table; each excludes the others and the `--json` before them.
+void add_formats(CLI::App& command, bool& csv, bool& latex, const std::string& columns) {
+  CLI::Option* json = command.get_option("--json");
+  auto* csv_option = command.add_flag("--csv", csv, "print CSV" + columns)->excludes(json);
+  command.add_flag("--latex", latex, "print a LaTeX tabular")->excludes(json)->excludes(csv_option);
+}
+
+void add_digits(CLI::App& command, int& digits) {
+  const auto parse = [](const std::string& option, const std::string& text) {
+    return parse_whole(option, text, 1, all_digits);
+  };
+  add_value(command, "--digits", digits, parse, "N", "with --latex: at most this many significant digits")
+      ->needs(command.get_option("--latex"));
+}
+
+void add_plot(CLI::App& command, FitOptions& options, const std::string& what) {
+  add_value(command, "--plot", options.plot, parse_text, "FILE",
+            what + "; FILE ends with .svg, .pdf or .png");
+  add_force(command, options.force);
+}
+
+void add_exponent(CLI::App& command, FitOptions& fit, const std::string& by_default) {
+  add_value(command, "--exponent", fit.exponents, parse_exponents, "K|A:B:STEP",
+            "the exponents of a lobe, separated by commas (default: " + by_default + ")");
+}
+
+void add_domain(CLI::App& command, FitOptions& fit) {
+  add_value(command, "--domain", fit.metric.domain, parse_domain, "A:B",
+            "the range of cosines of the fit and of its errors (default: 0:1)");
+}
+
+/// Adds the options for the surface of a Fresnel form.
+void add_surface(CLI::App& command, FitOptions& fit) {
+  add_value(command, "--ior", fit.ior, parse_finite, "N",
+            "index of refraction n of the surface, which also sets f0 (default with --target exact: 1.5)");
+  add_value(command, "--extinction", fit.extinction, parse_finite, "K",
+            "extinction k of a conductor with index n + i k (default: 0)");
+}
+
+/// Adds the options for the error and its domain, for `fit`, `certify` and `emit`.
+void add_metric(CLI::App& command, FitOptions& fit) {
+  add_choice(command, "--measure", fit.metric.measure, by_name(measures),
+             "how the domain is weighted: evenly in the cosine, in the angle, or by the cosine");
+  add_choice(
+      command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
+      "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
+      "of a Fresnel form");
+  add_value(command, "--f0", fit.f0, parse_f0, "F0",
+            "reflectance at normal incidence, for the relative error of a Fresnel form (default: 0.04)");
+  add_domain(command, fit);
+}
+
+void add_norm(CLI::App& command, FitOptions& fit) {
+  add_choice(command, "--norm", fit.metric.norm, by_name(std::array{Norm::least_squares, Norm::minimax}),
+             "what the fit minimises: the mean square of the error, or its maximum");
+}
+
+/// Adds the options for the constraints of a fit.
+void add_constraints(CLI::App& command, Metric& metric) {
+  const auto parse_weight = [](const std::string& option, const std::string& text) {
+    if (text.empty())
+      throw UserError(fmt::format("{} '' is empty: give a formula in c, such as '1 + 4 c'", option));
+    return text;
+  };
+  add_value(
+      command, "--weight", metric.weight, parse_weight, "FORMULA",
+      "multiplies the error: a formula in c, or in the variables of --over, that is nowhere negative, for "
+      "example '1 + 4 c'; with --table also in value and sigma");
+  Constraints& constraints = metric.constraints;
+  add_values(command, "--fix", constraints.held, parse_held, "NAME=VALUE",
+             "a parameter that is given, not fitted; may be repeated");
+  add_values(
+      command, "--exact-at", constraints.exact_at, parse_finite, "C",
+      "an end of the domain where the form equals its target; may be repeated. This and the next three: of a "
+      "built-in family with --norm minimax, of a form of your own always");
+  add_choice(command, "--one-sided", constraints.one_sided, by_name(std::array{Side::above, Side::below}),
+             "the side of its target on which the form stays");
+  add_value(command, "--at-most", constraints.at_most, parse_finite, "V",
+            "the form stays at or below this value");
+  add_value(command, "--at-least", constraints.at_least, parse_finite, "V",
+            "the form stays at or above this value");
+  add_choice(command, "--monotone", constraints.monotone, by_name(std::array{Course::falls, Course::rises}),
+             "a form of your own never rises, or never falls");
+}
+
+/// Adds the options of a study. Named studies take them too, in the place of what the file says.
+void add_study(CLI::App& command, FitOptions& options) {
+  add_studies(command, options.studies);
+  StudyOptions& study = options.study;
+  add_value(command, "--form", study.form, parse_text, "FORMULA",
+            "a formula of your own to fit to --target: every name that is not a variable or a constant is a "
+            "parameter");
+  add_value(
+      command, "--table", study.table, parse_text, "FILE",
+      "measured rows to fit --form to, in the place of a --target: comma-separated values with a header; "
+      "columns named as the variables of --over, value, and, if known, the standard deviation sigma");
+  add_values(command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
+             "a variable of --form and its range, for example x=0:1; DENSITY, a formula, says how much each "
+             "place counts (default: 1); with --table only NAME; up to three times");
+  add_values(command, "--given", study.given, parse_given, "NAME=LIST",
+             "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
+  add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
+             "a function or a value for the other formulas, for example 'f(x)=x^2' or 'k=3'");
+  add_values(command, "--start", study.starts, parse_held, "NAME=VALUE",
+             "one more start of the search: a value of a parameter of --form");
+}
+
+/// --target, that also takes a formula, and the options of a study.
+void add_target_or_formula(CLI::App& command, FitOptions& options, const std::string& by_default) {
+  const auto parse_target = [&options](const std::string&, const std::string& text) {
+    if (text == "schlick") options.target = Surface::Formula::schlick;
+    if (text == "exact") options.target = Surface::Formula::exact;
+    return text;
+  };
+  add_value(command, "--target", options.study.target, parse_target, "schlick|exact|FORMULA",
+            "the function to approximate. A Fresnel form: schlick is (1-c)^5, exact is the reflectance of a "
+            "surface (default: " +
+                by_default + "). With --form: your formula");
+  add_surface(command, options);
+}
+
+}  // namespace
+
+void add_force(CLI::App& command, bool& force) {
+  command.add_flag(
+      "--force", force,
+      "replace a file even if shadefit did not write it; a picture also if it was changed since");
+}
+
+void add_out(CLI::App& command, std::string& out) {
+  add_value(command, "--out", out, parse_text, "DIR", "the directory to write")->default_str(out);
+}
+
+void add_studies(CLI::App& command, StudyFolders& folders) {
+  add_values(command, "--studies", folders, parse_text, "DIR",
+             "also find studies in this folder; may be repeated");
+}
+
+void declare_list(CLI::App& list, ListOptions& options) {
+  add_choice(list, "--verdict", options.verdict, by_name(all_verdicts),
+             "only the claims with this verdict (computes them all)");
+  add_value(list, "--topic", options.topic, parse_text, "TEXT",
+            "only the topics with this text in their title, for example fresnel");
+  add_value(list, "--family", options.family, parse_text, "FAMILY", "only the claims on this family");
+  add_studies(list, options.studies);
+  add_json(list, options.json);
+  add_formats(list, options.csv, options.latex, "");
+}
+
+void declare_run(CLI::App& run, RunOptions& options) {
+  add_out(run, options.out);
+  run.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
+      ->type_name("STUDY");
+  add_studies(run, options.studies);
+  run.add_option("--only", options.only,
+                 "only these families, normalisations and claims; with --html these studies")
+      ->type_name("ID");
+  add_force(run, options.force);
+  run.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them");
+  auto* html =
+      run.add_flag("--html", options.html, "write pages of the study, or of all studies, for a browser");
+  add_shard(run, options.shard)->needs(html);
+}
+
+void declare_fit(CLI::App& fit, FitOptions& options) {
+  fit.add_option("id", options.id, form_help)->type_name("FORM");
+  add_exponent(fit, options, "those for which the source printed a number");
+  add_metric(fit, options);
+  add_target_or_formula(fit, options, "schlick");
+  add_norm(fit, options);
+  add_study(fit, options);
+  add_constraints(fit, options.metric);
+  add_json(fit, options.json);
+  add_formats(fit, options.csv, options.latex, ": the columns of fits.csv");
+  add_digits(fit, options.digits);
+  const auto round = [](const std::string&, const std::string& text) { return parse_number_format(text); };
+  const std::array extras{
+      fit.add_flag(
+          "--certify", options.certify,
+          "prove bounds of the largest error, that the fit is a minimum, and that the curve is monotone"),
+      add_value(fit, "--round", options.round, round, "float|half|bfloat16|decimal:N",
+                "also the best constants in this number format, for a form that is evaluated in it"),
+      fit.add_flag(
+          "--sensitivity", options.sensitivity,
+          "also how many digits of each constant matter, and the fit under other measures and domains")};
+  for (CLI::Option* extra : extras)
+    extra->excludes(fit.get_option("--csv"))->excludes(fit.get_option("--latex"));
+  add_plot(fit, options, "also draw the fit and its error");
+}
+
+void declare_better(CLI::App& better, FitOptions& options) {
+  better.add_option("id", options.id, form_help)->type_name("FORM");
+  add_exponent(
+      better, options,
+      "the lowest and the highest for which the number was published, or of the family's usual range");
+  add_target_or_formula(better, options, "schlick, then exact glass (1.5) and exact gold (0.43, 2.455)");
+  add_study(better, options);
+  add_domain(better, options);
+  add_json(better, options.json);
+  add_formats(better, options.csv, options.latex, ": the columns of better.csv");
+  add_digits(better, options.digits);
+  add_plot(better, options, "also draw the errors of the published curves and of the best one");
+}
+
+void declare_certify(CLI::App& certify, CertifyOptions& options) {
+  certify.add_option("id", options.fit.id, form_help)->type_name("FORM");
+  add_exponent(certify, options.fit, "those for which the source printed a number");
+  add_metric(certify, options.fit);
+  add_target_or_formula(certify, options.fit, "schlick");
+  add_study(certify, options.fit);
+  add_norm(certify, options.fit);
+  add_constraints(certify, options.fit.metric);
+  add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
+            "the constants (default: the published ones, else fitted ones)");
+  add_value(certify, "--width", options.width, parse_relative_width, "W",
+            "the greatest distance of the two bounds, as a share of the largest error (default: 1e-9; for a "
+            "--form in two variables 1e-6, in three 1e-3)");
+  add_value(certify, "--out", options.out, parse_text, "FILE",
+            "write the certificate, for 'shadefit verify'");
+  add_force(certify, options.force);
+  add_json(certify, options.fit.json);
+}
+
+void declare_verify(CLI::App& verify, VerifyOptions& options) {
+  verify.add_option("file", options.file, "a file of 'shadefit certify --out'")
+      ->required()
+      ->type_name("FILE");
+  add_finding_format(verify, options.format, false);
+}
+
+/// Generated files list the options in this order.
+void declare_emit(CLI::App& emit, EmitOptions& options) {
+  // With --check the file names its command.
+  emit.add_option("id", options.fit.id, form_help)->type_name("FORM");
+  add_choice(emit, "--lang", options.language, by_name(languages), "the language of the code");
+  add_exponent(emit, options.fit, "those for which the source printed a number");
+  add_value(emit, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
+            "the constants (default: the published ones, else fitted ones)");
+  add_norm(emit, options.fit);
+  add_metric(emit, options.fit);
+  add_target_or_formula(emit, options.fit, "schlick");
+  add_study(emit, options.fit);
+  add_choice(emit, "--precision", options.precision, by_name(shader_precisions), "the type of the numbers");
+  add_value(emit, "--name", options.name, parse_text, "NAME", "of the function (default: the family's)");
+  add_value(emit, "--out", options.out, parse_text, "FILE", "write a file instead of printing the code");
+  add_force(emit, options.force);
+  auto* check = add_value(emit, "--check", options.check, parse_text, "FILE",
+                          "exit 1 unless shadefit would generate this file again as it is");
+  add_finding_format(emit, options.format, true)->needs(check);
+}
+
+void declare_explain(CLI::App& explain, ExplainOptions& options) {
+  explain.add_option("id", options.id, "a claim (see 'shadefit list'), a constant of one, or a study")
+      ->required()
+      ->type_name("CLAIM");
+  add_studies(explain, options.studies);
+  add_json(explain, options.json);
+}
+
+void declare_cite(CLI::App& cite, CiteOptions& options) {
+  cite.add_option("id", options.id, "also the source of this claim, constant or family (see 'shadefit list')")
+      ->type_name("CITED");
+}
+
+void declare_stress(CLI::App& stress, StressOptions& options) {
+  add_out(stress, options.out);
+  add_force(stress, options.force);
+}
+
+void declare_check(CLI::App& check, CheckOptions& options) {
+  check.add_option("study", options.study, "a study or its file, NAME.toml (default: all that is built in)")
+      ->type_name("STUDY");
+  add_studies(check, options.studies);
+  add_value(check, "--baseline", options.baseline, parse_text, "DIR", "the directory of those tables")
+      ->default_str(options.baseline);
+  check.add_flag("--all", options.all,
+                 "also the tables that take longer, of stress and bench, and rows of the tables of studies");
+  add_value(check, "--fail-above", options.fail_above, parse_percentage, "P%",
+            "a number may change by this share of it (default: each change fails)");
+  add_finding_format(check, options.format, true);
+}
+
+}  // namespace shadefit
