@@ -1,11 +1,14 @@
 #include "app/options/bench_options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <string_view>
 
 #include "app/options/option_values.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
@@ -45,6 +48,20 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
   }
   throw UserError(fmt::format(
       "{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001", option, text));
+}
+
+/// "vulkan" or "vulkan:N": the place of a device.
+std::size_t parse_device(const std::string& option, const std::string& text) {
+  const std::string_view kind = "vulkan", given = text;
+  if (given == kind) return 0;
+  std::size_t place = 0;
+  if (given.starts_with(kind) && given.substr(kind.size()).starts_with(':')) {
+    const std::string_view digits = given.substr(kind.size() + 1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), place);
+    if (error == std::errc{} && end == digits.data() + digits.size()) return place;
+  }
+  throw UserError(fmt::format("{} '{}' is not a device: it must be vulkan or vulkan:N, see --list-devices",
+                              option, text));
 }
 
 /// Adds the options for a comparison with an older run.
@@ -97,6 +114,9 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
             "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
       ->needs(exhaustive);
   add_shard(bench, options.shard)->needs(exhaustive);
+  add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
+            "measure on a graphics device (default: the CPU)");
+  bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
   add_value(
       bench, "--range", options.range, parse_range, "A:B",
       "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:0x3f800001)")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct BenchOptions {
   int exp2_degree = 0;                         ///< 0: the library's exp2
   std::optional<Shard> shard = {};
   bench::Stretch range = bench::unit_floats;
+  /// The place of a Vulkan device among `device::vulkan_devices`, in the place of the CPU.
+  std::optional<std::size_t> device = {};
+  bool list_devices = false;
   Terminal terminal = {};
 };
 
@@ -44,6 +48,9 @@ void declare_bench(CLI::App& bench, BenchOptions& options);
 /// Measures times, or with --exhaustive compares every float. `version` is the version of this program.
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
                       const Progress& progress);
+
+/// `bench --list-devices`: a line for each device.
+Outcome list_devices_command(const BenchOptions& options);
 
 /// `bench --exhaustive`.
 Outcome exhaustive_command(const BenchOptions& options, const std::string& version,

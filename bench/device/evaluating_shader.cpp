@@ -1,0 +1,61 @@
+#include "bench/device/evaluating_shader.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+
+#include "bench/device/vulkan_device.hpp"
+
+namespace shadefit::device {
+namespace {
+
+/// The arguments of thread i in a language, whose `as_float` makes a float of a bit pattern.
+std::string arguments_of(const ShaderFunction& function, const std::string& as_float) {
+  const std::size_t count = function.arguments.size();
+  if (count == 1) return as_float + "(push.from + i)";
+  std::string list;
+  for (std::size_t a = 0; a < count; ++a)
+    list += fmt::format("{}{}(given[i * {}u + {}u])", a == 0 ? "" : ", ", as_float, count, a);
+  return list;
+}
+
+std::string glsl_shader(const ShaderFunction& function, const std::string& code) {
+  return fmt::format(
+      "#version 450\n"
+      "layout(local_size_x = {}) in;\n"
+      "layout(set = 0, binding = 0, std430) writeonly buffer Output {{ float result[]; }};\n"
+      "layout(set = 0, binding = 1, std430) readonly buffer Input {{ uint given[]; }};\n"
+      "layout(push_constant) uniform Push {{ uint from, size; }} push;\n\n"
+      "{}\n"
+      "void main() {{\n"
+      "  uint i = gl_GlobalInvocationID.x;\n"
+      "  if (i < push.size) result[i] = {}({});\n"
+      "}}\n",
+      threads_per_group, code, function.name, arguments_of(function, "uintBitsToFloat"));
+}
+
+std::string hlsl_shader(const ShaderFunction& function, const std::string& code) {
+  return fmt::format(
+      "[[vk::binding(0, 0)]] RWStructuredBuffer<float> result;\n"
+      "[[vk::binding(1, 0)]] StructuredBuffer<uint> given;\n"
+      "struct Push {{ uint from, size; }};\n"
+      "[[vk::push_constant]] ConstantBuffer<Push> push;\n\n"
+      "{}\n"
+      "[numthreads({}, 1, 1)] void main(uint3 id : SV_DispatchThreadID) {{\n"
+      "  uint i = id.x;\n"
+      "  if (i < push.size) result[i] = {}({});\n"
+      "}}\n",
+      code, threads_per_group, function.name, arguments_of(function, "asfloat"));
+}
+
+}  // namespace
+
+std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language) {
+  const bool is_hlsl = language == ShaderLanguage::hlsl;
+  const std::string code = shader_code(std::span(&function, 1), is_hlsl ? Language::hlsl : Language::glsl,
+                                       ShaderPrecision::float32, std::array<std::string, 0>());
+  return is_hlsl ? hlsl_shader(function, code) : glsl_shader(function, code);
+}
+
+}  // namespace shadefit::device

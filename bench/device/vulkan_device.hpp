@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Compute shaders on the graphics devices of this machine, by Vulkan.
+///
+/// The Vulkan loader is opened while the program runs. Where it is missing, or where the program was built
+/// without Vulkan's headers, each function says so in one line (UserError).
+namespace shadefit::device {
+
+/// What is known of a device before anything runs on it.
+struct DeviceInfo {
+  std::string name;             ///< "llvmpipe (LLVM 15.0.6, 256 bits)"
+  std::string driver;           ///< name and version of the driver, as it names itself
+  std::string vulkan;           ///< the version of Vulkan: "1.3.230"
+  std::string kind;             ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
+  bool has_half = false;        ///< shaderFloat16: arithmetic of 16 bits
+  bool has_timestamps = false;  ///< a clock of its own; else a dispatch is timed from outside
+  bool operator==(const DeviceInfo&) const = default;
+};
+
+/// The devices that can run compute shaders, in the order of the Vulkan loader; maybe none.
+std::vector<DeviceInfo> vulkan_devices();
+
+/// The local size in x of every shader, and the most threads of a dispatch: every driver runs 65535 groups.
+inline constexpr std::uint32_t threads_per_group = 64, most_threads = 65535 * threads_per_group;
+
+/// The four words that a dispatch gives its shader.
+using PushWords = std::array<std::uint32_t, 4>;
+
+/// Which device, and how it is used.
+struct DeviceChoice {
+  std::size_t place = 0;               ///< in `vulkan_devices`
+  std::size_t words = most_threads;    ///< size of each buffer in words of 32 bits
+  bool is_watched = false;             ///< with the validation layer, which must be installed
+  bool has_buffers_on_device = false;  ///< in the device's own memory, which this program cannot read
+};
+
+/// A shader that is ready to run. It must not outlive its device.
+class Program {
+ public:
+  struct Parts;
+  explicit Program(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+  const Parts& parts() const { return *parts_; }
+
+ private:
+  std::shared_ptr<const Parts> parts_;
+};
+
+/// A device with two storage buffers of words: binding 0 is the output, binding 1 the input. Every function
+/// throws CheckFailed with one line if the device is lost, is out of memory or does not answer.
+class VulkanDevice {
+ public:
+  /// Throws UserError if there is no such device.
+  explicit VulkanDevice(const DeviceChoice& choice);
+  ~VulkanDevice();
+  VulkanDevice(VulkanDevice&&) noexcept;
+  VulkanDevice& operator=(VulkanDevice&&) noexcept;
+
+  const DeviceInfo& info() const;
+
+  /// A compute shader as SPIR-V, with the entry point `main`.
+  Program load(std::span<const std::uint32_t> spirv) const;
+
+  /// Runs at least `threads` threads, whole groups of them, and waits. Returns the seconds that they took.
+  double run(const Program& program, std::uint32_t threads, const PushWords& push);
+
+  /// The buffers, where this program can read and write them; else empty.
+  std::span<std::uint32_t> output();
+  std::span<std::uint32_t> input();
+
+  /// What the validation layer has said so far.
+  const std::vector<std::string>& messages() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// The longest time of one dispatch: drivers end one that takes seconds, and a desktop stutters long before.
+inline constexpr double longest_dispatch = 0.2;
+
+/// Runs `count` items in dispatches of at most `most` items, each well below `longest_dispatch`: the first is
+/// small, and the next are sized by the times so far. `run` dispatches [from, from + n) and returns its
+/// seconds.
+void in_short_dispatches(std::uint64_t count, std::uint64_t most,
+                         const std::function<double(std::uint64_t from, std::uint64_t n)>& run);
+
+}  // namespace shadefit::device
