@@ -227,7 +227,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   }
   if (options.fit.id.empty() && !options.fit.study.form)
     throw UserError("emit needs the id of a form, see 'shadefit list', or --form");
-  if (!options.language) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
+  if (!options.language) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl, msl, cuda or opencl");
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const auto study = chosen_study(options.fit);
   const std::string code =

@@ -12,57 +12,13 @@
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/support/user_error.hpp"
+#include "reports/code/dialects.hpp"
 #include "reports/io/digest.hpp"
 
 namespace shadefit {
 namespace {
 
 using Kind = Symbolic::Kind;
-
-/// The differences between the languages.
-struct Dialect {
-  std::string_view name;
-  std::string_view prologue = {};       ///< before the first function, a line or more; or empty
-  std::string_view prologue_half = {};  ///< the same for arithmetic in half
-  std::string_view type;
-  std::string_view half = {};                      ///< the type of half; empty if there is none
-  std::string_view suffix = {}, half_suffix = {};  ///< of literals
-  std::string_view functions = {};                 ///< in front of the name of a function of the library
-  std::string_view float_suffix = {};              ///< behind it
-  std::string_view before = {};                    ///< in front of a function's definition
-};
-
-constexpr std::array<Dialect, languages.size()> dialects{{
-    {.name = "glsl", .type = "float", .half = "mediump float"},
-    {.name = "hlsl", .type = "float", .half = "min16float", .suffix = "f", .half_suffix = "h"},
-    {.name = "c",
-     .prologue = "#include <math.h>\n",
-     .type = "float",
-     .suffix = "f",
-     .float_suffix = "f",
-     .before = "static inline "},
-    {.name = "cpp",
-     .prologue = "#include <algorithm>\n#include <cmath>\n",
-     .type = "float",
-     .suffix = "f",
-     .functions = "std::",
-     .before = "inline "},
-    {.name = "wgsl",
-     .prologue_half = "enable f16;\n",
-     .type = "f32",
-     .half = "f16",
-     .suffix = "f",
-     .half_suffix = "h"},
-    {.name = "msl",
-     .prologue = "#include <metal_stdlib>\n",
-     .prologue_half = "#include <metal_stdlib>\n",
-     .type = "float",
-     .half = "half",
-     .suffix = "f",
-     .half_suffix = "h",
-     .functions = "metal::",
-     .before = "inline "},
-}};
 
 const Dialect& dialect_of(Language language) {
   return dialects.at(static_cast<std::size_t>(language));
@@ -226,12 +182,12 @@ class Body {
     const auto is_in = [&](const auto& list) {
       return std::find(list.begin(), list.end(), function) != list.end();
     };
-    const bool has_c_library = dialect_.name == "c" || dialect_.name == "cpp";
-    const bool is_there = is_in(everywhere) || (has_c_library ? is_in(in_c) : function == "sign");
+    const bool is_there = is_in(everywhere) || (dialect_.has_functions_of_c && is_in(in_c)) ||
+                          (dialect_.has_sign && function == "sign");
     if (!is_there)
       throw UserError(fmt::format("{}: '{}' has no {}", function_.name, dialect_.name, function));
     std::string name = function;
-    if (dialect_.name == "c" && (name == "min" || name == "max" || name == "abs")) name = "f" + name;
+    if (name == "min" || name == "max" || name == "abs") name.insert(0, dialect_.before_min);
     if (dialect_.name == "glsl" && name == "atan2") name = "atan";
     name = fmt::format("{}{}{}", dialect_.functions, name, dialect_.float_suffix);
     std::string list;
@@ -311,8 +267,7 @@ std::string shader_code(std::span<const ShaderFunction> functions, Language lang
     body += fmt::format("{} {{\n{}}}\n", head(function, dialect, is_half ? dialect.half : dialect.type),
                         Body(generated, dialect, precision).code());
   }
-  const bool is_header = language == Language::c || language == Language::cpp;
-  return code + (is_header && !functions.empty() ? guarded(body, functions.front().name) : body);
+  return code + (dialect.has_guard && !functions.empty() ? guarded(body, functions.front().name) : body);
 }
 
 }  // namespace shadefit

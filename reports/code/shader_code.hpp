@@ -8,13 +8,13 @@
 
 #include "fit/scalars/symbolic.hpp"
 
-/// Functions for shaders and for C, generated from their formulas.
+/// Functions for shaders, kernels and C, generated from their formulas.
 namespace shadefit {
 
-enum class Language { glsl, hlsl, c, cpp, wgsl, msl };
+enum class Language { glsl, hlsl, c, cpp, wgsl, msl, cuda, opencl };
 
-inline constexpr std::array languages{Language::glsl, Language::hlsl, Language::c,
-                                      Language::cpp,  Language::wgsl, Language::msl};
+inline constexpr std::array languages{Language::glsl, Language::hlsl, Language::c,    Language::cpp,
+                                      Language::wgsl, Language::msl,  Language::cuda, Language::opencl};
 
 /// The name of the option value: "glsl" ..
 std::string_view name(Language language);
@@ -48,10 +48,11 @@ struct ShaderFunction {
 Symbolic as_generated(const Symbolic& expression, ShaderPrecision precision);
 
 /// The functions in a language, below `comment`. Common subexpressions are computed once. The file is
-/// complete: C and C++ include <math.h> or <cmath>, Metal its own library.
+/// complete: C and C++ include <math.h> or <cmath>, Metal its own library. C, C++, CUDA and OpenCL C have an
+/// include guard.
 ///
-/// Throws UserError if the language lacks a function of the vocabulary (log1p in a shader), or half (C and
-/// C++).
+/// Throws UserError if the language lacks a function of the vocabulary (log1p in a shader), or half (C, C++
+/// and CUDA).
 std::string shader_code(std::span<const ShaderFunction> functions, Language language,
                         ShaderPrecision precision, std::span<const std::string> comment);
 

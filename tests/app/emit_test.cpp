@@ -111,9 +111,10 @@ TEST(Emit, ANameOfTheLanguageIsRefused) {
 TEST(Emit, BadInput) {
   const TemporaryDirectory directory;
   expect_refusal({"emit"}, "emit needs the id of a form, see 'shadefit list', or --form");
-  expect_refusal({"emit", "fresnel-quadratic"}, "emit needs --lang: glsl, hlsl, c, cpp, wgsl or msl");
+  expect_refusal({"emit", "fresnel-quadratic"},
+                 "emit needs --lang: glsl, hlsl, c, cpp, wgsl, msl, cuda or opencl");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "rust"},
-                 "--lang 'rust' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl");
+                 "--lang 'rust' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl, cuda, opencl");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--precision", "double"},
                  "--precision 'double' is unknown: it must be one of float, half");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "c", "--precision", "half"},

@@ -186,7 +186,7 @@ TEST(SceneCommand, BadInput) {
   expect_refusal({"scene", file, "--precision", "double"},
                  "--precision 'double' is unknown: it must be one of float, half");
   expect_refusal({"scene", file, "--lang", "cg"},
-                 "--lang 'cg' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl");
+                 "--lang 'cg' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl, cuda, opencl");
   expect_refusal({"scene", file, "--precision", "half", "--lang", "c"},
                  "--precision 'half' does not apply to --lang 'c': it has no half");
   expect_refusal({"scene", file, "--alpha", "cubed"},

@@ -40,4 +40,31 @@ inline std::vector<std::string> cpp_compilers() {
   return compilers_of("c++");
 }
 
+/// What clang needs to compile CUDA without NVIDIA's headers: the two words of ours, and the functions of
+/// CUDA's library from clang's own headers for them, with what these expect of others.
+inline constexpr const char* cuda_header =
+    "#define __device__ __attribute__((device))\n"
+    "#define __forceinline__ __inline__ __attribute__((always_inline))\n"
+    "#define CUDA_VERSION 11050\n#include <limits.h>\n#include <math.h>\n#include <string.h>\n"
+    "__device__ void *memcpy(void *, const void *, size_t);\n__device__ void *memset(void *, int, size_t);\n"
+    "#include <__clang_cuda_libdevice_declares.h>\n__device__ long long __float2ll_rn(float);\n"
+    "__device__ long long __double2ll_rn(double);\n#include <__clang_cuda_math.h>\n";
+
+/// Whether a file compiles as CUDA for the device.
+inline bool is_cuda(const std::string& file, const TemporaryDirectory& directory) {
+  const std::string header = directory.file("cuda.h", cuda_header);
+  return runs(
+      "clang -x cuda --cuda-device-only -nocudainc -nocudalib -Wno-unknown-cuda-version -fsyntax-only -Wall "
+      "-Werror -include '" +
+          header + "' '" + file + "'",
+      directory);
+}
+
+/// Whether a file compiles as OpenCL C, with what clang declares of its library.
+inline bool is_opencl(const std::string& file, const TemporaryDirectory& directory) {
+  return runs(
+      "clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -fsyntax-only -Wall -Werror '" + file + "'",
+      directory);
+}
+
 }  // namespace shadefit::testing

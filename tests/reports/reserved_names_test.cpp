@@ -34,7 +34,9 @@ std::vector<std::string> candidates() {
       "constexpr nullptr static_assert typeof bool true false alignas thread_local asm fortran namespace using "
       "goto sizeof typedef union volatile unsigned interface resource noinline external superp nointerpolation "
       "groupshared RWBuffer StructuredBuffer printf abort malloc free rand time read write remainder scalb expm1 "
-      "log1p logb nan modf frexp tgamma exp10 pow10 fmin fmax fdim nextafter copysign asint asuint countbits ushort u_int size_t my_t double_t");
+      "log1p logb nan modf frexp tgamma exp10 pow10 fmin fmax fdim nextafter copysign asint asuint countbits ushort u_int size_t my_t double_t "
+      "threadIdx dim3 make_float2 rnorm3df umax llmin rsqrtf global local private float8 float16 longlong2 "
+      "as_int convert_float vload4 atomic_add get_global_id native_exp2 mad24 step2 global_light cuda_lobe");
   std::vector<std::string> found;
   for (std::string word; words >> word;) found.push_back(word);
   return found;
@@ -74,6 +76,12 @@ TEST(ReservedNames, WhatIsAcceptedCompiles) {
   const std::string glsl = directory.file(
       "a.frag", "#version 450\n" + file_of(accepted(Language::glsl), Language::glsl) + "void main() {}\n");
   EXPECT_TRUE(testing::is_shader(glsl, false, directory)) << read_file(directory / "said");
+  if (testing::c_compilers().size() > 1) {  // clang is one
+    const std::string cuda = directory.file("a.cu", file_of(accepted(Language::cuda), Language::cuda)),
+                      opencl = directory.file("a.cl", file_of(accepted(Language::opencl), Language::opencl));
+    EXPECT_TRUE(testing::is_cuda(cuda, directory)) << read_file(directory / "said");
+    EXPECT_TRUE(testing::is_opencl(opencl, directory)) << read_file(directory / "said");
+  }
   const std::string hlsl = directory.file("b.frag", file_of(accepted(Language::hlsl), Language::hlsl) +
                                                         "float4 main() : SV_Target { return 0; }\n");
   EXPECT_TRUE(testing::is_shader(hlsl, true, directory)) << read_file(directory / "said");
@@ -92,6 +100,11 @@ TEST(ReservedNames, ARefusalSaysWhy) {
   EXPECT_EQ(reason_to_refuse_name("gl_x", Language::glsl), "names of that form are reserved");
   EXPECT_EQ(reason_to_refuse_name("a__b", Language::cpp), "names of that form are reserved");
   EXPECT_EQ(reason_to_refuse_name("a__b", Language::wgsl), "");
+  EXPECT_EQ(reason_to_refuse_name("float16", Language::opencl), "it is a word of the language");
+  EXPECT_EQ(reason_to_refuse_name("float16", Language::cuda), "");
+  EXPECT_EQ(reason_to_refuse_name("rnormf", Language::cuda),
+            "it is a function of the language or its library");
+  EXPECT_EQ(reason_to_refuse_name("vload4", Language::opencl), "names of that form are reserved");
 }
 
 }  // namespace

@@ -56,7 +56,8 @@ ShaderFunction of_everything() {
 std::string code_of(const ShaderFunction& function, Language language,
                     ShaderPrecision precision = ShaderPrecision::float32) {
   const std::string code = shader_code(std::span(&function, 1), language, precision, {});
-  const bool is_header = language == Language::c || language == Language::cpp;
+  const bool is_header = language == Language::c || language == Language::cpp || language == Language::cuda ||
+                         language == Language::opencl;
   EXPECT_EQ(code.find("#ifndef") != std::string::npos, is_header) << code;
   if (!is_header) return code;
   // What stands in the guard.
@@ -108,6 +109,11 @@ TEST(ShaderCode, OfThePairInEveryLanguage) {
   EXPECT_EQ(code_of(fresnel_pair(), Language::msl),
             "\n#include <metal_stdlib>\n\ninline float fresnel(float c) {\n"
             "  return metal::exp2((-5.55473f * c - 6.98316f) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::cuda),
+            "\n__device__ __forceinline__ float fresnel(float c) {\n"
+            "  return exp2f((-5.55473f * c - 6.98316f) * c);\n}\n");
+  EXPECT_EQ(code_of(fresnel_pair(), Language::opencl),
+            "\nfloat fresnel(float c) {\n  return exp2((-5.55473f * c - 6.98316f) * c);\n}\n");
 }
 
 // A half has three to four digits, and says so in the languages that have one.
@@ -118,7 +124,10 @@ TEST(ShaderCode, OfHalf) {
             "\nmediump float fresnel(mediump float c) {\n  return exp2((-5.555 * c - 6.984) * c);\n}\n");
   EXPECT_EQ(code_of(fresnel_pair(), Language::wgsl, ShaderPrecision::float16),
             "\nenable f16;\n\nfn fresnel(c: f16) -> f16 {\n  return exp2((-5.555h * c - 6.984h) * c);\n}\n");
-  for (const Language language : {Language::c, Language::cpp})
+  EXPECT_EQ(code_of(fresnel_pair(), Language::opencl, ShaderPrecision::float16),
+            "\n#pragma OPENCL EXTENSION cl_khr_fp16 : enable\n\nhalf fresnel(half c) {\n"
+            "  return exp2((-5.555h * c - 6.984h) * c);\n}\n");
+  for (const Language language : {Language::c, Language::cpp, Language::cuda})
     EXPECT_THROW(code_of(fresnel_pair(), language, ShaderPrecision::float16), UserError);
 }
 
@@ -150,7 +159,12 @@ TEST(ShaderCode, NamesWhatALanguageLacks) {
   EXPECT_EQ(testing::refusal([&] { code_of(function, Language::glsl); }), "f: 'glsl' has no log1p");
   EXPECT_EQ(code_of(function, Language::c),
             "\n#include <math.h>\n\nstatic inline float f(float c) {\n  return log1pf(c);\n}\n");
+  EXPECT_EQ(code_of(function, Language::cuda),
+            "\n__device__ __forceinline__ float f(float c) {\n  return log1pf(c);\n}\n");
+  EXPECT_EQ(code_of(function, Language::opencl), "\nfloat f(float c) {\n  return log1p(c);\n}\n");
   const ShaderFunction sign{"f", {"c"}, signum(variable("c"))};
+  EXPECT_EQ(testing::refusal([&] { code_of(sign, Language::cuda); }), "f: 'cuda' has no sign");
+  EXPECT_EQ(code_of(sign, Language::opencl), "\nfloat f(float c) {\n  return sign(c);\n}\n");
   EXPECT_EQ(testing::refusal([&] { code_of(sign, Language::c); }), "f: 'c' has no sign");
   EXPECT_EQ(code_of(sign, Language::wgsl), "\nfn f(c: f32) -> f32 {\n  return sign(c);\n}\n");
 }
@@ -177,20 +191,52 @@ TEST(GeneratedShader, CompilesAsGlslAndHlsl) {
   }
 }
 
+// With what these two have of C's library, and OpenCL with sign. A function of the host is not for the
+// device, and min of a float and a double is ambiguous in OpenCL.
+TEST(GeneratedShader, CompilesAsCudaAndOpenCl) {
+  if (testing::compilers_of("c").size() < 2) GTEST_SKIP() << "clang is not installed";
+  const TemporaryDirectory directory;
+  const Symbolic c = variable("c");
+  const ShaderFunction like_c{"f", {"c"}, expm1(c) + log1p(c) + erf(c) * erfc(c)};
+  const ShaderFunction sign{"g", {"c"}, signum(c)};
+  const std::vector<ShaderFunction> in_cuda{of_everything(), like_c},
+      in_opencl{of_everything(), like_c, sign};
+  // clang judges the body of an inline function where it is called
+  const std::string cuda = directory.file(
+      "a.cu", shader_code(in_cuda, Language::cuda, ShaderPrecision::float32, {}) +
+                  "__device__ float sum(float c, float k) { return of_everything(c, k) + f(c); }\n");
+  EXPECT_TRUE(testing::is_cuda(cuda, directory)) << read_file(directory / "said");
+  for (const ShaderPrecision precision : shader_precisions) {
+    const std::string opencl =
+        directory.file("a.cl", shader_code(in_opencl, Language::opencl, precision, {}));
+    EXPECT_TRUE(testing::is_opencl(opencl, directory)) << read_file(directory / "said");
+  }
+  const std::string of_host =
+                        directory.file("b.cu", "__device__ float f(float c) { return significandf(c); }\n"),
+                    of_double = directory.file("b.cl", "float f(float c) { return fmin(c, 1.0); }\n");
+  EXPECT_FALSE(testing::is_cuda(of_host, directory));
+  EXPECT_FALSE(testing::is_opencl(of_double, directory));
+}
+
+/// With four powers, over 10 000 points.
+constexpr int cosine_steps = 2500;
+
 /// Cosines and powers in the order in which the programs below try them.
 template <class Visit>
 void every_argument(const Visit& visit) {
-  for (int i = 0; i <= 64; ++i) {
-    for (const int k : {1, 3, 16, 100}) visit(static_cast<float>(i) / 64, static_cast<float>(k) / 4);
+  for (int i = 0; i <= cosine_steps; ++i) {
+    for (const int k : {1, 3, 16, 100})
+      visit(static_cast<float>(i) / cosine_steps, static_cast<float>(k) / 4);
   }
 }
 
 /// A program that prints the bits of what the function gives for each.
 std::string program(const std::string& code) {
   return "#include <stdio.h>\n#include <string.h>\n" + code +
-         "int main(void) {\n  static const int powers[] = {1, 3, 16, 100};\n  for (int i = 0; i <= 64; ++i)\n"
-         "    for (int k = 0; k < 4; ++k) {\n"
-         "      float x = of_everything((float)i / 64, (float)powers[k] / 4);\n      unsigned bits;\n"
+         "int main(void) {\n  static const int powers[] = {1, 3, 16, 100};\n  const int steps = " +
+         std::to_string(cosine_steps) +
+         ";\n  for (int i = 0; i <= steps; ++i)\n    for (int k = 0; k < 4; ++k) {\n"
+         "      float x = of_everything((float)i / (float)steps, (float)powers[k] / 4);\n      unsigned bits;\n"
          "      memcpy(&bits, &x, sizeof bits);\n      printf(\"%08x\\n\", bits);\n    }\n  return 0;\n}\n";
 }
 
@@ -208,7 +254,8 @@ std::string bits_in_process(const ShaderFunction& function) {
 }
 
 // What the C and C++ code computes is what is evaluated here, bit for bit, by every compiler at hand. Metal's
-// is that of C++ with another library in front.
+// is that of C++ with another library in front. CUDA's is C++ with two words more. OpenCL C's is C whose
+// functions are those of their argument's type, as <tgmath.h> makes them.
 TEST(GeneratedCode, ComputesTheBitsThatAreEvaluatedHere) {
   const TemporaryDirectory directory;
   const ShaderFunction function = of_everything();
@@ -219,13 +266,16 @@ TEST(GeneratedCode, ComputesTheBitsThatAreEvaluatedHere) {
   directory.file("a.c", program(code_of(function, Language::c)));
   directory.file("b.cpp", program(code_of(function, Language::cpp)));
   directory.file("c.cpp", program(code_of(function, Language::msl)));
+  directory.file("d.cpp", "#include <cmath>\n#define __device__\n#define __forceinline__ inline\n" +
+                              program(code_of(function, Language::cuda)));
+  directory.file("e.c", "#include <tgmath.h>\n" + program(code_of(function, Language::opencl)));
   std::istringstream compilers(SHADEFIT_COMPILERS);  // "c=cc c++=g++ .."
   int programs = 0;
   for (std::string compiler; compilers >> compiler;) {
     const bool is_c = compiler.starts_with("c=");
     const std::string path = compiler.substr(compiler.find('=') + 1);
-    for (const std::string& source :
-         is_c ? std::vector<std::string>{"a.c"} : std::vector<std::string>{"b.cpp", "c.cpp"}) {
+    for (const std::string& source : is_c ? std::vector<std::string>{"a.c", "e.c"}
+                                          : std::vector<std::string>{"b.cpp", "c.cpp", "d.cpp"}) {
       const std::string options =
           " -O2 -Wall -Wextra -Werror -ffp-contract=off -I'" + directory.path().string() + "'";
       ASSERT_TRUE(runs(path + (is_c ? " -std=c11" : " -std=c++11") + options + " -o '" +
@@ -237,7 +287,7 @@ TEST(GeneratedCode, ComputesTheBitsThatAreEvaluatedHere) {
       ++programs;
     }
   }
-  EXPECT_GE(programs, 3);
+  EXPECT_GE(programs, 5);
 }
 
 }  // namespace
