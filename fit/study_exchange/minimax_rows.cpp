@@ -112,6 +112,10 @@ LeveledFit descend(const RowDescent& descent, const ReadStudy& study, const std:
       return ended(Status::degenerate, "the level, " + decimal(*fit.level, 10) +
                                            ", is the least, but other parameters have it too");
   }
+  const RowErrors last = descent.errors_at(fit.parameters, stage);
+  const Eigen::Index independent_ones = row_directions(last.slopes, *fit.level).cols();
+  if (independent_ones < last.slopes.cols())
+    return ended(Status::degenerate, "the parameters do not move the error independently");
   if (fit.digits < least_study_digits)
     return ended(Status::not_converged, "Newton's method does not settle in long double");
   return ended(Status::converged, "");
