@@ -94,13 +94,12 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
   }
 }
 
-/// What the file asks for, least squares, and minimax if the target is a formula.
-std::vector<StudyObjective> objectives_of(const StudyFile& file, const Study& study, const ReadStudy& read) {
+/// What the file asks for, least squares, and minimax.
+std::vector<StudyObjective> objectives_of(const StudyFile& file, const Study& study) {
   std::vector<StudyObjective> objectives{objective_of(study, file.norm, file.constraints)};
   for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
     const StudyObjective other = objective_of(study, norm, {});
-    const bool is_possible = norm == Norm::least_squares || can_be_minimax(read);
-    if (is_possible && other.words != objectives.front().words) objectives.push_back(other);
+    if (other.words != objectives.front().words) objectives.push_back(other);
   }
   return objectives;
 }
@@ -123,8 +122,7 @@ void append_fit(StudyComparison& comparison, const StudyFile& file, const StudyF
 void append_fits(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
                  const Checkpoint& checkpoint) {
   const Study study = with_form(comparison.study, form);
-  const ReadStudy read = read_study(study);
-  for (const StudyObjective& objective : objectives_of(file, study, read))
+  for (const StudyObjective& objective : objectives_of(file, study))
     append_fit(comparison, file, form, objective, checkpoint);
 }
 

@@ -60,15 +60,6 @@ StudyNodes thinned(const StudyNodes& nodes) {
 
 constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
 
-std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
-  std::vector<double> result(study.parameters.size(), 1);
-  for (const Held& start : starts) {
-    const auto found = std::find(study.parameters.begin(), study.parameters.end(), start.parameter);
-    result[static_cast<std::size_t>(found - study.parameters.begin())] = start.value;
-  }
-  return result;
-}
-
 /// The parameters that do not enter linearly, and the square of the error with the best of the others.
 struct SearchedPlace {
   Vector q;
@@ -163,6 +154,15 @@ void append_distinct(const std::vector<SearchedPlace>& ends, std::vector<Vector>
 }
 
 }  // namespace
+
+std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts) {
+  std::vector<double> result(study.parameters.size(), 1);
+  for (const Held& start : starts) {
+    const auto found = std::find(study.parameters.begin(), study.parameters.end(), start.parameter);
+    result[static_cast<std::size_t>(found - study.parameters.begin())] = start.value;
+  }
+  return result;
+}
 
 SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
   constexpr int octaves_of_shading = 6;

@@ -40,6 +40,9 @@ struct SearchedStudy {
 /// each different square.
 std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched);
 
+/// A start of all parameters: those that are not among the given ones are 1.
+std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts);
+
 /// Throws UserError where a formula has no value in the range, and if no start has a finite error.
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
                            const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts,

@@ -226,6 +226,21 @@ StudySums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
 }
 
 template <class T>
+MatrixOf<T> SampledStudy<T>::curvature(std::span<const T> parameters, std::span<const T> shares) const {
+  std::vector<S> results;
+  hessian_(parameters, results);
+  const auto n = static_cast<Eigen::Index>(count_);
+  MatrixOf<T> sum = MatrixOf<T>::Zero(n, n);
+  for (std::size_t node = 0; node < size(); ++node) {
+    std::size_t second = 1 + count_;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j) sum(i, j) += shares[node] * lane(results, second++, node);
+    }
+  }
+  return sum.template selfadjointView<Eigen::Lower>();
+}
+
+template <class T>
 bool SampledStudy<T>::has_pole(std::span<const T> parameters) const {
   std::vector<S> results;
   for (const Batch<T>& denominator : denominators_) {

@@ -83,6 +83,8 @@ class SampledStudy {
   T square(std::span<const T> parameters) const;
   StudySums<T> gradient(std::span<const T> parameters) const;
   StudySums<T> derivatives(std::span<const T> parameters) const;
+  /// The sum of share * (second derivatives of the error) over the nodes, with a share for each.
+  MatrixOf<T> curvature(std::span<const T> parameters, std::span<const T> shares) const;
 
   /// The root mean square of the error of a form that is 0: the scale of the problem.
   T target_norm() const { return target_norm_; }

@@ -9,27 +9,15 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
+#include "fit/study_exchange/minimax_rows.hpp"
 #include "fit/study_exchange/minimax_surface.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
-namespace {
-
-void require_minimax(const ReadStudy& study, const Constraints& constraints) {
-  if (study.rows)
-    throw UserError("--norm 'minimax' does not go with --table: rows are fitted by least squares");
-  require_possible(study, constraints);
-}
-
-}  // namespace
-
-bool can_be_minimax(const ReadStudy& study) {
-  return study.rows == nullptr;
-}
-
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
-  require_minimax(study, constraints);
+  require_possible(study, constraints);
+  if (study.rows) return solve_minimax_rows(study, starts, checkpoint);
   if (study.axes.size() > 1) return solve_minimax_surface(study, starts, checkpoint);
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts, checkpoint);

@@ -24,7 +24,14 @@ class DualMethod {
       : conditions_(conditions),
         units_(hessian.diagonal().cwiseSqrt().cwiseInverse()),
         factors_(units_.asDiagonal() * hessian * units_.asDiagonal()),
-        step_(-factors_.solve(Vector(units_.cwiseProduct(gradient)))) {}
+        step_(-factors_.solve(Vector(units_.cwiseProduct(gradient)))),
+        slopes_(units_.size(), static_cast<Eigen::Index>(conditions.size())) {
+    for (Eigen::Index k = 0; k < slopes_.cols(); ++k) {
+      for (Eigen::Index i = 0; i < slopes_.rows(); ++i)
+        slopes_(i, k) =
+            conditions[static_cast<std::size_t>(k)].slope[static_cast<std::size_t>(i)] * units_[i];
+    }
+  }
 
   std::optional<QuadraticAnswer> solve() {
     // Each pass meets a condition. A cycle is rounding: then the step is no answer.
@@ -37,12 +44,7 @@ class DualMethod {
   }
 
  private:
-  Vector slope(std::size_t condition) const {
-    Vector result(units_.size());
-    for (Eigen::Index i = 0; i < result.size(); ++i)
-      result[i] = conditions_[condition].slope[static_cast<std::size_t>(i)] * units_[i];
-    return result;
-  }
+  auto slope(std::size_t condition) const { return slopes_.col(static_cast<Eigen::Index>(condition)); }
 
   double excess(std::size_t condition) const {
     return slope(condition).dot(step_) - conditions_[condition].bound;
@@ -59,13 +61,13 @@ class DualMethod {
     double most = 0;
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
       if (is_active(i)) continue;
-      const double size = std::abs(conditions_[i].bound) + slope(i).cwiseAbs().dot(step_.cwiseAbs());
-      const double over = conditions_[i].is_equation ? std::abs(excess(i)) : excess(i);
       if (conditions_[i].is_equation) return i;
-      if (over > most && over > rounding * size) {
-        most = over;
-        worst = i;
-      }
+      const double over = excess(i);
+      if (!(over > most)) continue;
+      const double size = std::abs(conditions_[i].bound) + slope(i).cwiseAbs().dot(step_.cwiseAbs());
+      if (!(over > rounding * size)) continue;
+      most = over;
+      worst = i;
     }
     return worst;
   }
@@ -126,6 +128,7 @@ class DualMethod {
   Vector units_;
   Eigen::LLT<Matrix> factors_;
   Vector step_;
+  Matrix slopes_;  ///< of a condition in each column
   std::vector<ActiveCondition> active_ = {};
 };
 

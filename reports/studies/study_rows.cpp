@@ -224,6 +224,37 @@ std::string study_headline(const FittedStudy& study) {
   return fmt::format("{}, {}{}", formulas_text(study.asked()), study.objective.words, weight);
 }
 
+namespace {
+
+/// "- at x = 0.5", "+ at (0.25, 1)".
+std::string contact_text(const StudyContact& contact, const std::string& variable) {
+  std::vector<std::string> at;
+  for (const double coordinate : contact.at) at.push_back(fmt::format("{:.6g}", coordinate));
+  const std::string place = at.size() == 1 ? fmt::format("{} = {}", variable, at.front())
+                                           : fmt::format("({})", fmt::join(at, ", "));
+  return fmt::format("{} at {}", contact.error < 0 ? "-" : "+", place);
+}
+
+/// "Level 0.5, the error is + at (0, 1), - at (1, 1)", and a line for each further level.
+std::string contacts_text(const StudyFit& fit, const std::string& variable) {
+  // Contacts of one level differ by rounding.
+  constexpr double same = 1e-9;
+  std::string text;
+  double level = *fit.level;
+  for (const StudyContact& contact : fit.touching) {
+    const double magnitude = std::abs(contact.error);
+    const bool is_lower = magnitude < level * (1 - same);
+    if (is_lower)
+      text += fmt::format("\nThe others have the level {:.10g}: ", level = magnitude);
+    else if (!text.empty())
+      text += ", ";
+    text += contact_text(contact, variable);
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string level_text(const FittedStudy& study) {
   if (!is_answer(study)) return "";
   const StudyFit& fit = study.fit;
@@ -231,14 +262,9 @@ std::string level_text(const FittedStudy& study) {
   const std::string& variable = study.read.axes.front().variable;
   const std::string touching = touching_lines(fit.alternation, constraints, variable);
   if (!fit.level) return touching;
-  std::vector<std::string> places;
-  for (const StudyContact& contact : fit.touching) {
-    std::vector<std::string> at;
-    for (const double coordinate : contact.at) at.push_back(fmt::format("{:.6g}", coordinate));
-    places.push_back(fmt::format("{} at ({})", contact.error < 0 ? "-" : "+", fmt::join(at, ", ")));
-  }
   return fmt::format("Level {:.10g}, the error is {}{}\n{}", *fit.level,
-                     level_places(fit.alternation, constraints, variable), fmt::join(places, ", "), touching);
+                     level_places(fit.alternation, constraints, variable), contacts_text(fit, variable),
+                     touching);
 }
 
 Table uncertainty_table(const std::vector<FittedStudy>& studies) {
@@ -279,7 +305,7 @@ std::string uncertainty_text(const std::vector<FittedStudy>& studies) {
                                   [](const FittedStudy& study) { return study.fit.statistics.has_value(); });
   if (found == studies.end()) {
     const FittedStudy& first = studies.front();
-    if (first.fit.status != Status::converged) return "";
+    if (first.fit.status != Status::converged || first.fit.level) return "";
     return first.read.rows->value.size() == first.fit.names.size()
                ? "No standard errors: there are as many rows as parameters.\n"
                : "No standard errors: the residuals are rounding.\n";

@@ -237,6 +237,15 @@ TEST(StudyCommand, TakesGivenConstantsOfRows) {
   EXPECT_NE(run_command_line(words).out.find("\n2  b  "), std::string::npos);
 }
 
+// The slope is that of the chord, and the errors are a - 1, a - 1.5 and a - 1.
+TEST(StudyCommand, FitsRowsByMinimax) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("line.csv", "x,value\n0,1\n1,3\n2,4\n");
+  const std::string text = run_command_line(with(line_through(file), {"--norm", "minimax"})).out;
+  EXPECT_TRUE(holds(text, "\nLevel 0.25, the error is + at x = 0, - at x = 1, + at x = 2\n")) << text;
+  EXPECT_FALSE(holds(text, "standard error")) << text;
+}
+
 TEST(StudyCommand, RefusesBadTables) {
   const TemporaryDirectory folder;
   const std::string file = folder.file("line.csv", "x,value\n0,1\n1,3\n2,4\n"), none = folder / "none.csv";
@@ -250,8 +259,8 @@ TEST(StudyCommand, RefusesBadTables) {
                  "'" + file + "' has no column 't'; it has 'x', 'value'");
   expect_refusal(with(line_through(file), {"--target", "x"}),
                  "--table does not go with --target: the rows are the target");
-  expect_refusal(with(line_through(file), {"--norm", "minimax"}),
-                 "--norm 'minimax' does not go with --table: rows are fitted by least squares");
+  expect_refusal(with(line_through(file), {"--norm", "minimax", "--exact-at", "0"}),
+                 "--exact-at does not go with --table: a row has no range");
   expect_refusal({"fit", "sg-offset", "--table", file},
                  "--table belongs to --form, a formula of your own, or to a study");
 }

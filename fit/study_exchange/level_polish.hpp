@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "fit/study/study_problem.hpp"
+
+/// The end of a minimax fit of measured rows: Newton's method on its conditions of optimality.
+namespace shadefit {
+
+/// A row that determines a level, the sign of its error, and its multiplier.
+struct LevelRow {
+  std::size_t row;
+  double sign;
+  double multiplier;
+  std::optional<double> held = std::nullopt;  ///< an earlier level, where the row stays
+};
+
+/// Parameters where some rows are at one level, others stay at theirs, and no small step lowers the level:
+///   sign_i error_i = level, or its held level;
+///   sum of multiplier_i sign_i slope_i = 0, where the multipliers of the rows that are not held sum to 1.
+/// If these multipliers are >= 0, this is Kolmogorov's criterion; it is also that of Lagrange. Source: Watson
+/// 1980, "Approximation Theory and Numerical Methods", chapter 10.
+struct PolishedLevel {
+  std::vector<double> parameters;
+  double level = 0;
+  std::vector<LevelRow> rows;
+  int digits = 0;  ///< of the worst parameter, by a Newton step with residuals in long double
+  /// The least curvature of the sum of multiplier_i sign_i error_i along steps that leave all these errors as
+  /// they are, in units of `steps` and of the level. Infinite if there is no such step.
+  double bend = 0;
+};
+
+/// Less is the rounding of a curvature of 0.
+inline constexpr double no_bend = 1e-7;
+
+/// Newton's method on these equations. A column of `steps` is a direction of the parameters that changes the
+/// errors by about `level`. Empty if it does not settle, or if a multiplier of the level becomes negative.
+std::optional<PolishedLevel> polish_level(const StudyError& error, const StudyNodes& all_rows,
+                                          const MatrixOf<double>& steps, std::vector<double> parameters,
+                                          double level, std::vector<LevelRow> rows);
+
+}  // namespace shadefit
