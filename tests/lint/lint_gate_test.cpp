@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -141,6 +142,11 @@ TEST(LintGate, BadInputIsOneLine) {
   EXPECT_NE(missing.err.find("no/such/folder"), std::string::npos) << missing.err;
   fs::create_symlink("nowhere.glsl", "dangling.glsl");
   EXPECT_EQ(run_command_line({"lint", "dangling.glsl"}).exit_code, 2);
+  ASSERT_EQ(::mkfifo("pipe.glsl", 0600), 0);
+  expect_refusal({"lint", "pipe.glsl"}, "cannot read 'pipe.glsl': it is not a regular file");
+  expect_refusal({"lint", ".", "--baseline", "pipe.glsl"},
+                 "cannot read 'pipe.glsl': it is not a regular file");
+  EXPECT_EQ(run_command_line({"lint", "."}).exit_code, 0) << "below a folder it is only counted";
   folder.file("a.json", "{}");
   expect_refusal({"lint", ".", "--baseline", "a.json"},
                  "--baseline 'a.json' is not a report of lint: make one with --format json");
