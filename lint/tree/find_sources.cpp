@@ -75,9 +75,12 @@ class Search {
     const Place place{absolute.string(), shown_name(given, current_)};
     const fs::file_status status = fs::status(absolute, error);
     if (!fs::is_directory(status)) {
-      add_named_file(place, fs::is_regular_file(status));
+      read_part(place.path(), 0, 0);  // Refused here: a gate must not pass for what it could not read.
+      add_named_file(place);
       return;
     }
+    fs::directory_iterator(place.path(), error);
+    if (error) throw UserError(fmt::format("path '{}': {}", given, error.message()));
     globs_.clear();
     add_globs(options_.configured, absolute);
     add_globs({current_, options_.exclude}, absolute);
@@ -166,10 +169,10 @@ class Search {
   }
 
   /// A file of an unknown language is read as if it were C: numbers and comments are much the same in most.
-  void add_named_file(const Place& place, bool is_regular) {
+  void add_named_file(const Place& place) {
     const auto named = language_of(fs::path(place.absolute).filename().string());
     const auto language = named ? named->language : SourceLanguage::c_family;
-    add_file(place, {language, true}, is_regular);
+    add_file(place, {language, true}, true);
   }
 
   void add_file(const Place& place, NamedLanguage named, bool is_regular) {

@@ -62,7 +62,8 @@ struct TreeOptions {
 /// above `largest`. A path that is named is read anyway: a file unless it is above `largest`, a folder with
 /// the rules of the folders above it only where these do not ignore all of it, a link as what it leads to. A
 /// glob '!..' of `exclude` takes a folder with code of others in. A globs' folder that is not above a path is
-/// replaced by that path. Throws UserError for a path that does not exist.
+/// replaced by that path. Throws UserError for a path that does not exist or cannot be read; what cannot be
+/// read below a path is counted.
 SourceTree find_sources(const std::vector<std::string>& paths, const TreeOptions& options);
 
 /// All bytes of a file, which need not be UTF-8. Nothing, counted in `skipped`, if it is unreadable, binary

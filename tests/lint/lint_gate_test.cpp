@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -32,7 +33,7 @@ constexpr const char* clean = "float f(float c) { return exp2((-5.55473 * c - 6.
 constexpr const char* wrong_digit = "float f(float c) { return exp2((-5.55473 * c - 6.8316) * c); }\n";
 
 struct Fault {
-  std::string text, rule, fail_on;
+  std::string text, rule, fail_on;  ///< the greatest --fail-on that it fails
 };
 
 const std::vector<Fault>& faults() {
@@ -42,6 +43,9 @@ const std::vector<Fault>& faults() {
       {"float f(float c) { return exp2((-5.55473 * c + 6.98316) * c); }\n", "wrong-expression", "wrong"},
       {"float f(float c) { return exp2((-5.55437 * c - 6.98316) * c); }\n", "typo-constant", "typo"},
       {"float f(float c) { return exp2((-5.5547 * c - 6.9831) * c); }\n", "truncated-constant", "truncated"},
+      // IEC 61966-2-1 as its draft of 1996 had it; the standard of 1999 has 0.0031308.
+      {"float f(float c) { return c <= 0.00304 ? 12.92 * c : 1.055 * pow(c, 1.0 / 2.4) - 0.055; }\n",
+       "outdated-constant", "outdated"},
       {"float a = 1.56; // shadefit: acos-linear.a\n", "pinned-constant", "wrong"},
       {"float a = 1.5707936; // shadefit: acos-linear.a\n", "pinned-constant", "typo"},
       {"float a = 1.5707963; // shadefit: acos-liner.a\n", "unknown-pin", "wrong"},
@@ -49,31 +53,72 @@ const std::vector<Fault>& faults() {
   return all;
 }
 
-TEST(LintGate, EachFaultFailsInEachFormat) {
-  for (const Fault& fault : faults()) {
-    const TemporaryDirectory folder;
-    for (const findings::FindingFormat format : findings::finding_formats) {
-      const Words options{"--fail-on", fault.fail_on, "--format", std::string(name(format))};
-      folder.file("src/a.glsl", clean);
-      EXPECT_EQ(lint_in(folder, options).exit_code, 0) << name(format);
-      folder.file("src/a.glsl", clean + fault.text);
-      const Outcome outcome = lint_in(folder, options);
-      EXPECT_EQ(outcome.exit_code, 1) << name(format) << " " << fault.text << outcome.out;
-      EXPECT_NE(outcome.out.find(fault.rule), std::string::npos) << outcome.out;
-      EXPECT_EQ(outcome.err, "");
-    }
-    EXPECT_EQ(lint_in(folder, {"--fail-on", "never"}).exit_code, 0);
+/// What a reader of the format takes for a failure.
+std::string mark_of_failure(const findings::FindingFormat format) {
+  switch (format) {
+    case findings::FindingFormat::text:
+      return "lint failed: 1 error in 1 file\n";
+    case findings::FindingFormat::json:
+      return "\"passed\": false";
+    case findings::FindingFormat::junit:
+      return "failures=\"1\"";
+    case findings::FindingFormat::sarif:
+      return "\"level\": \"error\"";
+    case findings::FindingFormat::github:
+      return "::error file=";
+    case findings::FindingFormat::markdown:
+      return "### shadefit lint failed";
+  }
+  return "";
+}
+
+TEST(LintGate, ACleanTreePassesInEachFormat) {
+  const TemporaryDirectory folder;
+  folder.file("src/a.glsl", clean);
+  for (const findings::FindingFormat format : findings::finding_formats) {
+    const Outcome outcome =
+        lint_in(folder, {"--fail-on", "truncated", "--format", std::string(name(format))});
+    EXPECT_EQ(outcome.exit_code, 0) << name(format);
+    EXPECT_EQ(outcome.out.find(mark_of_failure(format)), std::string::npos) << outcome.out;
   }
 }
 
-TEST(LintGate, AnOutdatedValueFailsWhereItIsAsked) {
-  // IEC 61966-2-1 as its draft of 1996 had it; the standard of 1999 has 0.0031308 and 0.055.
+TEST(LintGate, EachFaultFailsInEachFormat) {
+  for (const Fault& fault : faults()) {
+    const TemporaryDirectory folder;
+    folder.file("src/a.glsl", clean + fault.text);
+    for (const findings::FindingFormat format : findings::finding_formats) {
+      const Words options{"--fail-on", fault.fail_on, "--format", std::string(name(format))};
+      const Outcome outcome = lint_in(folder, options);
+      EXPECT_EQ(outcome.exit_code, 1) << name(format) << " " << fault.text << outcome.out;
+      EXPECT_NE(outcome.out.find(fault.rule), std::string::npos) << outcome.out;
+      EXPECT_NE(outcome.out.find(mark_of_failure(format)), std::string::npos) << outcome.out;
+      EXPECT_EQ(outcome.err, "");
+    }
+  }
+}
+
+TEST(LintGate, NoFaultFailsAboveItsGrade) {
+  const Words rising{"truncated", "outdated", "typo", "wrong", "never"};
+  for (const Fault& fault : faults()) {
+    const TemporaryDirectory folder;
+    folder.file("src/a.glsl", clean + fault.text);
+    const auto above = std::find(rising.begin(), rising.end(), fault.fail_on) + 1;
+    EXPECT_EQ(lint_in(folder, {"--fail-on", *above}).exit_code, 0) << fault.text << *above;
+  }
+}
+
+TEST(LintGate, AnOperationOfLessEffectIsATypo) {
   const TemporaryDirectory folder;
-  folder.file("a.glsl",
-              "float f(float c) { return c <= 0.00304 ? 12.92 * c : 1.055 * pow(c, 1.0 / 2.4) - 0.055; }\n");
-  const Outcome outcome = lint_in(folder, {"--fail-on", "outdated"});
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
-  EXPECT_NE(outcome.out.find("outdated-constant"), std::string::npos) << outcome.out;
+  folder.file("a.glsl", "float f(float c) { return exp2((-5.55473 * c + 6.98316) * c); }\n");
+  const Words limit{"--max-effect", "1e6", "--fail-on"};
+  for (const std::string& fail_on : Words{"typo", "wrong"}) {
+    Words options = limit;
+    options.push_back(fail_on);
+    const Outcome outcome = lint_in(folder, options);
+    EXPECT_EQ(outcome.exit_code, fail_on == "typo" ? 1 : 0) << outcome.out;
+    EXPECT_NE(outcome.out.find("[other-expression]"), std::string::npos) << outcome.out;
+  }
 }
 
 TEST(LintGate, APinnedNumberIsReportedOnce) {
@@ -141,6 +186,11 @@ TEST(LintGate, BadInputIsOneLine) {
   EXPECT_NE(missing.err.find("no/such/folder"), std::string::npos) << missing.err;
   fs::create_symlink("nowhere.glsl", "dangling.glsl");
   EXPECT_EQ(run_command_line({"lint", "dangling.glsl"}).exit_code, 2);
+  ASSERT_EQ(::mkfifo("pipe.glsl", 0600), 0);
+  expect_refusal({"lint", "pipe.glsl"}, "cannot read 'pipe.glsl': it is not a regular file");
+  expect_refusal({"lint", ".", "--baseline", "pipe.glsl"},
+                 "cannot read 'pipe.glsl': it is not a regular file");
+  EXPECT_EQ(run_command_line({"lint", "."}).exit_code, 0) << "below a folder it is only counted";
   folder.file("a.json", "{}");
   expect_refusal({"lint", ".", "--baseline", "a.json"},
                  "--baseline 'a.json' is not a report of lint: make one with --format json");

@@ -150,15 +150,20 @@ TEST_F(SourceTreeTest, FollowsNoLinksBelowAPath) {
 
 TEST_F(SourceTreeTest, WaitsForNoPipeAndReadsNothingThatIsTooLarge) {
   ASSERT_EQ(::mkfifo("pipe.h", 0600), 0);
+  ASSERT_EQ(::mknod("socket.h", S_IFSOCK | 0600, 0), 0);
   files({"huge.h"}, "");
   fs::resize_file("huge.h", std::uintmax_t{1} << 40);  // sparse: reading it would take minutes
-  const SourceTree tree = find_sources({".", "pipe.h"}, {});
+  const SourceTree tree = find_sources({"."}, {});
   EXPECT_TRUE(tree.files.empty());
-  EXPECT_EQ(tree.skipped.unreadable, 1U);
+  EXPECT_EQ(tree.skipped.unreadable, 2U);
   EXPECT_EQ(tree.skipped.too_large, 1U);
   EXPECT_EQ(tree.skipped.messages, (Names{"'huge.h' has 1099511627776 bytes, more than 4194304",
-                                          "cannot read 'pipe.h': it is not a regular file"}));
+                                          "cannot read 'pipe.h': it is not a regular file",
+                                          "cannot read 'socket.h': it is not a regular file"}));
   EXPECT_EQ(found({"huge.h"}), Names{}) << "not even if it is named";
+  for (const std::string name : {"pipe.h", "socket.h", "/dev/null"})
+    EXPECT_EQ(refusal([&] { find_sources({name}, {}); }),
+              "cannot read '" + name + "': it is not a regular file");
 }
 
 TEST_F(SourceTreeTest, NamesOnlySomeOfManyThatAreTooLarge) {
@@ -190,6 +195,9 @@ TEST_F(SourceTreeTest, GoesOnBehindFoldersAndFilesThatItMayNotRead) {
     EXPECT_TRUE(read_source(tree.files[1], tree.skipped));
     EXPECT_EQ(tree.skipped.unreadable, 2U);
     EXPECT_EQ(tree.skipped.messages.back(), "cannot read 'a/c.h': Permission denied");
+    for (const std::string path : {"a/closed", "a/closed/b.h"})
+      EXPECT_EQ(refusal([&] { find_sources({path}, {}); }), "path '" + path + "': Permission denied");
+    EXPECT_EQ(refusal([&] { find_sources({"a/c.h"}, {}); }), "cannot read 'a/c.h': Permission denied");
   });
   fs::permissions("a/closed", fs::perms::owner_all);
 }
