@@ -20,9 +20,8 @@ constexpr std::uint32_t fewest_lights = 16, most_lights = 1U << 14;
 /// that it can have many lights.
 constexpr double first_pass = 0.002;
 
-/// A pass has enough lights if it takes this long, in seconds, and if the same without lights takes at most
-/// this share of it.
-constexpr double long_pass = 0.02, empty_share = 0.05;
+/// A pass has enough lights if the same without lights takes at most this share of it.
+constexpr double empty_share = 0.05;
 
 /// The pixels of all materials that are not black.
 std::vector<ShaderPixel> pixels_of(const shade::Workload& workload, const scene::Scene& scene) {
@@ -53,7 +52,9 @@ std::vector<ShaderPixel> thinned(const std::vector<ShaderPixel>& pixels, double 
 /// The passes of all shaders over the same pixels, timed.
 class Passes {
  public:
-  Passes(SceneDevice& device, const std::vector<SceneShader>& shaders, std::vector<ShaderPixel> pixels)
+  /// `least` is how long a pass has to take, in seconds; 0 for tests, where the first lights are enough.
+  Passes(SceneDevice& device, const std::vector<SceneShader>& shaders, std::vector<ShaderPixel> pixels,
+         double least)
       : device_(device), shaders_(shaders) {
     for (const SceneShader& shader : shaders) programs_.push_back(device.load(shader));
     device.put_pixels(pixels);
@@ -65,7 +66,8 @@ class Passes {
     pixels_ = pixels.size();
     for (std::vector<double> all = least_seconds(lights_);; all = least_seconds(lights_ *= 2)) {
       slowest = slowest_of(all);
-      if ((slowest >= long_pass && all.back() <= empty_share * slowest) || lights_ == most_lights) break;
+      const bool is_long = slowest >= least && (least == 0 || all.back() <= empty_share * slowest);
+      if (is_long || lights_ == most_lights) break;
     }
     const double share = std::min(1.0, longest_dispatch / 4 / slowest);
     at_once_ = std::max(threads_per_group, static_cast<std::uint32_t>(share * static_cast<double>(pixels_)));
@@ -150,7 +152,7 @@ shade::DeviceMeasurement measure_scene(SceneDevice& device, const scene::Scene& 
 
   const std::vector<ShaderPixel> pixels = pixels_of(workload, scene);
   if (pixels.empty()) return measured;
-  Passes passes(device, shaders, pixels);
+  Passes passes(device, shaders, pixels, timing.seconds);
   measured.pixels = passes.pixels();
   measured.lights = passes.lights();
   const auto between = [&](double share) {
