@@ -103,7 +103,7 @@ Outcome scene_command(const SceneOptions& options, const Checkpoint& checkpoint,
   std::string out = plan_text(scene, plan, options.terminal);
   ShadedScene shaded;
   if (options.shade) {
-    shaded = shade_scene(scene, plan, options.out, options.terminal, checkpoint, progress);
+    shaded = shade_scene(scene, plan, options.device, options.out, options.terminal, checkpoint, progress);
     out += "\n" + shaded.out;
     exit_code = std::max(exit_code, shaded.err.empty() ? 0 : 1);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/output/draw_figures.hpp"
+#include "bench/device/measure_scene.hpp"
 #include "bench/shading/measure.hpp"
 #include "bench/shading/picture.hpp"
 #include "bench/shading/tables.hpp"
@@ -45,11 +46,20 @@ std::vector<File> files_of_shading() {
 }
 
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
-                        const std::optional<std::string>& out, const Terminal& terminal,
-                        const Checkpoint& checkpoint, const Progress& progress) {
+                        const std::optional<std::size_t>& device, const std::optional<std::string>& out,
+                        const Terminal& terminal, const Checkpoint& checkpoint, const Progress& progress) {
   const shade::Kernels kernels = shade::kernels_here().back();
-  const shade::Measurement measured =
+  // Before the CPU is measured: without a device there is nothing to wait for.
+  std::optional<device::SceneDevice> graphics;
+  if (device) graphics.emplace(device::DeviceChoice{.place = *device}, device::largest_pass(scene, plan));
+  shade::Measurement measured =
       shade::measure(scene, plan, kernels, shade::full_plan, checkpoint, bar(progress, "shade"));
+  const shade::ReferenceWay reference(scene, kernels);
+  if (graphics) {
+    measured.on_device = device::measure_scene(*graphics, scene, plan, reference, shade::full_plan,
+                                               checkpoint, bar(progress, "shade there"));
+    measured.on_device->id = fmt::format("vulkan:{}", *device);
+  }
   progress("");
   ShadedScene shaded{.out = shade::shade_text(measured, terminal), .err = shade::broken_lines(measured)};
   if (!out) return shaded;
@@ -60,7 +70,11 @@ ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
   shaded.missing = drawn.missing;
   shaded.out += drawn.news.out;
   shaded.err += drawn.news.err;
-  draw_spheres(shaded, shade::picture_files(scene, plan, kernels), *out, checkpoint);
+  const shade::FloatWay here(scene, plan, kernels);
+  std::vector<shade::ShownWay> ways{{"planned", shade::way_of(here)}};
+  if (graphics)
+    ways.push_back({measured.on_device->id, graphics->way(scene, device::planned_shader(scene, plan))});
+  draw_spheres(shaded, shade::picture_files(scene, plan, reference, ways), *out, checkpoint);
   return shaded;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,9 +24,10 @@ struct ShadedScene {
 std::vector<File> files_of_shading();
 
 /// Shades a scene with the reference, with the published constants and as planned, on the widest registers of
-/// this machine. Draws pictures if a directory `out` is given.
+/// this machine; also on a graphics device if its place is given. Draws pictures if a directory `out` is
+/// given.
 ShadedScene shade_scene(const scene::Scene& scene, const scene::Plan& plan,
-                        const std::optional<std::string>& out, const Terminal& terminal,
-                        const Checkpoint& checkpoint, const Progress& progress);
+                        const std::optional<std::size_t>& device, const std::optional<std::string>& out,
+                        const Terminal& terminal, const Checkpoint& checkpoint, const Progress& progress);
 
 }  // namespace shadefit

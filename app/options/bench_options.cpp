@@ -50,20 +50,6 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
       "{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001", option, text));
 }
 
-/// "vulkan" or "vulkan:N": the place of a device.
-std::size_t parse_device(const std::string& option, const std::string& text) {
-  const std::string_view kind = "vulkan", given = text;
-  if (given == kind) return 0;
-  std::size_t place = 0;
-  if (given.starts_with(kind) && given.substr(kind.size()).starts_with(':')) {
-    const std::string_view digits = given.substr(kind.size() + 1);
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), place);
-    if (error == std::errc{} && end == digits.data() + digits.size()) return place;
-  }
-  throw UserError(fmt::format("{} '{}' is not a device: it must be vulkan or vulkan:N, see --list-devices",
-                              option, text));
-}
-
 /// Adds the options for a comparison with an older run.
 void add_comparison(CLI::App& bench, BenchOptions& options, CLI::Option* exhaustive) {
   auto* compare = add_value(bench, "--compare", options.compare, parse_text, "OLD.json",

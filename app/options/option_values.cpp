@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 
 #include "fit/proof/certificate.hpp"
 #include "fit/proof/enclosure.hpp"
@@ -131,6 +132,20 @@ double parse_relative_width(const std::string& option, const std::string& text) 
     throw UserError(fmt::format("{} '{}' cannot be reached: the bounds are doubles, {} is the least", option,
                                 text, least_width));
   return width;
+}
+
+std::size_t parse_device(const std::string& option, const std::string& text) {
+  const std::string_view kind = "vulkan", given = text;
+  if (given == kind) return 0;
+  std::size_t place = 0;
+  if (given.starts_with(kind) && given.substr(kind.size()).starts_with(':')) {
+    const std::string_view digits = given.substr(kind.size() + 1);
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), place);
+    if (error == std::errc{} && end == digits.data() + digits.size()) return place;
+  }
+  throw UserError(fmt::format(
+      "{} '{}' is not a device: it must be vulkan or vulkan:N, see 'shadefit bench --list-devices'", option,
+      text));
 }
 
 bool looks_like_an_option(const std::string& text) {

@@ -105,6 +105,9 @@ Parameters parse_parameters(const std::string& option, const std::string& text);
 /// A relative width of bounds that double precision can reach.
 double parse_relative_width(const std::string& option, const std::string& text);
 
+/// "vulkan" or "vulkan:N": the place of a graphics device.
+std::size_t parse_device(const std::string& option, const std::string& text);
+
 /// Whether a text looks like an option: it begins with '-' and is not a number.
 bool looks_like_an_option(const std::string& text);
 

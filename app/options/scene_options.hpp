@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,8 +28,10 @@ struct SceneOptions {
   std::optional<Language> language = {};  ///< prints only the code in it
   std::optional<std::string> out = {};    ///< a directory; empty: print only
   bool json = false;
-  bool force = false;                   ///< as in `RunOptions`
-  bool shade = false;                   ///< compare the plan with the reference and the published constants
+  bool force = false;  ///< as in `RunOptions`
+  bool shade = false;  ///< compare the plan with the reference and the published constants
+  /// The place of a Vulkan device among `device::vulkan_devices`, for `shade` beside the CPU.
+  std::optional<std::size_t> device = {};
   std::vector<std::string> words = {};  ///< of the command that prints the code, without files and --lang
   Terminal terminal = {};
 };

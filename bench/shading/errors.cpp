@@ -4,40 +4,29 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "approx/encoding.hpp"
 
 namespace shadefit::shade {
 namespace {
 
-/// The pixels of a tile under one of its lights.
-template <class Real>
-Block<Real> under_one_light(const Block<Real>& block, std::size_t tile, std::size_t light,
-                            const std::array<Real*, 3>& out) {
-  const std::size_t samples = (tile * block.lights + light) * tile_pixels;
-  return {.tiles = 1,
-          .lights = 1,
-          .n_dot_h = block.n_dot_h + samples,
-          .l_dot_h = block.l_dot_h + samples,
-          .n_dot_l = block.n_dot_l + samples,
-          .alpha = block.alpha == nullptr ? nullptr : block.alpha + tile * tile_pixels,
-          .out = out};
-}
-
-/// The reference's result for a tile.
+/// The reference's result for a block.
 struct Truth {
-  std::array<std::array<double, tile_pixels>, 3> linear, codes;
+  std::array<std::vector<double>, 3> linear, codes;
   bool is_grey = true;  ///< the channels are equal, and one is enough
 };
 
 Truth truth_of(const Results<double>& results) {
   Truth truth;
   truth.is_grey = results.channel(0) == results.channel(1) && results.channel(1) == results.channel(2);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t p = 0; p < tile_pixels; ++p) {
-      truth.linear[i][p] = results.channel(i)[p];
-      truth.codes[i][p] = truth.is_grey && i > 0 ? truth.codes[0][p] : srgb_code(truth.linear[i][p]);
-    }
+  for (std::size_t i = 0; i < (truth.is_grey ? 1U : 3U); ++i) {
+    truth.linear[i] = results.channel(i);
+    for (const double value : truth.linear[i]) truth.codes[i].push_back(srgb_code(value));
+  }
+  for (std::size_t i = 1; truth.is_grey && i < 3; ++i) {
+    truth.linear[i] = truth.linear[0];
+    truth.codes[i] = truth.codes[0];
   }
   return truth;
 }
@@ -50,7 +39,7 @@ class Sums {
     const std::size_t channels = truth.is_grey && is_grey ? 1 : 3;
     for (std::size_t i = 0; i < channels; ++i) {
       const auto& shown = results.channel(is_grey ? 0 : i);
-      for (std::size_t p = 0; p < tile_pixels; ++p)
+      for (std::size_t p = 0; p < shown.size(); ++p)
         add(truth.linear[i][p], truth.codes[i][p], static_cast<double>(shown[p]),
             3.0 / static_cast<double>(channels));
     }
@@ -84,24 +73,21 @@ class Sums {
 }  // namespace
 
 std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& reference,
-                              std::span<const FloatWay> ways, const Checkpoint& checkpoint) {
-  Results<double> truths(1);
-  Results<float> results(1);
+                              std::span<const Way> ways, const Checkpoint& checkpoint) {
+  const std::size_t tiles = workload.tiles() * workload.lights();
+  Results<double> truths(tiles);
+  Results<float> results(tiles);
   std::vector<Sums> sums(ways.size());
   for (const Visit& visit : workload.visits()) {
     checkpoint();
-    const Block<double> wide = workload.block<double>(visit);
-    const Block<float> narrow = workload.block<float>(visit);
-    for (std::size_t i = 0; i < wide.tiles * wide.lights; ++i) {
-      const std::size_t tile = i / wide.lights, light = i % wide.lights;
-      reference.shade(under_one_light(wide, tile, light, truths.out()), visit.material);
-      const Truth truth = truth_of(truths);
-      const Block<float> block = under_one_light(narrow, tile, light, results.out());
-      for (std::size_t way = 0; way < ways.size(); ++way) {
-        results.clear();
-        ways[way].shade(block, visit.material);
-        sums[way].add(truth, results, !ways[way].is_coloured());
-      }
+    const SingleLights<double> wide(workload.block<double>(visit));
+    const SingleLights<float> narrow(workload.block<float>(visit));
+    reference.shade(wide.block(truths.out()), visit.material);
+    const Truth truth = truth_of(truths);
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+      results.clear();
+      ways[way].shade(narrow.block(results.out()), visit.material);
+      sums[way].add(truth, results, !ways[way].is_coloured);
     }
   }
   std::vector<Errors> errors;

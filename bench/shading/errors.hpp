@@ -22,6 +22,6 @@ struct Errors {
 
 /// The errors of each way.
 std::vector<Errors> errors_of(const Workload& workload, const ReferenceWay& reference,
-                              std::span<const FloatWay> ways, const Checkpoint& checkpoint = keep_going);
+                              std::span<const Way> ways, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::shade

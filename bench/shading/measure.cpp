@@ -15,15 +15,6 @@ double white(scene::ShownScale scale) {
   return scene::on_scale(scale, 1);
 }
 
-/// The allowed error of one light. A plan that cannot keep the tolerance promises its own error.
-double allowed_of(const scene::Plan& plan) {
-  return std::max(plan.wanted.tolerance, plan.error) / plan.wanted.lights;
-}
-
-std::string form_of(const scene::Plan& plan) {
-  return plan.has_lobes() ? to_text(plan.shading.lobe) : "no lobe";
-}
-
 std::vector<scene::Plan> plans_of_sweep(const scene::Scene& scene, const scene::Plan& plan,
                                         const Checkpoint& checkpoint) {
   std::vector<scene::Plan> plans;
@@ -69,13 +60,6 @@ class Timed {
   std::vector<bench::Work> work_;
 };
 
-std::size_t shaded_samples(const scene::Scene& scene, const Workload& workload) {
-  const auto shaded =
-      std::count_if(workload.visits().begin(), workload.visits().end(),
-                    [&](const Visit& visit) { return !is_black(scene.materials[visit.material]); });
-  return static_cast<std::size_t>(shaded) * workload.samples_of_visit();
-}
-
 Skipped skipped_by(const scene::Scene& scene, const scene::Plan& plan, const Workload& workload,
                    const FloatWay& way) {
   Results<float> results(workload.tiles());
@@ -104,9 +88,29 @@ Skipped skipped_by(const scene::Scene& scene, const scene::Plan& plan, const Wor
 
 }  // namespace
 
+double allowed_error(const scene::Plan& plan) {
+  return std::max(plan.wanted.tolerance, plan.error) / plan.wanted.lights;
+}
+
+std::size_t shaded_samples(const scene::Scene& scene, const Workload& workload) {
+  const auto shaded =
+      std::count_if(workload.visits().begin(), workload.visits().end(),
+                    [&](const Visit& visit) { return !is_black(scene.materials[visit.material]); });
+  return static_cast<std::size_t>(shaded) * workload.samples_of_visit();
+}
+
+std::string published_form() {
+  return "exp2(A c - A), A = (n + " + std::string(sg_offset_published[0].printed) + ")/ln 2";
+}
+
+std::string form_of(const scene::Plan& plan) {
+  return plan.has_lobes() ? to_text(plan.shading.lobe) : "no lobe";
+}
+
 std::vector<MeasuredWay> broken_promises(const Measurement& measurement) {
   std::vector<MeasuredWay> all{measurement.planned};
   all.insert(all.end(), measurement.sweep.begin(), measurement.sweep.end());
+  if (measurement.on_device) all.push_back(measurement.on_device->ways.back());
   std::erase_if(all,
                 [&](const MeasuredWay& way) { return way.errors.most_on(measurement.scale) <= way.allowed; });
   return all;
@@ -123,7 +127,9 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
       {scene, kernels.reference}, {scene, kernels.published}, {scene, with_published_lobe(plan), kernels}};
   const std::size_t first_planned = ways.size();
   for (const scene::Plan& some : plans) ways.emplace_back(scene, some, kernels);
-  const std::vector<Errors> errors = errors_of(workload, reference, ways, checkpoint);
+  std::vector<Way> shown;
+  for (const FloatWay& way : ways) shown.push_back(way_of(way));
+  const std::vector<Errors> errors = errors_of(workload, reference, shown, checkpoint);
   const auto between = [&](double share) {
     checkpoint();
     watch(share);
@@ -133,8 +139,7 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
   result.lights = workload.lights();
   result.is_half = plan.wanted.precision == scene::PixelPrecision::float16;
   const std::vector<double> ns = Timed(workload, ways, result.samples).times(timing, between);
-  const std::string published =
-      "exp2(A c - A), A = (n + " + std::string(sg_offset_published[0].printed) + ")/ln 2";
+  const std::string published = published_form();
   result.reference = {.name = "reference", .form = "pow", .ns = ns[0], .errors = errors[0]};
   result.published = {.name = "published", .form = published, .ns = ns[1], .errors = errors[1]};
   result.published_culled = {
@@ -145,7 +150,7 @@ Measurement measure(const scene::Scene& scene, const scene::Plan& plan, const Ke
                           .form = form_of(plans[i]),
                           .ns = ns[first_planned + i],
                           .errors = errors[first_planned + i],
-                          .allowed = allowed_of(plans[i])};
+                          .allowed = allowed_error(plans[i])};
     if (i == 0) {
       result.planned = way;
     } else {

@@ -27,6 +27,16 @@ struct MeasuredWay {
   double allowed = 0;                    ///< of a plan: error of one light, on its scale
 };
 
+/// The same ways on another device: a thread shades a pixel, under many lights one after the other. All cores
+/// work. Of a time, what a pass without lights takes is subtracted: arithmetic is timed, not memory.
+struct DeviceMeasurement {
+  std::string id;                      ///< "vulkan:0"
+  std::string name;                    ///< of the device and of its driver
+  std::vector<MeasuredWay> ways;       ///< reference, published, "published, culled", planned
+  double empty_ns = 0;                 ///< of a pixel, without lights: to read and to write it
+  std::size_t pixels = 0, lights = 0;  ///< of a pass
+};
+
 /// The shares of the work that the plan skips, each relative to the rest after the one before.
 struct Skipped {
   double by_materials = 0;  ///< of the samples: their material is not black and has no lobe
@@ -45,6 +55,7 @@ struct Measurement {
   MeasuredWay planned = {};             ///< by the given plan
   std::vector<MeasuredWay> sweep = {};  ///< by plans for tolerances of 1/32 .. 1/4096 of white
   Skipped skipped = {};
+  std::optional<DeviceMeasurement> on_device = {};
 
   bool is_published_within() const { return published_culled.errors.most_on(scale) <= planned.allowed; }
 };
@@ -55,6 +66,16 @@ std::vector<MeasuredWay> broken_promises(const Measurement& measurement);
 /// Relative to white, in the order of the sweep.
 inline constexpr std::array swept_tolerances{1.0 / 32,  1.0 / 64,   1.0 / 128,  1.0 / 255,
                                              1.0 / 512, 1.0 / 1024, 1.0 / 2048, 1.0 / 4096};
+
+/// The error of one light that a plan allows. A plan that cannot keep its tolerance promises its own error.
+double allowed_error(const scene::Plan& plan);
+
+/// How many samples of a workload are of materials that are not black.
+std::size_t shaded_samples(const scene::Scene& scene, const Workload& workload);
+
+/// The forms of the lobe, as a table names them.
+std::string published_form();
+std::string form_of(const scene::Plan& plan);
 
 /// The duration of the measurement.
 inline constexpr bench::TimingPlan full_plan{.rounds = 7, .seconds = 0.015};

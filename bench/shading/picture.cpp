@@ -1,6 +1,7 @@
 #include "bench/shading/picture.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -43,7 +44,7 @@ double coverage(double x, double y) {
 /// The cosines of all pixels of a sphere, row by row, tile after tile.
 Cosines cosines_of_sphere() {
   constexpr std::size_t pixels = diameter * diameter;
-  Cosines cosines((pixels + tile_pixels - 1) / tile_pixels, 1);
+  Cosines cosines(pixels_of_sphere() / tile_pixels, 1);
   for (std::size_t i = 0; i < pixels; ++i) {
     double x = coordinate(static_cast<int>(i % diameter)), y = -coordinate(static_cast<int>(i / diameter));
     // A place beyond the edge gets the colour of the edge, because some of it is blended with the background.
@@ -57,18 +58,26 @@ Cosines cosines_of_sphere() {
   return cosines;
 }
 
-/// A sphere by two ways, in sRGB codes, pixel by pixel.
+/// A sphere by the reference and by each way, in sRGB codes, pixel by pixel.
 struct ShownSphere {
-  std::vector<Colour> reference, planned;
+  std::vector<Colour> reference;
+  std::vector<std::vector<Colour>> ways;
 };
+
+template <class Real>
+std::vector<Colour> colours_of(const Results<Real>& results, bool is_coloured) {
+  std::vector<Colour> colours(static_cast<std::size_t>(diameter) * diameter);
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      colours[i][c] = srgb_code(static_cast<double>(results.channel(is_coloured ? c : 0)[i]));
+  }
+  return colours;
+}
 
 class Studio {
  public:
-  Studio(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels)
-      : scene_(scene),
-        reference_(scene, kernels),
-        planned_(scene, plan, kernels),
-        cosines_(cosines_of_sphere()) {}
+  Studio(const scene::Scene& scene, const ReferenceWay& reference, const std::vector<ShownWay>& ways)
+      : scene_(scene), reference_(reference), ways_(ways), cosines_(cosines_of_sphere()) {}
 
   ShownSphere shown(const Sphere& sphere) const {
     const std::size_t tiles = cosines_.tiles();
@@ -76,32 +85,26 @@ class Studio {
     const std::vector<float> alpha(tiles * tile_pixels, static_cast<float>(alpha_of_power(sphere.power)));
     const std::vector<double> wide_alpha(alpha.begin(), alpha.end());
     Results<double> truth(tiles);
-    Results<float> result(tiles);
     Block<double> wide = cosines_.block<double>();
-    Block<float> narrow = cosines_.block<float>();
     wide.alpha = is_textured ? wide_alpha.data() : nullptr;
-    narrow.alpha = is_textured ? alpha.data() : nullptr;
     wide.out = truth.out();
-    narrow.out = result.out();
     reference_.shade(wide, sphere.material);
-    planned_.shade(narrow, sphere.material);
-    ShownSphere shown;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(diameter) * diameter; ++i) {
-      Colour exact{}, near{};
-      for (std::size_t c = 0; c < 3; ++c) {
-        exact[c] = srgb_code(truth.channel(c)[i]);
-        near[c] = srgb_code(static_cast<double>(result.channel(planned_.is_coloured() ? c : 0)[i]));
-      }
-      shown.reference.push_back(exact);
-      shown.planned.push_back(near);
+    ShownSphere shown{.reference = colours_of(truth, true), .ways = {}};
+    for (const ShownWay& some : ways_) {
+      Results<float> result(tiles);
+      Block<float> narrow = cosines_.block<float>();
+      narrow.alpha = is_textured ? alpha.data() : nullptr;
+      narrow.out = result.out();
+      some.way.shade(narrow, sphere.material);
+      shown.ways.push_back(colours_of(result, some.way.is_coloured));
     }
     return shown;
   }
 
  private:
   const scene::Scene& scene_;
-  ReferenceWay reference_;
-  FloatWay planned_;
+  const ReferenceWay& reference_;
+  const std::vector<ShownWay>& ways_;
   Cosines cosines_;
 };
 
@@ -137,7 +140,7 @@ std::vector<Colour> difference(const ShownSphere& sphere, double factor) {
   for (std::size_t i = 0; i < sphere.reference.size(); ++i) {
     Colour colour{};
     for (std::size_t c = 0; c < 3; ++c)
-      colour[c] = factor * std::abs(sphere.planned[i][c] - sphere.reference[i][c]);
+      colour[c] = factor * std::abs(sphere.ways.back()[i][c] - sphere.reference[i][c]);
     colours.push_back(colour);
   }
   return colours;
@@ -183,12 +186,12 @@ std::string label(const std::string& text, int x, int y, const char* place) {
                      gnuplot_quoted(printable(text)), x, y, place);
 }
 
-std::string script_of(const scene::Scene& scene, const std::vector<Sphere>& spheres, int width, int height,
-                      int factor) {
+std::string script_of(const scene::Scene& scene, const std::vector<Sphere>& spheres,
+                      const std::vector<std::string>& rows, int width, int height) {
   // From the middle of the first pixel to the middle of the last: then gnuplot draws each pixel unchanged. It
   // blends pixels at the border with the same grey.
   std::string script = fmt::format(
-      "# A scene's materials: reference, planned, difference\n"
+      "# A scene's materials: {5}\n"
       "if (!exists('output')) output = 'scene.png'\n"
       "set encoding utf8\n"
       "set terminal pngcairo size {0},{1} font 'sans-serif,10' background '#{2:02X}{2:02X}{2:02X}'\n"
@@ -196,11 +199,9 @@ std::string script_of(const scene::Scene& scene, const std::vector<Sphere>& sphe
       "unset border\nunset tics\nunset key\n"
       "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen 1\n"
       "set xrange [0.5:{3}]\nset yrange [0.5:{4}]\n",
-      width, height, static_cast<int>(ground_code), width - 0.5, height - 0.5);
-  const std::array<std::string, 3> rows{"reference", "planned", fmt::format("difference x {}", factor)};
-  for (int row = 0; row < 3; ++row)
-    script +=
-        label(rows[static_cast<std::size_t>(row)], 12, height - above_rows - row * cell - cell / 2, "left");
+      width, height, static_cast<int>(ground_code), width - 0.5, height - 0.5, fmt::join(rows, ", "));
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    script += label(rows[row], 12, height - above_rows - static_cast<int>(row) * cell - cell / 2, "left");
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     const int middle = left_of_rows + static_cast<int>(i) * cell + cell / 2;
     script += label(shortened(scene.materials[spheres[i].material].name), middle, below_rows - 14, "center");
@@ -250,24 +251,33 @@ std::vector<Sphere> spheres_of(const scene::Scene& scene, const scene::Plan& pla
   return spheres;
 }
 
-std::vector<File> picture_files(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels) {
+std::size_t pixels_of_sphere() {
+  constexpr std::size_t pixels = diameter * diameter;
+  return (pixels + tile_pixels - 1) / tile_pixels * tile_pixels;
+}
+
+std::vector<File> picture_files(const scene::Scene& scene, const scene::Plan& plan,
+                                const ReferenceWay& reference, const std::vector<ShownWay>& ways) {
   const std::vector<Sphere> spheres = spheres_of(scene, plan);
-  const Studio studio(scene, plan, kernels);
+  const Studio studio(scene, reference, ways);
   std::vector<ShownSphere> shown;
   for (const Sphere& sphere : spheres) shown.push_back(studio.shown(sphere));
   const int factor = amplification(shown);
+  std::vector<std::string> rows{"reference"};
+  for (const ShownWay& way : ways) rows.push_back(way.name);
+  rows.push_back(fmt::format("difference x {}", factor));
   const int width = left_of_rows + cell * std::max(static_cast<int>(spheres.size()), least_cells);
-  const int height = above_rows + 3 * cell + below_rows;
+  const int height = above_rows + static_cast<int>(rows.size()) * cell + below_rows;
   Canvas canvas(width, height);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const int left = left_of_rows + static_cast<int>(i) * cell + (cell - diameter) / 2;
-    const int top = above_rows + (cell - diameter) / 2;
+    int top = above_rows + (cell - diameter) / 2;
     canvas.put(left, top, shown[i].reference);
-    canvas.put(left, top + cell, shown[i].planned);
-    canvas.put(left, top + 2 * cell, difference(shown[i], factor));
+    for (const std::vector<Colour>& way : shown[i].ways) canvas.put(left, top += cell, way);
+    canvas.put(left, top + cell, difference(shown[i], factor));
   }
   return {{"plots/scene.rgb", canvas.bytes()},
-          {"plots/scene.gnuplot", script_of(scene, spheres, width, height, factor)}};
+          {"plots/scene.gnuplot", script_of(scene, spheres, rows, width, height)}};
 }
 
 }  // namespace shadefit::shade

@@ -6,7 +6,7 @@
 #include "bench/shading/ways.hpp"
 #include "reports/io/files.hpp"
 
-/// A scene's materials as spheres: by the reference, as planned, and the difference.
+/// A scene's materials as spheres: by the reference, by other ways, and the difference of the last.
 namespace shadefit::shade {
 
 /// The most spheres of a row.
@@ -21,7 +21,18 @@ struct Sphere {
 
 std::vector<Sphere> spheres_of(const scene::Scene& scene, const scene::Plan& plan);
 
-/// The picture "scene.png" before gnuplot has drawn it: its pixels and its script, which reads them.
-std::vector<File> picture_files(const scene::Scene& scene, const scene::Plan& plan, const Kernels& kernels);
+/// A row of the picture.
+struct ShownWay {
+  std::string name;
+  Way way;
+};
+
+/// The pixels of a sphere, with its corners, in whole tiles.
+std::size_t pixels_of_sphere();
+
+/// The picture "scene.png" before gnuplot has drawn it: its pixels and its script, which reads them. At least
+/// one way is shown.
+std::vector<File> picture_files(const scene::Scene& scene, const scene::Plan& plan,
+                                const ReferenceWay& reference, const std::vector<ShownWay>& ways);
 
 }  // namespace shadefit::shade

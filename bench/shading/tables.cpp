@@ -13,11 +13,14 @@ namespace {
 /// Times are repeatable to about a percent, and errors need no more digits.
 constexpr int shown_digits = 3;
 
+/// The device of the ways on this processor.
+constexpr const char* cpu = "CPU";
+
 Cell shown(double value) {
   return Number{value, shown_digits};
 }
 
-std::vector<Cell> row_of_way(const MeasuredWay& way) {
+std::vector<Cell> row_of_way(const MeasuredWay& way, const std::string& device) {
   return {way.name,
           way.tolerance ? Cell(Number{*way.tolerance, 4}) : Cell(),
           way.form,
@@ -25,7 +28,8 @@ std::vector<Cell> row_of_way(const MeasuredWay& way) {
           shown(way.errors.most),
           shown(way.errors.mean),
           shown(way.errors.most_codes),
-          shown(way.errors.mean_codes)};
+          shown(way.errors.mean_codes),
+          device};
 }
 
 std::vector<Cell> console_row(const MeasuredWay& way, double reference_ns) {
@@ -46,6 +50,30 @@ std::string percent(double share) {
 std::string ratio(double value) {
   constexpr double rounds_to_ten = 9.95;
   return value < rounds_to_ten ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
+}
+
+/// The rows of a device, each with its id before it.
+void append_rows(Table& table, const DeviceMeasurement& there) {
+  for (auto& row : table.rows) row.insert(row.begin(), std::string(cpu));
+  table.columns.insert(table.columns.begin(), "device");
+  for (const MeasuredWay& way : there.ways) {
+    std::vector<Cell> row = console_row(way, there.ways.front().ns);
+    row.insert(row.begin(), there.id);
+    table.rows.push_back(std::move(row));
+  }
+}
+
+std::string device_lines(const DeviceMeasurement& there, scene::ShownScale scale) {
+  const MeasuredWay &published = there.ways[1], &culled = there.ways[2], &planned = there.ways[3];
+  if (!(planned.ns > 0)) return fmt::format("{} is {}: nothing is shaded.\n", there.id, there.name);
+  const double error = planned.errors.most_on(scale);
+  return fmt::format(
+      "{} is {}. Planned: {} ns a shaded sample there. The published constants take {} x as long with every term, and "
+      "{} x in the plan's code. Their error is {} x the plan's.\n"
+      "Timed there: {} pixels under {} lights each, on all cores, less {} ns a pixel to read and to write it.\n",
+      there.id, there.name, decimal(planned.ns, shown_digits), ratio(published.ns / planned.ns),
+      ratio(culled.ns / planned.ns), error > 0 ? ratio(culled.errors.most_on(scale) / error) : "inf",
+      there.pixels, there.lights, decimal(there.empty_ns, shown_digits));
 }
 
 std::string verdict_line(const Measurement& m) {
@@ -87,10 +115,13 @@ std::array<const MeasuredWay*, 4> compared(const Measurement& m) {
 
 Table shade_table(const Measurement& measurement) {
   Table table{.columns = {"way", "tolerance", "form", "ns_per_sample", "max_error", "mean_error", "max_codes",
-                          "mean_codes"},
+                          "mean_codes", "device"},
               .rows = {}};
-  for (const MeasuredWay* way : compared(measurement)) table.rows.push_back(row_of_way(*way));
-  for (const MeasuredWay& way : measurement.sweep) table.rows.push_back(row_of_way(way));
+  for (const MeasuredWay* way : compared(measurement)) table.rows.push_back(row_of_way(*way, cpu));
+  for (const MeasuredWay& way : measurement.sweep) table.rows.push_back(row_of_way(way, cpu));
+  if (!measurement.on_device) return table;
+  for (const MeasuredWay& way : measurement.on_device->ways)
+    table.rows.push_back(row_of_way(way, measurement.on_device->name));
   return table;
 }
 
@@ -100,6 +131,7 @@ std::string shade_text(const Measurement& measurement, const Terminal& terminal)
               .rows = {}};
   for (const MeasuredWay* way : compared(measurement))
     table.rows.push_back(console_row(*way, measurement.reference.ns));
+  if (measurement.on_device) append_rows(table, *measurement.on_device);
   return write_console(table, Precision::report, terminal) + "\n" + verdict_line(measurement) +
          skipped_line(measurement) +
          fmt::format(
@@ -108,7 +140,8 @@ std::string shade_text(const Measurement& measurement, const Terminal& terminal)
              measurement.samples, forms::name(measurement.width)) +
          (measurement.is_half
               ? "The plan is for half, and was shaded in float: what half rounds is in the plan alone.\n"
-              : "");
+              : "") +
+         (measurement.on_device ? device_lines(*measurement.on_device, measurement.scale) : "");
 }
 
 std::string broken_lines(const Measurement& measurement) {

@@ -11,7 +11,7 @@
 namespace shadefit::shade {
 
 /// `way,tolerance,form,ns_per_sample,max_error,mean_error,max_codes,mean_codes`: the ways, then the
-/// sweep. The columns of `shade.csv`.
+/// sweep, then the ways on another device. The columns of `shade.csv`; the last is `device`.
 Table shade_table(const Measurement& measurement);
 
 /// The ways and a summary, on a terminal.

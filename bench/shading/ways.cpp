@@ -46,6 +46,11 @@ bool FloatWay::has_lobe(std::size_t material) const {
   return std::visit([&](const auto& materials) { return materials[material].has_value(); }, materials_);
 }
 
+Way way_of(const FloatWay& way) {
+  return {[&way](const Block<float>& block, std::size_t material) { way.shade(block, material); },
+          way.is_coloured()};
+}
+
 scene::Plan with_published_lobe(scene::Plan plan) {
   scene::PlannedShading& shading = plan.shading;
   if (!plan.has_lobes()) return plan;

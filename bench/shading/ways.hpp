@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -47,6 +48,16 @@ class FloatWay {
   PlannedKernel planned_ = nullptr;
   bool is_coloured_ = true;
 };
+
+/// A way as the errors and the picture see it: on this processor or on another device. `shade` is that of
+/// `FloatWay`.
+struct Way {
+  std::function<void(const Block<float>& block, std::size_t material)> shade;
+  bool is_coloured = true;
+};
+
+/// A way on this processor, which must outlive the result.
+Way way_of(const FloatWay& way);
 
 /// The plan with the published Gaussian as its lobe, to compare the constants in the same kernel.
 scene::Plan with_published_lobe(scene::Plan plan);

@@ -77,6 +77,27 @@ Block<double> Workload::block(const Visit& visit) const {
 }
 
 template <class Real>
+SingleLights<Real>::SingleLights(const Block<Real>& block) : block_(block) {
+  block_.tiles = block.tiles * block.lights;
+  block_.lights = 1;
+  for (std::size_t i = 0; block.alpha != nullptr && i < block_.tiles; ++i) {
+    const Real* const pixels = block.alpha + i / block.lights * tile_pixels;
+    alpha_.insert(alpha_.end(), pixels, pixels + tile_pixels);
+  }
+}
+
+template <class Real>
+Block<Real> SingleLights<Real>::block(const std::array<Real*, 3>& out) const {
+  Block<Real> block = block_;
+  block.alpha = alpha_.empty() ? nullptr : alpha_.data();
+  block.out = out;
+  return block;
+}
+
+template class SingleLights<float>;
+template class SingleLights<double>;
+
+template <class Real>
 Results<Real>::Results(std::size_t tiles) {
   for (auto& channel : channels_) channel.resize(tiles * tile_pixels);
 }

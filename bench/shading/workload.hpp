@@ -52,6 +52,21 @@ Block<float> Workload::block(const Visit& visit) const;
 template <>
 Block<double> Workload::block(const Visit& visit) const;
 
+/// A block with a tile for each light of its tiles, each under that light alone.
+template <class Real>
+class SingleLights {
+ public:
+  explicit SingleLights(const Block<Real>& block);
+  Block<Real> block(const std::array<Real*, 3>& out = {}) const;
+
+ private:
+  Block<Real> block_;
+  std::vector<Real> alpha_;  ///< of each sample: that of its pixel
+};
+
+extern template class SingleLights<float>;
+extern template class SingleLights<double>;
+
 /// The results of a visit.
 template <class Real>
 class Results {

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bench/device/scene_shader.hpp"
+#include "bench/device/spirv.hpp"
+#include "bench/device/vulkan_device.hpp"
+#include "bench/shading/ways.hpp"
+
+/// A graphics device that shades a scene.
+namespace shadefit::device {
+
+/// A pixel under its first light, and what its texture holds for the power.
+struct ShaderPixel {
+  float n_dot_h, n_dot_l, l_dot_h, stored;
+  std::uint32_t material;  ///< among those of the pass
+};
+
+/// The pixels of a block of one light, all of a material. A roughness is computed from the block's alpha in
+/// double and rounded to float: this moves its power by up to 4e-7 of itself, and that of a gloss g by 1/(1 -
+/// g) times that.
+std::vector<ShaderPixel> pixels_of(const shade::Block<float>& block, PowerSource source,
+                                   const scene::Conventions& conventions);
+
+/// The largest pass: at least one pixel.
+struct PassSize {
+  std::size_t pixels, materials;
+};
+
+class SceneDevice {
+ public:
+  /// A device whose buffers have room for a pass; `choice.words` is not used. Throws as `VulkanDevice`.
+  SceneDevice(DeviceChoice choice, const PassSize& most);
+
+  VulkanDevice& device() { return device_; }
+
+  Program load(const SceneShader& shader) const;
+
+  /// Writes the input of the next passes.
+  void put_pixels(std::span<const ShaderPixel> pixels);
+  void put_materials(std::span<const ShaderMaterial> materials);
+
+  /// Shades all pixels under so many lights each, in dispatches of at most `at_once` pixels, and returns
+  /// their seconds. 0: of a number that grows while they are short.
+  double pass(const Program& program, std::uint32_t lights, std::uint32_t at_once = 0);
+
+  /// A plane of the output.
+  std::span<const std::uint32_t> channel(std::size_t i);
+
+  /// A way that shades each block in a pass of its own. This device must outlive it.
+  shade::Way way(const scene::Scene& scene, const SceneShader& shader);
+
+ private:
+  VulkanDevice device_;
+  ShaderCompiler compiler_;
+  std::uint32_t pixels_ = 0;
+};
+
+}  // namespace shadefit::device
