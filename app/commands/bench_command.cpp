@@ -9,6 +9,8 @@
 #include "app/output/output_folder.hpp"
 #include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
+#include "bench/device/times/device_report.hpp"
+#include "bench/device/times/measure_device.hpp"
 #include "bench/forms/accuracy.hpp"
 #include "bench/studies/measure_study.hpp"
 #include "bench/tradeoff/google_json.hpp"
@@ -146,6 +148,49 @@ BenchTexts texts_of(const bench::Trade& trade, const Terminal& terminal) {
   return texts;
 }
 
+BenchTexts texts_on_device(const bench::Trade& trade, const Terminal& terminal) {
+  const Table floors = device::floor_table(trade);
+  BenchTexts texts{
+      fmt::format("{}, driver {}\n{}\n", printable(trade.machine.device), printable(trade.machine.driver),
+                  write_console(floors, Precision::report, terminal)),
+      markdown_block(floors)};
+  for (const bench::TimedTarget& target : trade.targets) {
+    const Table front = device::device_front_table(trade, target.id);
+    texts.console += fmt::format("{}\n{}\n", target.title, write_console(front, Precision::report, terminal));
+    texts.markdown += fmt::format("### {}\n\n{}", target.title, markdown_block(front));
+  }
+  return texts;
+}
+
+/// The forms of the catalogue, or of a study, on a graphics device.
+Outcome bench_on_device(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const auto older = older_run(options);
+  const OutputFolder folder(options.out);
+  device::DeviceForms forms;
+  if (options.study) {
+    const StudyFile file = named_study(*options.study, study_folders(options.studies));
+    forms = device::study_forms(file.id, comparisons_of(file, checkpoint));
+  } else {
+    const forms::Catalogue catalogue = forms::catalogue();
+    require_targets(catalogue, options.only);
+    forms = device::catalogue_forms(catalogue, options.only);
+  }
+  const bench::Trade trade = device::measure_on_device(
+      *options.device, forms, options.quick ? device::quick_device_plan : device::full_device_plan,
+      [&, show = bar(progress, "bench")](double share) {
+        checkpoint();
+        show(share);
+      });
+  auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
+  auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
+  const auto report = device::device_bench_files(trade, figures, bench::this_occasion().date);
+  files.insert(files.end(), report.begin(), report.end());
+  const auto put = folder.prepare(files, missing, options.force, checkpoint);
+  BenchTexts texts = texts_on_device(trade, options.terminal);
+  texts.console += news.out + report_line(options);
+  return bench_outcome(options, trade, older, texts, {news.err.empty() ? 0 : 1, "", news.err, put});
+}
+
 }  // namespace
 
 std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& progress) {
@@ -157,6 +202,7 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
                       const Progress& progress) {
   if (options.list_devices) return list_devices_command(options);
   if (options.exhaustive) return exhaustive_command(options, version, checkpoint, progress);
+  if (options.device) return bench_on_device(options, checkpoint, progress);
   if (options.study) return bench_study(options, checkpoint, progress);
   const auto older = older_run(options);
   const OutputFolder folder(options.out);

@@ -85,10 +85,12 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
   add_comparison(bench, options, exhaustive);
   bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
       ->excludes(exhaustive);
-  add_value(bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
-            "the vector registers to time, besides scalar (default: all); with --exhaustive the ones to use "
-            "(default: sse2)")
-      ->excludes(study);
+  auto* width =
+      add_value(
+          bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
+          "the vector registers to time, besides scalar (default: all); with --exhaustive the ones to use "
+          "(default: sse2)")
+          ->excludes(study);
   add_value(bench, "--constants", options.constants, parse_text, "ID",
             "with --exhaustive: the constants of the form (default: its first)")
       ->needs(exhaustive);
@@ -101,7 +103,8 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
       ->needs(exhaustive);
   add_shard(bench, options.shard)->needs(exhaustive);
   add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
-            "measure on a graphics device (default: the CPU)");
+            "measure on a graphics device (default: the CPU)")
+      ->excludes(width);
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
   add_value(
       bench, "--range", options.range, parse_range, "A:B",

@@ -52,5 +52,8 @@ ShaderCompiler::~ShaderCompiler() = default;
 std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string&, ShaderLanguage) const {
   refuse();
 }
+std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>&) {
+  refuse();
+}
 
 }  // namespace shadefit::device

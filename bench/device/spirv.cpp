@@ -4,6 +4,7 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include <spirv-tools/optimizer.hpp>
 #include <stdexcept>
 
 namespace shadefit::device {
@@ -45,6 +46,15 @@ std::vector<std::uint32_t> ShaderCompiler::spirv(const std::string& source, Shad
   if (!program.link(messages)) refuse("the shader does not link", program.getInfoLog(), source);
   std::vector<std::uint32_t> words;
   glslang::GlslangToSpv(*program.getIntermediate(EShLangCompute), words);
+  return words;
+}
+
+std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>& spirv) {
+  spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
+  optimizer.RegisterPass(spvtools::CreateConvertRelaxedToHalfPass());
+  std::vector<std::uint32_t> words;
+  if (!optimizer.Run(spirv.data(), spirv.size(), &words))
+    throw std::logic_error("the shader has no version in half");
   return words;
 }
 

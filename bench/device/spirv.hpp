@@ -23,4 +23,8 @@ class ShaderCompiler {
   std::vector<std::uint32_t> spirv(const std::string& source, ShaderLanguage language) const;
 };
 
+/// A shader whose `mediump` numbers (RelaxedPrecision in SPIR-V) are halves: to a driver that word is only a
+/// hint, which most of them ignore. The emitted text stays as it is. The device must have halves.
+std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>& spirv);
+
 }  // namespace shadefit::device

@@ -11,6 +11,9 @@ struct Machine {
   std::string compiler;    ///< of this program
   unsigned threads;        ///< that the machine runs in parallel
   std::size_t last_cache;  ///< bytes; 0 if unknown
+  /// What the times are of, by its name, and the driver that runs it: on the CPU there is none.
+  std::string device = "cpu", driver = {};
+  bool is_graphics() const { return !driver.empty(); }
 };
 
 /// The value of the first line "model name : ..." of the text of /proc/cpuinfo, or "unknown".

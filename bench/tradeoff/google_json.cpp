@@ -97,9 +97,10 @@ Occasion this_occasion() {
 }
 
 std::string benchmark_name(const TimedForm& timed) {
-  return (timed.target.empty() ? "" : timed.target + "/") + full_id(timed) +
-         (timed.is_double ? "/double/" : "/float/") + std::string(forms::name(timed.width)) + "/" +
-         name(timed.place);
+  const std::string begin =
+      (timed.target.empty() ? "" : timed.target + "/") + full_id(timed) + "/" + precision_of(timed) + "/";
+  if (timed.on_device) return begin + "vulkan";
+  return begin + std::string(forms::name(timed.width)) + "/" + name(timed.place);
 }
 
 std::string google_json(const Trade& trade, const Occasion& occasion) {
@@ -129,6 +130,8 @@ std::string google_json(const Trade& trade, const Occasion& occasion) {
                     {"load_avg", Json::array()},
                     {"library_build_type", "release"},
                     {"cpu", trade.machine.cpu},
+                    {"device", trade.machine.device},
+                    {"driver", trade.machine.driver},
                     {"compiler", trade.machine.compiler}}},
                   {"benchmarks", rows}};
   return json.dump(2) + "\n";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace shadefit::bench {
 namespace {
@@ -9,32 +10,6 @@ namespace {
 /// Places of a grid: a multiple of 64. For a form with few extrema, the largest error is found to a millionth
 /// of it.
 constexpr std::size_t grid_places = 16384;
-
-/// The places for the errors of a target, floats that are exact in double.
-struct Grid {
-  std::vector<float> in[3];
-  std::vector<std::uint8_t> codes;
-};
-
-Grid grid_of(const forms::Target& target) {
-  Grid grid;
-  for (std::size_t i = 0; i < grid_places; ++i) {
-    if (target.arguments == forms::Arguments::normal_to_lights) {
-      const auto direction = forms::spread_direction(i);
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        grid.in[axis].push_back(static_cast<float>(direction[axis]));
-      continue;
-    }
-    const bool has_codes = target.arguments == forms::Arguments::cosine_and_code;
-    // With codes: each of the 256 at every 64th of the cosines.
-    const std::size_t step = has_codes ? i / 256 : i,
-                      last = has_codes ? grid_places / 256 - 1 : grid_places - 1;
-    const double share = static_cast<double>(step) / static_cast<double>(last);
-    grid.in[0].push_back(static_cast<float>(target.from + share * (target.to - target.from)));
-    if (has_codes) grid.codes.push_back(static_cast<std::uint8_t>(i % 256));
-  }
-  return grid;
-}
 
 template <class Real>
 std::vector<Real> values_of(forms::Kernel<Real> kernel, const Grid& grid, const std::vector<double>& given) {
@@ -69,9 +44,40 @@ const forms::CompiledForm* find(const std::vector<forms::CompiledForm>& all, std
 
 }  // namespace
 
+Grid grid_of(const forms::Target& target) {
+  Grid grid;
+  for (std::size_t i = 0; i < grid_places; ++i) {
+    if (target.arguments == forms::Arguments::normal_to_lights) {
+      const auto direction = forms::spread_direction(i);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        grid.in[axis].push_back(static_cast<float>(direction[axis]));
+      continue;
+    }
+    const bool has_codes = target.arguments == forms::Arguments::cosine_and_code;
+    // With codes: each of the 256 at every 64th of the cosines.
+    const std::size_t step = has_codes ? i / 256 : i,
+                      last = has_codes ? grid_places / 256 - 1 : grid_places - 1;
+    const double share = static_cast<double>(step) / static_cast<double>(last);
+    grid.in[0].push_back(static_cast<float>(target.from + share * (target.to - target.from)));
+    if (has_codes) grid.codes.push_back(static_cast<std::uint8_t>(i % 256));
+  }
+  return grid;
+}
+
+std::vector<double> truth_at(const Grid& grid, const forms::Catalogue& catalogue,
+                             const forms::Target& target) {
+  const auto scalar = forms::scalar_forms();
+  for (const forms::FormEntry& form : catalogue.forms) {  // the first of a target is the target itself
+    if (form.target == target.id)
+      return values_of(find(scalar, form.id)->in_double, grid,
+                       forms::parameters_of(target, form.constants.front()));
+  }
+  throw std::logic_error("no form of the target " + std::string(target.id));
+}
+
 std::vector<FormError> grid_errors(const forms::Catalogue& catalogue, const std::vector<std::string>& targets,
                                    const std::function<void()>& between) {
-  const auto scalar = forms::scalar_forms(), compiled = forms::sse2_forms();
+  const auto compiled = forms::sse2_forms();
   std::vector<FormError> errors;
   const forms::Target* target = nullptr;
   Grid grid;
@@ -80,11 +86,10 @@ std::vector<FormError> grid_errors(const forms::Catalogue& catalogue, const std:
     const bool is_wanted =
         targets.empty() || std::find(targets.begin(), targets.end(), form.target) != targets.end();
     if (!is_wanted) continue;
-    if (target == nullptr || target->id != form.target) {  // the first of a target is the target itself
+    if (target == nullptr || target->id != form.target) {
       target = &forms::target_of(catalogue, form.target);
       grid = grid_of(*target);
-      truth = values_of(find(scalar, form.id)->in_double, grid,
-                        forms::parameters_of(*target, form.constants.front()));
+      truth = truth_at(grid, catalogue, *target);
     }
     for (const forms::CompiledForm& version : compiled) {
       if (version.form != form.id) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -7,6 +8,19 @@
 #include "bench/tradeoff/measure.hpp"
 
 namespace shadefit::bench {
+
+/// The places for the errors of a target, floats that are exact in double.
+struct Grid {
+  std::vector<float> in[3];         ///< the cosines, or the axes of normals; the others are empty
+  std::vector<std::uint8_t> codes;  ///< where the target reads codes
+};
+
+/// A dense grid over the domain of a target, ends included.
+Grid grid_of(const forms::Target& target);
+
+/// The target's own formula in double at the places of a grid.
+std::vector<double> truth_at(const Grid& grid, const forms::Catalogue& catalogue,
+                             const forms::Target& target);
 
 /// The largest absolute error of every requested form, for each set of constants, degree and precision, in
 /// SSE2, over a dense grid including its ends. The reference is the target's formula in double. `between` may

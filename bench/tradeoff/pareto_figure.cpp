@@ -42,7 +42,7 @@ struct Drawn {
 
 /// A logarithmic axis has no place for an error of 0.
 bool is_drawable(const TimedForm& timed) {
-  return !timed.is_double && timed.max_abs_error && *timed.max_abs_error > 0 &&
+  return precision_of(timed) == "float" && timed.max_abs_error && *timed.max_abs_error > 0 &&
          std::isfinite(*timed.max_abs_error) && timed.ns.median > 0;
 }
 
@@ -103,7 +103,7 @@ Table data_of(const Drawn& drawn) {
     const auto column = std::find(table.columns.begin(), table.columns.end(), series_of(timed, is_on_front));
     row[static_cast<std::size_t>(column - table.columns.begin())] = Number{*timed.max_abs_error, 4};
     row[4] = full_id(timed);
-    row[5] = std::string(forms::name(timed.width));
+    row[5] = timed.on_device ? "" : std::string(forms::name(timed.width));
     table.rows.push_back(std::move(row));
   };
   for (const TimedForm& timed : drawn.front) add(timed, true);
@@ -113,7 +113,8 @@ Table data_of(const Drawn& drawn) {
 
 /// The name beside a mark. A reference stands there once for each width.
 std::string mark_name(const TimedForm& timed) {
-  return timed.is_reference ? fmt::format("{} ({})", timed.form, forms::name(timed.width)) : full_id(timed);
+  return timed.is_reference && !timed.on_device ? fmt::format("{} ({})", timed.form, forms::name(timed.width))
+                                                : full_id(timed);
 }
 
 /// Points along the line that joins the front: names avoid them.
@@ -200,21 +201,26 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
       errors.push_back(*mark.max_abs_error);
     }
   }
+  const bool is_graphics = trade.machine.is_graphics();
   const Axis time = axis_around(times, 0.06, 0.22), error = axis_around(errors, 0.08, 0.08);
   const std::string name = "pareto-" + target.id;
   Panel panel{
-      .title = fmt::format("{}, on {}", raised(target.title), gnuplot_unmarked(trade.machine.cpu)),
-      .x_label = "time of an element in ns, float, data in L1, one core",
+      .title = fmt::format("{}, on {}", raised(target.title),
+                           gnuplot_unmarked(is_graphics ? trade.machine.device : trade.machine.cpu)),
+      .x_label = is_graphics ? "time of an evaluation in ns, float, on the whole device"
+                             : "time of an element in ns, float, data in L1, one core",
       .y_label = "largest absolute error",
       .settings = fmt::format("set logscale xy\nset xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n"
                               "set format y '10^{{%L}}'\nset format x '%g'\n",
                               time.low, time.high, error.low, error.high) +
                   label_commands(drawn, time, error),
       .abscissa = "ns",
-      .curves = {
-          {.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true},
-          {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
-          {.column = "reference", .label = "by the C library", .look = Look::fourth, .is_joined = false}}};
+      .curves = {{.column = "front", .label = "unbeaten", .look = Look::first, .has_points = true},
+                 {.column = "form", .label = "other forms", .look = Look::second, .is_joined = false},
+                 {.column = "reference",
+                  .label = is_graphics ? "the target itself" : "by the C library",
+                  .look = Look::fourth,
+                  .is_joined = false}}};
   // The legend names only series with data.
   const Table data = data_of(drawn);
   std::erase_if(panel.curves, [&](const Curve& curve) {
@@ -224,18 +230,17 @@ Figure pareto_figure(const Trade& trade, const TimedTarget& target) {
       return std::holds_alternative<std::monostate>(row[static_cast<std::size_t>(column)]);
     });
   });
-  return {
-      .name = name,
-      .family = "",
-      .caption = fmt::format("Error against time of {}: each form in float at its fastest width, data in L1. "
-                             "No form is both faster and more accurate than one on the line.",
-                             target.title),
-      .data = data,
-      .script = write_script({.name = name,
-                              .about = "Run time against error: " + target.id,
-                              .columns = 1,
-                              .panel_height = static_cast<int>(area.y),
-                              .panels = {panel}})};
+  return {.name = name,
+          .family = "",
+          .caption = fmt::format("Error against time of {}: each form in float{}. "
+                                 "No form is both faster and more accurate than one on the line.",
+                                 target.title, is_graphics ? "" : " at its fastest width, data in L1"),
+          .data = data,
+          .script = write_script({.name = name,
+                                  .about = "Run time against error: " + target.id,
+                                  .columns = 1,
+                                  .panel_height = static_cast<int>(area.y),
+                                  .panels = {panel}})};
 }
 
 }  // namespace shadefit::bench

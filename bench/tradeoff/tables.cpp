@@ -1,5 +1,7 @@
 #include "bench/tradeoff/tables.hpp"
 
+#include <array>
+
 namespace shadefit::bench {
 namespace {
 
@@ -16,28 +18,44 @@ Cell error_cell(const std::optional<double>& error) {
   return error ? Cell{Number{*error, 3}} : Cell{};
 }
 
+/// The cells of a graphics device, which are empty on the CPU.
+std::array<Cell, 3> device_cells(const TimedForm& timed) {
+  if (!timed.on_device) return {};
+  const DeviceTimes& times = *timed.on_device;
+  return {measured(times.multiply_adds), measured(times.dependent_ns),
+          measured(times.dependent_multiply_adds)};
+}
+
 std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
+  const bool is_on_cpu = !timed.on_device;
+  const auto [mads, dependent_ns, dependent_mads] = device_cells(timed);
   return {timed.target,
           timed.form,
           timed.constants,
           static_cast<long>(timed.exp2_degree),
-          std::string(timed.is_double ? "double" : "float"),
-          std::string(forms::name(timed.width)),
-          name(timed.place),
+          precision_of(timed),
+          is_on_cpu ? std::string(forms::name(timed.width)) : "",
+          is_on_cpu ? name(timed.place) : "",
           measured(timed.ns.median),
           measured(timed.ns.width()),
           measured(timed.copies),
           measured(timed.pows),
           error_cell(timed.max_abs_error),
           machine.cpu,
-          machine.compiler};
+          machine.compiler,
+          machine.device,
+          machine.driver,
+          mads,
+          dependent_ns,
+          dependent_mads};
 }
 
 }  // namespace
 
 Table bench_table(const Trade& trade) {
   Table table{{"target", "form", "constants", "exp2_degree", "precision", "width", "place", "ns_per_element",
-               "spread", "copies", "times_faster_than_pow", "max_abs_error", "cpu", "compiler"},
+               "spread", "copies", "times_faster_than_pow", "max_abs_error", "cpu", "compiler", "device",
+               "driver", "multiply_adds", "dependent_ns", "dependent_multiply_adds"},
               {}};
   for (const TimedForm& floor : trade.copies) table.rows.push_back(bench_row(floor, trade.machine));
   for (const TimedForm& timed : trade.forms) table.rows.push_back(bench_row(timed, trade.machine));
@@ -50,10 +68,10 @@ Table front_table(const Trade& trade, const std::string& target) {
               {}};
   for (const TimedForm& timed : front_of_target(trade, target)) {
     const TimedForm* far = in_memory(trade, timed);
-    table.rows.push_back({timed.label, std::string(timed.is_double ? "double" : "float"),
-                          std::string(forms::name(timed.width)), error_cell(timed.max_abs_error),
-                          measured(timed.ns.median), measured(timed.ns.width()), measured(timed.copies),
-                          measured(timed.pows), far != nullptr ? measured(far->ns.median) : Cell{},
+    table.rows.push_back({timed.label, precision_of(timed), std::string(forms::name(timed.width)),
+                          error_cell(timed.max_abs_error), measured(timed.ns.median),
+                          measured(timed.ns.width()), measured(timed.copies), measured(timed.pows),
+                          far != nullptr ? measured(far->ns.median) : Cell{},
                           far != nullptr ? measured(far->copies) : Cell{}});
   }
   return table;

@@ -10,6 +10,11 @@ std::string name(DataPlace place) {
   return place == DataPlace::first_cache ? "L1" : "memory";
 }
 
+std::string precision_of(const TimedForm& timed) {
+  if (timed.on_device && timed.on_device->is_half) return "half";
+  return timed.is_double ? "double" : "float";
+}
+
 std::string full_id(const TimedForm& timed) {
   return timed.exp2_degree == 0 ? timed.form : timed.form + "/exp2-" + std::to_string(timed.exp2_degree);
 }
@@ -17,7 +22,7 @@ std::string full_id(const TimedForm& timed) {
 namespace {
 
 bool are_alike(const TimedForm& a, const TimedForm& b) {
-  return a.is_double == b.is_double && a.place == b.place;
+  return precision_of(a) == precision_of(b) && a.place == b.place;
 }
 
 template <class Condition>
@@ -30,7 +35,7 @@ const TimedForm* first_where(const std::vector<TimedForm>& rows, const Condition
 
 bool is_same_kernel(const TimedForm& a, const TimedForm& b) {
   return a.target == b.target && a.form == b.form && a.exp2_degree == b.exp2_degree && a.width == b.width &&
-         a.is_double == b.is_double;
+         precision_of(a) == precision_of(b);
 }
 
 bool is_same_way(const TimedForm& a, const TimedForm& b) {
@@ -64,7 +69,7 @@ std::vector<TimedForm> fastest_of(const Trade& trade, const std::string& target)
     if (timed.target != target || timed.place != DataPlace::first_cache || !timed.max_abs_error) continue;
     const auto same = std::find_if(fastest.begin(), fastest.end(), [&](const TimedForm& known) {
       return known.form == timed.form && known.constants == timed.constants &&
-             known.exp2_degree == timed.exp2_degree && known.is_double == timed.is_double;
+             known.exp2_degree == timed.exp2_degree && precision_of(known) == precision_of(timed);
     });
     if (same == fastest.end()) {
       fastest.push_back(timed);

@@ -20,6 +20,14 @@ enum class DataPlace {
 /// "L1", "memory".
 std::string name(DataPlace place);
 
+/// What only a graphics device has: see bench/device/times/measure_device.hpp. A copy has no such times.
+struct DeviceTimes {
+  bool is_half = false;
+  std::optional<double> multiply_adds = {};            ///< the time in that of a multiply-add in float
+  std::optional<double> dependent_ns = {};             ///< of an evaluation that waits for the one before
+  std::optional<double> dependent_multiply_adds = {};  ///< that in multiply-adds that wait for each other
+};
+
 /// One measurement for a target: the form, its compilation, the place of its data, and its time.
 struct TimedForm {
   std::string target;         ///< its id
@@ -37,6 +45,7 @@ struct TimedForm {
   std::optional<double> max_abs_error;  ///< in its precision
   std::optional<double> copies;         ///< its time relative to copying the same array
   std::optional<double> pows;  ///< the time of the scalar reference relative to its own: the speed-up
+  std::optional<DeviceTimes> on_device;  ///< of a graphics device; then `width` and `place` mean nothing
 };
 
 /// The target of forms, and its heading in the report.
@@ -63,6 +72,9 @@ struct Trade {
   std::vector<TimedForm> forms;   ///< by target
   std::vector<Goal> goals;
 };
+
+/// "half", "float" or "double".
+std::string precision_of(const TimedForm& timed);
 
 /// The form with its exp2, as one name: "sg-game", "sg-game/exp2-3".
 std::string full_id(const TimedForm& timed);

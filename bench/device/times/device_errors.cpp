@@ -1,0 +1,91 @@
+#include "bench/device/times/device_errors.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "bench/device/spirv.hpp"
+#include "bench/device/times/measure_device.hpp"
+#include "bench/device/vulkan_device.hpp"
+#include "fit/scalars/half.hpp"
+
+namespace shadefit::device {
+namespace {
+
+/// The places as the precision holds them: so the error is the form's, not that of its argument.
+Places held(Places places, ShaderPrecision precision) {
+  if (precision == ShaderPrecision::float16) {
+    for (std::vector<float>& axis : places) {
+      for (float& x : axis) x = static_cast<float>(round_to_half(x));
+    }
+  }
+  return places;
+}
+
+void write_places(const Places& places, std::span<std::uint32_t> words) {
+  for (std::size_t a = 0; a < places.size(); ++a) {
+    for (std::size_t i = 0; i < places[a].size(); ++i)
+      words[i * places.size() + a] = std::bit_cast<std::uint32_t>(places[a][i]);
+  }
+}
+
+std::vector<float> read_values(std::span<const std::uint32_t> words) {
+  std::vector<float> values;
+  for (const std::uint32_t word : words) values.push_back(std::bit_cast<float>(word));
+  return values;
+}
+
+std::size_t most_words(const DeviceForms& forms) {
+  std::size_t most = threads_per_group;
+  for (const DeviceTarget& target : forms.targets) {
+    if (!target.places.empty()) most = std::max(most, target.places.size() * target.places.front().size());
+  }
+  return most;
+}
+
+}  // namespace
+
+double largest_error(std::span<const float> values, std::span<const double> truth) {
+  double largest = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double error = std::abs(static_cast<double>(values[i]) - truth[i]);
+    if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, error);
+  }
+  return largest;
+}
+
+std::vector<std::optional<double>> errors_on_device(std::size_t place, const DeviceForms& forms,
+                                                    ShaderPrecision precision,
+                                                    const std::function<void()>& between) {
+  VulkanDevice device({.place = place, .words = most_words(forms)});
+  const ShaderCompiler compiler;
+  std::vector<std::optional<double>> errors;
+  const DeviceTarget* target = nullptr;
+  std::vector<double> truth;
+  for (const DeviceForm& form : forms.forms) {
+    between();
+    if (target != &forms.targets.at(form.target)) {
+      target = &forms.targets.at(form.target);
+      truth.clear();
+      if (target->truth) {
+        const Places places = held(target->places, precision);
+        truth = target->truth(places);
+        write_places(places, device.input());
+      }
+    }
+    if (truth.empty()) {
+      errors.emplace_back();
+      continue;
+    }
+    auto spirv = compiler.spirv(values_shader(form.function, precision), ShaderLanguage::glsl);
+    if (precision == ShaderPrecision::float16) spirv = with_halves(spirv);
+    const auto count = static_cast<std::uint32_t>(truth.size());
+    device.run(device.load(spirv), count, {count});
+    errors.emplace_back(largest_error(read_values(device.output().first(count)), truth));
+  }
+  return errors;
+}
+
+}  // namespace shadefit::device

@@ -1,0 +1,87 @@
+#include "bench/device/times/device_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bench/tradeoff/tables.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit::device {
+namespace {
+
+/// Times are repeatable to a few percent: three digits.
+Cell measured(double value) {
+  return Number{value, 3};
+}
+Cell measured(const std::optional<double>& value) {
+  return value ? measured(*value) : Cell{};
+}
+
+std::string target_section(const bench::Trade& trade, const bench::TimedTarget& target,
+                           const std::vector<Figure>& figures) {
+  std::string text = fmt::format("## {}\n\n{}\n", target.title, device_advice(trade, target.id));
+  text += markdown_block(device_front_table(trade, target.id));
+  for (const Figure& figure : figures) {
+    if (figure.name != "pareto-" + target.id) continue;
+    text += fmt::format("![{0}](plots/{1}.svg)\n\n{0}\n\n", figure.caption, figure.name);
+  }
+  return text;
+}
+
+}  // namespace
+
+Table device_front_table(const bench::Trade& trade, const std::string& target) {
+  Table table{{"form", "precision", "max abs error", "MADs", "ns", "spread", "MADs in a chain",
+               "x faster than the target"},
+              {}};
+  for (const bench::TimedForm& timed : front_of_target(trade, target)) {
+    table.rows.push_back({timed.label, precision_of(timed), measured(timed.max_abs_error),
+                          measured(timed.on_device->multiply_adds), measured(timed.ns.median),
+                          measured(timed.ns.width()), measured(timed.on_device->dependent_multiply_adds),
+                          measured(timed.pows)});
+  }
+  return table;
+}
+
+std::string device_advice(const bench::Trade& trade, const std::string& target) {
+  std::string text;
+  for (const bench::TimedForm& timed : front_of_target(trade, target)) {
+    const std::string gain = timed.is_reference ? "; the target itself"
+                             : timed.pows
+                                 ? fmt::format("; {:.1f} x as fast as the target itself", *timed.pows)
+                                 : "";
+    text +=
+        fmt::format("- An error of {:.2g} allowed: {} in {}, {:.3g} multiply-adds{}.\n", *timed.max_abs_error,
+                    timed.label, precision_of(timed), timed.on_device->multiply_adds.value(), gain);
+  }
+  return text.empty() ? "Nothing was measured.\n" : text;
+}
+
+Table floor_table(const bench::Trade& trade) {
+  Table table{{"what", "precision", "ns", "spread", "ns in a chain"}, {}};
+  for (const bench::TimedForm& floor : trade.copies) {
+    table.rows.push_back({floor.label, precision_of(floor), measured(floor.ns.median),
+                          measured(floor.ns.width()), measured(floor.on_device->dependent_ns)});
+  }
+  return table;
+}
+
+std::vector<File> device_bench_files(const bench::Trade& trade, const std::vector<Figure>& figures,
+                                     const std::string& date) {
+  std::string text = fmt::format(
+      "# Run time against error on a device\n\n"
+      "{}, driver {}, on {}; {}. Each form is the GLSL that `emit` writes, in a compute shader. A time is that\n"
+      "of one evaluation in a long row of them, on the whole device: the median of {} rounds, each of which visits every form\n"
+      "once; `spread` is the interquartile range. `MADs`: in the time of a multiply-add in float, four streams a thread;\n"
+      "`MADs in a chain`: the same where each evaluation waits for the one before. The loop's own time is subtracted.\n"
+      "Errors are the largest of this device, on a grid, against the target in double.\n\n"
+      "{}\n# What to use when\n\n",
+      trade.machine.device, trade.machine.driver, trade.machine.cpu, date, trade.forms.front().real.size(),
+      markdown_block(floor_table(trade)));
+  for (const bench::TimedTarget& target : trade.targets) text += target_section(trade, target, figures);
+  text.pop_back();  // sections end in an empty line, the file does not
+  return {{"bench.md", text}, {"bench.csv", write_csv(bench_table(trade), Precision::report)}};
+}
+
+}  // namespace shadefit::device

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bench/device/form_functions.hpp"
+#include "bench/device/times/device_forms.hpp"
+#include "fit/scalars/integral.hpp"
+#include "fit/study/largest_error.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/code/reserved_names.hpp"
+#include "reports/studies/study_comparison.hpp"
+
+namespace shadefit::device {
+namespace {
+
+/// The floats of a grid over the ranges, their ends included: about as many as the catalogue's grid has.
+Places grid_over(const std::vector<Range>& ranges) {
+  constexpr double most = 16384;
+  const auto steps = static_cast<std::size_t>(std::pow(most, 1 / static_cast<double>(ranges.size())) + 0.5);
+  std::size_t count = 1;
+  for (std::size_t a = 0; a < ranges.size(); ++a) count *= steps;
+  Places places(ranges.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t rest = i;
+    for (std::size_t a = 0; a < ranges.size(); ++a, rest /= steps) {
+      const double share = static_cast<double>(rest % steps) / static_cast<double>(steps - 1);
+      places[a].push_back(static_cast<float>(ranges[a].from + share * (ranges[a].to - ranges[a].from)));
+    }
+  }
+  return places;
+}
+
+std::function<std::vector<double>(const Places&)> in_double(const Symbolic& formula,
+                                                            const std::vector<std::string>& variables) {
+  return [=](const Places& places) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < places.front().size(); ++i) {
+      values.push_back(evaluate<double>(formula, [&](const std::string& name) -> double {
+        const auto found = std::find(variables.begin(), variables.end(), name);
+        return places.at(static_cast<std::size_t>(found - variables.begin())).at(i);
+      }));
+    }
+    return values;
+  };
+}
+
+/// Whether GLSL has the function of a formula. An integral has no code at all.
+bool has_code(const ShaderFunction& function) {
+  if (integral_depth(function.result) > 0) return false;
+  try {
+    timing_shader(function, {}, ShaderPrecision::float32, Chain::dependent);
+    return true;
+  } catch (const UserError&) {
+    return false;
+  }
+}
+
+void require_names(const std::vector<std::string>& variables) {
+  for (const std::string& name : variables) {
+    const auto reason = reason_to_refuse_name(name, Language::glsl);
+    if (!reason.empty())
+      throw UserError(fmt::format("--device cannot have the variable '{}' in GLSL: {}", name, reason));
+  }
+}
+
+bench::TimedForm target_row(const StudyComparison& comparison, const std::string& id) {
+  bench::TimedForm row;
+  row.target = id;
+  row.form = "target";
+  row.label = "the target: " + comparison.study.target;
+  row.is_reference = true;
+  return row;
+}
+
+bench::TimedForm row_of(const StudyContender& contender, const std::string& id) {
+  bench::TimedForm row;
+  row.target = id;
+  row.form = contender.form;
+  row.constants = contender.origin;
+  row.label = contender.form + ", " +
+              (contender.published == nullptr ? contender.origin
+                                              : contender.origin.substr(0, contender.origin.find(',')));
+  return row;
+}
+
+void append(DeviceForms& all, const StudyComparison& comparison, const std::string& id) {
+  const auto& contenders = comparison.contenders;
+  if (contenders.empty())
+    throw UserError("no fit of '" + id + "' converged, and nothing was published: there is nothing to time");
+  require_names(comparison.variables);
+  const ReadStudy read = formulas_of(comparison, contenders.front());
+  DeviceTarget target{{id, target_of(comparison)}, {}, {}, {}};
+  for (const StudyAxis& axis : read.axes) target.ranges.push_back({axis.lower, axis.upper});
+  const std::size_t place = all.targets.size();
+  const bool is_formula = comparison.study.rows == nullptr;
+  if (is_formula) {
+    target.places = grid_over(target.ranges);
+    target.truth = in_double(read.target, comparison.variables);
+    const ShaderFunction itself{form_name, comparison.variables, read.target};
+    if (has_code(itself)) all.forms.push_back({place, target_row(comparison, id), "target", itself});
+  }
+  all.targets.push_back(std::move(target));
+  std::vector<DeviceForm> added;
+  for (const StudyContender& contender : contenders) {
+    const ShaderFunction function{form_name, comparison.variables, contender.code};
+    if (!has_code(function))
+      throw UserError(fmt::format("--device has no code for the form '{}'", contender.formula));
+    bench::TimedForm row = row_of(contender, id);
+    if (!is_formula)
+      row.max_abs_error = largest_error(formulas_of(comparison, contender), contender.values).magnitude;
+    added.push_back({place, row, contender.form + ": " + to_text(contender.operations), function});
+  }
+  std::stable_sort(added.begin(), added.end(),
+                   [](const DeviceForm& a, const DeviceForm& b) { return a.shape < b.shape; });
+  all.forms.insert(all.forms.end(), added.begin(), added.end());
+}
+
+}  // namespace
+
+DeviceForms study_forms(const std::string& id, const std::vector<StudyComparison>& comparisons) {
+  DeviceForms all;
+  for (std::size_t i = 0; i < comparisons.size(); ++i)
+    append(all, comparisons[i], comparisons.size() == 1 ? id : fmt::format("{}-{}", id, i + 1));
+  return all;
+}
+
+}  // namespace shadefit::device

@@ -1,0 +1,113 @@
+#include "bench/device/times/timing_shader.hpp"
+
+#include <fmt/format.h>
+
+#include "bench/device/form_functions.hpp"
+#include "bench/device/vulkan_device.hpp"
+#include "fit/scalars/symbolic.hpp"
+
+namespace shadefit::device {
+namespace {
+
+std::string head() {
+  return fmt::format(
+      "#version 450\n"
+      "layout(local_size_x = {}) in;\n"
+      "layout(set = 0, binding = 0, std430) buffer Output {{ float result[]; }};\n"
+      "layout(set = 0, binding = 1, std430) buffer Input {{ uint given[]; }};\n"
+      "layout(push_constant) uniform Push {{ uint count, factor; }} push;\n",
+      threads_per_group);
+}
+
+std::string emitted(const ShaderFunction& function, ShaderPrecision precision) {
+  return shader_code(std::span(&function, 1), Language::glsl, precision, std::array<std::string, 0>());
+}
+
+/// The type of the numbers of the chain: that of the function's own.
+std::string_view type_of(ShaderPrecision precision) {
+  return precision == ShaderPrecision::float16 ? "mediump float" : "float";
+}
+
+/// The thread's place in a range: one of 1024, in the middle of its share, in an order that differs from
+/// argument to argument.
+std::string place_in(const Range& range, std::size_t argument) {
+  constexpr int places = 1024;
+  constexpr std::array steps{397, 631, 829, 1021};  // odd: each visits all places
+  return fmt::format("{:.9e} + {:.9e} * ((float((gl_GlobalInvocationID.x * {}u) & {}u) + 0.5) / {}.0)",
+                     range.from, range.to - range.from, steps.at(argument), places - 1, places);
+}
+
+}  // namespace
+
+std::string timing_shader(const ShaderFunction& function, std::span<const Range> ranges,
+                          ShaderPrecision precision, Chain chain) {
+  const std::string_view type = type_of(precision);
+  const std::uint32_t streams = chain == Chain::independent ? 4 : 1;
+  std::string code = head() + emitted(function, precision) + "\nvoid main() {\n";
+  code += fmt::format("  {} t = uintBitsToFloat(push.factor);\n", type);
+  for (std::size_t a = 0; a < ranges.size(); ++a)
+    code += fmt::format("  {} b{} = {};\n", type, a, place_in(ranges[a], a));
+  std::string sum;
+  for (std::uint32_t s = 0; s < streams; ++s) {
+    code += fmt::format("  {} r{} = {}.0;\n", type, s, s);
+    sum += fmt::format("{}r{}", s == 0 ? "" : " + ", s);
+  }
+  code += "  for (uint turn = 0u; turn < push.count; ++turn) {\n";
+  for (std::uint32_t e = 0; e < evaluations_a_turn; ++e) {
+    std::string arguments;
+    for (std::size_t a = 0; a < ranges.size(); ++a)
+      arguments += fmt::format("{}b{} + t * r{}", a == 0 ? "" : ", ", a, e % streams);
+    code += fmt::format("    r{} = {}({});\n", e % streams, function.name, arguments);
+  }
+  return code + fmt::format("  }}\n  result[gl_GlobalInvocationID.x] = {};\n}}\n", sum);
+}
+
+std::string values_shader(const ShaderFunction& function, ShaderPrecision precision) {
+  const std::size_t count = function.arguments.size();
+  std::string arguments;
+  for (std::size_t a = 0; a < count; ++a)
+    arguments += fmt::format("{}uintBitsToFloat(given[i * {}u + {}u])", a == 0 ? "" : ", ", count, a);
+  return head() + emitted(function, precision) +
+         fmt::format(
+             "\nvoid main() {{\n"
+             "  uint i = gl_GlobalInvocationID.x;\n"
+             "  if (i < push.count) result[i] = {}({});\n}}\n",
+             function.name, arguments);
+}
+
+namespace {
+
+/// A shader that does something with each of the first words of the buffers.
+std::string words_shader(std::string_view with_word_i) {
+  return head() + fmt::format(
+                      "\nvoid main() {{\n"
+                      "  for (uint i = gl_GlobalInvocationID.x; i < push.count; i += push.factor) {}\n}}\n",
+                      with_word_i);
+}
+
+}  // namespace
+
+std::string copying_shader() {
+  return words_shader("result[i] = uintBitsToFloat(given[i]);");
+}
+std::string filling_shader() {
+  return words_shader("{ given[i] = i; result[i] = 0.0; }");
+}
+
+ShaderFunction chain_alone() {
+  return {form_name, {"c"}, Symbolic::variable("c")};
+}
+
+ShaderFunction multiply_add_chain() {
+  const Symbolic c = Symbolic::variable("c");
+  Symbolic value = Symbolic::number("0.25");
+  // Coefficients that differ, that halves hold, and whose sum is 1: 16 of them, and the first.
+  constexpr int sixty_fourths = 64;
+  for (int i = 1; i <= multiply_adds; ++i) {
+    const int numerator = i % 4 == 0 ? 6 : i % 4;  // 1, 2, 3, 6: 12 in four, 48 in all
+    value = value * c + Symbolic::number(fmt::format("{}", numerator / double{sixty_fourths}));
+  }
+  return {form_name, {"c"}, value};
+}
+
+}  // namespace shadefit::device
