@@ -16,10 +16,12 @@ struct Dialect {
   std::string_view type;
   std::string_view half = {};                      ///< the type of half; empty if there is none
   std::string_view suffix = {}, half_suffix = {};  ///< of literals
+  std::string_view half_prefix = {};               ///< in front of a literal of half
   std::string_view functions = {};                 ///< in front of the name of a function of the library
   std::string_view float_suffix = {};              ///< behind it
   std::string_view before_min = {};                ///< in front of min, max and abs: C has fminf, not minf
   std::string_view before = {};                    ///< in front of a function's definition
+  std::string_view half_functions = {};            ///< "exp=hexp ..": all of half, if they have other names
   bool has_functions_of_c = false;                 ///< expm1, log1p, erf, erfc
   bool has_sign = false;
   bool has_guard = false;  ///< the file is a header: it may be included twice
@@ -67,13 +69,20 @@ inline constexpr std::array<Dialect, languages.size()> dialects{{
      .functions = "metal::",
      .before = "inline ",
      .has_sign = true},
-    // nvcc and NVRTC bring the functions themselves: NVRTC finds no header of C.
+    // nvcc and NVRTC bring the functions themselves: NVRTC finds no header of C. The functions of half are
+    // those of the CUDA Math API, "Half Precision Intrinsics"; half has no literals.
     {.name = "cuda",
+     .prologue_half = "#include <cuda_fp16.h>\n",
      .type = "float",
+     .half = "__half",
      .suffix = "f",
+     .half_suffix = "f)",
+     .half_prefix = "__float2half(",
      .float_suffix = "f",
      .before_min = "f",
      .before = "__device__ __forceinline__ ",
+     .half_functions = "exp=hexp exp2=hexp2 log=hlog log2=hlog2 sqrt=hsqrt sin=hsin cos=hcos floor=hfloor "
+                       "abs=__habs min=__hmin max=__hmax",
      .has_functions_of_c = true,
      .has_guard = true},
     // A program is a text given at run time, so a copy of a function may stand in it twice.

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <sstream>
 
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/in_50_digits.hpp"
@@ -93,7 +94,8 @@ class Body {
     if (decimal.find_first_of("in") != std::string::npos)  // inf or nan
       throw UserError(fmt::format("{}: '{}' is not a number of that precision", function_.name, decimal));
     const bool is_whole = decimal.find_first_of(".e") == std::string::npos;
-    return decimal + (is_whole ? ".0" : "") + std::string(is_half() ? dialect_.half_suffix : dialect_.suffix);
+    return fmt::format("{}{}{}{}", is_half() ? dialect_.half_prefix : "", decimal, is_whole ? ".0" : "",
+                       is_half() ? dialect_.half_suffix : dialect_.suffix);
   }
 
   /// The text of an expression, in parentheses unless its precedence is at least that high. For a reused
@@ -175,6 +177,14 @@ class Body {
   }
 
   std::string call(const std::string& function, const std::vector<Symbolic>& arguments) {
+    std::string list;
+    for (const Symbolic& argument : arguments)
+      list += (list.empty() ? "" : ", ") + text(argument, Tightness::sum);
+    return library_name(function) + "(" + list + ")";
+  }
+
+  std::string library_name(const std::string& function) const {
+    if (is_half() && !dialect_.half_functions.empty()) return half_name(function);
     constexpr std::array everywhere{"exp",  "exp2",  "log",  "log2", "sqrt",  "sin",  "cos",
                                     "tan",  "asin",  "acos", "atan", "atan2", "sinh", "cosh",
                                     "tanh", "floor", "abs",  "min",  "max",   "pow"};
@@ -189,11 +199,16 @@ class Body {
     std::string name = function;
     if (name == "min" || name == "max" || name == "abs") name.insert(0, dialect_.before_min);
     if (dialect_.name == "glsl" && name == "atan2") name = "atan";
-    name = fmt::format("{}{}{}", dialect_.functions, name, dialect_.float_suffix);
-    std::string list;
-    for (const Symbolic& argument : arguments)
-      list += (list.empty() ? "" : ", ") + text(argument, Tightness::sum);
-    return name + "(" + list + ")";
+    return fmt::format("{}{}{}", dialect_.functions, name, dialect_.float_suffix);
+  }
+
+  /// Of a language whose functions of half have names of their own.
+  std::string half_name(const std::string& function) const {
+    std::istringstream names{std::string(dialect_.half_functions)};
+    for (std::string pair; names >> pair;) {
+      if (pair.starts_with(function + "=")) return pair.substr(function.size() + 1);
+    }
+    throw UserError(fmt::format("{}: '{}' has no {} of half", function_.name, dialect_.name, function));
   }
 
   const ShaderFunction& function_;

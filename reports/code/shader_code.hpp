@@ -51,8 +51,8 @@ Symbolic as_generated(const Symbolic& expression, ShaderPrecision precision);
 /// complete: C and C++ include <math.h> or <cmath>, Metal its own library. C, C++, CUDA and OpenCL C have an
 /// include guard.
 ///
-/// Throws UserError if the language lacks a function of the vocabulary (log1p in a shader), or half (C, C++
-/// and CUDA).
+/// Throws UserError if the language lacks a function of the vocabulary (log1p in a shader, acos of half in
+/// CUDA), or half (C and C++).
 std::string shader_code(std::span<const ShaderFunction> functions, Language language,
                         ShaderPrecision precision, std::span<const std::string> comment);
 

@@ -53,7 +53,6 @@ function wave(operation, [low, high], phase) {
 }
 
 const rising = (operation, [low, high]) => [operation(low), operation(high)];
-const both = operation => ([low, high]) => [operation(low), operation(high)];
 
 /** The functions and operations, by their names. acos and asin are inherited from atan2, which is within 4096 ulp. */
 function operationsFor(exp2Ulps) {
@@ -66,7 +65,7 @@ function operationsFor(exp2Ulps) {
     abs: ([low, high]) => (low >= 0 ? [low, high] : high <= 0 ? [-high, -low] : [0, Math.max(-low, high)]),
     min: ([a, b], [c, d]) => [Math.min(a, c), Math.min(b, d)],
     max: ([a, b], [c, d]) => [Math.max(a, c), Math.max(b, d)],
-    floor: both(Math.floor),
+    floor: x => rising(Math.floor, x),
     '<': ([a, b], [c, d]) => [b < c ? 1 : 0, a < d ? 1 : 0],
     '?': ([no, yes], x, y) => (no === 1 ? x : yes === 0 ? y : [Math.min(x[0], y[0]), Math.max(x[1], y[1])]),
     exp: x => exponential(Math.exp, x, usualExp2Ulps),

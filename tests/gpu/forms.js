@@ -56,8 +56,17 @@ async function emitted(command, words, languages) {
   return { id: words.join(' '), name, variables, code };
 }
 
-/** All forms, in the order of their ids; two commands run at a time. */
+/** The families of the catalogue, which `list` names when it refuses another. */
+async function familiesOf(command) {
+  const { message } = await output(command, ['list', '--family', 'none']).catch(error => error);
+  return message.match(/one of (.*)/)[1].split(', ');
+}
+
+/** All forms, the catalogue first, then the studies by their ids; two commands run at a time. */
 async function allForms(command, studies, languages) {
+  for (const family of await familiesOf(command)) {
+    if (!CATALOGUE.some(([id]) => id.startsWith(family))) throw new Error(`tests/gpu/forms.js has no form of the family '${family}'`);
+  }
   const ids = fs.readdirSync(studies).filter(name => name.endsWith('.toml')).map(name => path.basename(name, '.toml')).sort();
   const wanted = CATALOGUE.concat(ids.filter(id => !SLOW.includes(id)).map(id => [id, ...(OPTIONS[id] ?? [])]));
   const forms = [];

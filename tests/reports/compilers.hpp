@@ -50,13 +50,28 @@ inline constexpr const char* cuda_header =
     "#include <__clang_cuda_libdevice_declares.h>\n__device__ long long __float2ll_rn(float);\n"
     "__device__ long long __double2ll_rn(double);\n#include <__clang_cuda_math.h>\n";
 
+/// What generated code uses of NVIDIA's cuda_fp16.h, declared as it is there. A half is not made of a float
+/// silently.
+inline constexpr const char* cuda_half_header =
+    "struct __half { unsigned short bits; };\n__device__ __half __float2half(const float);\n"
+    "__device__ __half operator+(const __half &, const __half &);\n"
+    "__device__ __half operator-(const __half &, const __half &);\n"
+    "__device__ __half operator*(const __half &, const __half &);\n"
+    "__device__ __half operator/(const __half &, const __half &);\n__device__ __half operator-(const __half &);\n"
+    "__device__ bool operator<(const __half &, const __half &);\n__device__ __half hexp(const __half);\n"
+    "__device__ __half hexp2(const __half);\n__device__ __half hlog(const __half);\n"
+    "__device__ __half hlog2(const __half);\n__device__ __half hsqrt(const __half);\n"
+    "__device__ __half hsin(const __half);\n__device__ __half hcos(const __half);\n"
+    "__device__ __half hfloor(const __half);\n__device__ __half __habs(const __half);\n"
+    "__device__ __half __hmin(const __half, const __half);\n__device__ __half __hmax(const __half, const __half);\n";
+
 /// Whether a file compiles as CUDA for the device.
 inline bool is_cuda(const std::string& file, const TemporaryDirectory& directory) {
   const std::string header = directory.file("cuda.h", cuda_header);
   return runs(
       "clang -x cuda --cuda-device-only -nocudainc -nocudalib -Wno-unknown-cuda-version -fsyntax-only -Wall "
-      "-Werror -include '" +
-          header + "' '" + file + "'",
+      "-Werror -I'" +
+          directory.path().string() + "' -include '" + header + "' '" + file + "'",
       directory);
 }
 

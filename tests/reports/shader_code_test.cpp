@@ -53,6 +53,14 @@ ShaderFunction of_everything() {
           {"All of it."}};
 }
 
+/// Everything that CUDA has for half.
+ShaderFunction of_half_in_cuda() {
+  const Symbolic c = variable("c"), half = constant<Symbolic>("0.5");
+  const Symbolic functions = exp(c) + exp2(c * half) - log(c) / log2(c) + sqrt(c) * sin(c) - cos(-c);
+  return {
+      "of_half", {"c"}, select(less(c, half), functions, floor(c) + abs(c)) + min(power(c, 5), max(c, half))};
+}
+
 std::string code_of(const ShaderFunction& function, Language language,
                     ShaderPrecision precision = ShaderPrecision::float32) {
   const std::string code = shader_code(std::span(&function, 1), language, precision, {});
@@ -127,7 +135,13 @@ TEST(ShaderCode, OfHalf) {
   EXPECT_EQ(code_of(fresnel_pair(), Language::opencl, ShaderPrecision::float16),
             "\n#pragma OPENCL EXTENSION cl_khr_fp16 : enable\n\nhalf fresnel(half c) {\n"
             "  return exp2((-5.555h * c - 6.984h) * c);\n}\n");
-  for (const Language language : {Language::c, Language::cpp, Language::cuda})
+  EXPECT_EQ(code_of(fresnel_pair(), Language::cuda, ShaderPrecision::float16),
+            "\n#include <cuda_fp16.h>\n\n__device__ __forceinline__ __half fresnel(__half c) {\n"
+            "  return hexp2((__float2half(-5.555f) * c - __float2half(6.984f)) * c);\n}\n");
+  const ShaderFunction arc{"f", {"c"}, acos(variable("c"))};
+  EXPECT_EQ(testing::refusal([&] { code_of(arc, Language::cuda, ShaderPrecision::float16); }),
+            "f: 'cuda' has no acos of half");
+  for (const Language language : {Language::c, Language::cpp})
     EXPECT_THROW(code_of(fresnel_pair(), language, ShaderPrecision::float16), UserError);
 }
 
@@ -206,6 +220,12 @@ TEST(GeneratedShader, CompilesAsCudaAndOpenCl) {
       "a.cu", shader_code(in_cuda, Language::cuda, ShaderPrecision::float32, {}) +
                   "__device__ float sum(float c, float k) { return of_everything(c, k) + f(c); }\n");
   EXPECT_TRUE(testing::is_cuda(cuda, directory)) << read_file(directory / "said");
+  directory.file("cuda_fp16.h", testing::cuda_half_header);
+  const ShaderFunction of_half = of_half_in_cuda();
+  const std::string cuda_half = directory.file(
+      "c.cu", shader_code(std::span(&of_half, 1), Language::cuda, ShaderPrecision::float16, {}) +
+                  "__device__ __half same(__half c) { return of_half(c); }\n");
+  EXPECT_TRUE(testing::is_cuda(cuda_half, directory)) << read_file(directory / "said");
   for (const ShaderPrecision precision : shader_precisions) {
     const std::string opencl =
         directory.file("a.cl", shader_code(in_opencl, Language::opencl, precision, {}));
