@@ -100,6 +100,8 @@ LeveledFit descend(const RowDescent& descent, const ReadStudy& study, const std:
     fit.parameters = end.at.parameters;
     result.levels.push_back(end.answer ? end.answer->level : end.at.largest);
     fit.level = result.levels.front();
+    if (row_directions(end.at.slopes, 1).cols() < end.at.slopes.cols())
+      return ended(Status::degenerate, "the parameters do not move the error independently");
     if (!end.answer) return ended(Status::not_converged, end.why);
     if (!is_linear && end.answer->bend < -no_bend)
       return ended(Status::not_converged,
@@ -112,10 +114,6 @@ LeveledFit descend(const RowDescent& descent, const ReadStudy& study, const std:
       return ended(Status::degenerate, "the level, " + decimal(*fit.level, 10) +
                                            ", is the least, but other parameters have it too");
   }
-  const RowErrors last = descent.errors_at(fit.parameters, stage);
-  const Eigen::Index independent_ones = row_directions(last.slopes, *fit.level).cols();
-  if (independent_ones < last.slopes.cols())
-    return ended(Status::degenerate, "the parameters do not move the error independently");
   if (fit.digits < least_study_digits)
     return ended(Status::not_converged, "Newton's method does not settle in long double");
   return ended(Status::converged, "");
