@@ -59,18 +59,21 @@ class Passes {
     for (const SceneShader& shader : shaders) programs_.push_back(device.load(shader));
     device.put_pixels(pixels);
     // A driver may compile a shader when it first runs.
-    all_seconds(1, 0);
-    double slowest = slowest_of(least_seconds(lights_));
-    if (slowest > first_pass) pixels = thinned(pixels, first_pass / slowest);
+    all_seconds(1);
+    const double first = slowest_of(least_seconds(lights_));
+    if (first > first_pass) pixels = thinned(pixels, first_pass / first);
     device.put_pixels(pixels);
     pixels_ = pixels.size();
-    for (std::vector<double> all = least_seconds(lights_);; all = least_seconds(lights_ *= 2)) {
-      slowest = slowest_of(all);
+    for (;; lights_ *= 2) {
+      const std::vector<double> all = least_seconds(lights_);
+      const double slowest = slowest_of(all);
+      // A quarter of what is allowed, so that twice the lights are allowed too.
+      const double share = std::min(1.0, longest_dispatch / 4 / slowest);
+      at_once_ =
+          std::max(threads_per_group, static_cast<std::uint32_t>(share * static_cast<double>(pixels_)));
       const bool is_long = slowest >= least && (least == 0 || all.back() <= empty_share * slowest);
       if (is_long || lights_ == most_lights) break;
     }
-    const double share = std::min(1.0, longest_dispatch / 4 / slowest);
-    at_once_ = std::max(threads_per_group, static_cast<std::uint32_t>(share * static_cast<double>(pixels_)));
   }
 
   std::size_t pixels() const { return pixels_; }
@@ -81,7 +84,7 @@ class Passes {
     std::vector<std::vector<double>> all(programs_.size() + 1);
     for (int round = 0; round < rounds; ++round) {
       between(static_cast<double>(round) / rounds);
-      const std::vector<double> of_round = all_seconds(lights_, at_once_);
+      const std::vector<double> of_round = all_seconds(lights_);
       for (std::size_t i = 0; i < all.size(); ++i) all[i].push_back(of_round[i]);
     }
     std::vector<double> medians;
@@ -90,23 +93,23 @@ class Passes {
   }
 
  private:
-  double seconds(std::size_t i, std::uint32_t lights, std::uint32_t at_once) {
+  double seconds(std::size_t i, std::uint32_t lights) {
     device_.put_materials(shaders_[i].materials);
-    return device_.pass(programs_[i], lights, at_once);
+    return device_.pass(programs_[i], lights, at_once_);
   }
 
-  std::vector<double> all_seconds(std::uint32_t lights, std::uint32_t at_once) {
+  std::vector<double> all_seconds(std::uint32_t lights) {
     std::vector<double> all;
-    for (std::size_t i = 0; i < programs_.size(); ++i) all.push_back(seconds(i, lights, at_once));
-    all.push_back(seconds(programs_.size() - 1, 0, at_once));
+    for (std::size_t i = 0; i < programs_.size(); ++i) all.push_back(seconds(i, lights));
+    all.push_back(seconds(programs_.size() - 1, 0));
     return all;
   }
 
   /// Of a few passes the quickest: what other programs do is not the device's time.
   std::vector<double> least_seconds(std::uint32_t lights) {
-    std::vector<double> least = all_seconds(lights, 0);
+    std::vector<double> least = all_seconds(lights);
     for (int more = 0; more < 2; ++more)
-      std::ranges::transform(least, all_seconds(lights, 0), least.begin(),
+      std::ranges::transform(least, all_seconds(lights), least.begin(),
                              [](double a, double b) { return std::min(a, b); });
     return least;
   }
@@ -118,7 +121,8 @@ class Passes {
   SceneDevice& device_;
   const std::vector<SceneShader>& shaders_;
   std::size_t pixels_ = 0;
-  std::uint32_t at_once_ = 0, lights_ = fewest_lights;
+  std::uint32_t at_once_ = 0;  ///< of `SceneDevice::pass`
+  std::uint32_t lights_ = fewest_lights;
   std::vector<Program> programs_;
 };
 

@@ -51,9 +51,10 @@ TEST(ShadeCommand, WritesTableFigureAndPicture) {
                            "plots/shade.gnuplot", "plots/shade.svg"})
     EXPECT_EQ(written.count(name), 1U) << name;
   EXPECT_EQ(written.size(), 12U) << "these and the directory plots";
-  EXPECT_TRUE(written.at("shade.csv")
-                  .starts_with("way,tolerance,form,ns_per_sample,max_error,mean_error,max_codes,mean_codes\n"
-                               "reference,,pow,"));
+  EXPECT_TRUE(
+      written.at("shade.csv")
+          .starts_with("way,tolerance,form,ns_per_sample,max_error,mean_error,max_codes,mean_codes,device\n"
+                       "reference,,pow,"));
   EXPECT_NE(outcome.out.find("\nPicture: " + (directory / "out/scene.png") + "\n"), std::string::npos);
 }
 
