@@ -1,7 +1,5 @@
 #include "bench/tradeoff/tables.hpp"
 
-#include <array>
-
 namespace shadefit::bench {
 namespace {
 
@@ -18,17 +16,9 @@ Cell error_cell(const std::optional<double>& error) {
   return error ? Cell{Number{*error, 3}} : Cell{};
 }
 
-/// The cells of a graphics device, which are empty on the CPU.
-std::array<Cell, 3> device_cells(const TimedForm& timed) {
-  if (!timed.on_device) return {};
-  const DeviceTimes& times = *timed.on_device;
-  return {measured(times.multiply_adds), measured(times.dependent_ns),
-          measured(times.dependent_multiply_adds)};
-}
-
 std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
   const bool is_on_cpu = !timed.on_device;
-  const auto [mads, dependent_ns, dependent_mads] = device_cells(timed);
+  const DeviceTimes times = timed.on_device.value_or(DeviceTimes());
   return {timed.target,
           timed.form,
           timed.constants,
@@ -45,9 +35,10 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
           machine.compiler,
           machine.device,
           machine.driver,
-          mads,
-          dependent_ns,
-          dependent_mads};
+          machine.clock,
+          measured(timed.multiply_adds),
+          measured(times.dependent_ns),
+          measured(times.dependent_multiply_adds)};
 }
 
 }  // namespace

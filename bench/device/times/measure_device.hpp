@@ -34,8 +34,8 @@ double largest_error(std::span<const float> values, std::span<const double> trut
 /// The time of a form is that of a turn of its shader, divided by the evaluations, less the chain's own: the
 /// time of the shader whose function returns its argument, and a multiply-add for each argument but the
 /// first. The time of a multiply-add is that of `multiply_add_chain` by the same rule, divided by their
-/// number. All are visited once a round, and the difference is taken within each. The empty kernel's time, a
-/// dispatch of no turns, is subtracted from every dispatch.
+/// number. All are visited once a round, and the difference is taken within each. The empty kernel's median,
+/// of a dispatch of no turns, is subtracted from every dispatch.
 ///
 /// `copies` of the trade has the floors: the copy of a word, the empty dispatch, a multiply-add.
 bench::Trade measure_on_device(std::size_t place, const DeviceForms& forms, const DevicePlan& plan,
