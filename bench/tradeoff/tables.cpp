@@ -46,7 +46,7 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
 Table bench_table(const Trade& trade) {
   Table table{{"target", "form", "constants", "exp2_degree", "precision", "width", "place", "ns_per_element",
                "spread", "copies", "times_faster_than_pow", "max_abs_error", "cpu", "compiler", "device",
-               "driver", "multiply_adds", "dependent_ns", "dependent_multiply_adds"},
+               "driver", "clock", "multiply_adds", "dependent_ns", "dependent_multiply_adds"},
               {}};
   for (const TimedForm& floor : trade.copies) table.rows.push_back(bench_row(floor, trade.machine));
   for (const TimedForm& timed : trade.forms) table.rows.push_back(bench_row(timed, trade.machine));

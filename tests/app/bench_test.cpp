@@ -169,6 +169,14 @@ TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
             "shadefit: --shard requires --exhaustive (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--out", "--json"}),
             "shadefit: --out '--json' looks like an option: name a value (a path may begin with './')\n");
+  EXPECT_EQ(refusal({"--device", "cuda"}),
+            "shadefit: --device 'cuda' is not a device: it must be vulkan or vulkan:N, see --list-devices\n");
+  EXPECT_EQ(refusal({"--device", "vulkan", "--width", "sse2"}),
+            "shadefit: --width excludes --device (see 'shadefit help bench')\n");
+  const TemporaryDirectory directory;
+  EXPECT_EQ(refusal({"--device", "vulkan", "--only", "phong-64", "--out", directory / "out"}),
+            "shadefit: --device has no form for --only 'phong-64': sums of several lights are not measured "
+            "there, phong-1 is one light\n");
   const auto here = forms::widths_here();
   if (here.back() != forms::Width::avx512) {
     EXPECT_EQ(refusal({"--width", "avx512"}),
