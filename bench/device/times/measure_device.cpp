@@ -259,15 +259,18 @@ bench::TimedForm plain_row(const char* name, const Measured& measured, std::size
 
 }  // namespace
 
-bench::Trade measure_on_device(std::size_t place, const DeviceForms& forms, const DevicePlan& plan,
-                               const std::function<void(double)>& between) {
-  VulkanDevice device({.place = place, .words = plan.copied_words, .has_buffers_on_device = true});
-  const DeviceInfo info = device.info();
+DeviceChoice choice_for_times(std::size_t place, const DevicePlan& plan) {
+  return {.place = place, .words = plan.copied_words, .has_buffers_on_device = true};
+}
+
+bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values, const DeviceForms& forms,
+                               const DevicePlan& plan, const std::function<void(double)>& between) {
+  const DeviceInfo info = for_times.info();
   const auto go_on = [&] { between(0); };
-  Programme programme(device, plan, go_on);
+  Programme programme(for_times, plan, go_on);
   std::vector<InPrecision> all{add_all(programme, forms, ShaderPrecision::float32)};
   if (info.has_half) all.push_back(add_all(programme, forms, ShaderPrecision::float16));
-  for (InPrecision& one : all) one.errors = errors_on_device(place, forms, one.precision, go_on);
+  for (InPrecision& one : all) one.errors = errors_on_device(for_values, forms, one.precision, go_on);
   const Measured measured(programme, programme.run(between));
 
   bench::Trade trade;
