@@ -9,6 +9,7 @@
 #include "app/output/output_folder.hpp"
 #include "app/output/slow_tables.hpp"
 #include "app/studies/find_study.hpp"
+#include "bench/device/times/device_errors.hpp"
 #include "bench/device/times/device_report.hpp"
 #include "bench/device/times/measure_device.hpp"
 #include "bench/forms/accuracy.hpp"
@@ -175,12 +176,14 @@ Outcome bench_on_device(const BenchOptions& options, const Checkpoint& checkpoin
     require_targets(catalogue, options.only);
     forms = device::catalogue_forms(catalogue, options.only);
   }
-  const bench::Trade trade = device::measure_on_device(
-      *options.device, forms, options.quick ? device::quick_device_plan : device::full_device_plan,
-      [&, show = bar(progress, "bench")](double share) {
-        checkpoint();
-        show(share);
-      });
+  const auto plan = options.quick ? device::quick_device_plan : device::full_device_plan;
+  device::VulkanDevice for_times(device::choice_for_times(*options.device, plan)),
+      for_values(device::choice_for_values(*options.device, forms));
+  const bench::Trade trade = device::measure_on_device(for_times, for_values, forms, plan,
+                                                       [&, show = bar(progress, "bench")](double share) {
+                                                         checkpoint();
+                                                         show(share);
+                                                       });
   auto figures = options.no_plots ? std::vector<Figure>{} : bench::bench_figures(trade);
   auto [files, missing, news] = draw_figures(figures, options.out, checkpoint);
   const auto report = device::device_bench_files(trade, figures, bench::this_occasion().date);

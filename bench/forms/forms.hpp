@@ -336,15 +336,34 @@ struct Copy : AsGiven<0, Function::none> {
   }
 };
 
+/// Sixteen multiply-adds, each of which waits for the one before: the reference for arithmetic. A polynomial
+/// of degree 16 by Horner's rule, from [0, 1] to [0, 1].
+struct MultiplyAdds : AsGiven<0, Function::none> {
+  static constexpr const char* id = "multiply-adds";
+  static constexpr int count = 16;
+  /// The highest coefficient, and four that come again and again: exact in half, and 1 in sum.
+  template <class T>
+  static std::array<T, 5> prepared(const std::array<T, 0>&) {
+    return {constant<T>("0.25"), constant<T>("0.015625"), constant<T>("0.03125"), constant<T>("0.046875"),
+            constant<T>("0.09375")};
+  }
+  template <class T>
+  T operator()(const T& c, const std::array<T, 5>& p) const {
+    T value = p[0];
+    for (int i = 0; i < count; ++i) value = value * c + p[static_cast<std::size_t>(1 + i % 4)];
+    return value;
+  }
+};
+
 template <class... Forms>
 struct FormList {};
 
 /// All of them, target by target.
-using AllForms =
-    FormList<Copy, LobePower, LobeExp2Log2, LobeSquarings, LobeGaussian, LobeGaussianOfDifference,
-             LobeScaledGaussian, LobeBlinn, GlossPower, GlossGaussian, SchlickPower, SchlickMultiplied,
-             FresnelOneTermForm, FresnelQuadraticForm, FresnelCubicForm, FresnelQuarticForm,
-             FresnelFourthForm, FresnelSquareForm, FresnelRationalForm, HenyeyGreensteinPower,
-             HenyeyGreensteinRoot, SchlickPhase, PhongPower, PhongSquarings, PhongGaussian>;
+using AllForms = FormList<Copy, MultiplyAdds, LobePower, LobeExp2Log2, LobeSquarings, LobeGaussian,
+                          LobeGaussianOfDifference, LobeScaledGaussian, LobeBlinn, GlossPower, GlossGaussian,
+                          SchlickPower, SchlickMultiplied, FresnelOneTermForm, FresnelQuadraticForm,
+                          FresnelCubicForm, FresnelQuarticForm, FresnelFourthForm, FresnelSquareForm,
+                          FresnelRationalForm, HenyeyGreensteinPower, HenyeyGreensteinRoot, SchlickPhase,
+                          PhongPower, PhongSquarings, PhongGaussian>;
 
 }  // namespace shadefit::forms

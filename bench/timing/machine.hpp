@@ -13,6 +13,7 @@ struct Machine {
   std::size_t last_cache;  ///< bytes; 0 if unknown
   /// What the times are of, by its name, and the driver that runs it: on the CPU there is none.
   std::string device = "cpu", driver = {};
+  std::string clock = "steady clock";  ///< that the times are of
   bool is_graphics() const { return !driver.empty(); }
 };
 

@@ -31,7 +31,7 @@ namespace {
 /// A timed kernel, without its constants: the common part of its rows.
 struct Timed {
   TimedForm row;
-  const forms::FormEntry* form;  ///< null: the copy
+  const forms::FormEntry* form;  ///< null: a floor
 };
 
 /// Long arrays, and the start of the next call.
@@ -111,7 +111,8 @@ class Programme {
       : has_little_memory_(wanted.has_little_memory), floats_(last_cache), doubles_(last_cache) {
     for (const forms::Width width : wanted.widths) {
       const auto compiled = compiled_for(width);
-      add_all(compiled, "copy", catalogue.targets.front(), nullptr, width);
+      for (const char* floor : {forms::Copy::id, forms::MultiplyAdds::id})
+        add_all(compiled, floor, catalogue.targets.front(), nullptr, width);
       for (const forms::FormEntry& form : catalogue.forms) {
         if (is_wanted(wanted, form.target))
           add_all(compiled, form.id, forms::target_of(catalogue, form.target), &form, width);

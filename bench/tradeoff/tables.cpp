@@ -1,7 +1,5 @@
 #include "bench/tradeoff/tables.hpp"
 
-#include <array>
-
 namespace shadefit::bench {
 namespace {
 
@@ -18,17 +16,9 @@ Cell error_cell(const std::optional<double>& error) {
   return error ? Cell{Number{*error, 3}} : Cell{};
 }
 
-/// The cells of a graphics device, which are empty on the CPU.
-std::array<Cell, 3> device_cells(const TimedForm& timed) {
-  if (!timed.on_device) return {};
-  const DeviceTimes& times = *timed.on_device;
-  return {measured(times.multiply_adds), measured(times.dependent_ns),
-          measured(times.dependent_multiply_adds)};
-}
-
 std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
   const bool is_on_cpu = !timed.on_device;
-  const auto [mads, dependent_ns, dependent_mads] = device_cells(timed);
+  const DeviceTimes times = timed.on_device.value_or(DeviceTimes());
   return {timed.target,
           timed.form,
           timed.constants,
@@ -45,9 +35,10 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
           machine.compiler,
           machine.device,
           machine.driver,
-          mads,
-          dependent_ns,
-          dependent_mads};
+          machine.clock,
+          measured(timed.multiply_adds),
+          measured(times.dependent_ns),
+          measured(times.dependent_multiply_adds)};
 }
 
 }  // namespace
@@ -55,7 +46,7 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
 Table bench_table(const Trade& trade) {
   Table table{{"target", "form", "constants", "exp2_degree", "precision", "width", "place", "ns_per_element",
                "spread", "copies", "times_faster_than_pow", "max_abs_error", "cpu", "compiler", "device",
-               "driver", "multiply_adds", "dependent_ns", "dependent_multiply_adds"},
+               "driver", "clock", "multiply_adds", "dependent_ns", "dependent_multiply_adds"},
               {}};
   for (const TimedForm& floor : trade.copies) table.rows.push_back(bench_row(floor, trade.machine));
   for (const TimedForm& timed : trade.forms) table.rows.push_back(bench_row(timed, trade.machine));

@@ -1,7 +1,9 @@
 #include "bench/tradeoff/trade.hpp"
 
 #include <algorithm>
+#include <string_view>
 
+#include "bench/forms/forms.hpp"
 #include "bench/tradeoff/front.hpp"
 
 namespace shadefit::bench {
@@ -51,10 +53,15 @@ const TimedForm* in_memory(const Trade& trade, const TimedForm& timed) {
 
 void relate(Trade& trade) {
   for (TimedForm& timed : trade.forms) {
-    const auto* copy = first_where(trade.copies, [&](const TimedForm& floor) {
-      return floor.width == timed.width && are_alike(floor, timed);
-    });
-    if (copy != nullptr) timed.copies = timed.ns.median / copy->ns.median;
+    const auto floor_of = [&](std::string_view form) {
+      return first_where(trade.copies, [&](const TimedForm& floor) {
+        return floor.form == form && floor.width == timed.width && are_alike(floor, timed);
+      });
+    };
+    if (const auto* copy = floor_of(forms::Copy::id)) timed.copies = timed.ns.median / copy->ns.median;
+    const auto* additions = timed.on_device ? nullptr : floor_of(forms::MultiplyAdds::id);
+    if (additions != nullptr)
+      timed.multiply_adds = forms::MultiplyAdds::count * timed.ns.median / additions->ns.median;
     const auto* reference = first_where(trade.forms, [&](const TimedForm& other) {
       return other.is_reference && other.target == timed.target && other.width == forms::Width::scalar &&
              are_alike(other, timed);

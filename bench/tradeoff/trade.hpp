@@ -23,7 +23,6 @@ std::string name(DataPlace place);
 /// What only a graphics device has: see bench/device/times/measure_device.hpp. A copy has no such times.
 struct DeviceTimes {
   bool is_half = false;
-  std::optional<double> multiply_adds = {};            ///< the time in that of a multiply-add in float
   std::optional<double> dependent_ns = {};             ///< of an evaluation that waits for the one before
   std::optional<double> dependent_multiply_adds = {};  ///< that in multiply-adds that wait for each other
 };
@@ -45,6 +44,9 @@ struct TimedForm {
   std::optional<double> max_abs_error;  ///< in its precision
   std::optional<double> copies;         ///< its time relative to copying the same array
   std::optional<double> pows;  ///< the time of the scalar reference relative to its own: the speed-up
+  /// The time in that of a multiply-add: on the CPU of the same width, precision and place, on a graphics
+  /// device in float.
+  std::optional<double> multiply_adds;
   std::optional<DeviceTimes> on_device;  ///< of a graphics device; then `width` and `place` mean nothing
 };
 
@@ -68,7 +70,7 @@ struct Trade {
   Machine machine;
   std::vector<forms::Width> widths;  ///< narrowest first
   std::vector<TimedTarget> targets;
-  std::vector<TimedForm> copies;  ///< the floor, by width, precision and place
+  std::vector<TimedForm> copies;  ///< the floor, by width, precision and place: copies and multiply-adds
   std::vector<TimedForm> forms;   ///< by target
   std::vector<Goal> goals;
 };

@@ -7,7 +7,6 @@
 
 #include "bench/device/spirv.hpp"
 #include "bench/device/times/measure_device.hpp"
-#include "bench/device/vulkan_device.hpp"
 #include "fit/scalars/half.hpp"
 
 namespace shadefit::device {
@@ -56,10 +55,13 @@ double largest_error(std::span<const float> values, std::span<const double> trut
   return largest;
 }
 
-std::vector<std::optional<double>> errors_on_device(std::size_t place, const DeviceForms& forms,
+DeviceChoice choice_for_values(std::size_t place, const DeviceForms& forms) {
+  return {.place = place, .words = most_words(forms)};
+}
+
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const DeviceForms& forms,
                                                     ShaderPrecision precision,
                                                     const std::function<void()>& between) {
-  VulkanDevice device({.place = place, .words = most_words(forms)});
   const ShaderCompiler compiler;
   std::vector<std::optional<double>> errors;
   const DeviceTarget* target = nullptr;

@@ -5,12 +5,16 @@
 #include <vector>
 
 #include "bench/device/times/device_forms.hpp"
+#include "bench/device/vulkan_device.hpp"
 
 namespace shadefit::device {
 
-/// The largest absolute error of each form on the device at that place, in one precision. None of a form
-/// whose target has no truth.
-std::vector<std::optional<double>> errors_on_device(std::size_t place, const DeviceForms& forms,
+/// How the device at a place is opened for values of these forms: with buffers that this program reads.
+DeviceChoice choice_for_values(std::size_t place, const DeviceForms& forms);
+
+/// The largest absolute error of each form on a device, in one precision. None of a form whose target has no
+/// truth.
+std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const DeviceForms& forms,
                                                     ShaderPrecision precision,
                                                     const std::function<void()>& between);
 

@@ -37,7 +37,7 @@ Table device_front_table(const bench::Trade& trade, const std::string& target) {
               {}};
   for (const bench::TimedForm& timed : front_of_target(trade, target)) {
     table.rows.push_back({timed.label, precision_of(timed), measured(timed.max_abs_error),
-                          measured(timed.on_device->multiply_adds), measured(timed.ns.median),
+                          measured(timed.multiply_adds), measured(timed.ns.median),
                           measured(timed.ns.width()), measured(timed.on_device->dependent_multiply_adds),
                           measured(timed.pows)});
   }
@@ -53,7 +53,7 @@ std::string device_advice(const bench::Trade& trade, const std::string& target) 
                                  : "";
     text +=
         fmt::format("- An error of {:.2g} allowed: {} in {}, {:.3g} multiply-adds{}.\n", *timed.max_abs_error,
-                    timed.label, precision_of(timed), timed.on_device->multiply_adds.value(), gain);
+                    timed.label, precision_of(timed), timed.multiply_adds.value(), gain);
   }
   return text.empty() ? "Nothing was measured.\n" : text;
 }
@@ -71,14 +71,14 @@ std::vector<File> device_bench_files(const bench::Trade& trade, const std::vecto
                                      const std::string& date) {
   std::string text = fmt::format(
       "# Run time against error on a device\n\n"
-      "{}, driver {}, on {}; {}. Each form is the GLSL that `emit` writes, in a compute shader. A time is that\n"
+      "{}, driver {}, on {}; {}; clock: {}. Each form is the GLSL that `emit` writes, in a compute shader. A time is that\n"
       "of one evaluation in a long row of them, on the whole device: the median of {} rounds, each of which visits every form\n"
       "once; `spread` is the interquartile range. `MADs`: in the time of a multiply-add in float, four streams a thread;\n"
       "`MADs in a chain`: the same where each evaluation waits for the one before. The loop's own time is subtracted.\n"
       "Errors are the largest of this device, on a grid, against the target in double.\n\n"
       "{}\n# What to use when\n\n",
-      trade.machine.device, trade.machine.driver, trade.machine.cpu, date, trade.forms.front().real.size(),
-      markdown_block(floor_table(trade)));
+      trade.machine.device, trade.machine.driver, trade.machine.cpu, date, trade.machine.clock,
+      trade.forms.front().real.size(), markdown_block(floor_table(trade)));
   for (const bench::TimedTarget& target : trade.targets) text += target_section(trade, target, figures);
   text.pop_back();  // sections end in an empty line, the file does not
   return {{"bench.md", text}, {"bench.csv", write_csv(bench_table(trade), Precision::report)}};

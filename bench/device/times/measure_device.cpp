@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <bit>
+#include <ctime>
 #include <deque>
 #include <string_view>
+#include <thread>
 
 #include "bench/device/spirv.hpp"
 #include "bench/device/times/device_errors.hpp"
 #include "bench/device/vulkan_device.hpp"
+#include "bench/forms/forms.hpp"
 
 namespace shadefit::device {
 
@@ -20,10 +23,32 @@ std::uint32_t turns_that_take(double seconds, std::uint32_t most,
 
 namespace {
 
+constexpr std::string_view cpu_kind = "CPU";  // of DeviceInfo
+
 /// Enough for every place in which a device can run a thread: a large GPU runs 270 000 at once. A CPU runs a
 /// few dozen, and with fewer threads the turns are more and their loop is warm.
 std::uint32_t threads_of(const DeviceInfo& info) {
-  return info.kind == "CPU" ? 1U << 13 : 1U << 18;
+  return info.kind == cpu_kind ? 1U << 13 : 1U << 18;
+}
+
+std::string clock_of(const DeviceInfo& info) {
+  if (info.kind == cpu_kind) return "processor time of all cores";
+  return info.has_timestamps ? "timestamps of the device" : "steady clock around a dispatch";
+}
+
+/// The seconds of a dispatch, by the clock of its device. A device that is the CPU shares its cores with
+/// other programs: there it is the processor time of this process, all threads together, as if each core
+/// worked for it alone from begin to end.
+double timed_seconds(const DeviceInfo& info, const std::function<double()>& dispatch) {
+  if (info.kind != cpu_kind) return dispatch();
+  const auto process = [] {
+    std::timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  };
+  const double before = process();
+  dispatch();
+  return (process() - before) / std::max(std::thread::hardware_concurrency(), 1U);
 }
 
 /// A shader on the device with what a dispatch of it does, timed by the device.
@@ -33,7 +58,7 @@ class Timed {
       : device_(&device), clock_(&clock), program_(device.load(spirv)), threads_(threads) {}
 
   double run(std::uint32_t count, std::uint32_t second) const {
-    return device_->run(program_, threads_, {count, second});
+    return timed_seconds(device_->info(), [&] { return device_->run(program_, threads_, {count, second}); });
   }
   /// The work of one dispatch with these push words.
   bench::Work work(std::uint32_t count, std::uint32_t second, std::size_t elements) const {
@@ -140,9 +165,8 @@ class Measured {
   /// ns of an element of that work, without what the empty kernel takes.
   Rounds step(std::size_t slot) const {
     Rounds ns = samples_.at(slot).real;
-    const Rounds& idle = samples_.at(programme_.empty).real;
-    const auto elements = static_cast<double>(programme_.work.at(slot).elements);
-    for (std::size_t r = 0; r < ns.size(); ++r) ns[r] -= idle[r] / elements;
+    const double idle = bench::spread_of(samples_.at(programme_.empty).real).median;
+    for (double& x : ns) x -= idle / static_cast<double>(programme_.work.at(slot).elements);
     return ns;
   }
   const bench::Samples& samples(std::size_t slot) const { return samples_.at(slot); }
@@ -167,7 +191,7 @@ struct Floor {
   /// A multiply-add, in a chain of that kind.
   Rounds multiply_add(const Measured& measured, std::size_t chain) const {
     Rounds ns = less(measured.step(polynomial.at(chain)), measured.step(alone.at(chain)));
-    for (double& x : ns) x /= multiply_adds;
+    for (double& x : ns) x /= forms::MultiplyAdds::count;
     return ns;
   }
 
@@ -212,7 +236,8 @@ bench::TimedForm timed_row(bench::TimedForm row, const std::array<Rounds, chains
   row.real = times[0];
   row.ns = bench::spread_of(times[0]);
   const double dependent = bench::spread_of(times[1]).median;
-  row.on_device = {is_half, row.ns.median / mads[0], dependent, dependent / mads[1]};
+  row.multiply_adds = row.ns.median / mads[0];
+  row.on_device = {is_half, dependent, dependent / mads[1]};
   return row;
 }
 
@@ -234,21 +259,25 @@ bench::TimedForm plain_row(const char* name, const Measured& measured, std::size
 
 }  // namespace
 
-bench::Trade measure_on_device(std::size_t place, const DeviceForms& forms, const DevicePlan& plan,
-                               const std::function<void(double)>& between) {
-  VulkanDevice device({.place = place, .words = plan.copied_words, .has_buffers_on_device = true});
-  const DeviceInfo info = device.info();
+DeviceChoice choice_for_times(std::size_t place, const DevicePlan& plan) {
+  return {.place = place, .words = plan.copied_words, .has_buffers_on_device = true};
+}
+
+bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values, const DeviceForms& forms,
+                               const DevicePlan& plan, const std::function<void(double)>& between) {
+  const DeviceInfo info = for_times.info();
   const auto go_on = [&] { between(0); };
-  Programme programme(device, plan, go_on);
+  Programme programme(for_times, plan, go_on);
   std::vector<InPrecision> all{add_all(programme, forms, ShaderPrecision::float32)};
   if (info.has_half) all.push_back(add_all(programme, forms, ShaderPrecision::float16));
-  for (InPrecision& one : all) one.errors = errors_on_device(place, forms, one.precision, go_on);
+  for (InPrecision& one : all) one.errors = errors_on_device(for_values, forms, one.precision, go_on);
   const Measured measured(programme, programme.run(between));
 
   bench::Trade trade;
   trade.machine = bench::this_machine();
   trade.machine.device = info.name;
   trade.machine.driver = info.driver;
+  trade.machine.clock = clock_of(info);
   for (const DeviceTarget& target : forms.targets) trade.targets.push_back(target.heading);
   trade.copies = {
       plain_row("copy", measured, programme.copy, measured.step(programme.copy)),
@@ -260,7 +289,7 @@ bench::Trade measure_on_device(std::size_t place, const DeviceForms& forms, cons
     if (!is_half) mads = medians(floor);
     bench::TimedForm row;
     row.form = row.label = "multiply-add";
-    row.elements = measured.elements(one.floor.polynomial[0]) * multiply_adds;
+    row.elements = measured.elements(one.floor.polynomial[0]) * forms::MultiplyAdds::count;
     row.cpu = measured.samples(one.floor.polynomial[0]).cpu;
     trade.copies.push_back(timed_row(row, floor, mads, is_half));
   }

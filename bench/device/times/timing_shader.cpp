@@ -4,6 +4,7 @@
 
 #include "bench/device/form_functions.hpp"
 #include "bench/device/vulkan_device.hpp"
+#include "bench/forms/forms.hpp"
 #include "fit/scalars/symbolic.hpp"
 
 namespace shadefit::device {
@@ -99,15 +100,8 @@ ShaderFunction chain_alone() {
 }
 
 ShaderFunction multiply_add_chain() {
-  const Symbolic c = Symbolic::variable("c");
-  Symbolic value = Symbolic::number("0.25");
-  // Coefficients that differ, that halves hold, and whose sum is 1: 16 of them, and the first.
-  constexpr int sixty_fourths = 64;
-  for (int i = 1; i <= multiply_adds; ++i) {
-    const int numerator = i % 4 == 0 ? 6 : i % 4;  // 1, 2, 3, 6: 12 in four, 48 in all
-    value = value * c + Symbolic::number(fmt::format("{}", numerator / double{sixty_fourths}));
-  }
-  return {form_name, {"c"}, value};
+  using Form = forms::MultiplyAdds;
+  return {form_name, {"c"}, Form()(Symbolic::variable("c"), Form::prepared(std::array<Symbolic, 0>()))};
 }
 
 }  // namespace shadefit::device

@@ -47,8 +47,7 @@ std::string filling_shader();
 /// The function that returns its argument: a chain of it takes the time that the chain itself takes.
 ShaderFunction chain_alone();
 
-/// A polynomial of degree `multiply_adds`, by Horner's rule, in [0, 1] on [0, 1].
-inline constexpr int multiply_adds = 16;
+/// `forms::MultiplyAdds`: each multiply-add waits for the one before.
 ShaderFunction multiply_add_chain();
 
 }  // namespace shadefit::device

@@ -1,0 +1,239 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+
+#include "app/commands/command_line.hpp"
+#include "bench/device/form_functions.hpp"
+#include "bench/device/times/device_errors.hpp"
+#include "bench/device/times/measure_device.hpp"
+#include "bench/device/vulkan_device.hpp"
+#include "bench/tradeoff/grid_errors.hpp"
+#include "fit/scalars/symbolic.hpp"
+#include "fit/support/user_error.hpp"
+#include "reports/io/csv.hpp"
+#include "tests/device/drivers.hpp"
+#include "tests/temporary_directory.hpp"
+
+/// Times of forms on devices.
+namespace shadefit::device {
+namespace {
+
+TEST(Turns, AreDoubledUntilADispatchTakesLongEnough) {
+  std::vector<std::uint32_t> asked;
+  const auto turns_for = [&](double seconds_a_turn, std::uint32_t most) {
+    asked.clear();
+    return turns_that_take(0.002, most, [&](std::uint32_t turns) {
+      asked.push_back(turns);
+      return turns * seconds_a_turn;
+    });
+  };
+  EXPECT_EQ(turns_for(0.0003, 1000), 8U);
+  EXPECT_EQ(asked, (std::vector<std::uint32_t>{1, 2, 4, 8}));
+  EXPECT_EQ(turns_for(0.5, 1000), 1U) << "one turn that takes long enough is enough";
+  EXPECT_EQ(turns_for(0, 1000), 512U) << "no more than the most";
+}
+
+TEST(Turns, NoDispatchIsLong) {
+  for (const double seconds_a_turn : {1e-9, 1e-6, 3e-5, 1e-3, 0.003}) {
+    turns_that_take(full_device_plan.timing.seconds, 1U << 24, [&](std::uint32_t turns) {
+      EXPECT_LT(turns * seconds_a_turn, longest_dispatch);
+      return turns * seconds_a_turn;
+    });
+  }
+}
+
+TEST(ShortDispatches, VisitEachItemOnceAndStayShort) {
+  // A device that is three times as slow now and then, by a fake clock.
+  std::uint64_t next = 0;
+  int count = 0;
+  in_short_dispatches(10'000'000, most_threads, [&](std::uint64_t from, std::uint64_t n) {
+    EXPECT_EQ(from, next);
+    next += n;
+    const double seconds = static_cast<double>(n) * (from / 1'000'000 % 2 == 0 ? 1e-7 : 3e-7);
+    EXPECT_LT(seconds, longest_dispatch) << from;
+    ++count;
+    return seconds;
+  });
+  EXPECT_EQ(next, 10'000'000U);
+  EXPECT_LT(count, 100);
+}
+
+TEST(LargestError, IsInfiniteWhereAValueIsNoNumber) {
+  const std::array<double, 3> truth{1, 2, 3};
+  EXPECT_EQ(largest_error(std::array{1.F, 2.5F, 2.75F}, truth), 0.5);
+  EXPECT_EQ(largest_error(std::array{1.F, std::numeric_limits<float>::quiet_NaN(), 3.F}, truth),
+            std::numeric_limits<double>::infinity());
+}
+
+TEST(MultiplyAdds, AreWhatTheirNameSays) {
+  const Operations operations = count_operations(multiply_add_chain().result);
+  EXPECT_EQ(operations.multiply_add, forms::MultiplyAdds::count);
+  EXPECT_EQ(operations.total(), forms::MultiplyAdds::count);
+  // The sum of its coefficients is 1: a chain of them stays in [0, 1].
+  EXPECT_EQ(evaluate<double>(multiply_add_chain().result, [](const std::string&) { return 1.0; }), 1);
+}
+
+TEST(TimingShader, HoldsTheTextThatEmitWrites) {
+  const ShaderFunction function{
+      form_name, {"x", "y"}, exp2(Symbolic(Symbolic::variable("x") * Symbolic::variable("y")))};
+  const std::array ranges{Range{0, 1}, Range{0, 1}};
+  for (const ShaderPrecision precision : shader_precisions) {
+    const std::string text =
+        shader_code(std::span(&function, 1), Language::glsl, precision, std::array<std::string, 0>());
+    const std::string independent = timing_shader(function, ranges, precision, Chain::independent),
+                      dependent = timing_shader(function, ranges, precision, Chain::dependent);
+    EXPECT_NE(independent.find(text), std::string::npos);
+    EXPECT_NE(dependent.find("r0 = form(b0 + t * r0, b1 + t * r0);"), std::string::npos) << dependent;
+    EXPECT_EQ(dependent.find("r1"), std::string::npos);
+    EXPECT_NE(independent.find("r3 = form(b0 + t * r3, b1 + t * r3);"), std::string::npos) << independent;
+  }
+}
+
+TEST(CatalogueForms, AreAllOnesOfOneLight) {
+  const auto catalogue = forms::catalogue();
+  const DeviceForms all = catalogue_forms(catalogue, {}), some = catalogue_forms(catalogue, {"schlick"});
+  EXPECT_EQ(all.forms.size(), form_functions(catalogue).size());
+  EXPECT_EQ(all.targets.size(), 5U);
+  ASSERT_EQ(some.targets.size(), 1U);
+  EXPECT_TRUE(some.forms.front().row.is_reference);
+  EXPECT_FALSE(some.forms.back().row.is_reference);
+  EXPECT_THROW(catalogue_forms(catalogue, {"phong-64"}), UserError);
+}
+
+/// A plan of a second: tests ask whether times are plausible, not what they are.
+constexpr DevicePlan short_plan{{3, 3e-4}, 1U << 18};
+
+/// With the validation layer, which has nothing to say.
+bench::Trade measured(const DeviceForms& forms) {
+  DeviceChoice times = choice_for_times(0, short_plan), values = choice_for_values(0, forms);
+  times.is_watched = values.is_watched = true;
+  VulkanDevice for_times(times), for_values(values);
+  const bench::Trade trade = measure_on_device(for_times, for_values, forms, short_plan, [](double) {});
+  for (const VulkanDevice* device : {&for_times, &for_values})
+    for (const std::string& message : device->messages()) ADD_FAILURE() << message;
+  return trade;
+}
+
+bool has_half() {
+  return vulkan_devices().front().has_half;
+}
+
+const bench::TimedForm& row_of(const bench::Trade& trade, std::string_view form, std::string_view precision) {
+  return *std::find_if(trade.forms.begin(), trade.forms.end(), [&](const bench::TimedForm& row) {
+    return row.form == form && precision_of(row) == precision;
+  });
+}
+
+class TimesOnDriver : public testing::OnDriver {};
+
+INSTANTIATE_TEST_SUITE_P(Drivers, TimesOnDriver, ::testing::ValuesIn(testing::drivers),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_P(TimesOnDriver, EveryFormHasATimeAndAnError) {
+  const auto catalogue = forms::catalogue();
+  const DeviceForms forms = catalogue_forms(catalogue, {});
+  const bench::Trade trade = measured(forms);
+  const std::size_t precisions = has_half() ? 2 : 1;
+  EXPECT_EQ(trade.forms.size(), precisions * forms.forms.size());
+  EXPECT_EQ(trade.copies.size(), 2 + precisions);
+  EXPECT_TRUE(trade.machine.is_graphics());
+
+  std::map<std::array<std::string, 3>, double> on_cpu;
+  for (const bench::FormError& error : bench::grid_errors(catalogue, {}, [] {})) {
+    if (!error.is_double && error.exp2_degree == 0)
+      on_cpu[{error.target, error.form, error.constants}] = error.max_abs_error;
+  }
+  // The log2 of both drivers errs by up to 3e-7 near 1. A power of 16 multiplies that by 16 ln 2, to 4e-6;
+  // twice that is also more than what all other functions add.
+  constexpr double slack = 8e-6;
+  // A half has a relative error of 2^-11. The phase function reaches 1.9 with g = 0.76, and its root cancels:
+  // of the others none has more.
+  constexpr double slack_of_half = 0.05;
+  for (const bench::TimedForm& row : trade.forms) {
+    const std::string name = row.target + " " + row.label + " " + precision_of(row);
+    const bool is_half = precision_of(row) == "half";
+    EXPECT_TRUE(std::isfinite(*row.multiply_adds) && *row.multiply_adds > 0) << name << *row.multiply_adds;
+    EXPECT_GT(row.on_device->dependent_ns.value(), 0) << name;
+    EXPECT_GT(row.on_device->dependent_multiply_adds.value(), 0) << name;
+    const double cpu = on_cpu.at({row.target, row.form, row.constants});
+    EXPECT_NEAR(row.max_abs_error.value(), cpu, is_half ? slack_of_half : slack) << name;
+  }
+  // Each of these is ten times as long on the CPU; half of that would be a fault of the measurement.
+  EXPECT_GT(*row_of(trade, "schlick-pow", "float").multiply_adds,
+            2 * *row_of(trade, "schlick", "float").multiply_adds);
+  if (!has_half()) return;
+  // Where `mediump` were float, the error would be 2e-7.
+  EXPECT_GT(row_of(trade, "schlick", "half").max_abs_error, 1e-4);
+  EXPECT_LT(row_of(trade, "schlick", "half").max_abs_error, 0x1p-8);
+}
+
+TEST_P(TimesOnDriver, AWrongDigitIsAnError) {
+  const auto catalogue = forms::catalogue();
+  DeviceForms forms = catalogue_forms(catalogue, {"schlick"});
+  std::erase_if(forms.forms,
+                [](const DeviceForm& form) { return form.row.constants != "published-fresnel-quadratic-a"; });
+  ASSERT_EQ(forms.forms.size(), 1U);
+  DeviceForm wrong = forms.forms.front();
+  const auto c = Symbolic::variable("c");
+  wrong.function.result =
+      exp2(Symbolic((Symbolic::number("-5.55473") * c - Symbolic::number("6.93816")) * c));  // 6.98316
+  forms.forms.push_back(wrong);
+  const bench::Trade trade = measured(forms);
+  const std::size_t other = has_half() ? 2 : 1;
+  EXPECT_GT(*trade.forms.at(other).max_abs_error, *trade.forms.at(0).max_abs_error + 1e-4);
+}
+
+TEST_P(TimesOnDriver, TheCommandWritesTablesAndAdvice) {
+  const testing::TemporaryDirectory directory;
+  const std::string out = directory / "out";
+  const Outcome outcome = run_command_line(
+      {"bench", "--device", "vulkan", "--quick", "--no-plots", "--only", "lobe", "--out", out, "--json"},
+      keep_going);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto files = testing::snapshot(out);
+  EXPECT_NE(files.at("bench.md").find("allowed: lobe-squarings in float"), std::string::npos);
+  const CsvTable csv = parse_csv(files.at("bench.csv"), "bench.csv");
+  const auto column = [&](const char* name) {
+    return static_cast<std::size_t>(std::find(csv.columns.begin(), csv.columns.end(), name) -
+                                    csv.columns.begin());
+  };
+  for (const auto& row : csv.rows) {
+    EXPECT_EQ(row.size(), csv.columns.size());
+    EXPECT_EQ(row.at(column("device")), vulkan_devices().front().name);
+    EXPECT_EQ(row.at(column("clock")), "processor time of all cores");
+  }
+  const std::string same = directory.file("same.json", outcome.out);
+  const Outcome compared =
+      run_command_line({"bench", "--device", "vulkan", "--quick", "--no-plots", "--only", "lobe", "--out",
+                        directory / "again", "--compare", same, "--fail-above", "9900%"},
+                       keep_going);
+  EXPECT_EQ(compared.exit_code, 0) << compared.err;
+  EXPECT_NE(compared.out.find(" forms take at most 9900 % longer"), std::string::npos) << compared.out;
+}
+
+TEST_P(TimesOnDriver, AStudyHasTimesToo) {
+  const testing::TemporaryDirectory directory;
+  const std::string out = directory / "out";
+  const Outcome outcome = run_command_line(
+      {"bench", "--device", "vulkan", "--quick", "--no-plots", "acos-linear", "--out", out}, keep_going);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("the target: acos(x)"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("linear, minimax"), std::string::npos) << outcome.out;
+}
+
+TEST_P(TimesOnDriver, ADeviceThatIsNotThereIsOneLine) {
+  const testing::TemporaryDirectory directory;
+  const std::string out = directory / "out";
+  const Outcome outcome =
+      run_command_line({"bench", "--device", "vulkan:7", "--only", "lobe", "--out", out}, keep_going);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "shadefit: --device 'vulkan:7': this machine has 1 device that can compute\n");
+  EXPECT_TRUE(testing::snapshot(out).empty());
+}
+
+}  // namespace
+}  // namespace shadefit::device
