@@ -6,6 +6,8 @@
 #include <span>
 #include <tuple>
 
+#include "lint/scan/site_bits.hpp"
+
 namespace shadefit::lint {
 namespace {
 
@@ -44,8 +46,13 @@ class SiteFinder {
 
   /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
   /// site, and so does every number behind a complete one: the next copy of the formula may be the wrong one.
+  /// The components of a vector are one number: vec3(0.055, 0.055, 0.055).
   void add(std::span<const Hit> hits) {
     const Hit& first = hits.front();
+    if (is_next_component(hits)) {
+      numbers_.back().literal = first.literal;
+      return;
+    }
     if (!numbers_.empty()) {
       const Literal& last = literals_[numbers_.back().literal];
       if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap || is_complete())
@@ -76,7 +83,7 @@ class SiteFinder {
     numbers_.clear();
     drop_comments(site);
     add_companions(site);
-    site.bits = bits_of(site);
+    site.bits = bits_of(text_, literals_, sets_[set_], site);
     if (site.bits >= least_bits) sites_.push_back(std::move(site));
   }
 
@@ -90,6 +97,17 @@ class SiteFinder {
                                   constants.begin(), constants.end(), [](const KnownConstant& constant) {
                                     return digits_of(constant.printed).text.size() >= least_digits_alone;
                                   }));
+  }
+
+  /// Whether a number only repeats the one before it. A set of one number has a formula each time.
+  bool is_next_component(std::span<const Hit> hits) const {
+    if (numbers_.empty() || hits.front().set != set_ || sets_[set_].constants.size() == 1) return false;
+    const Hit& hit = next_in_order(hits);
+    if (hit.match.place.constant != numbers_.back().constant) return false;
+    const std::size_t last = numbers_.back().literal;
+    return hit.literal == last + 1 && literals_[hit.literal].offset <= literals_[last].offset + most_gap &&
+           literals_[hit.literal].is_in_comment == literals_[last].is_in_comment &&
+           digits_at(hit.literal) == digits_at(last);
   }
 
   /// Several constants of a set may have the same digits. Then the number is the next of them in the
@@ -161,64 +179,6 @@ class SiteFinder {
   static bool is_taken(const Site& site, std::size_t literal) {
     return std::any_of(site.numbers.begin(), site.numbers.end(),
                        [&](const SiteNumber& number) { return number.literal == literal; });
-  }
-
-  /// The bits of one number: log2 of 10 for each digit but the first, since small first digits are common.
-  double bits_of(const KnownSet& set, const SiteNumber& number) const {
-    const double bits_of_a_digit = std::log2(10);
-    const KnownConstant& constant = set.constants[number.constant];
-    constexpr std::size_t digits_of_a_common_number = 3;
-    const std::size_t digits = digits_of(constant.printed).text.size();
-    const std::size_t published = constant.is_common ? std::min(digits, digits_of_a_common_number) : digits;
-    const auto bits = [&](std::size_t count) { return bits_of_a_digit * (static_cast<double>(count) - 1); };
-    if (number.variant) return set.variants[*number.variant].is_borrowed ? 0 : bits(published);
-    switch (number.match) {
-      case DigitMatch::same:
-      case DigitMatch::longer:
-      case DigitMatch::float32:
-        return bits(published);
-      case DigitMatch::rounded:
-        return bits(std::min(published, digits_at(number.literal).text.size())) - 1;  // rounded or cut off
-      case DigitMatch::shifted:
-        return bits(published) - 3;  // some eight other places of the point
-      case DigitMatch::edited:
-        // A text of n digits has some 20 n neighbours at one edit.
-        return bits(published) - std::log2(20 * static_cast<double>(published));
-    }
-    return 0;
-  }
-
-  bool is_next_to(std::size_t literal, bool before, std::string_view brackets) const {
-    const Literal& one = literals_[literal];
-    const std::string_view rest =
-        before ? text_.substr(0, one.offset) : text_.substr(one.offset + one.length);
-    const std::string_view blanks = before ? " \t\r\n+-" : " \t\r\n";
-    const std::size_t at = before ? rest.find_last_not_of(blanks) : rest.find_first_not_of(blanks);
-    return at != std::string_view::npos && brackets.find(rest[at]) != std::string_view::npos;
-  }
-
-  /// One order of n! if all n constants stand in the published one, with nothing between. If they are a whole
-  /// list, (a, b, c), three more: a row of numbers at a random place is no list.
-  double bits_of_order(const Site& site) const {
-    const std::size_t count = sets_[site.set].constants.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (site.numbers.size() != count || site.numbers[i].constant != i ||
-          site.numbers[i].literal != site.numbers[0].literal + i)
-        return 0;
-    }
-    constexpr double bits_of_a_list = 3;
-    const bool is_list = is_next_to(site.numbers.front().literal, true, "([{") &&
-                         is_next_to(site.numbers.back().literal, false, ")]}");
-    return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0) + (is_list ? bits_of_a_list : 0);
-  }
-
-  double bits_of(const Site& site) const {
-    double bits = 0;
-    for (const SiteNumber& number : site.numbers) bits += bits_of(sets_[site.set], number);
-    // Each of them may be any of the numbers there.
-    const auto count = static_cast<double>(site.numbers.size());
-    const auto there = static_cast<double>(site.numbers.back().literal - site.numbers.front().literal + 1);
-    return bits + bits_of_order(site) - count * std::log2(std::max(1.0, there / count));
   }
 
   std::string_view text_;
