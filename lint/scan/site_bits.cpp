@@ -88,8 +88,8 @@ class SiteBits {
     return at != std::string_view::npos && brackets.find(rest[at]) != std::string_view::npos;
   }
 
-  /// One order of n! if all n constants stand in the published one, with nothing between but their factors. If
-  /// they are a whole list, (a, b, c), three more: a row of numbers at a random place is no list.
+  /// One order of n! if all n constants stand in the published one, with nothing between but their factors.
+  /// If they are a whole list, (a, b, c), three more: a row of numbers at a random place is no list.
   double bits_of_order() const {
     const std::size_t count = set_.constants.size();
     if (site_.numbers.size() != count) return 0;
@@ -98,8 +98,7 @@ class SiteBits {
       if (i > 0 && product_begin(site_.numbers[i].literal) != site_.numbers[i - 1].literal + 1) return 0;
     }
     constexpr double bits_of_a_list = 3;
-    const bool is_list =
-        is_next_to(product_begin(first()), true, "([{") && is_next_to(last(), false, ")]}");
+    const bool is_list = is_next_to(product_begin(first()), true, "([{") && is_next_to(last(), false, ")]}");
     return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0) + (is_list ? bits_of_a_list : 0);
   }
 
@@ -109,10 +108,9 @@ class SiteBits {
   double bits_of_names() const {
     constexpr double bits_of_an_id = 10;
     constexpr std::size_t least_words = 2, shortest = 4;
-    const bool is_exact =
-        std::all_of(site_.numbers.begin(), site_.numbers.end(), [](const SiteNumber& number) {
-          return !number.variant && number.match <= DigitMatch::float32;
-        });
+    const bool is_exact = std::all_of(
+        site_.numbers.begin(), site_.numbers.end(),
+        [](const SiteNumber& number) { return !number.variant && number.match <= DigitMatch::float32; });
     if (!is_exact || site_.numbers.size() != set_.constants.size()) return 0;
     const std::string lines = lines_of_numbers();
     std::size_t words = 0;

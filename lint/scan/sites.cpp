@@ -1,17 +1,18 @@
 #include "lint/scan/sites.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <set>
 #include <span>
 #include <tuple>
 
+#include "lint/scan/functions.hpp"
 #include "lint/scan/site_bits.hpp"
 
 namespace shadefit::lint {
 namespace {
 
-/// Constants of one formula stand within that many bytes of each other.
+/// Constants of one formula stand within that many bytes of each other, and in one function.
 constexpr std::size_t most_gap = 700;
 
 /// A number of fewer digits is looked for only near the other constants.
@@ -42,7 +43,7 @@ std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& lite
 class SiteFinder {
  public:
   SiteFinder(std::string_view text, const std::vector<Literal>& literals, const std::vector<KnownSet>& sets)
-      : text_(text), literals_(literals), sets_(sets) {}
+      : text_(text), literals_(literals), sets_(sets), functions_(function_begins(text)) {}
 
   /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
   /// site, and so does every number behind a complete one: the next copy of the formula may be the wrong one.
@@ -55,7 +56,8 @@ class SiteFinder {
     }
     if (!numbers_.empty()) {
       const Literal& last = literals_[numbers_.back().literal];
-      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap || is_complete())
+      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap ||
+          !are_in_one_function(first.literal, numbers_.back().literal) || is_complete())
         close();
     }
     set_ = first.set;
@@ -128,6 +130,13 @@ class SiteFinder {
     return hits.front();
   }
 
+  bool are_in_one_function(std::size_t a, std::size_t b) const {
+    const auto behind = [&](std::size_t literal) {
+      return std::upper_bound(functions_.begin(), functions_.end(), literals_[literal].offset);
+    };
+    return behind(a) == behind(b);
+  }
+
   Digits digits_at(std::size_t literal) const { return digits_of(text_, literals_[literal]); }
 
   /// A number in a comment beside numbers of code is not computed with.
@@ -148,7 +157,8 @@ class SiteFinder {
     const auto may_be = [&](std::size_t i, const Digits& published) {
       return literals_[i].offset + most_gap > literals_[first].offset &&
              literals_[i].offset < literals_[last].offset + most_gap && !is_taken(site, i) &&
-             literals_[i].is_in_comment == literals_[first].is_in_comment && digits_at(i) == published;
+             are_in_one_function(i, first) && literals_[i].is_in_comment == literals_[first].is_in_comment &&
+             digits_at(i) == published;
     };
     const KnownSet& set = sets_[site.set];
     for (std::size_t c = 0; c < set.constants.size(); ++c) {
@@ -184,42 +194,101 @@ class SiteFinder {
   std::string_view text_;
   const std::vector<Literal>& literals_;
   const std::vector<KnownSet>& sets_;
+  std::vector<std::size_t> functions_;  ///< where they begin
   std::size_t set_ = 0;
   std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
   std::vector<Site> sites_;
 };
 
-/// The most telling sites first take their numbers. A site that has lost half of its numbers is none.
-std::vector<Site> without_shared_numbers(std::vector<Site> sites) {
-  std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return a.bits > b.bits; });
-  std::set<std::size_t> taken;
-  std::vector<Site> kept;
-  for (Site& site : sites) {
-    const auto lost = std::count_if(site.numbers.begin(), site.numbers.end(), [&](const SiteNumber& number) {
-      return taken.count(number.literal) > 0;
-    });
-    if (2 * static_cast<std::size_t>(lost) >= site.numbers.size()) continue;
-    for (const SiteNumber& number : site.numbers) taken.insert(number.literal);
-    kept.push_back(std::move(site));
+/// The most telling sites first take their numbers.
+class SiteChoice {
+ public:
+  SiteChoice(std::vector<Site> sites, const ReadSite& read)
+      : sites_(std::move(sites)), read_(read), readings_(sites_.size()), is_done_(sites_.size()) {
+    std::stable_sort(sites_.begin(), sites_.end(),
+                     [](const Site& a, const Site& b) { return a.bits > b.bits; });
+    for (std::size_t i = 0; i < sites_.size(); ++i)
+      for (const SiteNumber& number : sites_[i].numbers) at_[number.literal].push_back(i);
   }
-  std::sort(kept.begin(), kept.end(), [](const Site& a, const Site& b) {
-    return a.numbers.front().literal < b.numbers.front().literal;
-  });
-  return kept;
-}
+
+  /// The kept sites, by their places.
+  std::vector<Site> choose() {
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      if (!is_done_[i]) keep(better_read(i));
+      if (!is_done_[i]) keep(i);
+    }
+    std::sort(kept_.begin(), kept_.end(), [](const Site& a, const Site& b) {
+      return a.numbers.front().literal < b.numbers.front().literal;
+    });
+    return std::move(kept_);
+  }
+
+ private:
+  /// A site that has lost half of its numbers is none.
+  void keep(std::size_t i) {
+    is_done_[i] = true;
+    Site& site = sites_[i];
+    if (2 * count_taken(site) >= site.numbers.size()) return;
+    for (const SiteNumber& number : site.numbers) taken_.insert(number.literal);
+    kept_.push_back(std::move(site));
+  }
+
+  std::size_t count_taken(const Site& site) const {
+    return static_cast<std::size_t>(
+        std::count_if(site.numbers.begin(), site.numbers.end(),
+                      [&](const SiteNumber& number) { return taken_.count(number.literal) > 0; }));
+  }
+
+  const Reading& reading(std::size_t i) {
+    if (!readings_[i]) readings_[i] = read_(sites_[i]);
+    return *readings_[i];
+  }
+
+  /// Of the sites with most of these numbers the one of whose form most is read.
+  std::size_t better_read(std::size_t i) {
+    if (2 * count_taken(sites_[i]) >= sites_[i].numbers.size()) return i;
+    std::size_t best = i;
+    for (const std::size_t other : rivals_of(i)) {
+      if (reading(best).part == Reading::Part::form) break;
+      if (reading(other).part > reading(best).part && reading(other).constants >= sites_[i].numbers.size())
+        best = other;
+    }
+    return best;
+  }
+
+  /// The less telling sites with most of the numbers of a site.
+  std::vector<std::size_t> rivals_of(std::size_t i) const {
+    std::map<std::size_t, std::size_t> shared;
+    for (const SiteNumber& number : sites_[i].numbers)
+      for (const std::size_t other : at_.at(number.literal))
+        if (other > i && !is_done_[other]) ++shared[other];
+    std::vector<std::size_t> rivals;
+    for (const auto& [other, count] : shared)
+      if (2 * count > sites_[i].numbers.size()) rivals.push_back(other);
+    return rivals;
+  }
+
+  std::vector<Site> sites_, kept_;
+  const ReadSite& read_;
+  std::vector<std::optional<Reading>> readings_;
+  std::vector<bool> is_done_;
+  std::map<std::size_t, std::vector<std::size_t>> at_;  ///< the sites with a literal
+  std::set<std::size_t> taken_;                         ///< literals
+};
 
 }  // namespace
 
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
-                           const std::vector<KnownSet>& sets, const DigitIndex& index) {
-  SiteFinder finder(text, literals, sets);
+                           const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read) {
   const std::vector<Hit> hits = hits_of(text, literals, index);
+  if (hits.empty()) return {};
+  SiteFinder finder(text, literals, sets);
   for (std::size_t i = 0, end = 0; i < hits.size(); i = end) {
     while (end < hits.size() && hits[end].set == hits[i].set && hits[end].literal == hits[i].literal) ++end;
     finder.add(std::span(hits).subspan(i, end - i));
   }
   finder.close();
-  return without_shared_numbers(finder.take());
+  return SiteChoice(finder.take(), read).choose();
 }
 
 }  // namespace shadefit::lint
