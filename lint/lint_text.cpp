@@ -4,34 +4,28 @@
 #include <cmath>
 #include <utility>
 
-#include "lint/expression/source_expression.hpp"
+#include "lint/site_reader.hpp"
 
 namespace shadefit::lint {
 namespace {
-
-/// A wrong expression is believed only where numbers and operations tell enough: log2 of how seldom two of
-/// some 100 slips of some 100 forms fit by chance is 13, and the median form has 6 operations, a bit for
-/// each.
-constexpr double bits_for_a_slip = 13 + 6;
 
 /// A text, its numbers, and a site in it.
 class SiteJudge {
  public:
   SiteJudge(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
             const KnownSet& set, const Site& site)
-      : text_(text), style_(style), literals_(literals), set_(set), site_(site) {}
+      : text_(text), literals_(literals), set_(set), site_(site), reader_(text, style, literals, set, site) {}
 
   /// The site, unless neither its numbers nor the expression around tell that it is one.
   std::optional<JudgedSite> judge(const EffectLimits& limits) const {
-    const std::vector<double> constants = constants_at(set_, site_, text_, literals_);
-    auto read = is_in_other_units(site_) || lacks_constants() ? std::nullopt : read_around(constants);
+    auto read = reader_.read();
     const bool is_read = read.has_value();
     if (!read && site_.bits < telling_bits) return std::nullopt;
-    if (!read) read = replaced_in_order(constants);
+    if (!read) read = replaced_in_order();
     JudgedSite judged;
     judged.set = site_.set;
     judged.numbers = judged_numbers();
-    const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, constants});
+    const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, reader_.constants()});
     judged.graded = grade_of(set_, site_, found, limits);
     if (found.replaced)
       add_replaced(*found.replaced, std::abs(found.constants[*found.replaced]), judged.numbers);
@@ -77,29 +71,11 @@ class SiteJudge {
               [](const JudgedNumber& a, const JudgedNumber& b) { return a.offset < b.offset; });
   }
 
-  /// Whether more than one constant is missing that a program has to write: not 1 or pi/2. Then no expression
-  /// can be the form.
-  bool lacks_constants() const {
-    const std::vector<std::size_t> missing = missing_constants();
-    return std::count_if(missing.begin(), missing.end(),
-                         [&](std::size_t constant) { return !set_.constants[constant].is_common; }) > 1;
-  }
-
-  std::vector<std::size_t> missing_constants() const {
-    std::vector<std::size_t> missing;
-    for (std::size_t i = 0; i < set_.constants.size(); ++i) {
-      const bool is_there = std::any_of(site_.numbers.begin(), site_.numbers.end(),
-                                        [&](const SiteNumber& number) { return number.constant == i; });
-      if (!is_there) missing.push_back(i);
-    }
-    return missing;
-  }
-
   /// Where the published order is kept and one constant inside it is missing, the only number between its
   /// neighbours stands in its place: vec4(1, 0.0425, 1.0, -0.04).
-  std::optional<ExpressionMatch> replaced_in_order(const std::vector<double>& constants) const {
+  std::optional<ExpressionMatch> replaced_in_order() const {
     constexpr std::size_t least_constants = 5;  // of fewer, the order says little
-    const std::vector<std::size_t> missing = missing_constants();
+    const std::vector<std::size_t>& missing = reader_.missing();
     if (missing.size() != 1 || set_.constants.size() < least_constants) return std::nullopt;
     for (std::size_t i = 1; i < site_.numbers.size(); ++i)
       if (site_.numbers[i].constant <= site_.numbers[i - 1].constant) return std::nullopt;
@@ -108,50 +84,16 @@ class SiteJudge {
     const std::size_t before = site_.numbers[place - 1].literal, behind = site_.numbers[place].literal;
     const Literal& literal = literals_[before + 1];
     if (behind != before + 2 || literal.is_in_comment != literals_[before].is_in_comment) return std::nullopt;
-    std::vector<double> found = constants;
-    found[place] = std::copysign(number_of(digits_of(text_, literal)), constants[place]);
+    std::vector<double> found = reader_.constants();
+    found[place] = std::copysign(number_of(digits_of(text_, literal)), found[place]);
     return ExpressionMatch{.form = set_.formula, .constants = found, .replaced = place};
   }
 
-  /// What is computed around the numbers: in one statement, then in several.
-  std::vector<Symbolic> expressions() const {
-    const Literal &first = literals_[site_.numbers.front().literal],
-                  &last = literals_[site_.numbers.back().literal];
-    std::vector<Symbolic> found;
-    for (const std::string_view one : expressions_around(text_, first.offset, last.offset + last.length))
-      if (auto expression = read_expression(one, style_)) found.push_back(std::move(*expression));
-    for (Symbolic& value : values_around(text_, first.offset, last.offset + last.length, style_))
-      found.push_back(std::move(value));
-    return found;
-  }
-
-  /// The smallest expression around the numbers that is the form, or that with a slip.
-  std::optional<ExpressionMatch> read_around(const std::vector<double>& constants) const {
-    std::vector<double> numbers;
-    for (const SiteNumber& number : site_.numbers) numbers.push_back(std::abs(constants[number.constant]));
-    const std::vector<std::size_t> missing = missing_constants();
-    std::optional<ExpressionMatch> slip, core;
-    for (const Symbolic& one : expressions()) {
-      auto match = match_expression(one, set_, constants, numbers, missing);
-      if (!match) continue;
-      if (match->is_core && !match->replaced) {
-        if (!core) core = std::move(match);
-        continue;
-      }
-      if (match->slip.empty()) return match;
-      // A comment may tell its formula in halves.
-      if (!slip && !literals_[site_.numbers.front().literal].is_in_comment && site_.numbers.size() > 1 &&
-          site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip)
-        slip = std::move(match);
-    }
-    return slip ? slip : core;
-  }
-
   std::string_view text_;
-  CommentStyle style_;
   const std::vector<Literal>& literals_;
   const KnownSet& set_;
   const Site& site_;
+  SiteReader reader_;
 };
 
 }  // namespace
@@ -159,8 +101,11 @@ class SiteJudge {
 std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
                                    const EffectLimits& limits) {
   const std::vector<Literal> literals = literals_of(text, style);
+  const auto reading = [&](const Site& site) {
+    return SiteReader(text, style, literals, known.sets[site.set], site).reading();
+  };
   std::vector<JudgedSite> judged;
-  for (const Site& site : sites_of(text, literals, known.sets, known.index)) {
+  for (const Site& site : sites_of(text, literals, known.sets, known.index, reading)) {
     const SiteJudge judge(text, style, literals, known.sets[site.set], site);
     if (auto one = judge.judge(limits)) judged.push_back(std::move(*one));
   }

@@ -22,8 +22,7 @@ void append_names(const Symbolic& formula, std::set<std::string>& names) {
 }
 
 bool has_all_constants(const KnownSet& set, const Symbolic& formula) {
-  std::set<std::string> names;
-  append_names(formula, names);
+  const std::set<std::string> names = names_of(formula);
   return std::all_of(set.constants.begin(), set.constants.end(),
                      [&](const KnownConstant& constant) { return names.count(constant.name) > 0; });
 }
@@ -42,8 +41,7 @@ std::optional<KnownSet> core_of(const KnownSet& set) {
       break;
     }
   }
-  std::set<std::string> names;
-  append_names(core, names);
+  const std::set<std::string> names = names_of(core);
   KnownSet small = set;
   small.formula = core;
   std::erase_if(small.axes, [&](const KnownAxis& axis) { return names.count(axis.variable) == 0; });
@@ -105,6 +103,17 @@ class ExpressionMatcher {
 };
 
 }  // namespace
+
+std::set<std::string> names_of(const Symbolic& formula) {
+  std::set<std::string> names;
+  append_names(formula, names);
+  return names;
+}
+
+bool is_form(const Symbolic& expression, const KnownSet& set, const std::vector<double>& constants,
+             const std::vector<double>& numbers) {
+  return ExpressionMatcher(expression, set, constants, numbers).form().has_value();
+}
 
 std::optional<ExpressionMatch> match_expression(const Symbolic& expression, const KnownSet& set,
                                                 const std::vector<double>& constants,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +34,12 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
                                                 const std::vector<double>& constants,
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing);
+
+/// Whether such a part has the values of the form, with nothing replaced and no slip.
+bool is_form(const Symbolic& expression, const KnownSet& set, const std::vector<double>& constants,
+             const std::vector<double>& numbers);
+
+/// The names of the variables and constants of a formula.
+std::set<std::string> names_of(const Symbolic& formula);
 
 }  // namespace shadefit::lint

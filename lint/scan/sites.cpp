@@ -1,15 +1,18 @@
 #include "lint/scan/sites.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <set>
 #include <span>
 #include <tuple>
 
+#include "lint/scan/functions.hpp"
+#include "lint/scan/site_bits.hpp"
+
 namespace shadefit::lint {
 namespace {
 
-/// Constants of one formula stand within that many bytes of each other.
+/// Constants of one formula stand within that many bytes of each other, and in one function.
 constexpr std::size_t most_gap = 700;
 
 /// A number of fewer digits is looked for only near the other constants.
@@ -40,15 +43,21 @@ std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& lite
 class SiteFinder {
  public:
   SiteFinder(std::string_view text, const std::vector<Literal>& literals, const std::vector<KnownSet>& sets)
-      : text_(text), literals_(literals), sets_(sets) {}
+      : text_(text), literals_(literals), sets_(sets), functions_(function_begins(text)) {}
 
   /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
   /// site, and so does every number behind a complete one: the next copy of the formula may be the wrong one.
+  /// The components of a vector are one number: vec3(0.055, 0.055, 0.055).
   void add(std::span<const Hit> hits) {
     const Hit& first = hits.front();
+    if (is_next_component(hits)) {
+      numbers_.back().literal = first.literal;
+      return;
+    }
     if (!numbers_.empty()) {
       const Literal& last = literals_[numbers_.back().literal];
-      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap || is_complete())
+      if (first.set != set_ || literals_[first.literal].offset > last.offset + most_gap ||
+          !are_in_one_function(first.literal, numbers_.back().literal) || is_complete())
         close();
     }
     set_ = first.set;
@@ -76,7 +85,7 @@ class SiteFinder {
     numbers_.clear();
     drop_comments(site);
     add_companions(site);
-    site.bits = bits_of(site);
+    site.bits = bits_of(text_, literals_, sets_[set_], site);
     if (site.bits >= least_bits) sites_.push_back(std::move(site));
   }
 
@@ -90,6 +99,17 @@ class SiteFinder {
                                   constants.begin(), constants.end(), [](const KnownConstant& constant) {
                                     return digits_of(constant.printed).text.size() >= least_digits_alone;
                                   }));
+  }
+
+  /// Whether a number only repeats the one before it. A set of one number has a formula each time.
+  bool is_next_component(std::span<const Hit> hits) const {
+    if (numbers_.empty() || hits.front().set != set_ || sets_[set_].constants.size() == 1) return false;
+    const Hit& hit = next_in_order(hits);
+    if (hit.match.place.constant != numbers_.back().constant) return false;
+    const std::size_t last = numbers_.back().literal;
+    return hit.literal == last + 1 && literals_[hit.literal].offset <= literals_[last].offset + most_gap &&
+           literals_[hit.literal].is_in_comment == literals_[last].is_in_comment &&
+           digits_at(hit.literal) == digits_at(last);
   }
 
   /// Several constants of a set may have the same digits. Then the number is the next of them in the
@@ -108,6 +128,13 @@ class SiteFinder {
     for (const Hit& hit : hits)
       if (is_free(hit)) return hit;
     return hits.front();
+  }
+
+  bool are_in_one_function(std::size_t a, std::size_t b) const {
+    const auto behind = [&](std::size_t literal) {
+      return std::upper_bound(functions_.begin(), functions_.end(), literals_[literal].offset);
+    };
+    return behind(a) == behind(b);
   }
 
   Digits digits_at(std::size_t literal) const { return digits_of(text_, literals_[literal]); }
@@ -130,7 +157,8 @@ class SiteFinder {
     const auto may_be = [&](std::size_t i, const Digits& published) {
       return literals_[i].offset + most_gap > literals_[first].offset &&
              literals_[i].offset < literals_[last].offset + most_gap && !is_taken(site, i) &&
-             literals_[i].is_in_comment == literals_[first].is_in_comment && digits_at(i) == published;
+             are_in_one_function(i, first) && literals_[i].is_in_comment == literals_[first].is_in_comment &&
+             digits_at(i) == published;
     };
     const KnownSet& set = sets_[site.set];
     for (std::size_t c = 0; c < set.constants.size(); ++c) {
@@ -163,103 +191,104 @@ class SiteFinder {
                        [&](const SiteNumber& number) { return number.literal == literal; });
   }
 
-  /// The bits of one number: log2 of 10 for each digit but the first, since small first digits are common.
-  double bits_of(const KnownSet& set, const SiteNumber& number) const {
-    const double bits_of_a_digit = std::log2(10);
-    const KnownConstant& constant = set.constants[number.constant];
-    constexpr std::size_t digits_of_a_common_number = 3;
-    const std::size_t digits = digits_of(constant.printed).text.size();
-    const std::size_t published = constant.is_common ? std::min(digits, digits_of_a_common_number) : digits;
-    const auto bits = [&](std::size_t count) { return bits_of_a_digit * (static_cast<double>(count) - 1); };
-    if (number.variant) return set.variants[*number.variant].is_borrowed ? 0 : bits(published);
-    switch (number.match) {
-      case DigitMatch::same:
-      case DigitMatch::longer:
-      case DigitMatch::float32:
-        return bits(published);
-      case DigitMatch::rounded:
-        return bits(std::min(published, digits_at(number.literal).text.size())) - 1;  // rounded or cut off
-      case DigitMatch::shifted:
-        return bits(published) - 3;  // some eight other places of the point
-      case DigitMatch::edited:
-        // A text of n digits has some 20 n neighbours at one edit.
-        return bits(published) - std::log2(20 * static_cast<double>(published));
-    }
-    return 0;
-  }
-
-  bool is_next_to(std::size_t literal, bool before, std::string_view brackets) const {
-    const Literal& one = literals_[literal];
-    const std::string_view rest =
-        before ? text_.substr(0, one.offset) : text_.substr(one.offset + one.length);
-    const std::string_view blanks = before ? " \t\r\n+-" : " \t\r\n";
-    const std::size_t at = before ? rest.find_last_not_of(blanks) : rest.find_first_not_of(blanks);
-    return at != std::string_view::npos && brackets.find(rest[at]) != std::string_view::npos;
-  }
-
-  /// One order of n! if all n constants stand in the published one, with nothing between. If they are a whole
-  /// list, (a, b, c), three more: a row of numbers at a random place is no list.
-  double bits_of_order(const Site& site) const {
-    const std::size_t count = sets_[site.set].constants.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      if (site.numbers.size() != count || site.numbers[i].constant != i ||
-          site.numbers[i].literal != site.numbers[0].literal + i)
-        return 0;
-    }
-    constexpr double bits_of_a_list = 3;
-    const bool is_list = is_next_to(site.numbers.front().literal, true, "([{") &&
-                         is_next_to(site.numbers.back().literal, false, ")]}");
-    return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0) + (is_list ? bits_of_a_list : 0);
-  }
-
-  double bits_of(const Site& site) const {
-    double bits = 0;
-    for (const SiteNumber& number : site.numbers) bits += bits_of(sets_[site.set], number);
-    // Each of them may be any of the numbers there.
-    const auto count = static_cast<double>(site.numbers.size());
-    const auto there = static_cast<double>(site.numbers.back().literal - site.numbers.front().literal + 1);
-    return bits + bits_of_order(site) - count * std::log2(std::max(1.0, there / count));
-  }
-
   std::string_view text_;
   const std::vector<Literal>& literals_;
   const std::vector<KnownSet>& sets_;
+  std::vector<std::size_t> functions_;  ///< where they begin
   std::size_t set_ = 0;
   std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
   std::vector<Site> sites_;
 };
 
-/// The most telling sites first take their numbers. A site that has lost half of its numbers is none.
-std::vector<Site> without_shared_numbers(std::vector<Site> sites) {
-  std::stable_sort(sites.begin(), sites.end(), [](const Site& a, const Site& b) { return a.bits > b.bits; });
-  std::set<std::size_t> taken;
-  std::vector<Site> kept;
-  for (Site& site : sites) {
-    const auto lost = std::count_if(site.numbers.begin(), site.numbers.end(), [&](const SiteNumber& number) {
-      return taken.count(number.literal) > 0;
-    });
-    if (2 * static_cast<std::size_t>(lost) >= site.numbers.size()) continue;
-    for (const SiteNumber& number : site.numbers) taken.insert(number.literal);
-    kept.push_back(std::move(site));
+/// The most telling sites first take their numbers.
+class SiteChoice {
+ public:
+  SiteChoice(std::vector<Site> sites, const ReadSite& read)
+      : sites_(std::move(sites)), read_(read), readings_(sites_.size()), is_done_(sites_.size()) {
+    std::stable_sort(sites_.begin(), sites_.end(),
+                     [](const Site& a, const Site& b) { return a.bits > b.bits; });
+    for (std::size_t i = 0; i < sites_.size(); ++i)
+      for (const SiteNumber& number : sites_[i].numbers) at_[number.literal].push_back(i);
   }
-  std::sort(kept.begin(), kept.end(), [](const Site& a, const Site& b) {
-    return a.numbers.front().literal < b.numbers.front().literal;
-  });
-  return kept;
-}
+
+  /// The kept sites, by their places.
+  std::vector<Site> choose() {
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      if (!is_done_[i]) keep(better_read(i));
+      if (!is_done_[i]) keep(i);
+    }
+    std::sort(kept_.begin(), kept_.end(), [](const Site& a, const Site& b) {
+      return a.numbers.front().literal < b.numbers.front().literal;
+    });
+    return std::move(kept_);
+  }
+
+ private:
+  /// A site that has lost half of its numbers is none.
+  void keep(std::size_t i) {
+    is_done_[i] = true;
+    Site& site = sites_[i];
+    if (2 * count_taken(site) >= site.numbers.size()) return;
+    for (const SiteNumber& number : site.numbers) taken_.insert(number.literal);
+    kept_.push_back(std::move(site));
+  }
+
+  std::size_t count_taken(const Site& site) const {
+    return static_cast<std::size_t>(
+        std::count_if(site.numbers.begin(), site.numbers.end(),
+                      [&](const SiteNumber& number) { return taken_.count(number.literal) > 0; }));
+  }
+
+  const Reading& reading(std::size_t i) {
+    if (!readings_[i]) readings_[i] = read_(sites_[i]);
+    return *readings_[i];
+  }
+
+  /// Of the sites with most of these numbers the one of whose form most is read.
+  std::size_t better_read(std::size_t i) {
+    if (2 * count_taken(sites_[i]) >= sites_[i].numbers.size()) return i;
+    std::size_t best = i;
+    for (const std::size_t other : rivals_of(i)) {
+      if (reading(best).part == Reading::Part::form) break;
+      if (reading(other).part > reading(best).part && reading(other).constants >= sites_[i].numbers.size())
+        best = other;
+    }
+    return best;
+  }
+
+  /// The less telling sites with most of the numbers of a site.
+  std::vector<std::size_t> rivals_of(std::size_t i) const {
+    std::map<std::size_t, std::size_t> shared;
+    for (const SiteNumber& number : sites_[i].numbers)
+      for (const std::size_t other : at_.at(number.literal))
+        if (other > i && !is_done_[other]) ++shared[other];
+    std::vector<std::size_t> rivals;
+    for (const auto& [other, count] : shared)
+      if (2 * count > sites_[i].numbers.size()) rivals.push_back(other);
+    return rivals;
+  }
+
+  std::vector<Site> sites_, kept_;
+  const ReadSite& read_;
+  std::vector<std::optional<Reading>> readings_;
+  std::vector<bool> is_done_;
+  std::map<std::size_t, std::vector<std::size_t>> at_;  ///< the sites with a literal
+  std::set<std::size_t> taken_;                         ///< literals
+};
 
 }  // namespace
 
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
-                           const std::vector<KnownSet>& sets, const DigitIndex& index) {
-  SiteFinder finder(text, literals, sets);
+                           const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read) {
   const std::vector<Hit> hits = hits_of(text, literals, index);
+  if (hits.empty()) return {};
+  SiteFinder finder(text, literals, sets);
   for (std::size_t i = 0, end = 0; i < hits.size(); i = end) {
     while (end < hits.size() && hits[end].set == hits[i].set && hits[end].literal == hits[i].literal) ++end;
     finder.add(std::span(hits).subspan(i, end - i));
   }
   finder.close();
-  return without_shared_numbers(finder.take());
+  return SiteChoice(finder.take(), read).choose();
 }
 
 }  // namespace shadefit::lint

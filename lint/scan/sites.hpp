@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -33,9 +34,23 @@ inline constexpr double telling_bits = 24;
 /// Sites with fewer bits are not worth reading the expression around them.
 inline constexpr double least_bits = 6;
 
+/// What of the form of its set is read in the text around a site.
+struct Reading {
+  enum class Part {
+    nothing,
+    branch,  ///< one branch of its choice
+    form,    ///< the whole form
+  };
+  Part part = Part::nothing;
+  std::size_t constants = 0;  ///< of the set, which stand there, right or wrong
+};
+
+/// Reads the text around a site.
+using ReadSite = std::function<Reading(const Site&)>;
+
 /// All sites of at least `least_bits`, by their places. Where two sites have most of their numbers in common,
-/// the more telling one is kept.
+/// the one is kept of whose form more is read, if it has as many constants; else the more telling one.
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
-                           const std::vector<KnownSet>& sets, const DigitIndex& index);
+                           const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read);
 
 }  // namespace shadefit::lint

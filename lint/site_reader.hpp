@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "lint/expression/compare.hpp"
+#include "lint/known/known_set.hpp"
+#include "lint/scan/literals.hpp"
+#include "lint/scan/sites.hpp"
+
+namespace shadefit::lint {
+
+/// Reads the text around a site as the form of its set.
+class SiteReader {
+ public:
+  SiteReader(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
+             const KnownSet& set, const Site& site);
+
+  /// The constants as they stand: see constants_at().
+  const std::vector<double>& constants() const { return constants_; }
+
+  /// The constants of the set that are not at the site, by their places.
+  const std::vector<std::size_t>& missing() const { return missing_; }
+
+  /// The smallest expression around the numbers that is the form, or that with a slip. Empty if none is, if
+  /// more than one constant is missing that a program has to write, or if the numbers are in other units.
+  std::optional<ExpressionMatch> read() const;
+
+  /// How well the text tells that the numbers are those of the set.
+  Reading reading() const;
+
+ private:
+  bool lacks_constants() const;
+  std::vector<Symbolic> expressions(const Literal& first, const Literal& last) const;
+  bool reads_branch(const Symbolic& branch) const;
+
+  std::string_view text_;
+  CommentStyle style_;
+  const std::vector<Literal>& literals_;
+  const KnownSet& set_;
+  const Site& site_;
+  std::vector<double> constants_;
+  std::vector<std::size_t> missing_;
+};
+
+}  // namespace shadefit::lint
