@@ -99,13 +99,15 @@ class SiteJudge {
 }  // namespace
 
 std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
-                                   const EffectLimits& limits) {
+                                   const EffectLimits& limits, const Checkpoint& checkpoint) {
   const std::vector<Literal> literals = literals_of(text, style);
   const auto reading = [&](const Site& site) {
+    checkpoint();
     return SiteReader(text, style, literals, known.sets[site.set], site).reading();
   };
   std::vector<JudgedSite> judged;
   for (const Site& site : sites_of(text, literals, known.sets, known.index, reading)) {
+    checkpoint();
     const SiteJudge judge(text, style, literals, known.sets[site.set], site);
     if (auto one = judge.judge(limits)) judged.push_back(std::move(*one));
   }

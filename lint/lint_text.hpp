@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/support/checkpoint.hpp"
 #include "lint/grade/grade.hpp"
 #include "lint/known/known_set.hpp"
 #include "lint/scan/digit_index.hpp"
@@ -39,8 +40,9 @@ struct JudgedSite {
   bool is_in_other_units = false;
 };
 
-/// All sites, by their places.
+/// All sites, by their places. The checkpoint is called before each: a text of a few MiB can have so many
+/// that this takes seconds.
 std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
-                                   const EffectLimits& limits);
+                                   const EffectLimits& limits, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::lint

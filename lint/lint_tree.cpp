@@ -158,7 +158,8 @@ bool leave_unpinned(LintedSite& site, const std::set<std::size_t>& pinned) {
 }  // namespace
 
 std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
-                                    const KnownConstants& known, const EffectLimits& limits) {
+                                    const KnownConstants& known, const EffectLimits& limits,
+                                    const Checkpoint& checkpoint) {
   std::vector<LintedSite> sites;
   std::set<std::size_t> pinned;
   PlaceFinder places(text);
@@ -166,7 +167,7 @@ std::vector<LintedSite> lint_source(const std::string& file, std::string_view te
     if (!pin.number.empty()) pinned.insert(pin.number_offset);
     sites.push_back(linted(file, text, known.sets, judge_pin(pin, known.sets, limits), places));
   }
-  for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits)) {
+  for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits, checkpoint)) {
     LintedSite site = linted(file, text, known.sets[judged.set], judged, places);
     if (leave_unpinned(site, pinned)) sites.push_back(std::move(site));
   }
@@ -197,7 +198,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
           const auto text = read_source(file, found[i].skipped);
           if (!text) continue;
           found[i].bytes = text->size();
-          found[i].sites = lint_source(file.name, *text, file.language, known, limits);
+          found[i].sites = lint_source(file.name, *text, file.language, known, limits, checkpoint);
         }
       },
       how);

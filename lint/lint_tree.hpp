@@ -57,8 +57,9 @@ struct LintedTree {
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how = {});
 
-/// The sites of one text.
+/// The sites of one text; the checkpoint is that of `judge_text`.
 std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
-                                    const KnownConstants& known, const EffectLimits& limits);
+                                    const KnownConstants& known, const EffectLimits& limits,
+                                    const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::lint

@@ -35,7 +35,7 @@ std::optional<lint::Grade> grade_named(const std::string& word) {
   return std::nullopt;
 }
 
-/// Options that are not given, from the file of the project.
+/// Options that are not given, from the file of the project, whose folder `tree.configured` has then.
 LintOptions with_config(LintOptions options, lint::TreeOptions& tree) {
   tree.exclude = options.exclude;
   if (const auto config = lint::find_lint_config(fail_on_words())) {
@@ -151,6 +151,8 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
     throw UserError(fmt::format("--diff prints a diff: it takes no --format {}", name(options.format)));
   LintReportOptions shown{.fail_on = grade_named(options.fail_on.value_or("wrong")), .all = options.all};
   if (options.baseline) shown.known = known_fingerprints(*options.baseline);
+  if (const auto& folder = tree.configured.folder; !folder.empty())
+    shown.project = std::filesystem::absolute(folder).lexically_normal();
   lint::EffectLimits limits;
   limits.of_all = options.max_effect;
   const lint::KnownConstants known = known_constants(options.studies);
@@ -165,7 +167,7 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
     for (const FixedFile& file : files) diffs += unified_diff(file.name, file.before, file.after);
     return {diffs.empty() ? 0 : 1, diffs, warnings_of(linted.skipped)};
   }
-  judge_again(linted, files, sources, known, limits);
+  judge_again(linted, files, sources, known, limits, checkpoint);
   Outcome outcome = report_of(linted, shown, options.format);
   if (files.empty()) return outcome;
   outcome.err += words_of(files);

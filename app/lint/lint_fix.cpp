@@ -54,12 +54,13 @@ std::vector<FixedFile> fixed_files(const lint::LintedTree& tree, lint::FixScope 
 }
 
 void judge_again(lint::LintedTree& tree, const std::vector<FixedFile>& files, const lint::SourceTree& sources,
-                 const lint::KnownConstants& known, const lint::EffectLimits& limits) {
+                 const lint::KnownConstants& known, const lint::EffectLimits& limits,
+                 const Checkpoint& checkpoint) {
   SitesByFile left = by_file(tree.sites);
   for (const FixedFile& file : files) {
     const auto source = std::find_if(sources.files.begin(), sources.files.end(),
                                      [&](const lint::SourceFile& one) { return one.name == file.name; });
-    left[file.name] = lint_source(file.name, file.after, source->language, known, limits);
+    left[file.name] = lint_source(file.name, file.after, source->language, known, limits, checkpoint);
   }
   tree.sites.clear();
   for (auto& [name, sites] : left) std::move(sites.begin(), sites.end(), std::back_inserter(tree.sites));

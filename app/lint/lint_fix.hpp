@@ -24,7 +24,8 @@ std::vector<FixedFile> fixed_files(const lint::LintedTree& tree, lint::FixScope 
 
 /// The sites that are left once the files are written.
 void judge_again(lint::LintedTree& tree, const std::vector<FixedFile>& files, const lint::SourceTree& sources,
-                 const lint::KnownConstants& known, const lint::EffectLimits& limits);
+                 const lint::KnownConstants& known, const lint::EffectLimits& limits,
+                 const Checkpoint& checkpoint);
 
 /// Writes the files beside the old ones, with their permissions; of a link, the file that it leads to. The
 /// returned call moves them to their places. Throws UserError like `Output::prepare`.

@@ -83,10 +83,16 @@ FindingLevel level_of(const LintedSite& site, const std::optional<Grade>& fail_o
   return site.grade == Grade::truncated ? FindingLevel::note : FindingLevel::warning;
 }
 
+std::string name_within(const std::filesystem::path& project, const std::string& file) {
+  if (project.empty()) return file;
+  return std::filesystem::absolute(file).lexically_normal().lexically_relative(project).generic_string();
+}
+
 /// Of what does not change when lines move: file, rule, set and numbers. Equal sites of a file are counted.
-std::string fingerprint_of(const LintedSite& site, std::map<std::string, int>& seen) {
-  std::string text =
-      fmt::format("{}\n{}\n{} {}\n{}", site.file, rule_of(site), site.id, site.form, site.slip);
+std::string fingerprint_of(const LintedSite& site, const std::filesystem::path& project,
+                           std::map<std::string, int>& seen) {
+  std::string text = fmt::format("{}\n{}\n{} {}\n{}", name_within(project, site.file), rule_of(site), site.id,
+                                 site.form, site.slip);
   for (const LintedNumber& number : site.numbers) text += "\n" + number.text;
   const int count = seen[text]++;
   return fmt::format("{:08x}{:08x}", crc_of(text), crc_of(fmt::format("{}\n{}", count, text)));
@@ -102,7 +108,7 @@ findings::FindingReport lint_findings(const lint::LintedTree& tree, const LintRe
     findings::Finding finding{
         .rule = rule_of(site), .level = level_of(site, options.fail_on), .message = message_of(site)};
     finding.place = {site.file, site.begin.line, site.begin.column, site.end.line, site.end.column};
-    finding.fingerprint = fingerprint_of(site, seen);
+    finding.fingerprint = fingerprint_of(site, options.project, seen);
     finding.suppressed = site.ignored;
     finding.is_known = options.known.count(finding.fingerprint) > 0;
     report.findings.push_back(std::move(finding));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 
@@ -15,13 +16,16 @@ struct LintReportOptions {
   std::optional<lint::Grade> fail_on = lint::Grade::wrong;
   bool all = false;                  ///< also those that are right
   std::set<std::string> known = {};  ///< fingerprints of a baseline
+  /// From where fingerprints name the files, so that a baseline holds wherever one stands in the project;
+  /// empty: the current folder.
+  std::filesystem::path project = {};
 };
 
 /// A finding for each site that is not right. The levels: error from `fail_on` on, else warning for `wrong`,
 /// `typo` and `outdated`, else note. A comment is a note.
 findings::FindingReport lint_findings(const lint::LintedTree& tree, const LintReportOptions& options);
 
-/// "3 files were not read: 2 minified, 1 too large. 1 folder of others". Empty if nothing was left out.
+/// "not read: 1 folder of others, 2 minified". Empty if nothing was left out.
 std::string skipped_words(const lint::SkippedFiles& skipped);
 
 }  // namespace shadefit

@@ -177,6 +177,20 @@ TEST(LintGate, ABaselineHoldsBackWhatItKnows) {
   EXPECT_NE(in_format("sarif", with_known).out.find("\"baselineState\": \"new\""), std::string::npos);
 }
 
+TEST(LintGate, TheBaselineOfTheProjectHoldsInEachFolder) {
+  const TemporaryDirectory folder;
+  folder.file("src/a.glsl", wrong_digit);
+  folder.file(".git/HEAD", "");
+  folder.file(".shadefit.toml", "[lint]\npaths = [\"src\"]\n");
+  const StandIn project(folder.path());
+  folder.file("known.json", run_command_line({"lint", "--format", "json"}).out);
+  folder.file(".shadefit.toml", "[lint]\npaths = [\"src\"]\nbaseline = \"known.json\"\n");
+  EXPECT_EQ(run_command_line({"lint"}).exit_code, 0);
+  const StandIn below(folder.path() / "src");
+  for (const Words& words : {Words{"lint"}, Words{"lint", "a.glsl"}, Words{"lint", folder / "src"}})
+    EXPECT_EQ(run_command_line(words).exit_code, 0) << words.back();
+}
+
 TEST(LintGate, BadInputIsOneLine) {
   const TemporaryDirectory folder;
   const StandIn current(folder.path());

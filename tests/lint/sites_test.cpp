@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -98,6 +99,17 @@ float3 decode(float3 u) {
 }
 )";
   for (const std::string& words : graded(text)) EXPECT_TRUE(words.ends_with(" right")) << words;
+}
+
+TEST(Sites, ATextCanBeLeftAtEachOfThem) {
+  std::string text;
+  for (int i = 0; i < 100; ++i) text += "float a = exp2((-5.55473 * c - 6.98316) * c);\n";
+  int calls = 0;
+  const auto stop = [&] {
+    if (++calls == 3) throw std::runtime_error("stop");
+  };
+  EXPECT_THROW(lint_source("a.glsl", text, SourceLanguage::glsl, the_known(), {}, stop), std::runtime_error);
+  EXPECT_EQ(calls, 3);
 }
 
 TEST(Grade, LimitsHaveTwoSides) {
