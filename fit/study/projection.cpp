@@ -50,15 +50,27 @@ Triangle triangle_of(const Matrix& slopes, const VectorOf<double>& errors, const
   return qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
 }
 
+/// The solution x of R x = right, for the first rows of R. A column that is empty gets 0.
+ProductVector<double> solved(const Triangle& triangle, const ProductVector<double>& right) {
+  ProductVector<double> x = ProductVector<double>::Zero(right.size());
+  for (Eigen::Index i = right.size(); i-- > 0;) {
+    const Eigen::Index rest = right.size() - 1 - i;
+    const double known = triangle.row(i).segment(i + 1, rest).dot(x.tail(rest));
+    if (triangle(i, i) != 0) x[i] = (right[i] - known) / triangle(i, i);
+  }
+  return x;
+}
+
 }  // namespace
 
 Projection::Projection(const StudyError& error, const SampledStudy<double>& sampled,
                        std::optional<std::size_t> held)
-    : sampled_(sampled), held_(held), parameters_(error.parameter_count()) {
-  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    : sampled_(sampled), held_(held) {
+  last_.parameters.resize(error.parameter_count());
+  for (std::size_t i = 0; i < error.parameter_count(); ++i) {
     if (i != held) (error.is_linear()[i] ? linear_ : nonlinear_).push_back(i);
   }
-  const auto error_column = static_cast<Eigen::Index>(parameters_.size());
+  const auto error_column = static_cast<Eigen::Index>(error.parameter_count());
   linear_columns_.assign(linear_.begin(), linear_.end());
   columns_ = linear_columns_;
   columns_.insert(columns_.end(), nonlinear_.begin(), nonlinear_.end());
@@ -66,24 +78,56 @@ Projection::Projection(const StudyError& error, const SampledStudy<double>& samp
   columns_.push_back(error_column);
 }
 
-void Projection::factorise(std::span<const Eigen::Index> columns) const {
-  sampled_.products(parameters_, columns, triangle_);
-  if (!triangle_.allFinite()) {
-    triangle_.setConstant(HUGE_VAL);
-  } else if (!factorise_in_place(triangle_)) {
-    VectorOf<double> errors;
-    Matrix slopes;
-    sampled_.errors(parameters_, errors, &slopes);
-    const std::vector<Eigen::Index> of_slopes(columns.begin(), columns.end() - 1);
-    triangle_ = triangle_of(slopes(Eigen::all, of_slopes), errors, sampled_.roots());
+bool Projection::is_at(const Place& place, const double* q) const {
+  const auto is_equal = [&](std::size_t i, double value) { return place.parameters[i] == value; };
+  return place.is_known && std::equal(nonlinear_.begin(), nonlinear_.end(), q, is_equal);
+}
+
+bool Projection::factorise(std::span<const Eigen::Index> columns) const {
+  sampled_.products(last_.parameters, columns, last_.triangle);
+  if (!last_.triangle.allFinite()) {
+    last_.triangle.setConstant(HUGE_VAL);
+    return false;
   }
+  if (factorise_in_place(last_.triangle)) return true;
+  VectorOf<double> errors;
+  Matrix slopes;
+  sampled_.errors(last_.parameters, errors, &slopes);
+  const std::vector<Eigen::Index> of_slopes(columns.begin(), columns.end() - 1);
+  last_.triangle = triangle_of(slopes(Eigen::all, of_slopes), errors, sampled_.roots());
+  return false;
+}
+
+bool Projection::follow(const double* q) const {
+  // What the linear parameters may lack, as a share of the square. The residuals do not feel it: R has them
+  // without it, at the cost of a bit where it is half. The derivatives do, where a step is long. Towards the
+  // end of a descent the share is of the size of the fourth power of a step.
+  constexpr double nearly = 0.1, half = 0.5;
+  const auto count = static_cast<Eigen::Index>(linear_.size());
+  ProductVector<double> right = ProductVector<double>::Zero(count);
+  for (std::size_t i = 0; i < nonlinear_.size(); ++i) {
+    const auto column = accepted_.triangle.col(count + static_cast<Eigen::Index>(i));
+    right += column.head(count) * (q[i] - accepted_.parameters[nonlinear_[i]]);
+  }
+  const ProductVector<double> step = solved(accepted_.triangle, right);
+  for (std::size_t i = 0; i < linear_.size(); ++i)
+    last_.parameters[linear_[i]] = accepted_.parameters[linear_[i]] - step[static_cast<Eigen::Index>(i)];
+  if (!factorise(columns_) || !(linear_share() < half)) return false;
+  if (linear_share() > nearly) {
+    move_linear();
+    if (!factorise(columns_)) return false;
+  }
+  move_linear();
+  last_.triangle.rightCols(1).topRows(count).setZero();
+  return true;
 }
 
 void Projection::move_to(const double* q) const {
-  for (std::size_t i = 0; i < nonlinear_.size(); ++i) parameters_[nonlinear_[i]] = q[i];
-  for (const std::size_t i : linear_) parameters_[i] = 0;
+  for (std::size_t i = 0; i < nonlinear_.size(); ++i) last_.parameters[nonlinear_[i]] = q[i];
+  if (accepted_.is_known && !linear_.empty() && follow(q)) return;
   // The linear parameters alone, then all. One step is enough, unless the linear columns are nearly
   // dependent.
+  for (const std::size_t i : linear_) last_.parameters[i] = 0;
   if (!linear_.empty()) {
     factorise(linear_columns_);
     if (linear_share() > small_share) move_linear();
@@ -97,38 +141,36 @@ void Projection::move_to(const double* q) const {
 }
 
 double Projection::linear_share() const {
-  const auto errors = triangle_.col(triangle_.cols() - 1);
+  const auto errors = last_.triangle.col(last_.triangle.cols() - 1);
   const double square = errors.squaredNorm();
   return square > 0 ? errors.head(static_cast<Eigen::Index>(linear_.size())).squaredNorm() / square : 0;
 }
 
-/// The step of the linear parameters to their best: R_LL step = -R_Lr.
+/// Takes the step of the linear parameters to their best: R_LL step = -R_Lr.
 void Projection::move_linear() const {
   const auto count = static_cast<Eigen::Index>(linear_.size());
-  ProductVector<double> step = ProductVector<double>::Zero(count);
-  for (Eigen::Index i = count; i-- > 0;) {
-    const double right =
-        triangle_(i, triangle_.cols() - 1) + triangle_.row(i).segment(i, count - i).dot(step.tail(count - i));
-    if (triangle_(i, i) != 0) step[i] = -right / triangle_(i, i);
-  }
+  const ProductVector<double> right = last_.triangle.col(last_.triangle.cols() - 1).head(count);
+  const ProductVector<double> step = solved(last_.triangle, right);
   for (std::size_t i = 0; i < linear_.size(); ++i)
-    parameters_[linear_[i]] += step[static_cast<Eigen::Index>(i)];
+    last_.parameters[linear_[i]] -= step[static_cast<Eigen::Index>(i)];
 }
 
 bool Projection::operator()(const double* q, double* residuals, double* jacobian) const {
-  const auto is_equal = [&](std::size_t i, double value) { return parameters_[i] == value; };
-  is_at_place_ = is_at_place_ && std::equal(nonlinear_.begin(), nonlinear_.end(), q, is_equal);
-  if (!is_at_place_) move_to(q);
-  is_at_place_ = true;
+  if (is_at(accepted_, q))
+    last_ = accepted_;
+  else if (!is_at(last_, q))
+    move_to(q);
+  last_.is_known = true;
   const Eigen::Index n = NumParameters();
   Eigen::Map<VectorOf<double>> result(residuals, n + 1);
-  const auto errors = triangle_.col(triangle_.cols() - 1);
+  const auto errors = last_.triangle.col(last_.triangle.cols() - 1);
   result = errors.tail(n + 1);
   // All of the square counts, also what the linear parameters could not take away.
   result[n] = std::hypot(result[n], errors.head(errors.size() - n - 1).norm());
   if (jacobian != nullptr) {
+    accepted_ = last_;
     Eigen::Map<Matrix> columns(jacobian, n + 1, n);
-    columns = triangle_.bottomRows(n + 1).rightCols(n + 1).leftCols(n);
+    columns = last_.triangle.bottomRows(n + 1).rightCols(n + 1).leftCols(n);
   }
   if (!result.allFinite()) result.setConstant(HUGE_VAL);  // an infinite cost rejects a step
   return true;

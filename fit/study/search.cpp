@@ -76,7 +76,8 @@ class Descents {
  public:
   Descents(const StudyError& error, const SampledStudy<double>& sampled, const Checkpoint& checkpoint)
       : problem_(error, sampled), residuals_(problem_.NumResiduals()), checkpoint_(checkpoint) {
-    solver_.options.parameter_tolerance = 1e-10;
+    // Newton's method squares it.
+    solver_.options.parameter_tolerance = 1e-8;
     // A smaller change of the sum of squares is rounding, or is left to Newton's method.
     solver_.options.function_tolerance = 1e-20 * sampled.target_norm() * sampled.target_norm();
     solver_.options.gradient_tolerance = 0;
@@ -104,6 +105,7 @@ class Descents {
     solver_.options.max_num_iterations = steps;
     for (Vector q : starts) {
       checkpoint_();
+      problem_.forget();
       if (!std::isfinite(square_at(q))) continue;
       if (steps > 0) solver_.Solve(problem_, &q);
       if (const double square = square_at(q); std::isfinite(square)) ends.push_back({q, square});

@@ -140,40 +140,28 @@ void SampledStudy<T>::errors(std::span<const T> parameters, VectorOf<T>& errors,
   }
 }
 
-template <class T>
-void SampledStudy<T>::products(std::span<const T> parameters, std::span<const Eigen::Index> columns,
-                               ProductMatrix<T>& result) const {
-  constexpr std::size_t most = most_product_columns;
+template <>
+void SampledStudy<double>::products(std::span<const double> parameters, std::span<const Eigen::Index> columns,
+                                    ProductMatrix<double>& result) const {
+  constexpr std::size_t most = most_product_columns, parts = WideLoops::group;
   const std::size_t rows = columns.size();
-  std::array<S, most*(most + 1) / 2> sums;
-  std::fill_n(sums.begin(), rows * (rows + 1) / 2, S(0));
+  std::array<TwoLanes, most*(most + 1) / 2 * parts> sums;
+  std::fill_n(sums.begin(), rows * (rows + 1) / 2 * parts, TwoLanes(0));
   gradient_.visit(parameters, [&](std::size_t first, std::size_t count, std::span<const S* const> outputs) {
     // The error is the first output and the last column.
-    std::array<const S*, most> of_row;
+    std::array<const TwoLanes*, most> of_row;
     for (std::size_t i = 0; i < rows; ++i)
       of_row[i] = outputs[(static_cast<std::size_t>(columns[i]) + 1) % outputs.size()];
-    std::size_t entry = 0;
-    for (std::size_t i = 0; i < rows; ++i) {
-      std::array<S, Batch<T>::block> weighted;
-      for (std::size_t k = 0; k < count; ++k) weighted[k] = packed_weights_[first + k] * of_row[i][k];
-      // Four sums at a time: one alone waits for its last addition.
-      constexpr std::size_t at_once = 4;
-      for (std::size_t j = 0; j <= i; j += at_once) {
-        std::array<S, at_once> some;
-        some.fill(S(0));
-        std::array<const S*, at_once> others;
-        for (std::size_t m = 0; m < at_once; ++m) others[m] = of_row[std::min(j + m, i)];
-        for (std::size_t k = 0; k < count; ++k) {
-          for (std::size_t m = 0; m < at_once; ++m) some[m] += weighted[k] * others[m][k];
-        }
-        for (std::size_t m = 0; m < at_once && j + m <= i; ++m) sums[entry++] += some[m];
-      }
-    }
+    wide_loops().add_products(&packed_weights_[first], std::span(of_row).first(rows), sums.data(),
+                              count / parts);
   });
   result.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(rows));
-  std::size_t entry = 0;
+  const TwoLanes* of_entry = sums.data();
   for (Eigen::Index i = 0; i < result.rows(); ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j) result(i, j) = result(j, i) = Batch<T>::Lanes::sum(sums[entry++]);
+    for (Eigen::Index j = 0; j <= i; ++j, of_entry += parts) {
+      const TwoLanes sum = (of_entry[0] + of_entry[1]) + (of_entry[2] + of_entry[3]);
+      result(i, j) = result(j, i) = sum[0] + sum[1];
+    }
   }
 }
 

@@ -76,7 +76,7 @@ class SampledStudy {
   void errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const;
 
   /// The sums of weight * u * v over the nodes, for u and v of these columns: i is the derivative by
-  /// parameter i, and the number of parameters is the error.
+  /// parameter i, and the number of parameters is the error. In double only.
   void products(std::span<const T> parameters, std::span<const Eigen::Index> columns,
                 ProductMatrix<T>& result) const;
 
@@ -99,12 +99,16 @@ class SampledStudy {
 
   std::size_t count_;
   std::vector<T> weights_;
-  std::vector<S> packed_weights_;  ///< 0 for a node that is computed a second time
+  std::vector<S> packed_weights_;  ///< 0 for a node that is repeated
   VectorOf<T> roots_;
   Batch<T> gradient_, hessian_;
   std::vector<Batch<T>> denominators_;
   T target_norm_;
 };
+
+template <>
+void SampledStudy<double>::products(std::span<const double> parameters, std::span<const Eigen::Index> columns,
+                                    ProductMatrix<double>& result) const;
 
 extern template class SampledStudy<double>;
 extern template class SampledStudy<long double>;

@@ -1,5 +1,6 @@
 #include "fit/tape/batch.hpp"
 
+#include <concepts>
 #include <set>
 
 namespace shadefit {
@@ -56,6 +57,14 @@ std::vector<int> joined(std::vector<int> a, const std::vector<int>& b) {
   return a;
 }
 
+/// The packs of so many nodes; in double whole groups, for the wide loops.
+template <class T>
+std::size_t packs_of(std::size_t nodes) {
+  constexpr std::size_t group = std::same_as<T, double> ? WideLoops::group : 1;
+  constexpr std::size_t size = group * Batch<T>::lanes;
+  return (nodes + size - 1) / size * group;
+}
+
 }  // namespace
 
 StagedTape::StagedTape(const Graph& graph, std::span<const int> outputs, const Cuts& cuts)
@@ -64,10 +73,10 @@ StagedTape::StagedTape(const Graph& graph, std::span<const int> outputs, const C
       of_both_(graph, outputs, joined(cuts.from_variables, cuts.from_parameters)) {}
 
 template <class T>
-std::vector<typename Batch<T>::S> Batch<T>::filled(const std::vector<T>& values) {
+std::vector<typename Batch<T>::S> Batch<T>::filled(const std::vector<T>& values) const {
   std::vector<S> result;
   std::array<T, lanes> group;
-  for (std::size_t i = 0; i < values.size(); i += lanes) {
+  for (std::size_t i = 0; i < packs_ * lanes; i += lanes) {
     for (std::size_t l = 0; l < lanes; ++l) group[l] = values[std::min(i + l, values.size() - 1)];
     result.push_back(Lanes::joined(group));
   }
@@ -78,7 +87,7 @@ template <class T>
 Batch<T>::Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates)
     : tape_(&tape),
       nodes_(coordinates.front().size()),
-      packs_((nodes_ + lanes - 1) / lanes),
+      packs_(packs_of<T>(nodes_)),
       of_parameters_(tape.of_parameters(), {}) {
   const Tape& first = tape.of_variables();
   std::vector<std::vector<S>> values(first.register_count(), std::vector<S>(packs_));

@@ -35,8 +35,8 @@ class StagedTape {
   Tape of_variables_, of_parameters_, of_both_;
 };
 
-/// A staged tape at given nodes. In double two nodes are computed together. It has its own working memory, so
-/// one thread uses it at a time.
+/// A staged tape at given nodes. In double the two nodes of a pack are computed together. It has its own
+/// working memory, so one thread uses it at a time.
 template <class T>
 class Batch {
  public:
@@ -44,9 +44,11 @@ class Batch {
   using S = typename Lanes::Type;
   static constexpr std::size_t lanes = Lanes::size;
   /// The most packs of a visit: as many as fit into a small cache with the registers of a formula.
-  static constexpr std::size_t block = 32;
+  static constexpr std::size_t block = 64;
+  static_assert(block == WideLoops::group * WideLoops::most_groups);
 
-  /// `coordinates`: for each variable its value at each node. An odd node is computed twice.
+  /// `coordinates`: for each variable its value at each node. The last one is repeated until the packs
+  /// are full.
   Batch(const StagedTape& tape, std::span<const std::vector<T>> coordinates);
   // The tables point into the values. A vector that moves keeps them where they are.
   Batch(Batch&&) = default;
@@ -54,7 +56,7 @@ class Batch {
   Batch& operator=(const Batch&) = delete;
 
   std::size_t nodes() const { return nodes_; }
-  /// The number of S in a row of results.
+  /// The number of S in a row of results. In double whole groups of `WideLoops`.
   std::size_t packs() const { return packs_; }
 
   /// For each output a row of `packs()` results.
@@ -66,7 +68,7 @@ class Batch {
   void visit(std::span<const T> parameters, const Visit& visit) const;
 
  private:
-  static std::vector<S> filled(const std::vector<T>& values);
+  std::vector<S> filled(const std::vector<T>& values) const;
 
   const StagedTape* tape_;
   std::size_t nodes_, packs_;
@@ -85,8 +87,9 @@ void Batch<T>::visit(std::span<const T> parameters, const Visit& visit) const {
   const Tape& rest = tape_->of_both();
   given_.assign(parameters.begin(), parameters.end());
   of_parameters_.run(given_);
+  const std::size_t used = std::min(block, packs_);
   for (std::size_t i = 0; i < tape_->of_parameters().output_count(); ++i)
-    std::fill_n(&values_[(rest.register_count() + i) * block], block, of_parameters_.output(i));
+    std::fill_n(&values_[(rest.register_count() + i) * block], used, of_parameters_.output(i));
   for (std::size_t from = 0; from < packs_; from += block) {
     const std::size_t count = std::min(block, packs_ - from);
     for (std::size_t i = 0; i < prepared_.size(); ++i)

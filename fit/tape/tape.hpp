@@ -12,6 +12,7 @@
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/two_lanes.hpp"
 #include "fit/tape/graph.hpp"
+#include "fit/tape/wide_loops.hpp"
 
 /// A formula as a flat program. It runs in every scalar, for one place or for many at a time.
 namespace shadefit {
@@ -90,6 +91,13 @@ class Tape {
       return table[static_cast<std::size_t>(step.from[i])];
     };
     T* result = registers[static_cast<std::size_t>(step.to)];
+    if constexpr (std::same_as<T, TwoLanes>) {
+      if (is_wide(step.operation) && count % WideLoops::group == 0) {
+        const TwoLanes* a = operand(0);
+        const TwoLanes* b = step.operation == Operation::negate ? a : operand(1);
+        return wide_loops().combine(step.operation, a, b, result, count / WideLoops::group);
+      }
+    }
     const auto each = [&](const auto& value) {
       for (std::size_t i = 0; i < count; ++i) result[i] = value(i);
     };
