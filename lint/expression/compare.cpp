@@ -65,6 +65,8 @@ class ExpressionMatcher {
   std::optional<ExpressionMatch> form() const {
     if (comparison_.has({set_.formula, constants_})) return ExpressionMatch{set_.formula, constants_};
     const std::vector<double> published = published_values(set_);
+    if (constants_ == published && comparison_.has_multiple({set_.formula, constants_}))
+      return ExpressionMatch{set_.formula, constants_};
     if (constants_ == published || !comparison_.has({set_.formula, published})) return std::nullopt;
     return ExpressionMatch{.form = set_.formula, .constants = published, .is_published = true};
   }
