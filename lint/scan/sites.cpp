@@ -85,6 +85,8 @@ class SiteFinder {
     drop_comments(site);
     add_companions(site);
     site.bits = bits_of(text_, literals_, sets_[set_], site);
+    if (site.bits >= telling_bits && add_rounded_and_edited(site))
+      site.bits = bits_of(text_, literals_, sets_[set_], site);
     if (site.bits >= least_bits) sites_.push_back(std::move(site));
   }
 
@@ -173,6 +175,28 @@ class SiteFinder {
     }
     std::sort(site.numbers.begin(), site.numbers.end(),
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
+  }
+
+  /// Where the others tell enough, a constant that is missing may be a number between or beside them that was
+  /// rounded and then mistyped. Whether there is one.
+  bool add_rounded_and_edited(Site& site) {
+    const std::size_t count = site.numbers.size();
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    const KnownSet& set = sets_[site.set];
+    for (std::size_t c = 0; c < set.constants.size(); ++c) {
+      if (set.constants[c].is_common || has_constant(site, c)) continue;
+      const Digits published = digits_of(set.constants[c].printed);
+      for (std::size_t i = first - std::min<std::size_t>(first, 1);
+           i < std::min(literals_.size(), last + 2) && !has_constant(site, c); ++i) {
+        if (!is_taken(site, i) && keeps_order(site, c, i) && are_in_one_function(i, first) &&
+            literals_[i].is_in_comment == literals_[first].is_in_comment &&
+            is_rounded_and_edited(digits_at(i), published))
+          site.numbers.push_back({i, c, DigitMatch::rounded_and_edited});
+      }
+    }
+    std::sort(site.numbers.begin(), site.numbers.end(),
+              [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
+    return site.numbers.size() > count;
   }
 
   /// Whether the constant there leaves those of a site in the published order.
