@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lint/expression/usual_names.hpp"
+#include "lint/scan/characters.hpp"
 #include "lint/site_reader.hpp"
 
 namespace shadefit::lint {
@@ -96,6 +98,28 @@ class SiteJudge {
   SiteReader reader_;
 };
 
+/// Whether a number is the one argument of a function that is no type: encode(0.0031308) is no threshold.
+bool is_argument(std::string_view text, const Literal& literal) {
+  std::size_t end = literal.offset, next = literal.offset + literal.length;
+  while (end > 0 && is_blank(text[end - 1])) --end;
+  while (next < text.size() && is_blank(text[next])) ++next;
+  if (end == 0 || text[end - 1] != '(' || next == text.size() || text[next] != ')') return false;
+  std::size_t begin = --end;
+  while (begin > 0 && is_of_name(text[begin - 1])) --begin;
+  return begin < end && !is_number_type(text.substr(begin, end - begin));
+}
+
+/// The site without digits of another formula that are the argument of a call of it.
+Site without_arguments(Site site, const KnownSet& set, std::string_view text,
+                       const std::vector<Literal>& literals) {
+  if (site.numbers.size() == 1) return site;
+  std::erase_if(site.numbers, [&](const SiteNumber& number) {
+    return number.variant && set.variants[*number.variant].is_borrowed &&
+           is_argument(text, literals[number.literal]);
+  });
+  return site;
+}
+
 }  // namespace
 
 std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
@@ -106,9 +130,11 @@ std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, co
     return SiteReader(text, style, literals, known.sets[site.set], site).reading();
   };
   std::vector<JudgedSite> judged;
-  for (const Site& site : sites_of(text, literals, known.sets, known.index, reading)) {
+  for (const Site& whole : sites_of(text, literals, known.sets, known.index, reading)) {
     checkpoint();
-    const SiteJudge judge(text, style, literals, known.sets[site.set], site);
+    const KnownSet& set = known.sets[whole.set];
+    const Site site = without_arguments(whole, set, text, literals);
+    const SiteJudge judge(text, style, literals, set, site);
     if (auto one = judge.judge(limits)) judged.push_back(std::move(*one));
   }
   return judged;

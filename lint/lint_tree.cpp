@@ -77,10 +77,12 @@ std::optional<std::string> ignored_at(std::string_view text, std::size_t first, 
 /// Whether a number has the digits of a constant, one slip aside, or those of a known copy.
 bool is_by_digits(const KnownSet& set, const JudgedSite& judged, const JudgedNumber& number,
                   std::string_view text) {
-  const Digits found = digits_of(text.substr(number.offset, number.length));
-  const auto match = match_digits(found, digits_of(set.constants[number.constant].printed));
+  const Digits found = digits_of(text.substr(number.offset, number.length)),
+               published = digits_of(set.constants[number.constant].printed);
+  const auto match = match_digits(found, published);
   // In other units the point stands elsewhere on purpose.
   if (match) return *match != DigitMatch::shifted || !judged.is_in_other_units;
+  if (is_rounded_and_edited(found, published)) return true;
   return std::any_of(set.variants.begin(), set.variants.end(), [&](const KnownVariant& variant) {
     return variant.constant == number.constant && digits_of(variant.printed) == found;
   });

@@ -69,6 +69,14 @@ class ExpressionMatcher {
     return ExpressionMatch{.form = set_.formula, .constants = published, .is_published = true};
   }
 
+  /// With half of the form, or another simple multiple, the published constants are right: the factor may be
+  /// folded in.
+  std::optional<ExpressionMatch> multiple() const {
+    if (constants_ != published_values(set_) || !comparison_.has_multiple({set_.formula, constants_}))
+      return std::nullopt;
+    return ExpressionMatch{set_.formula, constants_};
+  }
+
   /// A part of the form alone is no slip: the rest may stand in another statement.
   std::optional<ExpressionMatch> replaced(const std::vector<std::size_t>& missing) const {
     if (comparison_.is_empty()) return std::nullopt;
@@ -121,6 +129,8 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
                                                 const std::vector<std::size_t>& missing) {
   const ExpressionMatcher whole(expression, set, constants, numbers);
   if (auto match = whole.form()) return match;
+  if (missing.empty())
+    if (auto match = whole.multiple()) return match;
   if (auto match = whole.replaced(missing)) return match;
   if (const auto small = core_of(set)) {
     const ExpressionMatcher core(expression, *small, constants, numbers);

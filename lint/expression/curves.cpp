@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "lint/known/closed_form.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -92,6 +95,18 @@ bool are_same(const Values& a, const Values& b, std::size_t count, double slack)
   return 2 * finite > count;
 }
 
+/// The first `count` values divided by that number by which they are a multiple of another curve, if it is a
+/// simple one: 1/2, pi, 1/ln 2. Empty if there is none.
+std::optional<Values> without_factor(const Values& values, const Values& of, std::size_t count) {
+  const auto largest_of = std::max_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(count),
+                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const double factor = values[static_cast<std::size_t>(largest_of - of.begin())] / *largest_of;
+  if (!std::isfinite(factor) || factor == 0 || !is_common_number(factor)) return std::nullopt;
+  Values divided = values;
+  for (double& value : divided) value /= factor;
+  return divided;
+}
+
 }  // namespace
 
 std::size_t count_held(const std::vector<double>& numbers, const std::vector<double>& wanted) {
@@ -129,6 +144,17 @@ CurveComparison::CurveComparison(const KnownSet& set, const std::vector<Part>& p
 bool CurveComparison::has(const Curve& curve) const {
   return std::any_of(sampled_.begin(), sampled_.end(), [&](const Sampled& sampled) {
     return is_there(sampled, values_of(curve, sampled.places), inner_places_);
+  });
+}
+
+bool CurveComparison::has_multiple(const Curve& curve) const {
+  return std::any_of(sampled_.begin(), sampled_.end(), [&](const Sampled& sampled) {
+    const Values values = values_of(curve, sampled.places);
+    return largest(values) > 0 &&
+           std::any_of(sampled.curves.begin(), sampled.curves.end(), [&](const Values& other) {
+             const auto divided = without_factor(other, values, inner_places_);
+             return divided && are_same(*divided, values, inner_places_, same_curve);
+           });
   });
 }
 

@@ -47,6 +47,10 @@ class CurveComparison {
   /// Whether a part has this curve inside the ranges. At their ends programs have branches of their own.
   bool has(const Curve& curve) const;
 
+  /// Whether a part has a multiple of this curve inside the ranges, by a simple number: exp2(-1 - a c) is
+  /// half of exp2(-a c).
+  bool has_multiple(const Curve& curve) const;
+
   /// Whether a part has this curve, also at the ends, and it differs from all that are allowed by more than
   /// `hidden` of the largest value.
   bool has_other(const Curve& curve, const std::vector<Curve>& allowed, double hidden) const;

@@ -128,14 +128,26 @@ class Rewriter {
     return std::nullopt;
   }
 
-  static bool has_comma(std::string_view group) {
+  /// The components of a vector, if they are all the same: vec3(0.055, 0.055, 0.055).
+  static std::optional<std::string> only_component(std::string_view group) {
+    const auto trimmed = [](std::string_view part) {
+      while (!part.empty() && is_blank(part.front())) part.remove_prefix(1);
+      while (!part.empty() && is_blank(part.back())) part.remove_suffix(1);
+      return part;
+    };
+    std::optional<std::string_view> first;
     int depth = 0;
-    for (const char c : group) {
+    for (std::size_t begin = 0, i = 0; i <= group.size(); ++i) {
+      const char c = i < group.size() ? group[i] : ',';
       if (c == '(' || c == '[') ++depth;
       if (c == ')' || c == ']') --depth;
-      if (c == ',' && depth == 0) return true;
+      if (c != ',' || (depth != 0 && i < group.size())) continue;
+      const std::string_view part = trimmed(group.substr(begin, i - begin));
+      if (first && *first != part) return std::nullopt;
+      first = part;
+      begin = i + 1;
     }
-    return false;
+    return std::string(*first);
   }
 
   void name(const std::string& text) {
@@ -197,7 +209,10 @@ class Rewriter {
     const std::size_t open = at_;
     if (is_number_type(path)) {
       const auto inside = group('(', ')');
-      if (!inside || has_comma(*inside)) return false;
+      if (!inside) return false;
+      const auto component = only_component(*inside);
+      if (!component) return false;
+      text_.replace(open + 1, inside->size(), *component);
       at_ = open;  // the parentheses stay
       return true;
     }

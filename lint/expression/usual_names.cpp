@@ -41,8 +41,9 @@ bool is_number_type(std::string_view word) {
 
 std::string usual_name(std::string_view word) {
   const std::string small = lower_case_of(word);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 7> names{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> names{{
       {"powr", "pow"},
+      {"spow", "pow"},
       {"powi", "pow"},
       {"power", "pow"},
       {"muladd", "fma"},

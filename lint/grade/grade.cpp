@@ -39,6 +39,7 @@ Grade grade_of(const KnownSet& set, const SiteNumber& number) {
       return Grade::truncated;
     case DigitMatch::shifted:
     case DigitMatch::edited:
+    case DigitMatch::rounded_and_edited:
       return Grade::typo;
   }
   return Grade::right;

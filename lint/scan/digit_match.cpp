@@ -81,6 +81,20 @@ bool is_shortened(const Digits& found, const Digits& published) {
          (found == rounded_to(published, count) || found == cut_to(published, count));
 }
 
+bool is_rounded_and_edited(const Digits& found, const Digits& published) {
+  constexpr std::size_t least_digits = 5;
+  if (found.text.empty()) return false;
+  if (std::abs(found.exponent - published.exponent) > 1) return false;
+  // An edit may insert or leave out a digit.
+  for (std::size_t count = found.text.size() - 1; count <= found.text.size() + 1; ++count) {
+    if (count < least_digits || count >= published.text.size()) continue;
+    if (is_one_edit(found.text, rounded_to(published, count).text) ||
+        is_one_edit(found.text, cut_to(published, count).text))
+      return true;
+  }
+  return false;
+}
+
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published) {
   if (found == published) return DigitMatch::same;
   const std::size_t count = published.text.size();

@@ -51,11 +51,17 @@ class SiteBits {
       case DigitMatch::shifted:
         return bits(published) - 3;  // some eight other places of the point
       case DigitMatch::edited:
-        // A text of n digits has some 20 n neighbours at one edit.
-        return bits(published) - std::log2(20 * static_cast<double>(published));
+        return bits(published) - bits_of_edits(published);
+      case DigitMatch::rounded_and_edited: {
+        const std::size_t count = std::min(published, digits_at(number.literal).text.size());
+        return bits(count) - 1 - bits_of_edits(count);
+      }
     }
     return 0;
   }
+
+  /// A text of n digits has some 20 n neighbours at one edit.
+  static double bits_of_edits(std::size_t digits) { return std::log2(20 * static_cast<double>(digits)); }
 
   std::size_t count_different() const {
     std::vector<std::string> texts;

@@ -1,13 +1,12 @@
 #include "lint/scan/sites.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <span>
 #include <tuple>
 
 #include "lint/scan/functions.hpp"
 #include "lint/scan/site_bits.hpp"
+#include "lint/scan/site_choice.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -43,7 +42,7 @@ std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& lite
 class SiteFinder {
  public:
   SiteFinder(std::string_view text, const std::vector<Literal>& literals, const std::vector<KnownSet>& sets)
-      : text_(text), literals_(literals), sets_(sets), functions_(function_begins(text)) {}
+      : text_(text), literals_(literals), sets_(sets) {}
 
   /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
   /// site, and so does every number behind a complete one: the next copy of the formula may be the wrong one.
@@ -86,6 +85,8 @@ class SiteFinder {
     drop_comments(site);
     add_companions(site);
     site.bits = bits_of(text_, literals_, sets_[set_], site);
+    if (site.bits >= telling_bits && add_rounded_and_edited(site))
+      site.bits = bits_of(text_, literals_, sets_[set_], site);
     if (site.bits >= least_bits) sites_.push_back(std::move(site));
   }
 
@@ -130,9 +131,10 @@ class SiteFinder {
     return hits.front();
   }
 
-  bool are_in_one_function(std::size_t a, std::size_t b) const {
+  bool are_in_one_function(std::size_t a, std::size_t b) {
+    if (!functions_) functions_ = function_begins(text_);
     const auto behind = [&](std::size_t literal) {
-      return std::upper_bound(functions_.begin(), functions_.end(), literals_[literal].offset);
+      return std::upper_bound(functions_->begin(), functions_->end(), literals_[literal].offset);
     };
     return behind(a) == behind(b);
   }
@@ -149,7 +151,7 @@ class SiteFinder {
   }
 
   /// Constants of few digits, such as 0.03, are looked for only near the others.
-  void add_companions(Site& site) const {
+  void add_companions(Site& site) {
     constexpr std::size_t most_literals = 6;
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
     const std::size_t begin = first - std::min(first, most_literals),
@@ -157,8 +159,8 @@ class SiteFinder {
     const auto may_be = [&](std::size_t i, const Digits& published) {
       return literals_[i].offset + most_gap > literals_[first].offset &&
              literals_[i].offset < literals_[last].offset + most_gap && !is_taken(site, i) &&
-             are_in_one_function(i, first) && literals_[i].is_in_comment == literals_[first].is_in_comment &&
-             digits_at(i) == published;
+             literals_[i].is_in_comment == literals_[first].is_in_comment && digits_at(i) == published &&
+             are_in_one_function(i, first);
     };
     const KnownSet& set = sets_[site.set];
     for (std::size_t c = 0; c < set.constants.size(); ++c) {
@@ -173,6 +175,28 @@ class SiteFinder {
     }
     std::sort(site.numbers.begin(), site.numbers.end(),
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
+  }
+
+  /// Where the others tell enough, a constant that is missing may be a number between or beside them that was
+  /// rounded and then mistyped. Whether there is one.
+  bool add_rounded_and_edited(Site& site) {
+    const std::size_t count = site.numbers.size();
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    const KnownSet& set = sets_[site.set];
+    for (std::size_t c = 0; c < set.constants.size(); ++c) {
+      if (set.constants[c].is_common || has_constant(site, c)) continue;
+      const Digits published = digits_of(set.constants[c].printed);
+      for (std::size_t i = first - std::min<std::size_t>(first, 1);
+           i < std::min(literals_.size(), last + 2) && !has_constant(site, c); ++i) {
+        if (!is_taken(site, i) && keeps_order(site, c, i) && are_in_one_function(i, first) &&
+            literals_[i].is_in_comment == literals_[first].is_in_comment &&
+            is_rounded_and_edited(digits_at(i), published))
+          site.numbers.push_back({i, c, DigitMatch::rounded_and_edited});
+      }
+    }
+    std::sort(site.numbers.begin(), site.numbers.end(),
+              [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
+    return site.numbers.size() > count;
   }
 
   /// Whether the constant there leaves those of a site in the published order.
@@ -194,86 +218,10 @@ class SiteFinder {
   std::string_view text_;
   const std::vector<Literal>& literals_;
   const std::vector<KnownSet>& sets_;
-  std::vector<std::size_t> functions_;  ///< where they begin
+  std::optional<std::vector<std::size_t>> functions_;  ///< where they begin, once that is asked for
   std::size_t set_ = 0;
   std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
   std::vector<Site> sites_;
-};
-
-/// The most telling sites first take their numbers.
-class SiteChoice {
- public:
-  SiteChoice(std::vector<Site> sites, const ReadSite& read)
-      : sites_(std::move(sites)), read_(read), readings_(sites_.size()), is_done_(sites_.size()) {
-    std::stable_sort(sites_.begin(), sites_.end(),
-                     [](const Site& a, const Site& b) { return a.bits > b.bits; });
-    for (std::size_t i = 0; i < sites_.size(); ++i)
-      for (const SiteNumber& number : sites_[i].numbers) at_[number.literal].push_back(i);
-  }
-
-  /// The kept sites, by their places.
-  std::vector<Site> choose() {
-    for (std::size_t i = 0; i < sites_.size(); ++i) {
-      if (!is_done_[i]) keep(better_read(i));
-      if (!is_done_[i]) keep(i);
-    }
-    std::sort(kept_.begin(), kept_.end(), [](const Site& a, const Site& b) {
-      return a.numbers.front().literal < b.numbers.front().literal;
-    });
-    return std::move(kept_);
-  }
-
- private:
-  /// A site that has lost half of its numbers is none.
-  void keep(std::size_t i) {
-    is_done_[i] = true;
-    Site& site = sites_[i];
-    if (2 * count_taken(site) >= site.numbers.size()) return;
-    for (const SiteNumber& number : site.numbers) taken_.insert(number.literal);
-    kept_.push_back(std::move(site));
-  }
-
-  std::size_t count_taken(const Site& site) const {
-    return static_cast<std::size_t>(
-        std::count_if(site.numbers.begin(), site.numbers.end(),
-                      [&](const SiteNumber& number) { return taken_.count(number.literal) > 0; }));
-  }
-
-  const Reading& reading(std::size_t i) {
-    if (!readings_[i]) readings_[i] = read_(sites_[i]);
-    return *readings_[i];
-  }
-
-  /// Of the sites with most of these numbers the one of whose form most is read.
-  std::size_t better_read(std::size_t i) {
-    if (2 * count_taken(sites_[i]) >= sites_[i].numbers.size()) return i;
-    std::size_t best = i;
-    for (const std::size_t other : rivals_of(i)) {
-      if (reading(best).part == Reading::Part::form) break;
-      if (reading(other).part > reading(best).part && reading(other).constants >= sites_[i].numbers.size())
-        best = other;
-    }
-    return best;
-  }
-
-  /// The less telling sites with most of the numbers of a site.
-  std::vector<std::size_t> rivals_of(std::size_t i) const {
-    std::map<std::size_t, std::size_t> shared;
-    for (const SiteNumber& number : sites_[i].numbers)
-      for (const std::size_t other : at_.at(number.literal))
-        if (other > i && !is_done_[other]) ++shared[other];
-    std::vector<std::size_t> rivals;
-    for (const auto& [other, count] : shared)
-      if (2 * count > sites_[i].numbers.size()) rivals.push_back(other);
-    return rivals;
-  }
-
-  std::vector<Site> sites_, kept_;
-  const ReadSite& read_;
-  std::vector<std::optional<Reading>> readings_;
-  std::vector<bool> is_done_;
-  std::map<std::size_t, std::vector<std::size_t>> at_;  ///< the sites with a literal
-  std::set<std::size_t> taken_;                         ///< literals
 };
 
 }  // namespace
@@ -288,7 +236,7 @@ std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& li
     finder.add(std::span(hits).subspan(i, end - i));
   }
   finder.close();
-  return SiteChoice(finder.take(), read).choose();
+  return chosen_sites(finder.take(), read);
 }
 
 }  // namespace shadefit::lint

@@ -55,6 +55,19 @@ TEST(DigitMatch, ShortenedHasBothSides) {
   EXPECT_FALSE(is_shortened(digits_of("0.00232"), digits_of("0.00232")));
 }
 
+TEST(DigitMatch, ARoundedNumberMayBeMistyped) {
+  const auto is_edited = [](const char* found) {
+    return is_rounded_and_edited(digits_of(found), digits_of("0.0187293"));
+  };
+  EXPECT_TRUE(is_edited("0.018792"));   // 0.018729, two digits swapped
+  EXPECT_TRUE(is_edited("0.18792"));    // and the point moved
+  EXPECT_TRUE(is_edited("0.01879"));    // 0.018729, a digit lost
+  EXPECT_FALSE(is_edited("0.017892"));  // two swaps
+  EXPECT_FALSE(is_edited("0.0183"));    // of four digits, too many numbers are near
+  EXPECT_FALSE(is_edited("1.8792"));    // elsewhere
+  EXPECT_FALSE(match("0.018792", "0.0187293"));
+}
+
 /// All texts at one edit, but those with a leading zero: that moves the decimal point.
 std::vector<Digits> neighbours_of(const Digits& digits) {
   std::vector<std::string> texts;

@@ -42,6 +42,11 @@ TEST(ReadExpression, ReadsEachLanguage) {
   EXPECT_NEAR(at_point_three("x.mul(x.add(0.5)).sub(0.25).div(2)"), (x * (x + 0.5) - 0.25) / 2, rounding);
 }
 
+TEST(ReadExpression, AVectorOfEqualComponentsIsANumber) {
+  EXPECT_NEAR(at_point_three("x + vec3(0.055, 0.055 , 0.055)"), 0.355, rounding);
+  EXPECT_TRUE(std::isnan(at_point_three("x + vec3(0.055, 0.055, 0.05)")));
+}
+
 TEST(ReadExpression, ASignMayFollowAnOperator) {
   EXPECT_NEAR(at_point_three("1.5 + -0.5 * x"), 1.35, rounding);
   EXPECT_NEAR(at_point_three("1.5 - -x"), 1.8, rounding);
@@ -145,6 +150,15 @@ TEST(MatchExpression, ATermThatMattersOnlyAtAnEndIsMissed) {
       "vec3 b = v * (0.983729 * v + 0.4329510) + 0.238081;\nreturn a / b; }");
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_EQ(sites.front().grade, Grade::wrong);
+}
+
+TEST(MatchExpression, HalfOfAFormIsRight) {
+  const auto sites = lint_formula("float f(float c) { return exp2(-1.0 - 8.656170 * c); }");
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_EQ(sites.front().grade, Grade::right);
+  // 2^-1.37 is no simple number, and another number with c is another curve.
+  EXPECT_TRUE(lint_formula("float f(float c) { return exp2(-1.37 - 8.656170 * c); }").empty());
+  EXPECT_TRUE(lint_formula("float f(float c) { return exp2(-c - 8.656170); }").empty());
 }
 
 TEST(MatchExpression, TheCoreOfAFormIsEnough) {

@@ -78,6 +78,53 @@ TEST(Sites, DigitsThatAnotherFormulaPublishesTellNothing) {
     EXPECT_TRUE(words.ends_with(" right")) << words;
 }
 
+TEST(Sites, ANumberThatComesAgainIsNoOther) {
+  // Vectors of one number each, as compilers write them.
+  EXPECT_EQ(graded("ge r0, l(0.003131, 0.003131, 0.003131), r1\nmul r3, r1, l(12.92, 12.92, 12.92)\n"
+                   "mul r4, r4, l(0.416667, 0.416667, 0.416667)"),
+            Words{"srgb-encode-standard truncated"});
+  EXPECT_EQ(graded("ge r0, l(0.003131, 0.1, 0.2), r1\nmul r3, r1, l(12.92, 0.3, 0.4)\n"
+                   "mul r4, r4, l(0.416667, 0.5, 0.6)"),
+            Words{});
+  // But the next row of a table is the next site, and so is the next formula with the one number of a set.
+  EXPECT_EQ(graded("float f(float c) { return exp2(-8.656170 * c) + exp2(-8.656170 * d); }"),
+            (Words{"fresnel-one-term right", "fresnel-one-term right"}));
+}
+
+TEST(Sites, FactorsOfTheNumbersAreNoOthers) {
+  const std::string list = "k = {0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.0, 0.6 * 0.6 * 2.43, 0.6 * 0.59, 0.14};";
+  EXPECT_EQ(graded(list), Words{"aces-narkowicz-five right"});
+  // The same numbers beside, not as factors.
+  std::string others = list;
+  for (std::size_t at = others.find(" * "); at != std::string::npos; at = others.find(" * "))
+    others.replace(at, 3, ", ");
+  EXPECT_EQ(graded(others), Words{});
+}
+
+TEST(Sites, TheWordsOfTheIdTellWithExactDigits) {
+  EXPECT_EQ(graded("cosineLobe.Sharpness = 2.133;\ncosineLobe.Amplitude = 1.17;"),
+            Words{"cosine-lobe right"});
+  EXPECT_EQ(graded("lobe.Sharpness = 2.133;\nlobe.Amplitude = 1.17;"), Words{});
+  EXPECT_EQ(graded("cosineLobe.Sharpness = 2.123;\ncosineLobe.Amplitude = 1.17;"), Words{});
+  EXPECT_EQ(graded("cosineLobe.Sharpness = 2.133;"), Words{});
+}
+
+TEST(Sites, EndWithTheirFunction) {
+  const std::string first = "vec3 f() { return 0.0245786 + 0.000090537; }\n",
+                    second = "vec3 g() { return 0.983729 + 0.4329510; }\n";
+  const auto sites = lint_glsl(first + second);
+  ASSERT_EQ(sites.size(), 2u);
+  EXPECT_EQ(sites[0].numbers.size(), 2u);
+  EXPECT_EQ(lint_glsl("vec3 f() { return 0.0245786 + 0.000090537\n + 0.983729 + 0.4329510; }").size(), 1u);
+}
+
+TEST(Sites, ARoundedNumberMayBeMistyped) {
+  EXPECT_EQ(graded("float4(1.5707288, -0.2121144, 0.0742610, -0.018792)"), Words{"acos-cubic typo"});
+  EXPECT_EQ(graded("float4(1.5707288, -0.2121144, 0.0742610, -0.016792)"), Words{"acos-cubic right"});
+  // The others do not tell enough.
+  EXPECT_EQ(graded("float2(0.0742610, -0.018792)"), Words{});
+}
+
 TEST(Sites, SeveralShiftedNumbersAreOtherUnits) {
   EXPECT_EQ(
       graded("u = (0.860117757 + 1.54118254 * t + 1.28641212 * t*t)/(1 + 8.42420235 * t + 7.08145163 * t*t)"),
@@ -110,6 +157,47 @@ TEST(Sites, ATextCanBeLeftAtEachOfThem) {
   };
   EXPECT_THROW(lint_source("a.glsl", text, SourceLanguage::glsl, the_known(), {}, stop), std::runtime_error);
   EXPECT_EQ(calls, 3);
+}
+
+/// "id grade" of the text of a function in each writing: as one expression, as a branch, with vectors, and
+/// with a function for the choice.
+std::vector<Words> in_each_writing(const std::string& threshold, const std::string& line,
+                                   const std::string& power) {
+  return {
+      graded("float f(float x) { return x <= " + threshold + " ? " + line + " : " + power + "; }"),
+      graded("float f(float x) {\n  if (x <= " + threshold + ") return " + line + ";\n  return " + power +
+             ";\n}"),
+      graded("vec3 f(vec3 x) {\n  vec3 low = " + line + ";\n  vec3 high = " + power +
+             ";\n  return vec3(x.r < " + threshold + " ? low.r : high.r, x.g < " + threshold +
+             " ? low.g : high.g, x.b);\n}"),
+      graded("float3 f(float3 x) { return lerp(" + line + ", " + power + ", step(float3(" + threshold + ", " +
+             threshold + ", " + threshold + "), x)); }"),
+  };
+}
+
+// Four of the five constants are the same: the expression tells which direction it is.
+TEST(Sites, TheExpressionTellsTheDirection) {
+  const std::string up = "12.92 * x", encode = "1.055 * pow(x, 1.0/2.4) - 0.055", down = "x / 12.92",
+                    decode = "pow((x + 0.055)/1.055, 2.4)";
+  for (const Words& words : in_each_writing("0.0031308", up, encode))
+    EXPECT_EQ(words, Words{"srgb-encode-standard right"});
+  for (const Words& words : in_each_writing("0.04045", down, decode))
+    EXPECT_EQ(words, Words{"srgb-decode-standard right"});
+  for (const Words& words : in_each_writing("0.0031308", down, decode))
+    EXPECT_EQ(words, Words{"srgb-decode-standard wrong"});
+}
+
+TEST(Sites, TheEncoderMayHaveTheThresholdOfTheDecoder) {
+  EXPECT_EQ(graded("float f(float x) { return x <= 0.04045 ? 12.92 * x : 1.055 * pow(x, 1.0/2.4) - 0.055; }"),
+            Words{"srgb-encode-standard wrong"});
+}
+
+TEST(Sites, AThresholdThatIsComputedIsNoWrongOne) {
+  const std::string begin = "float f(float v) {\n  float l = pow((v + 0.055) / 1.055, 2.4);\n  if (v <= ",
+                    end = ")\n    l = v / 12.92;\n  return l;\n}";
+  EXPECT_EQ(graded(begin + "encoded(0.0031308)" + end), Words{"srgb-decode-standard right"});
+  EXPECT_EQ(graded(begin + "float(0.0031308)" + end), Words{"srgb-decode-standard wrong"});
+  EXPECT_EQ(graded(begin + "0.0031308" + end), Words{"srgb-decode-standard wrong"});
 }
 
 TEST(Grade, LimitsHaveTwoSides) {
