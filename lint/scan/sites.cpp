@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "lint/scan/functions.hpp"
 #include "lint/scan/site_bits.hpp"
@@ -166,10 +167,14 @@ class SiteFinder {
     for (std::size_t c = 0; c < set.constants.size(); ++c) {
       if (has_constant(site, c)) continue;
       const Digits published = digits_of(set.constants[c].printed);
+      // In the published order first, and then the nearest: a 1 may stand everywhere.
+      const auto place_of = [&](std::size_t i) {
+        return std::pair(!keeps_order(site, c, i), i < first ? first - i : i - std::min(i, last));
+      };
       std::optional<std::size_t> any;
       for (std::size_t i = begin; i < end; ++i) {
         if (!may_be(i, published)) continue;
-        if (!any || (!keeps_order(site, c, *any) && keeps_order(site, c, i))) any = i;
+        if (!any || place_of(i) < place_of(*any)) any = i;
       }
       if (any) site.numbers.push_back({*any, c});
     }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -146,6 +147,14 @@ float3 decode(float3 u) {
 }
 )";
   for (const std::string& words : graded(text)) EXPECT_TRUE(words.ends_with(" right")) << words;
+}
+
+TEST(Sites, ANumberOfFewDigitsIsTheNearestOne) {
+  const auto sites = lint_glsl(
+      "float mip(float m) { return max(1, 10 - m) - 1; }\n"
+      "const vec4 c0 = vec4(-1, -0.0275, -0.572, 0.022);\nconst vec4 c1 = vec4(1, 0.0425, 1.04, -0.04);\n");
+  ASSERT_EQ(sites.size(), 1u);
+  EXPECT_EQ(sites.front().begin.line, 2u);
 }
 
 TEST(Sites, ATextCanBeLeftAtEachOfThem) {
