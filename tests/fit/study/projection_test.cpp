@@ -16,7 +16,7 @@ struct RationalStudy {
   ReadStudy read =
       read_study({.target = "exp(-x)", .form = "(a + b x)/(1 + d x + g x^2)", .over = {{"x", "0", "1"}}});
   StudyError error{read};
-  SampledStudy<double> sampled{error, nodes_of(read, {{{0}, {1}}}, 20)};
+  SampledStudy<double> sampled{error, nodes_of(read, {{{0}, {1}}}, 30)};
 };
 
 struct Look {
