@@ -213,8 +213,11 @@ StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>
   const StudyError error(plain);
   VectorOf<double> errors;
   SampledStudy<double>(error, nodes_of(plain, {}, 1)).errors(parameters, errors, nullptr);
+  StudyExtremum largest{errors.cwiseAbs().maxCoeff(), {}};
+  // Of equal ones, as minimax has them, the first one counts: which one is largest is rounding.
+  constexpr double equal = 1e-9;
   Eigen::Index row = 0;
-  StudyExtremum largest{errors.cwiseAbs().maxCoeff(&row), {}};
+  while (std::abs(errors[row]) < largest.magnitude * (1 - equal)) ++row;
   for (const auto& places : study.rows->places) largest.at.push_back(places[static_cast<std::size_t>(row)]);
   largest.row = static_cast<std::size_t>(row) + 1;
   return largest;
