@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "bench/device/device_clock.hpp"
 #include "bench/shading/picture.hpp"
 #include "bench/shading/workload.hpp"
 #include "bench/timing/statistics.hpp"
@@ -142,6 +143,7 @@ shade::DeviceMeasurement measure_scene(SceneDevice& device, const scene::Scene& 
                                          planned_shader(scene, plan)};
   shade::DeviceMeasurement measured;
   measured.name = fmt::format("{}, {}", device.device().info().name, device.device().info().driver);
+  measured.clock = name_of_clock(device.device().info());
   measured.ways = {{.name = "reference", .form = "pow"},
                    {.name = "published", .form = shade::published_form()},
                    {.name = "published, culled", .form = shade::published_form()},

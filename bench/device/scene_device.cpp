@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "approx/microfacet.hpp"
+#include "bench/device/device_clock.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
@@ -61,7 +62,9 @@ double SceneDevice::pass(const Program& program, std::uint32_t lights, std::uint
   double seconds = 0;
   const auto dispatch = [&](std::uint64_t from, std::uint64_t size) {
     const auto first = static_cast<std::uint32_t>(from), count = static_cast<std::uint32_t>(size);
-    const double took = device_.run(program, count, {first, count, lights, pixels_});
+    const double took = seconds_of_dispatch(device_.info(), [&] {
+      return device_.run(program, count, {first, count, lights, pixels_});
+    });
     seconds += took;
     return took;
   };

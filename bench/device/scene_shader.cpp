@@ -16,7 +16,7 @@
 namespace shadefit::device {
 namespace {
 
-Symbolic variable(const char* name) {
+Symbolic named(const char* name) {
   return Symbolic::variable(name);
 }
 
@@ -55,18 +55,17 @@ std::vector<ShaderFunction> decoding_functions(const scene::Scene& scene) {
 template <class Forms>
 SceneShader full_shader(const scene::Scene& scene) {
   SceneShader shader{.functions = decoding_functions(scene), .materials = {}};
-  const auto prepared = Forms::prepared(variable("exponent"));
+  const auto prepared = Forms::prepared(named("exponent"));
   shader.functions.push_back({"scene_sharpness", {"exponent"}, prepared.lobe});
   shader.functions.push_back({"scene_normalisation", {"exponent"}, prepared.normalisation});
   shader.functions.push_back(
       {"scene_light",
        {"n_dot_h", "n_dot_l", "sharpness", "normalisation"},
-       variable("normalisation") * Forms::lobe(variable("n_dot_h"), variable("sharpness")) *
-           variable("n_dot_l")});
+       named("normalisation") * Forms::lobe(named("n_dot_h"), named("sharpness")) * named("n_dot_l")});
   shader.functions.push_back(
       {"scene_reflectance",
        {"f0", "f90", "l_dot_h"},
-       reflectance_between(variable("f0"), variable("f90"), Forms::weight(variable("l_dot_h")))});
+       reflectance_between(named("f0"), named("f90"), Forms::weight(named("l_dot_h")))});
   for (const scene::Material& material : scene.materials) {
     ShaderMaterial made = material_of(material);
     made.sharpness = static_cast<float>(Forms::prepared(material.powers.front().power).lobe);

@@ -110,7 +110,10 @@ std::string form_of(const scene::Plan& plan) {
 std::vector<MeasuredWay> broken_promises(const Measurement& measurement) {
   std::vector<MeasuredWay> all{measurement.planned};
   all.insert(all.end(), measurement.sweep.begin(), measurement.sweep.end());
-  if (measurement.on_device) all.push_back(measurement.on_device->ways.back());
+  if (measurement.on_device) {
+    all.push_back(measurement.on_device->ways.back());
+    all.back().device = measurement.on_device->id;
+  }
   std::erase_if(all,
                 [&](const MeasuredWay& way) { return way.errors.most_on(measurement.scale) <= way.allowed; });
   return all;

@@ -25,14 +25,16 @@ struct MeasuredWay {
   double ns = 0;                         ///< a sample
   Errors errors = {};                    ///< against the reference, of one light
   double allowed = 0;                    ///< of a plan: error of one light, on its scale
+  std::string device = {};               ///< of a broken promise: its id; empty: this processor
 };
 
 /// The same ways on another device: a thread shades a pixel, under many lights one after the other. All cores
 /// work. Of a time, what a pass without lights takes is subtracted: arithmetic is timed, not memory.
 struct DeviceMeasurement {
-  std::string id;                      ///< "vulkan:0"
-  std::string name;                    ///< of the device and of its driver
-  std::vector<MeasuredWay> ways;       ///< reference, published, "published, culled", planned
+  std::string id = {};                 ///< "vulkan:0"
+  std::string name = {};               ///< of the device and of its driver
+  std::string clock = {};              ///< of the times, in words
+  std::vector<MeasuredWay> ways = {};  ///< reference, published, "published, culled", planned
   double empty_ns = 0;                 ///< of a pixel, without lights: to read and to write it
   std::size_t pixels = 0, lights = 0;  ///< of a pass
 };

@@ -63,17 +63,21 @@ void append_rows(Table& table, const DeviceMeasurement& there) {
   }
 }
 
-std::string device_lines(const DeviceMeasurement& there, scene::ShownScale scale) {
+std::string device_lines(const Measurement& m, const DeviceMeasurement& there) {
   const MeasuredWay &published = there.ways[1], &culled = there.ways[2], &planned = there.ways[3];
-  if (!(planned.ns > 0)) return fmt::format("{} is {}: nothing is shaded.\n", there.id, there.name);
-  const double error = planned.errors.most_on(scale);
-  return fmt::format(
-      "{} is {}. Planned: {} ns a shaded sample there. The published constants take {} x as long with every term, and "
-      "{} x in the plan's code. Their error is {} x the plan's.\n"
-      "Timed there: {} pixels under {} lights each, on all cores, less {} ns a pixel to read and to write it.\n",
-      there.id, there.name, decimal(planned.ns, shown_digits), ratio(published.ns / planned.ns),
-      ratio(culled.ns / planned.ns), error > 0 ? ratio(culled.errors.most_on(scale) / error) : "inf",
-      there.pixels, there.lights, decimal(there.empty_ns, shown_digits));
+  const double error = planned.errors.most_on(m.scale);
+  std::string lines = fmt::format("{} is {}.", there.id, there.name);
+  if (m.skipped.by_materials < 1)
+    lines += fmt::format(
+        " Planned: {} ns a shaded sample there. The published constants take {} x as long with every term, and {} x in "
+        "the plan's code. Their error is {} x the plan's.",
+        decimal(planned.ns, shown_digits), ratio(published.ns / planned.ns), ratio(culled.ns / planned.ns),
+        error > 0 ? ratio(culled.errors.most_on(m.scale) / error) : "inf");
+  return lines +
+         fmt::format(
+             "\nTimed there: {} pixels under {} lights each, by {}, less {} ns a pixel to read and to write "
+             "it.\n",
+             there.pixels, there.lights, there.clock, decimal(there.empty_ns, shown_digits));
 }
 
 std::string verdict_line(const Measurement& m) {
@@ -141,16 +145,16 @@ std::string shade_text(const Measurement& measurement, const Terminal& terminal)
          (measurement.is_half
               ? "The plan is for half, and was shaded in float: what half rounds is in the plan alone.\n"
               : "") +
-         (measurement.on_device ? device_lines(*measurement.on_device, measurement.scale) : "");
+         (measurement.on_device ? device_lines(measurement, *measurement.on_device) : "");
 }
 
 std::string broken_lines(const Measurement& measurement) {
   std::string lines;
   for (const MeasuredWay& way : broken_promises(measurement)) {
     lines += fmt::format(
-        "shadefit: the plan for a tolerance of {} is off by {} of one light, which is above its {}\n",
+        "shadefit: the plan for a tolerance of {} is off by {} of one light{}, which is above its {}\n",
         decimal(*way.tolerance, 4), decimal_above(way.errors.most_on(measurement.scale), 4),
-        decimal(way.allowed, 4));
+        way.device.empty() ? "" : " on " + way.device, decimal(way.allowed, 4));
   }
   return lines;
 }

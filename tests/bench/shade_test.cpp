@@ -82,6 +82,14 @@ TEST(Shade, APlanThatIsBrokenIsToldWithBothNumbers) {
   EXPECT_EQ(
       broken_lines(measured),
       "shadefit: the plan for a tolerance of 0.25 is off by 0.5 of one light, which is above its 0.125\n");
+  measured.planned.errors.most = 0;
+  measured.on_device = DeviceMeasurement{.id = "vulkan:1", .ways = {4, measured.planned}};
+  EXPECT_EQ(broken_lines(measured), "");
+  measured.on_device->ways.back().errors.most = 0.25;
+  EXPECT_EQ(
+      broken_lines(measured),
+      "shadefit: the plan for a tolerance of 0.25 is off by 0.25 of one light on vulkan:1, which is above its "
+      "0.125\n");
 }
 
 TEST(ShadeWorkload, TakesPowersByTheirShares) {
