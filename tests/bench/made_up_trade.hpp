@@ -37,7 +37,8 @@ inline Trade made_up_trade() {
   trade.targets = {{"lobe", "The lobe c^10"}, {"other", "Another"}};
   const auto add = [&](TimedForm timed) { trade.forms.push_back(std::move(timed)); };
   trade.copies = {made_up("", "copy", 0, Width::scalar, 0.4, {}),
-                  made_up("", "copy", 0, Width::avx2, 0.1, {}), made_up("", "copy", 0, Width::avx2, 0.5, {})};
+                  made_up("", "copy", 0, Width::avx2, 0.1, {}), made_up("", "copy", 0, Width::avx2, 0.5, {}),
+                  made_up("", "multiply-adds", 0, Width::avx2, 1.6, {})};
   trade.copies[2].place = DataPlace::memory;
   add(made_up("lobe", "pow", 0, Width::scalar, 20, 6e-8));
   add(made_up("lobe", "pow", 0, Width::avx2, 2, 6e-8));

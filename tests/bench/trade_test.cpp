@@ -195,14 +195,41 @@ TEST(Trade, AdviceNamesErrorFormTimeAndBound) {
   EXPECT_EQ(advice(trade, "nothing"), "Nothing was measured.\n");
 }
 
+// On a graphics device the same form in half is another way, with an error of its own.
+TEST(Trade, HalfAndFloatAreWaysOfTheirOwn) {
+  Trade trade;
+  trade.machine.driver = "a driver";
+  for (const bool is_half : {false, true}) {
+    TimedForm timed =
+        testing::made_up("lobe", "sg", 0, forms::Width::scalar, is_half ? 1 : 2, is_half ? 0.01 : 0.008);
+    timed.on_device.emplace().is_half = is_half;
+    trade.forms.push_back(timed);
+  }
+  EXPECT_EQ(precision_of(trade.forms[0]), "float");
+  EXPECT_EQ(precision_of(trade.forms[1]), "half");
+  EXPECT_FALSE(is_same_way(trade.forms[0], trade.forms[1]));
+  EXPECT_EQ(front_of_target(trade, "lobe").size(), 2U);
+  const std::string csv = write_csv(bench_table(trade), Precision::report);
+  EXPECT_TRUE(has(csv, "\nlobe,sg,,0,half,,,1,0.1,")) << "no width and no place\n" << csv;
+  // The figure compares what shaders compute in float.
+  const Figure figure = pareto_figure(trade, {"lobe", "The lobe"});
+  EXPECT_EQ(figure.data.rows.size(), 1U);
+  EXPECT_FALSE(has(figure.caption, "L1"));
+}
+
 TEST(Trade, TheTableOfTimesHasTheColumnsThatOthersRelyOn) {
   const std::string csv = write_csv(bench_table(made_up_trade()), Precision::report);
-  EXPECT_TRUE(
-      csv.starts_with("target,form,constants,exp2_degree,precision,width,place,ns_per_element,spread,copies,"
-                      "times_faster_than_pow,max_abs_error,cpu,compiler\n"))
+  EXPECT_TRUE(csv.starts_with(
+      "target,form,constants,exp2_degree,precision,width,place,ns_per_element,spread,copies,"
+      "times_faster_than_pow,max_abs_error,cpu,compiler,device,driver,clock,multiply_adds,dependent_ns,"
+      "dependent_multiply_adds\n"))
       << csv.substr(0, 200);
-  EXPECT_TRUE(has(csv, "\nlobe,cheap,,3,float,AVX2,L1,0.2,0.02,2,100,0.02,\"A CPU, made up\",a compiler\n"));
-  EXPECT_TRUE(has(csv, "\n,copy,,0,float,AVX2,L1,0.1,0.01,,,,\"A CPU, made up\",a compiler\n"));
+  EXPECT_TRUE(
+      has(csv,
+          "\nlobe,cheap,,3,float,AVX2,L1,0.2,0.02,2,100,0.02,\"A CPU, made up\",a compiler,cpu,,steady "
+          "clock,2,,\n"));
+  EXPECT_TRUE(
+      has(csv, "\n,copy,,0,float,AVX2,L1,0.1,0.01,,,,\"A CPU, made up\",a compiler,cpu,,steady clock,,,\n"));
 }
 
 TEST(Trade, TheReportHasWordsTablesPicturesAndGoals) {

@@ -76,7 +76,7 @@ std::vector<File> device_bench_files(const bench::Trade& trade, const std::vecto
       "once; `spread` is the interquartile range. `MADs`: in the time of a multiply-add in float, four streams a thread;\n"
       "`MADs in a chain`: the same where each evaluation waits for the one before. The loop's own time is subtracted.\n"
       "Errors are the largest of this device, on a grid, against the target in double.\n\n"
-      "{}\n# What to use when\n\n",
+      "{}# What to use when\n\n",
       trade.machine.device, trade.machine.driver, trade.machine.cpu, date, trade.machine.clock,
       trade.forms.front().real.size(), markdown_block(floor_table(trade)));
   for (const bench::TimedTarget& target : trade.targets) text += target_section(trade, target, figures);
