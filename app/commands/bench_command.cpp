@@ -156,6 +156,7 @@ std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& 
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
                       const Progress& progress) {
   if (options.list_devices) return list_devices_command(options);
+  if (options.probe) return probe_command(options, checkpoint);
   if (options.exhaustive) return exhaustive_command(options, version, checkpoint, progress);
   if (options.study) return bench_study(options, checkpoint, progress);
   const auto older = older_run(options);
