@@ -204,6 +204,7 @@ std::vector<File> accuracy_tables(const Checkpoint& checkpoint, const Progress& 
 Outcome bench_command(const BenchOptions& options, const std::string& version, const Checkpoint& checkpoint,
                       const Progress& progress) {
   if (options.list_devices) return list_devices_command(options);
+  if (options.probe) return probe_command(options, checkpoint);
   if (options.exhaustive) return exhaustive_command(options, version, checkpoint, progress);
   if (options.device) return bench_on_device(options, checkpoint, progress);
   if (options.study) return bench_study(options, checkpoint, progress);

@@ -102,10 +102,14 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
             "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
       ->needs(exhaustive);
   add_shard(bench, options.shard)->needs(exhaustive);
-  add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
-            "measure on a graphics device (default: the CPU)")
-      ->excludes(width);
+  auto* device = add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
+                           "measure on a graphics device (default: the CPU)")
+                     ->excludes(width);
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
+  bench.add_flag("--probe", options.probe, "measure the errors of the device's exp2, log2 and others")
+      ->needs(device)
+      ->excludes(exhaustive)
+      ->excludes(study);
   add_value(
       bench, "--range", options.range, parse_range, "A:B",
       "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:0x3f800001)")

@@ -39,6 +39,7 @@ struct BenchOptions {
   /// The place of a Vulkan device among `device::vulkan_devices`, in the place of the CPU.
   std::optional<std::size_t> device = {};
   bool list_devices = false;
+  bool probe = false;  ///< measure the functions of the device
   Terminal terminal = {};
 };
 
@@ -51,6 +52,9 @@ Outcome bench_command(const BenchOptions& options, const std::string& version, c
 
 /// `bench --list-devices`: a line for each device.
 Outcome list_devices_command(const BenchOptions& options);
+
+/// `bench --probe`: the errors of the functions of a device.
+Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint);
 
 /// `bench --exhaustive`.
 Outcome exhaustive_command(const BenchOptions& options, const std::string& version,

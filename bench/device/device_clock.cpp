@@ -7,10 +7,6 @@
 namespace shadefit::device {
 namespace {
 
-bool is_the_cpu(const DeviceInfo& info) {
-  return info.kind == "CPU";
-}
-
 double process_seconds() {
   std::timespec time{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -18,6 +14,10 @@ double process_seconds() {
 }
 
 }  // namespace
+
+bool is_the_cpu(const DeviceInfo& info) {
+  return info.kind == "CPU";
+}
 
 std::string name_of_clock(const DeviceInfo& info) {
   if (is_the_cpu(info)) return "processor time of all cores";

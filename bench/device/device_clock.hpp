@@ -8,6 +8,9 @@
 /// The clock that times dispatches.
 namespace shadefit::device {
 
+/// Whether a device is a driver that runs on the CPU.
+bool is_the_cpu(const DeviceInfo& info);
+
 /// In words: "timestamps of the device".
 std::string name_of_clock(const DeviceInfo& info);
 

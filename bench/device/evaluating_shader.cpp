@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <string_view>
 
 #include "bench/device/vulkan_device.hpp"
 
@@ -11,16 +12,21 @@ namespace shadefit::device {
 namespace {
 
 /// The arguments of thread i in a language, whose `as_float` makes a float of a bit pattern.
-std::string arguments_of(const ShaderFunction& function, const std::string& as_float) {
+std::string arguments_of(const ShaderFunction& function, Arguments arguments, const std::string& as_float) {
   const std::size_t count = function.arguments.size();
-  if (count == 1) return as_float + "(push.from + i)";
+  if (arguments == Arguments::patterns) return as_float + "(push.from + i)";
   std::string list;
   for (std::size_t a = 0; a < count; ++a)
     list += fmt::format("{}{}(given[i * {}u + {}u])", a == 0 ? "" : ", ", as_float, count, a);
   return list;
 }
 
-std::string glsl_shader(const ShaderFunction& function, const std::string& code) {
+/// The place of a thread's result, and of its arguments in the input.
+std::string_view place_of(Arguments arguments) {
+  return arguments == Arguments::patterns ? "thread" : "push.from + thread";
+}
+
+std::string glsl_shader(const ShaderFunction& function, Arguments arguments, const std::string& code) {
   return fmt::format(
       "#version 450\n"
       "layout(local_size_x = {}) in;\n"
@@ -29,13 +35,14 @@ std::string glsl_shader(const ShaderFunction& function, const std::string& code)
       "layout(push_constant) uniform Push {{ uint from, size; }} push;\n\n"
       "{}\n"
       "void main() {{\n"
-      "  uint i = gl_GlobalInvocationID.x;\n"
-      "  if (i < push.size) result[i] = {}({});\n"
+      "  uint thread = gl_GlobalInvocationID.x, i = {};\n"
+      "  if (thread < push.size) result[i] = {}({});\n"
       "}}\n",
-      threads_per_group, code, function.name, arguments_of(function, "uintBitsToFloat"));
+      threads_per_group, code, place_of(arguments), function.name,
+      arguments_of(function, arguments, "uintBitsToFloat"));
 }
 
-std::string hlsl_shader(const ShaderFunction& function, const std::string& code) {
+std::string hlsl_shader(const ShaderFunction& function, Arguments arguments, const std::string& code) {
   return fmt::format(
       "[[vk::binding(0, 0)]] RWStructuredBuffer<float> result;\n"
       "[[vk::binding(1, 0)]] StructuredBuffer<uint> given;\n"
@@ -43,19 +50,20 @@ std::string hlsl_shader(const ShaderFunction& function, const std::string& code)
       "[[vk::push_constant]] ConstantBuffer<Push> push;\n\n"
       "{}\n"
       "[numthreads({}, 1, 1)] void main(uint3 id : SV_DispatchThreadID) {{\n"
-      "  uint i = id.x;\n"
-      "  if (i < push.size) result[i] = {}({});\n"
+      "  uint thread = id.x, i = {};\n"
+      "  if (thread < push.size) result[i] = {}({});\n"
       "}}\n",
-      code, threads_per_group, function.name, arguments_of(function, "asfloat"));
+      code, threads_per_group, place_of(arguments), function.name,
+      arguments_of(function, arguments, "asfloat"));
 }
 
 }  // namespace
 
-std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language) {
+std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language, Arguments arguments) {
   const bool is_hlsl = language == ShaderLanguage::hlsl;
   const std::string code = shader_code(std::span(&function, 1), is_hlsl ? Language::hlsl : Language::glsl,
                                        ShaderPrecision::float32, std::array<std::string, 0>());
-  return is_hlsl ? hlsl_shader(function, code) : glsl_shader(function, code);
+  return is_hlsl ? hlsl_shader(function, arguments, code) : glsl_shader(function, arguments, code);
 }
 
 }  // namespace shadefit::device

@@ -8,10 +8,14 @@
 /// A compute shader that evaluates a function.
 namespace shadefit::device {
 
-/// The code that `emit` writes for a function, and a main function that calls it once a thread. The thread i
-/// of those below the second push word writes the float f to word i of the output:
-/// - a function of one argument is called with the float of the bit pattern i + the first push word;
-/// - one of more arguments with floats of the input: its arguments for thread i lie from word i n on.
-std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language);
+/// Where the arguments of a function come from.
+enum class Arguments {
+  patterns,  ///< thread i has the one argument whose bit pattern is i + the first push word
+  input,     ///< the n arguments of place i, i the thread + the first push word, lie in the input from n i on
+};
+
+/// The code that `emit` writes for a function, and a main function that calls it once a thread. The threads
+/// below the second push word write their result: thread i to word i of the output, or to that of its place.
+std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language, Arguments arguments);
 
 }  // namespace shadefit::device

@@ -11,8 +11,8 @@
 #include "fit/proof/box.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/proof/interval_ends.hpp"
+#include "fit/scalars/gpu_model.hpp"
 #include "fit/scalars/narrow_result.hpp"
-#include "fit/scalars/rounded_interval.hpp"
 
 /// Proven bounds of the rounding error of a formula: running error analysis with intervals.
 namespace shadefit {
@@ -22,9 +22,10 @@ namespace shadefit {
 struct Rounding {
   double basic;
   double quotient;
-  double function;
+  double root;
+  double function;  ///< of a GPU that of exp2
   double underflow;
-  bool is_gpu = false;  ///< exp and pow are computed with exp2 and log2
+  const GpuModel* gpu = nullptr;  ///< its log2; exp and pow are computed with exp2 and log2
 
   bool operator==(const Rounding&) const = default;
 };
@@ -42,7 +43,7 @@ struct RunningError {
 
   /// An operand: the number itself, or on a GPU zero if it is subnormal.
   static RunningError operand(const Interval& value, const Rounding& rounding) {
-    return {value, rounding.is_gpu ? rounding.underflow : 0, &rounding};
+    return {value, rounding.gpu != nullptr ? rounding.underflow : 0, &rounding};
   }
   static const Rounding& rounding_of(const RunningError& a, const RunningError& b) {
     return a.rounding != nullptr ? *a.rounding : *b.rounding;
@@ -95,7 +96,7 @@ struct Scalar<RunningError> {
 
   static T exp(const T& x) {
     const Rounding& r = *x.rounding;
-    if (!r.is_gpu) return by_law_of(shadefit::exp(x.value), Interval(x.error), r);
+    if (r.gpu == nullptr) return by_law_of(shadefit::exp(x.value), Interval(x.error), r);
     // exp2 of the rounded product with the rounded log2 e
     const T product = x * T{integer_interval(1) / shadefit::ln2<Interval>(), 0, &r};
     const Interval off =
@@ -110,7 +111,7 @@ struct Scalar<RunningError> {
     const Interval value = shadefit::log2(x.value);
     const Interval rest = Interval(lower_end(x.value)) - Interval(x.error);
     if (!(lower_end(rest) > 0)) return T::unknown(value, r);
-    return T::rounded(value, Interval(x.error) / (rest * shadefit::ln2<Interval>()), r.function, r);
+    return rounded_log2(value, x, Interval(x.error) / (rest * shadefit::ln2<Interval>()), r);
   }
 
   /// x^p = exp2(p log2 x), x > 0: its relative change is exp of the change of p log x.
@@ -121,10 +122,11 @@ struct Scalar<RunningError> {
     const Interval rest = Interval(lower_end(x.value)) - Interval(x.error);
     if (!(lower_end(rest) > 0)) return T::unknown(value, r);
     logarithm.error = largest_magnitude_in(Interval(x.error) / (rest * shadefit::ln2<Interval>()));
-    if (r.is_gpu) logarithm = T::rounded(logarithm.value, Interval(logarithm.error), r.function, r);
+    if (r.gpu != nullptr) logarithm = rounded_log2(logarithm.value, x, Interval(logarithm.error), r);
     const Interval l(largest_magnitude_in(logarithm.value)), q(largest_magnitude_in(p.value));
     Interval off = l * Interval(p.error) + (q + Interval(p.error)) * Interval(logarithm.error);
-    if (r.is_gpu) off += Interval(r.basic) * (l + Interval(logarithm.error)) * (q + Interval(p.error));
+    if (r.gpu != nullptr)
+      off += Interval(r.basic) * (l + Interval(logarithm.error)) * (q + Interval(p.error));
     return T::rounded(value, value * shadefit::expm1(off * shadefit::ln2<Interval>()), r.function, r);
   }
 
@@ -133,13 +135,22 @@ struct Scalar<RunningError> {
     const Rounding& r = *x.rounding;
     const Interval value = shadefit::sqrt(x.value);
     if (!(lower_end(value) > 0)) return T::unknown(value, r);
-    return T::rounded(value, Interval(x.error) / Interval(lower_end(value)), r.function, r);
+    return T::rounded(value, Interval(x.error) / Interval(lower_end(value)), r.root, r);
   }
 
   static T integer(int n) { return {integer_interval(n), 0, nullptr}; }
 
  private:
   static Interval integer_interval(int n) { return Interval(n); }
+  /// log2 of the computed x, whose value differs by `inherited` from that of the true one.
+  static T rounded_log2(const Interval& value, const T& x, const Interval& inherited, const Rounding& r) {
+    if (r.gpu == nullptr) return T::rounded(value, inherited, r.function, r);
+    const Ends computed{lower_end(Interval(x.value - Interval(x.error))),
+                        upper_end(Interval(x.value + Interval(x.error)))};
+    // gpu_log2_error rounds some doubles, far below the last bit that a float has.
+    const Interval own = Interval(gpu_log2_error(computed, *r.gpu)) * Interval(1 + 0x1p-40);
+    return T::rounded(value, inherited + own, 0, r);
+  }
   static Interval scaled(double error) { return Interval(error) * shadefit::ln2<Interval>(); }
   static T by_law(const T& x, const Interval& change) {
     return by_law_of(shadefit::exp2(x.value), change, *x.rounding);
@@ -152,12 +163,15 @@ struct Scalar<RunningError> {
 /// The arithmetic of a CPU. An operation has an error of half an ulp, at most 2^-p of its result. Functions
 /// have half an ulp in float, by the contract of `--round`, and one ulp in double, by the manual of the GNU C
 /// library.
-inline constexpr Rounding float_rounding{0x1p-24, 0x1p-24, 0x1p-24, least_of<FloatFormat>};
-inline constexpr Rounding double_rounding{0x1p-53, 0x1p-53, 0x1p-52, 0x1p-1074};
-/// See `GpuModel`.
-inline constexpr Rounding gpu_float_rounding{0x1p-24, GpuModel::quotient_ulps * 0x1p-23,
-                                             GpuModel::function_ulps * 0x1p-23, least_normal_of<FloatFormat>,
-                                             true};
+inline constexpr Rounding float_rounding{0x1p-24, 0x1p-24, 0x1p-24, 0x1p-24, least_of<FloatFormat>};
+inline constexpr Rounding double_rounding{0x1p-53, 0x1p-53, 0x1p-52, 0x1p-52, 0x1p-1074};
+/// See `usual_gpu`.
+inline constexpr Rounding gpu_float_rounding{float_ulp / 2,
+                                             usual_gpu.quotient_ulps* float_ulp,
+                                             usual_gpu.root_ulps* float_ulp,
+                                             usual_gpu.exp2_ulps* float_ulp,
+                                             least_normal_of<FloatFormat>,
+                                             &usual_gpu};
 
 /// A bound of the rounding error of a form over a domain. Boxes are cut until the largest bound is within a
 /// twentieth of the largest value at single places, or until there are too many. `error` maps a box's

@@ -24,7 +24,7 @@ struct RoundedConstants {
   double at = 0;                                     ///< the cosine of the largest error
   std::optional<double> real_error, rounding_error;  ///< the parts of a bound
   std::optional<double> srgb_codes;  ///< the largest error in 8-bit sRGB codes, if every input was tried
-  std::optional<double> gpu_bound;   ///< bounds the error on a GPU, by `GpuModel`; none for decimals
+  std::optional<double> gpu_bound;   ///< bounds the error on a GPU, by `usual_gpu`; none for decimals
 };
 
 struct Rounded {

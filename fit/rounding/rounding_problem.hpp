@@ -175,7 +175,7 @@ class NarrowProblem {
     return static_cast<double>(form_in(family_, cos_theta, p));
   }
 
-  /// A bound of the error on a GPU: see `GpuModel`.
+  /// A bound of the error on a GPU: see `usual_gpu`.
   double gpu_bound(const std::array<double, N>& parameters) const {
     using T = RoundedInterval<GpuArithmetic<Format>>;
     std::array<T, N> p;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "approx/scalar.hpp"
+#include "fit/scalars/gpu_model.hpp"
 #include "fit/scalars/narrow_result.hpp"
 
 /// Intervals in a machine's arithmetic: all results that an operation can have for operands in given
@@ -13,12 +14,6 @@
 namespace shadefit {
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-/// Two ends. The arithmetic that makes them rounds them to doubles or to numbers of a format.
-struct Ends {
-  double lower = 0;
-  double upper = 0;
-};
 
 /// Every operation is rounded to nearest in the format. Rounding is monotonic, so the rounded ends enclose
 /// every rounded result between them.
@@ -69,49 +64,32 @@ struct OutwardArithmetic {
   }
 };
 
-/// The largest errors of a GPU's arithmetic.
-struct GpuModel {
-  /// exp2 and log2 in float. Source: NVIDIA, "CUDA C++ Programming Guide", mathematical functions, single
-  /// precision: exp2f 2 ulp, log2f 1 ulp. Vulkan allows more: 3 + 2 |x| ulp (Khronos, "Vulkan Specification",
-  /// appendix "Vulkan Environment for SPIR-V", precision of GLSL.std.450 instructions).
-  static constexpr double function_ulps = 2;
-  /// A division in float, by the same appendix for Vulkan.
-  static constexpr double quotient_ulps = 2.5;
-  static constexpr std::string_view assumption =
-      "exp2 and log2 within 2 ulp of a float, exp and pow made of them in float, then rounded to the format; "
-      "subnormals kept or flushed to zero; a multiplication and an addition fused or not";
-};
-
-/// A GPU that computes in a format: see `GpuModel`. An ulp of a float is at most 2^-23 of the number.
+/// A GPU that computes in a format, with the errors of `usual_gpu`.
 template <class Format>
 struct GpuArithmetic {
   static constexpr bool contracts = true;
   static Ends operand(Ends x) { return flushed<Format>(x); }
   static Ends basic(Ends x) { return narrowed<Format>(x); }
-  static Ends quotient(Ends x) { return narrowed<Format>(relaxed(x, GpuModel::quotient_ulps * 0x1p-23)); }
+  static Ends quotient(Ends x) { return narrowed<Format>(relaxed(x, usual_gpu.quotient_ulps * float_ulp)); }
   static Ends exp2(Ends x) { return narrowed<Format>(float_exp2(x)); }
   static Ends log2(Ends x) { return narrowed<Format>(float_log2(x)); }
   /// exp2(x log2 e): the product of two floats, each rounded.
   static Ends exp(Ends x) {
     constexpr double log2_of_e = 1.4426950408889634;
-    return narrowed<Format>(float_exp2(relaxed({x.lower * log2_of_e, x.upper * log2_of_e}, 2 * 0x1p-24)));
+    return narrowed<Format>(float_exp2(relaxed({x.lower * log2_of_e, x.upper * log2_of_e}, float_ulp)));
   }
   /// log2(x) ln 2, likewise.
   static Ends log(Ends x) {
     const Ends y = float_log2(x);
     const double ln2 = Scalar<double>::ln2();
-    return narrowed<Format>(relaxed({y.lower * ln2, y.upper * ln2}, 2 * 0x1p-24));
+    return narrowed<Format>(relaxed({y.lower * ln2, y.upper * ln2}, float_ulp));
   }
-  /// 1/(1/sqrt(x)), either within 2 ulp.
   static Ends sqrt(Ends x) {
-    return narrowed<Format>(relaxed({std::sqrt(x.lower), std::sqrt(x.upper)}, 5 * 0x1p-23));
+    return narrowed<Format>(
+        relaxed({std::sqrt(x.lower), std::sqrt(x.upper)}, usual_gpu.root_ulps * float_ulp));
   }
-  /// exp2(p log2(x)) of the logarithm's ends times the power's.
   static Ends power_by_logarithm(Ends x, Ends p) {
-    const Ends y = float_log2(x);
-    const auto [lower, upper] =
-        std::minmax({y.lower * p.lower, y.lower * p.upper, y.upper * p.lower, y.upper * p.upper});
-    return narrowed<Format>(float_exp2(relaxed({lower, upper}, 0x1p-24)));
+    return narrowed<Format>(narrowed<FloatFormat>(gpu_power(x, p, usual_gpu)));
   }
 
  private:
@@ -127,20 +105,9 @@ struct GpuArithmetic {
     if (-least_normal_of<F> < x.upper && x.upper < 0) x.upper = 0;
     return x;
   }
-  static Ends relaxed(Ends x, double relative) {
-    const double tiny = least_of<FloatFormat>;
-    return {x.lower - relative * std::abs(x.lower) - tiny, x.upper + relative * std::abs(x.upper) + tiny};
-  }
-  static Ends float_exp2(Ends x) {
-    const double relative = GpuModel::function_ulps * 0x1p-23;
-    Ends y = relaxed({std::exp2(x.lower), std::exp2(x.upper)}, relative);
-    y.lower = std::max(y.lower, 0.0);
-    return narrowed<FloatFormat>(y);
-  }
-  static Ends float_log2(Ends x) {
-    return narrowed<FloatFormat>(
-        relaxed({std::log2(x.lower), std::log2(x.upper)}, GpuModel::function_ulps * 0x1p-23));
-  }
+  static Ends relaxed(Ends x, double relative) { return widened_by_gpu(x, relative); }
+  static Ends float_exp2(Ends x) { return narrowed<FloatFormat>(gpu_exp2(x, usual_gpu)); }
+  static Ends float_log2(Ends x) { return narrowed<FloatFormat>(gpu_log2(x, usual_gpu)); }
 };
 
 /// All results that an arithmetic can return for operands in intervals. A result that may be NaN is the whole

@@ -6,12 +6,15 @@
 
 #include "fit/proof/interval.hpp"
 #include "fit/proof/interval_ends.hpp"
+#include "fit/scalars/gpu_model.hpp"
 #include "fit/scalars/narrow_result.hpp"
 
-/// A program in float: what it should compute, what it may compute, and how far apart the two are.
+/// A program in float on a CPU or a GPU: what it should compute, what it may compute, and how far apart the
+/// two are.
 namespace shadefit {
 
-/// A value of a program whose every operation and function is rounded to the nearest float.
+/// A value of a program whose every operation and function is rounded to the nearest float; or, with a `gpu`,
+/// is as wrong as that device may be, subnormal numbers flushed to zero or not.
 ///
 /// The error of an operation is what its operands' errors do to it, by the mean value theorem between the
 /// true and the computed operands, and its own rounding. It is also never more than what the two enclosures
@@ -23,26 +26,40 @@ struct RunningFloat {
   Interval value;     ///< encloses the true value
   Interval computed;  ///< encloses every float that the program may have, with its products rounded or not
   double error = 0;   ///< at least |computed - true|
+  const GpuModel* gpu = nullptr;  ///< the device of an operand or a result of one; none of a number
 
   /// A float as an operand.
-  static RunningFloat exact(const Interval& value) { return {value, value, 0}; }
+  static RunningFloat exact(const Interval& value, const GpuModel* gpu = nullptr) {
+    return enclosed(value, with_flushed(value, gpu), gpu == nullptr ? 0 : least_normal, gpu);
+  }
 
   /// A number that is rounded to the nearest float before the program runs.
   static RunningFloat rounded_number(const Interval& value) { return rounded(value, value, Interval(0)); }
 
   /// An operation with true results in `value`; those of the computed operands lie in `result`, and differ
-  /// by at most `inherited` before they are rounded.
-  static RunningFloat rounded(const Interval& value, const Interval& result, const Interval& inherited) {
-    const Interval rounding =
-        Interval(largest_magnitude_in(result)) * Interval(half_ulp) + Interval(half_least);
-    return enclosed(value, to_float(result), largest_magnitude_in(Interval(inherited + rounding)));
+  /// by at most `inherited` before they are rounded, by a relative error.
+  static RunningFloat rounded(const Interval& value, const Interval& result, const Interval& inherited,
+                              const GpuModel* gpu = nullptr, double relative = half_ulp) {
+    const Interval rounding = Interval(largest_magnitude_in(result)) * Interval(relative) +
+                              Interval(gpu == nullptr ? half_least : least_normal);
+    const Interval off = relative == half_ulp ? result : span_of(widened_by_gpu(ends(result), relative));
+    return enclosed(value, with_flushed(to_float(off), gpu),
+                    largest_magnitude_in(Interval(inherited + rounding)), gpu);
   }
 
   /// The same for an operation that rounds nothing.
-  static RunningFloat enclosed(const Interval& value, const Interval& computed, double error) {
+  static RunningFloat enclosed(const Interval& value, const Interval& computed, double error,
+                               const GpuModel* gpu = nullptr) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
-    if (!is_bounded(value) || !is_bounded(computed)) return {value, any_number(), unknown};
-    return {value, computed, std::fmin(error, largest_magnitude_in(Interval(computed - value)))};
+    if (!is_bounded(value) || !is_bounded(computed)) return {value, any_number(), unknown, gpu};
+    return {value, computed, std::fmin(error, largest_magnitude_in(Interval(computed - value))), gpu};
+  }
+
+  /// A function of a GPU: its results lie between `results`, and are off by at most `own`.
+  static RunningFloat of_gpu(const Interval& value, Ends results, const Interval& own,
+                             const Interval& inherited, const GpuModel* gpu) {
+    return enclosed(value, with_flushed(to_float(span_of(results)), gpu),
+                    largest_magnitude_in(Interval(inherited + own + Interval(least_normal))), gpu);
   }
 
   /// What an error of an operand does to a result; `slope` encloses the derivative between the true and the
@@ -51,56 +68,97 @@ struct RunningFloat {
     return error > 0 ? Interval(largest_magnitude_in(slope)) * Interval(error) : Interval(0);
   }
 
+  /// The device of two operands.
+  static const GpuModel* gpu_of(const RunningFloat& a, const RunningFloat& b) {
+    return a.gpu != nullptr ? a.gpu : b.gpu;
+  }
+
+  /// The ends of an enclosure.
+  static Ends ends(const Interval& x) { return {lower_end(x), upper_end(x)}; }
+
   Interval both() const { return Scalar<Interval>::hull(value, computed); }
 
   friend RunningFloat operator+(const RunningFloat& a, const RunningFloat& b) {
-    return rounded(a.value + b.value, a.computed + b.computed, Interval(a.error) + Interval(b.error));
+    return rounded(a.value + b.value, a.computed + b.computed, Interval(a.error) + Interval(b.error),
+                   gpu_of(a, b));
   }
-  friend RunningFloat operator-(const RunningFloat& a) { return {-a.value, -a.computed, a.error}; }
+  friend RunningFloat operator-(const RunningFloat& a) { return {-a.value, -a.computed, a.error, a.gpu}; }
   friend RunningFloat operator-(const RunningFloat& a, const RunningFloat& b) { return a + -b; }
   /// a' b' - a b = a' (b' - b) + (a' - a) b.
   friend RunningFloat operator*(const RunningFloat& a, const RunningFloat& b) {
     const Interval x(largest_magnitude_in(a.computed)), y(largest_magnitude_in(b.value));
-    return rounded(a.value * b.value, a.computed * b.computed, x * Interval(b.error) + Interval(a.error) * y);
+    return rounded(a.value * b.value, a.computed * b.computed, x * Interval(b.error) + Interval(a.error) * y,
+                   gpu_of(a, b));
   }
   /// a'/b' - a/b = ((a' - a) - (b' - b) a/b)/b'.
   friend RunningFloat operator/(const RunningFloat& a, const RunningFloat& b) {
     const Interval quotient = a.value / b.value, least(smallest_magnitude_in(b.computed));
     const Interval inherited =
         (Interval(a.error) + Interval(b.error) * Interval(largest_magnitude_in(quotient))) / least;
-    return rounded(quotient, a.computed / b.computed, inherited);
+    const GpuModel* const gpu = gpu_of(a, b);
+    return rounded(quotient, a.computed / b.computed, inherited, gpu,
+                   gpu == nullptr ? half_ulp : gpu->quotient_ulps * float_ulp);
   }
 
  private:
   static constexpr double half_ulp = power_of_two(-FloatFormat::digits);  ///< of a result, relative
   static constexpr double half_least = least_of<FloatFormat> / 2;         ///< of a subnormal one
+  static constexpr double least_normal = least_normal_of<FloatFormat>;
 
   /// What results may be rounded to: rounding is monotonic. The results themselves are kept in, because a
   /// fused multiplication and addition does not round the product. From overflow on nothing is known.
   static Interval to_float(const Interval& result) {
     const auto round = [](double x) { return static_cast<double>(NarrowResult<FloatFormat>::rounded(x)); };
-    const double lower = lower_end(result), upper = upper_end(result);
-    if (!(std::isfinite(round(lower)) && std::isfinite(round(upper)))) return any_number();
-    return Scalar<Interval>::hull(result, span_of(round(lower), round(upper)));
+    const double lower = round(lower_end(result)), upper = round(upper_end(result));
+    if (!(std::isfinite(lower) && std::isfinite(upper))) return any_number();
+    return Scalar<Interval>::hull(result, shadefit::span_of(lower, upper));
+  }
+  static Interval span_of(Ends x) {
+    return x.lower <= x.upper ? shadefit::span_of(x.lower, x.upper) : any_number();
+  }
+
+  /// On a GPU a subnormal number may also be zero.
+  static Interval with_flushed(const Interval& numbers, const GpuModel* gpu) {
+    const bool may_flush = gpu != nullptr && smallest_magnitude_in(numbers) < least_normal;
+    return may_flush ? Scalar<Interval>::hull(numbers, Interval(0)) : numbers;
   }
 };
 
-/// A function without a slope here has only its enclosures, which are wide on wide boxes.
+/// A function without a slope here has only its enclosures, which are wide on wide boxes. Of a GPU's
+/// functions only those are known that `GpuModel` knows, and what consists of them.
 template <>
 struct Scalar<RunningFloat> {
   using T = RunningFloat;
 
-  static T exp(const T& x) { return of(shadefit::exp, x, shadefit::exp(x.both())); }
-  static T exp2(const T& x) {
-    return of(shadefit::exp2, x, shadefit::exp2(x.both()) * shadefit::ln2<Interval>());
+  static T exp(const T& x) {
+    if (x.gpu != nullptr) return exp2(x * T::rounded_number(one() / shadefit::ln2<Interval>()));
+    return of(shadefit::exp, x, shadefit::exp(x.both()));
   }
-  static T log(const T& x) { return of(shadefit::log, x, one() / x.both()); }
-  static T log2(const T& x) { return of(shadefit::log2, x, one() / (x.both() * shadefit::ln2<Interval>())); }
+  static T exp2(const T& x) {
+    const Interval inherited = T::effect(shadefit::exp2(x.both()) * shadefit::ln2<Interval>(), x.error);
+    if (x.gpu == nullptr) return T::rounded(shadefit::exp2(x.value), shadefit::exp2(x.computed), inherited);
+    const Ends results = gpu_exp2(ends_of(x), *x.gpu);
+    const Interval own = Interval(results.upper) * Interval(x.gpu->exp2_ulps * float_ulp);
+    return T::of_gpu(shadefit::exp2(x.value), results, own, inherited, x.gpu);
+  }
+  static T log(const T& x) {
+    if (x.gpu != nullptr) return log2(x) * T::rounded_number(shadefit::ln2<Interval>());
+    return of(shadefit::log, x, one() / x.both());
+  }
+  static T log2(const T& x) {
+    const Interval inherited = T::effect(one() / (x.both() * shadefit::ln2<Interval>()), x.error);
+    if (x.gpu == nullptr) return T::rounded(shadefit::log2(x.value), shadefit::log2(x.computed), inherited);
+    const Interval own(ends_of(x).lower > 0 ? gpu_log2_error(ends_of(x), *x.gpu) : unbounded_error);
+    return T::of_gpu(shadefit::log2(x.value), gpu_log2(ends_of(x), *x.gpu), own, inherited, x.gpu);
+  }
   static T expm1(const T& x) { return of(shadefit::expm1, x, shadefit::exp(x.both())); }
   static T log1p(const T& x) { return of(shadefit::log1p, x, one() / (one() + x.both())); }
   static T log1p_remainder(const T& x) { return of(shadefit::log1p_remainder, x, any_number()); }
   static T sqrt(const T& x) {
-    return of(shadefit::sqrt, x, one() / (Interval(2) * shadefit::sqrt(x.both())));
+    const Interval inherited = T::effect(one() / (Interval(2) * shadefit::sqrt(x.both())), x.error);
+    if (x.gpu == nullptr) return T::rounded(shadefit::sqrt(x.value), shadefit::sqrt(x.computed), inherited);
+    return T::rounded(shadefit::sqrt(x.value), shadefit::sqrt(x.computed), inherited, x.gpu,
+                      x.gpu->root_ulps * float_ulp);
   }
   static T sin(const T& x) { return of(shadefit::sin, x, shadefit::cos(x.both())); }
   static T cos(const T& x) { return of(shadefit::cos, x, shadefit::sin(x.both())); }
@@ -119,20 +177,31 @@ struct Scalar<RunningFloat> {
   static T erf(const T& x) { return of(shadefit::erf, x, Interval(2)); }
   static T erfc(const T& x) { return of(shadefit::erfc, x, Interval(2)); }
   static T atan2(const T& y, const T& x) {
-    return T::rounded(shadefit::atan2(y.value, x.value), shadefit::atan2(y.computed, x.computed),
-                      any_number());
+    const Interval value = shadefit::atan2(y.value, x.value);
+    if (const GpuModel* const gpu = T::gpu_of(x, y))
+      return T::enclosed(value, any_number(), unbounded_error, gpu);
+    return T::rounded(value, shadefit::atan2(y.computed, x.computed), any_number());
   }
   static T floor(const T& x) { return step(shadefit::floor, x); }
   static T sign(const T& x) { return step(shadefit::signum, x); }
-  static T abs(const T& x) { return T::enclosed(shadefit::abs(x.value), shadefit::abs(x.computed), x.error); }
+  static T abs(const T& x) {
+    return T::enclosed(shadefit::abs(x.value), shadefit::abs(x.computed), x.error, x.gpu);
+  }
 
   /// The slopes of x^p are p x^(p-1) and x^p log x.
   static T power(const T& x, const T& p) {
     const Interval b = x.both(), q = p.both();
     const Interval by_x = q * shadefit::power(b, Interval(q - one()));
     const Interval by_p = shadefit::power(b, q) * shadefit::log(b);
-    return T::rounded(shadefit::power(x.value, p.value), shadefit::power(x.computed, p.computed),
-                      T::effect(by_x, x.error) + T::effect(by_p, p.error));
+    const Interval inherited = T::effect(by_x, x.error) + T::effect(by_p, p.error);
+    const Interval value = shadefit::power(x.value, p.value);
+    const GpuModel* const gpu = T::gpu_of(x, p);
+    if (gpu == nullptr) return T::rounded(value, shadefit::power(x.computed, p.computed), inherited);
+    if (!(ends_of(x).lower >= 0))
+      return T::of_gpu(value, {-unbounded_error, unbounded_error}, any_number(), inherited, gpu);
+    const Ends results = gpu_power(ends_of(x), ends_of(p), *gpu);
+    const Interval own = Interval(results.upper) * Interval(gpu_power_error(ends_of(x), ends_of(p), *gpu));
+    return T::of_gpu(value, results, own, inherited, gpu);
   }
 
   /// A condition that holds, or not, for the true and for the computed operands alike.
@@ -143,12 +212,13 @@ struct Scalar<RunningFloat> {
   static T select(Certainty condition, const T& a, const T& b) {
     if (condition == Certainty::yes) return a;
     if (condition == Certainty::no) return b;
-    return T::enclosed(hull(a.value, b.value), hull(a.computed, b.computed), unbounded_error);
+    return T::enclosed(hull(a.value, b.value), hull(a.computed, b.computed), unbounded_error,
+                       T::gpu_of(a, b));
   }
   /// The larger of two numbers moves by no more than one of them.
   static T max(const T& a, const T& b) {
     return T::enclosed(shadefit::max(a.value, b.value), shadefit::max(a.computed, b.computed),
-                       std::fmax(a.error, b.error));
+                       std::fmax(a.error, b.error), T::gpu_of(a, b));
   }
   static T min(const T& a, const T& b) { return -max(-a, -b); }
 
@@ -160,16 +230,18 @@ struct Scalar<RunningFloat> {
  private:
   static constexpr double unbounded_error = std::numeric_limits<double>::infinity();
 
+  static Ends ends_of(const T& x) { return T::ends(x.computed); }
   static Interval one() { return Interval(1); }
   static Interval square(const Interval& x) { return shadefit::power(x, 2); }
   static Interval hull(const Interval& a, const Interval& b) { return Scalar<Interval>::hull(a, b); }
   template <class F>
   static T of(const F& function, const T& x, const Interval& slope) {
+    if (x.gpu != nullptr) return T::enclosed(function(x.value), any_number(), unbounded_error, x.gpu);
     return T::rounded(function(x.value), function(x.computed), T::effect(slope, x.error));
   }
   template <class F>
   static T step(const F& function, const T& x) {
-    return T::enclosed(function(x.value), function(x.computed), unbounded_error);
+    return T::enclosed(function(x.value), function(x.computed), unbounded_error, x.gpu);
   }
 };
 

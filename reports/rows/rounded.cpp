@@ -164,7 +164,7 @@ std::string rounded_text(const std::vector<RoundedFit>& fits) {
     }
     say(fmt::format("Max {} error: {}.", short_name(fit.rounded->error),
                     meaning_of_error(fit.rounded->format)));
-    if (fit.rounded->best.gpu_bound) say(fmt::format("On a GPU: {}.", GpuModel::assumption));
+    if (fit.rounded->best.gpu_bound) say(fmt::format("On a GPU: {}.", gpu_assumption));
     say(meaning_of_best(*fit.rounded));
   }
   return text;
@@ -189,7 +189,7 @@ void add_rounded_json(Json& fit_json, const FittableFamily& family, const Rounde
   json["boxes"] = rounded.boxes;
   json["tried"] = rounded.evaluated;
   json["error_is"] = meaning_of_error(rounded.format);
-  json["gpu_model"] = rounded.best.gpu_bound ? Json(GpuModel::assumption) : Json();
+  json["gpu_model"] = rounded.best.gpu_bound ? Json(gpu_assumption) : Json();
   fit_json["rounded"] = json;
 }
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <bit>
-#include <ctime>
 #include <deque>
 #include <string_view>
-#include <thread>
 
+#include "bench/device/device_clock.hpp"
 #include "bench/device/spirv.hpp"
 #include "bench/device/times/device_errors.hpp"
 #include "bench/device/vulkan_device.hpp"
@@ -23,32 +22,10 @@ std::uint32_t turns_that_take(double seconds, std::uint32_t most,
 
 namespace {
 
-constexpr std::string_view cpu_kind = "CPU";  // of DeviceInfo
-
 /// Enough for every place in which a device can run a thread: a large GPU runs 270 000 at once. A CPU runs a
 /// few dozen, and with fewer threads the turns are more and their loop is warm.
 std::uint32_t threads_of(const DeviceInfo& info) {
-  return info.kind == cpu_kind ? 1U << 13 : 1U << 18;
-}
-
-std::string clock_of(const DeviceInfo& info) {
-  if (info.kind == cpu_kind) return "processor time of all cores";
-  return info.has_timestamps ? "timestamps of the device" : "steady clock around a dispatch";
-}
-
-/// The seconds of a dispatch, by the clock of its device. A device that is the CPU shares its cores with
-/// other programs: there it is the processor time of this process, all threads together, as if each core
-/// worked for it alone from begin to end.
-double timed_seconds(const DeviceInfo& info, const std::function<double()>& dispatch) {
-  if (info.kind != cpu_kind) return dispatch();
-  const auto process = [] {
-    std::timespec time{};
-    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
-  const double before = process();
-  dispatch();
-  return (process() - before) / std::max(std::thread::hardware_concurrency(), 1U);
+  return is_the_cpu(info) ? 1U << 13 : 1U << 18;
 }
 
 /// A shader on the device with what a dispatch of it does, timed by the device.
@@ -58,7 +35,9 @@ class Timed {
       : device_(&device), clock_(&clock), program_(device.load(spirv)), threads_(threads) {}
 
   double run(std::uint32_t count, std::uint32_t second) const {
-    return timed_seconds(device_->info(), [&] { return device_->run(program_, threads_, {count, second}); });
+    return seconds_of_dispatch(device_->info(), [&] {
+      return device_->run(program_, threads_, {count, second});
+    });
   }
   /// The work of one dispatch with these push words.
   bench::Work work(std::uint32_t count, std::uint32_t second, std::size_t elements) const {
@@ -277,7 +256,7 @@ bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values
   trade.machine = bench::this_machine();
   trade.machine.device = info.name;
   trade.machine.driver = info.driver;
-  trade.machine.clock = clock_of(info);
+  trade.machine.clock = name_of_clock(info);
   for (const DeviceTarget& target : forms.targets) trade.targets.push_back(target.heading);
   trade.copies = {
       plain_row("copy", measured, programme.copy, measured.step(programme.copy)),

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include "app/options/bench_options.hpp"
+#include "bench/device/probe.hpp"
+#include "fit/support/hex_float.hpp"
+#include "reports/table/table.hpp"
+#include "reports/table/writers.hpp"
+
+/// `bench --probe`.
+namespace shadefit {
+namespace {
+
+using device::LargestError;
+
+std::vector<Cell> row(const std::string& function, const std::string& range, const LargestError& found,
+                      const std::string& unit) {
+  std::string at;
+  for (const float x : found.at) at += (at.empty() ? "" : ", ") + hex_text(x);
+  return {function, range, static_cast<long>(found.count), Number{found.error, 4}, unit, at};
+}
+
+}  // namespace
+
+Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint) {
+  device::VulkanDevice vulkan({.place = options.device.value()});
+  const device::Probe found = device::probe(vulkan, device::ProbeExtent::all, checkpoint);
+  const Table table{
+      {"function", "arguments", "tried", "largest error", "unit", "at"},
+      {row("exp2(x)", "-126 .. 128", found.exp2, "ulp"),
+       row("log2(x)", "outside of 1/2 .. 2", found.log2, "ulp"),
+       row("log2(x)", "1/2 .. 2", found.log2_near_one, "absolute"),
+       row("sqrt(x)", "normal", found.root, "ulp"), row("1/x", "2^-126 .. 2^126", found.reciprocal, "ulp"),
+       row("x/y", "2^-60 .. 2^60", found.quotient, "ulp"),
+       row("pow(x, y)", "1/256 .. 1, 1 .. 64", found.power, "ulp")}};
+  const auto kept = [](bool is_kept) { return is_kept ? "kept" : "flushed to zero"; };
+  return {0,
+          fmt::format("{}, {}\n{}x y + z is {}; subnormal operands are {}, subnormal results {}\n",
+                      vulkan.info().name, vulkan.info().driver,
+                      write_console(table, Precision::report, options.terminal),
+                      found.fuses ? "fused" : "rounded twice", kept(found.keeps_small_operands),
+                      kept(found.keeps_small_results)),
+          ""};
+}
+
+}  // namespace shadefit

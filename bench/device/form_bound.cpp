@@ -1,0 +1,89 @@
+#include "bench/device/form_bound.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "fit/support/parallel.hpp"
+
+namespace shadefit::device {
+namespace {
+
+Tape tape_of_code(const ShaderFunction& function) {
+  return tape_of(as_generated(function.result, ShaderPrecision::float32), function.arguments);
+}
+
+constexpr std::uint32_t bits_of(float x) {
+  return std::bit_cast<std::uint32_t>(x);
+}
+
+}  // namespace
+
+FormInDouble::FormInDouble(const ShaderFunction& function)
+    : tape_(tape_of_code(function)), values_(tape_.register_count() * most) {
+  for (const double constant : tape_.constants<double>()) values_.insert(values_.end(), most, constant);
+}
+
+void FormInDouble::operator()(std::span<const double* const> arguments, double* results, std::size_t count) {
+  if (count > most || arguments.size() != tape_.input_count())
+    throw std::logic_error("a form in double with other arguments than its own");
+  const std::size_t registers = tape_.register_count();
+  std::vector<const double*> table;
+  std::vector<double*> written;
+  for (std::size_t i = 0; i < registers; ++i) written.push_back(&values_[i * most]);
+  table.assign(written.begin(), written.end());
+  table.insert(table.end(), arguments.begin(), arguments.end());
+  for (std::size_t i = registers; i * most < values_.size(); ++i) table.push_back(&values_[i * most]);
+  tape_.run_over<double>(table, written, count);
+  std::copy_n(table[tape_.output(0)], count, results);
+}
+
+FormBound::FormBound(const ShaderFunction& function, const GpuModel& gpu)
+    : gpu_(gpu), program_(tape_of_code(function), {}) {}
+
+double FormBound::on(std::span<const Domain> box) {
+  std::vector<RunningFloat> arguments;
+  for (const Domain& side : box)
+    arguments.push_back(RunningFloat::exact(span_of(side.lower, side.upper), &gpu_));
+  program_.run(arguments);
+  // The real value in double is off by some 2^-50 of its largest part; a bound is at least 2^-25 of that.
+  constexpr double slack = 1 + 0x1p-20;
+  return program_.output(0).error * slack;
+}
+
+std::vector<std::uint32_t> unit_panels() {
+  constexpr std::uint32_t per_binade = 64, fraction_bits = 23, sharp_binades = 12;
+  std::set<std::uint32_t> firsts{0, 1};
+  for (std::uint32_t exponent = 1; exponent <= 126; ++exponent) {
+    const std::uint32_t pieces = exponent + sharp_binades > 126 ? per_binade : 1;
+    for (std::uint32_t i = 0; i < pieces; ++i)
+      firsts.insert((exponent << fraction_bits) + ((i << fraction_bits) / pieces));
+  }
+  // From 1/2 on 1 - c is exact: a whole number of steps of 2^-24.
+  const std::uint32_t one = bits_of(1.0F);
+  for (std::uint32_t power = 1; power < 1U << fraction_bits; power *= 2) {
+    for (std::uint32_t i = 0; i < std::min(power, per_binade); ++i)
+      firsts.insert(one - (power + i * std::max(power / per_binade, 1U)));
+  }
+  firsts.insert(one);
+  return {firsts.begin(), firsts.end()};
+}
+
+std::vector<double> bounds_on(std::span<const std::uint32_t> panels, const ShaderFunction& function,
+                              const GpuModel& gpu) {
+  constexpr std::size_t piece = 128;
+  std::vector<double> bounds(panels.size());
+  for_each_in_parallel((panels.size() + piece - 1) / piece, [&](std::size_t part, const Checkpoint&) {
+    FormBound bound(function, gpu);
+    for (std::size_t i = part * piece; i < std::min(panels.size(), (part + 1) * piece); ++i) {
+      const std::uint32_t last = i + 1 < panels.size() ? panels[i + 1] - 1 : bits_of(1.0F);
+      const Domain box{std::bit_cast<float>(panels[i]), std::bit_cast<float>(last)};
+      bounds[i] = bound.on(std::span(&box, 1));
+    }
+  });
+  return bounds;
+}
+
+}  // namespace shadefit::device

@@ -1,0 +1,211 @@
+#include "bench/device/probe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "bench/device/evaluator.hpp"
+#include "fit/stress/numbers.hpp"
+#include "fit/support/parallel.hpp"
+
+namespace shadefit::device {
+namespace {
+
+/// Bit patterns of floats, [from, to).
+struct Patterns {
+  std::uint32_t from, to;
+};
+
+constexpr std::uint32_t bits_of(float x) {
+  return std::bit_cast<std::uint32_t>(x);
+}
+constexpr std::uint32_t infinite = bits_of(std::numeric_limits<float>::infinity());
+constexpr std::uint32_t least_normal = bits_of(std::numeric_limits<float>::min());
+
+void include(LargestError& into, const LargestError& more) {
+  into.count += more.count;
+  if (more.error > into.error) into = {more.error, more.at, into.count};
+}
+
+/// 1/ulp of a float near a double that is normal in float.
+double per_ulp(double truth) {
+  constexpr std::uint64_t exponent_bits = 0x7ff0000000000000, twice_the_bias = 0x7fe0000000000000;
+  const std::uint64_t power = std::bit_cast<std::uint64_t>(truth) & exponent_bits;
+  return std::bit_cast<double>(twice_the_bias - power) / float_ulp;
+}
+
+/// The unit of an error.
+enum class Unit { ulp, one };
+
+double error_of(float result, double truth, Unit unit) {
+  const double off = std::abs(static_cast<double>(result) - truth);
+  const double error = unit == Unit::ulp ? off * per_ulp(truth) : off;
+  return std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+}
+
+/// The largest error of the results for bit patterns from `first` on.
+template <class Truth>
+LargestError largest_error(std::uint32_t first, std::span<const std::uint32_t> results, Unit unit,
+                           const Truth& truth) {
+  double most = -1;
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const auto x = static_cast<double>(std::bit_cast<float>(first + static_cast<std::uint32_t>(i)));
+    const double error = error_of(std::bit_cast<float>(results[i]), truth(x), unit);
+    if (error > most) {
+      most = error;
+      place = i;
+    }
+  }
+  return {most, {std::bit_cast<float>(first + static_cast<std::uint32_t>(place))}, results.size()};
+}
+
+/// A device with what runs on it.
+class Bench {
+ public:
+  Bench(VulkanDevice& device, const Checkpoint& checkpoint) : device_(device), checkpoint_(checkpoint) {}
+
+  /// A function of one argument over stretches of floats.
+  template <class Truth>
+  LargestError over(const Symbolic& function, std::span<const Patterns> stretches, Unit unit,
+                    const Truth& truth) {
+    Evaluator evaluator = on_device({"x"}, function, Arguments::patterns);
+    LargestError found;
+    for (const auto& [from, to] : stretches) {
+      evaluator.over_patterns(from, to, [&](std::uint32_t first, std::span<const std::uint32_t> results) {
+        checkpoint_();
+        include(found, in_parallel(first, results, unit, truth));
+      });
+    }
+    return found;
+  }
+
+  /// A function of several arguments, given one after the other. Results that are not normal do not count.
+  template <std::size_t N, class Truth>
+  LargestError at(const Symbolic& function, const std::vector<std::array<float, N>>& arguments,
+                  const Truth& truth) {
+    const std::vector<float> results = values(function, arguments);
+    LargestError found;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      std::array<double, N> x;
+      std::copy(arguments[i].begin(), arguments[i].end(), x.begin());
+      const double exact = std::apply(truth, x);
+      if (!(least_normal_of<FloatFormat> <= exact && exact <= largest_of<FloatFormat>)) continue;
+      include(found, {error_of(results[i], exact, Unit::ulp), {arguments[i].begin(), arguments[i].end()}, 1});
+    }
+    return found;
+  }
+
+  template <std::size_t N>
+  std::vector<float> values(const Symbolic& function, const std::vector<std::array<float, N>>& arguments) {
+    const std::array<std::string, 3> names{"x", "y", "z"};
+    Evaluator evaluator = on_device({names.begin(), names.begin() + N}, function, Arguments::input);
+    std::vector<float> flat, results;
+    for (const auto& x : arguments) flat.insert(flat.end(), x.begin(), x.end());
+    for (const std::uint32_t bits : evaluator.of_input(flat)) results.push_back(std::bit_cast<float>(bits));
+    return results;
+  }
+
+ private:
+  Evaluator on_device(const std::vector<std::string>& names, const Symbolic& function, Arguments arguments) {
+    return {device_, compiler_, {"probed", names, function}, ShaderLanguage::glsl, arguments};
+  }
+
+  template <class Truth>
+  static LargestError in_parallel(std::uint32_t first, std::span<const std::uint32_t> results, Unit unit,
+                                  const Truth& truth) {
+    constexpr std::size_t piece = 1U << 16;
+    std::vector<LargestError> parts((results.size() + piece - 1) / piece);
+    for_each_in_parallel(parts.size(), [&](std::size_t i, const Checkpoint&) {
+      const auto some = results.subspan(i * piece, std::min(piece, results.size() - i * piece));
+      parts[i] = largest_error(first + static_cast<std::uint32_t>(i * piece), some, unit, truth);
+    });
+    LargestError found;
+    for (const LargestError& part : parts) include(found, part);
+    return found;
+  }
+
+  VulkanDevice& device_;
+  ShaderCompiler compiler_;
+  const Checkpoint& checkpoint_;
+};
+
+const Symbolic x = Symbolic::variable("x"), y = Symbolic::variable("y"), z = Symbolic::variable("z");
+
+/// Floats of all exponents: all of them, or a hundredth.
+std::vector<Patterns> all_normal(Patterns whole, ProbeExtent extent) {
+  if (extent == ProbeExtent::all) return {whole};
+  constexpr std::uint32_t share = 100, size = 1U << 17;
+  std::vector<Patterns> some;
+  for (std::uint64_t from = whole.from; from < whole.to; from += share * size)
+    some.push_back({static_cast<std::uint32_t>(from),
+                    static_cast<std::uint32_t>(std::min<std::uint64_t>(from + size, whole.to))});
+  return some;
+}
+
+double exact_exp2(double a) {
+  // 2^a = 1 + a ln 2 + .., the rest below 2^-54.
+  return std::abs(a) < 0x1p-26 ? 1 + a * Scalar<double>::ln2() : std::exp2(a);
+}
+
+std::vector<std::array<float, 2>> pairs(std::uint64_t seed, std::array<double, 2> first,
+                                        std::array<double, 2> second) {
+  constexpr std::size_t count = 1U << 20;
+  Sequence sequence(seed);
+  std::vector<std::array<float, 2>> drawn(count);
+  for (auto& pair : drawn)
+    pair = {static_cast<float>(log_uniform(sequence, first[0], first[1])),
+            static_cast<float>(log_uniform(sequence, second[0], second[1]))};
+  return drawn;
+}
+
+/// The one result of arguments.
+template <std::size_t N>
+float value(Bench& bench, const Symbolic& function, const std::array<float, N>& arguments) {
+  return bench.values(function, std::vector{arguments}).front();
+}
+
+}  // namespace
+
+Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoint) {
+  Bench bench(device, checkpoint);
+  Probe found;
+  const std::array of_exp2{Patterns{0, bits_of(128.0F)}, Patterns{bits_of(-0.0F), bits_of(-126.0F) + 1}};
+  found.exp2 = bench.over(Symbolic::function("exp2", {x}), of_exp2, Unit::ulp, exact_exp2);
+
+  const auto log2 = [](double a) { return std::log2(a); };
+  const Symbolic logarithm = Symbolic::function("log2", {x});
+  const std::array far{Patterns{least_normal, bits_of(0.5F)}, Patterns{bits_of(2.0F) + 1, infinite}};
+  const std::array near{Patterns{bits_of(0.5F), bits_of(2.0F) + 1}};
+  found.log2 = bench.over(logarithm, far, Unit::ulp, log2);
+  found.log2_near_one = bench.over(logarithm, near, Unit::one, log2);
+
+  found.root = bench.over(Symbolic::function("sqrt", {x}), all_normal({least_normal, infinite}, extent),
+                          Unit::ulp, [](double a) { return std::sqrt(a); });
+  found.reciprocal =
+      bench.over(Symbolic::number("1") / x, all_normal({least_normal, bits_of(0x1p126F) + 1}, extent),
+                 Unit::ulp, [](double a) { return 1 / a; });
+  found.quotient = bench.at(x / y, pairs(1, {0x1p-60, 0x1p60}, {0x1p-60, 0x1p60}),
+                            [](double a, double b) { return a / b; });
+  found.power = bench.at(power(x, y), pairs(2, {0x1p-8, 1}, {1, 64}),
+                         [](double a, double b) { return std::pow(a, b); });
+
+  const float a = 1 + 0x1p-12F;  // its square is 1 + 2^-11 + 2^-24, which is no float
+  found.fuses = value(bench, x * y + z, std::array{a, a, -(1 + 0x1p-11F)}) == 0x1p-24F;
+  found.keeps_small_operands = value(bench, x * y, std::array{0x1p-130F, 0x1p20F}) == 0x1p-110F;
+  found.keeps_small_results = value(bench, x * y, std::array{0x1p-110F, 0x1p-20F}) == 0x1p-130F;
+  return found;
+}
+
+GpuModel model_of(const Probe& probe) {
+  return {.exp2_ulps = probe.exp2.error,
+          .log2_ulps = probe.log2.error,
+          .log2_near_one = probe.log2_near_one.error,
+          .quotient_ulps = std::max({probe.quotient.error, probe.reciprocal.error, usual_gpu.quotient_ulps}),
+          .root_ulps = std::max(probe.root.error, usual_gpu.root_ulps)};
+}
+
+}  // namespace shadefit::device
