@@ -83,9 +83,10 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
                     .add_option("study", options.study,
                                 "the forms of a study or its file, NAME.toml (default: the built-in ones)")
                     ->type_name("STUDY");
-  auto* exhaustive =
-      add_value(bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
-                "evaluate this form at every float in [0, 1] and compare with its target in double");
+  auto* exhaustive = add_value(
+      bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
+      "evaluate this form, or all of one cosine, at every float in [0, 1] and compare with its target in "
+      "double");
   exhaustive->excludes(study);
   bench.add_option("--only", options.only, "only these targets")
       ->type_name("TARGET")
@@ -99,10 +100,12 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
   add_comparison(bench, options, exhaustive);
   bench.add_flag("--no-plots", options.no_plots, "write no plots, and no data or scripts for them")
       ->excludes(exhaustive);
-  add_value(bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
-            "the vector registers to time, besides scalar (default: all); with --exhaustive the ones to use "
-            "(default: sse2)")
-      ->excludes(study);
+  auto* width =
+      add_value(
+          bench, "--width", options.width, parse_width, "scalar|sse2|avx2|avx512",
+          "the vector registers to time, besides scalar (default: all); with --exhaustive the ones to use "
+          "(default: sse2)")
+          ->excludes(study);
   add_value(bench, "--constants", options.constants, parse_text, "ID",
             "with --exhaustive: the constants of the form (default: its first)")
       ->needs(exhaustive);
@@ -110,12 +113,16 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
     constexpr int most = 99;
     return parse_whole(option, text, 0, most);
   };
-  add_value(bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
-            "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
-      ->needs(exhaustive);
+  auto* degree =
+      add_value(
+          bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
+          "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
+          ->needs(exhaustive);
   add_shard(bench, options.shard)->needs(exhaustive);
   auto* device = add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
-            "measure on a graphics device (default: the CPU)");
+                           "measure on a graphics device (default: the CPU)")
+                     ->excludes(width)
+                     ->excludes(degree);
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
   bench.add_flag("--probe", options.probe, "measure the errors of the device's exp2, log2 and others")
       ->needs(device)
