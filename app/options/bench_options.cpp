@@ -69,9 +69,10 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
                     .add_option("study", options.study,
                                 "the forms of a study or its file, NAME.toml (default: the built-in ones)")
                     ->type_name("STUDY");
-  auto* exhaustive =
-      add_value(bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
-                "evaluate this form at every float in [0, 1] and compare with its target in double");
+  auto* exhaustive = add_value(
+      bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
+      "evaluate this form, or all of one cosine, at every float in [0, 1] and compare with its target in "
+      "double");
   exhaustive->excludes(study);
   bench.add_option("--only", options.only, "only these targets")
       ->type_name("TARGET")
@@ -98,13 +99,16 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
     constexpr int most = 99;
     return parse_whole(option, text, 0, most);
   };
-  add_value(bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
-            "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
-      ->needs(exhaustive);
+  auto* degree =
+      add_value(
+          bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
+          "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
+          ->needs(exhaustive);
   add_shard(bench, options.shard)->needs(exhaustive);
   auto* device = add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
                            "measure on a graphics device (default: the CPU)")
-                     ->excludes(width);
+                     ->excludes(width)
+                     ->excludes(degree);
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
   bench.add_flag("--probe", options.probe, "measure the errors of the device's exp2, log2 and others")
       ->needs(device)

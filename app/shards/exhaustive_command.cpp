@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <filesystem>
 #include <system_error>
 
 #include "app/options/bench_options.hpp"
 #include "app/terminal/interrupt.hpp"
+#include "bench/device/form_sweep.hpp"
+#include "bench/device/probe.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "bench/forms/catalogue.hpp"
 #include "bench/timing/machine.hpp"
@@ -16,6 +19,7 @@
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
+#include "reports/io/output.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/table/writers.hpp"
 
@@ -122,6 +126,18 @@ bench::SweepIdentity identity_of(const Chosen& chosen, const BenchOptions& optio
           options.range};
 }
 
+/// The form on a graphics device in the place of this processor.
+void put_on_device(bench::FloatSubject& subject, bench::SweepIdentity& identity, const Chosen& chosen,
+                   std::size_t place, const GpuModel& model) {
+  const device::FormSweep sweep(device::VulkanDevice({.place = place}),
+                                device::form_function(*chosen.target, *chosen.form, *chosen.constants),
+                                model);
+  sweep.take_over(subject);
+  identity.width = "vulkan";
+  identity.device = sweep.device();
+  identity.bound_from = device::numbers_of(model);
+}
+
 /// The saved state, which must belong to this sweep; empty if there is none.
 std::optional<Sweep> state_at(const fs::path& path, const Sweep& wanted) {
   std::error_code error;
@@ -143,16 +159,32 @@ std::string place_text(std::uint32_t at) {
   return fmt::format("at c = {} ({:.6g})", hex_text(c), c);
 }
 
+/// The device and its bound; nothing for a CPU.
+std::string device_text(const Sweep& sweep) {
+  if (sweep.identity.device.empty()) return "";
+  const auto& e = sweep.identity.bound_from;
+  std::string text = fmt::format(
+      "on {}\nbound for exp2 within {:.4g} ulp, log2 within {:.4g} and within {:.4g} between 1/2 and 2: "
+      "{} results are beyond it\n",
+      sweep.identity.device, e.at(0), e.at(1), e.at(2), sweep.found.beyond);
+  for (const std::uint32_t at : sweep.found.beyond_at) {
+    if (at != UINT32_MAX) text += "  " + place_text(at) + "\n";
+  }
+  return text;
+}
+
 std::string result_text(const Sweep& sweep, const Chosen& chosen, const Terminal& terminal) {
   const bench::FloatErrors& found = sweep.found;
   std::string text =
       fmt::format("{}{}{} in {}: {} floats, against {} in double\n", chosen.form->id,
                   chosen.constants->numbers.empty() ? "" : ", " + chosen.constants->id,
                   chosen.exp2_degree > 0 ? fmt::format(", exp2 of degree {}", chosen.exp2_degree) : "",
-                  forms::name(chosen.width), found.count(), chosen.target->text);
-  text += fmt::format("max abs error  {:.6g} {}\nmax ulps       {} {}\nNaN {}, above 1 {}, below 0 {}\n\n",
+                  sweep.identity.device.empty() ? forms::name(chosen.width) : "float", found.count(),
+                  chosen.target->text);
+  text += fmt::format("max abs error  {:.6g} {}\nmax ulps       {} {}\nNaN {}, above 1 {}, below 0 {}\n{}\n",
                       found.max_abs_error, place_text(found.max_abs_error_at), found.max_ulps,
-                      place_text(found.max_ulps_at), found.nans, found.above_one, found.below_zero);
+                      place_text(found.max_ulps_at), found.nans, found.above_one, found.below_zero,
+                      device_text(sweep));
   Table table{{"ulps", "floats", "share"}, {}};
   std::size_t last = found.ulps.size();
   while (last > 1 && found.ulps[last - 1] == 0) --last;
@@ -193,20 +225,18 @@ void sweep_and_keep(Sweep& sweep, const bench::FloatSubject& subject, const fs::
   bench::go_on(sweep, subject, bench::this_machine().threads, between);
 }
 
-}  // namespace
-
-Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
-                           const Checkpoint& checkpoint, const Progress& progress) {
-  require_directory(options.out);
-  const forms::Catalogue catalogue = forms::catalogue();
-  const Chosen chosen = chosen_by(catalogue, options);
-  const bench::FloatSubject subject = subject_of(catalogue, chosen);
-  const bench::SweepIdentity identity = identity_of(chosen, options, version);
+/// Sweeps one form, or goes on with it, and keeps its result. On a device `model` says how wrong that is.
+Outcome sweep_form(const BenchOptions& options, const forms::Catalogue& catalogue, const Chosen& chosen,
+                   const GpuModel& model, const std::string& version, const Checkpoint& checkpoint,
+                   const Progress& progress, Sweep& sweep) {
+  bench::FloatSubject subject = subject_of(catalogue, chosen);
+  bench::SweepIdentity identity = identity_of(chosen, options, version);
+  if (options.device) put_on_device(subject, identity, chosen, *options.device, model);
   const fs::path path =
       without_detours(options.out) / (options.shard ? shard_file : bench::file_of(identity));
   const std::string shown = printable(path.string());
 
-  Sweep sweep = bench::begin_sweep(identity, options.shard.value_or(Shard{}));
+  sweep = bench::begin_sweep(identity, options.shard.value_or(Shard{}));
   const std::optional<Sweep> before = state_at(path, sweep);
   if (before) sweep = *before;
   if (!sweep.is_done()) {
@@ -226,7 +256,65 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
       options.format == FindingFormat::json
           ? bench::state_text(sweep)
           : result_text(sweep, chosen, options.terminal) + fmt::format("\nResult: {}\n", shown);
-  return {0, text, ""};
+  return {sweep.found.beyond == 0 ? 0 : 1, text, ""};
+}
+
+/// What is known of the device before forms with such a function run on it; nothing of a CPU.
+GpuModel measured_model(const BenchOptions& options, forms::Function function, const Checkpoint& checkpoint) {
+  if (!options.device) return usual_gpu;
+  device::VulkanDevice vulkan({.place = *options.device});
+  return device::model_for(function, vulkan, checkpoint);
+}
+
+/// Every form of one cosine with every set of its constants, one after the other.
+Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue, const std::string& version,
+                  const Checkpoint& checkpoint, const Progress& progress) {
+  if (options.shard || options.constants)
+    throw UserError(fmt::format("--exhaustive 'all' does not apply with {}: it takes every set of every form",
+                                options.shard ? "--shard" : "--constants"));
+  constexpr const char* file = "errors.csv";
+  const GpuModel model = measured_model(options, forms::Function::pow, checkpoint);
+  Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
+              {}};
+  std::uint64_t beyond = 0;
+  for (const forms::FormEntry& form : catalogue.forms) {
+    if (form.arguments != forms::Arguments::cosine) continue;
+    for (const forms::Constants& constants : form.constants) {
+      BenchOptions one = options;
+      one.exhaustive = std::string(form.id);
+      one.constants = constants.id;
+      Sweep sweep;
+      const Outcome outcome =
+          sweep_form(one, catalogue, chosen_by(catalogue, one), model, version, checkpoint, progress, sweep);
+      if (!sweep.is_done()) return outcome;
+      const bench::FloatErrors& found = sweep.found;
+      beyond += found.beyond;
+      table.rows.push_back({std::string(form.id), constants.id, static_cast<long>(found.count()),
+                            Number{static_cast<double>(found.max_abs_error), 6},
+                            hex_text(std::bit_cast<float>(found.max_abs_error_at)),
+                            static_cast<long>(found.max_ulps),
+                            hex_text(std::bit_cast<float>(found.max_ulps_at)), static_cast<long>(found.nans),
+                            static_cast<long>(found.beyond)});
+    }
+  }
+  write_files(options.out, {{file, write_csv(table, Precision::report)}});
+  return {beyond == 0 ? 0 : 1,
+          write_console(table, Precision::report, options.terminal) +
+              fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file).string())),
+          ""};
+}
+
+}  // namespace
+
+Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
+                           const Checkpoint& checkpoint, const Progress& progress) {
+  require_directory(options.out);
+  const forms::Catalogue catalogue = forms::catalogue();
+  if (*options.exhaustive == "all") return sweep_all(options, catalogue, version, checkpoint, progress);
+  const Chosen chosen = chosen_by(catalogue, options);
+  const GpuModel model = measured_model(options, chosen.form->function, checkpoint);
+  Sweep sweep;
+  return sweep_form(options, catalogue, chosen, model, version, checkpoint, progress, sweep);
 }
 
 }  // namespace shadefit

@@ -15,27 +15,22 @@ Tape tape_of_code(const ShaderFunction& function) {
   return tape_of(as_generated(function.result, ShaderPrecision::float32), function.arguments);
 }
 
-constexpr std::uint32_t bits_of(float x) {
-  return std::bit_cast<std::uint32_t>(x);
-}
-
 }  // namespace
 
-FormInDouble::FormInDouble(const ShaderFunction& function)
-    : tape_(tape_of_code(function)), values_(tape_.register_count() * most) {
-  for (const double constant : tape_.constants<double>()) values_.insert(values_.end(), most, constant);
+FormInDouble::FormInDouble(const ShaderFunction& function) : tape_(tape_of_code(function)) {
+  for (const double constant : tape_.constants<double>()) constants_.insert(constants_.end(), most, constant);
 }
 
-void FormInDouble::operator()(std::span<const double* const> arguments, double* results, std::size_t count) {
+void FormInDouble::operator()(std::span<const double* const> arguments, double* results,
+                              std::size_t count) const {
   if (count > most || arguments.size() != tape_.input_count())
     throw std::logic_error("a form in double with other arguments than its own");
-  const std::size_t registers = tape_.register_count();
-  std::vector<const double*> table;
+  std::vector<double> registers(tape_.register_count() * count);
   std::vector<double*> written;
-  for (std::size_t i = 0; i < registers; ++i) written.push_back(&values_[i * most]);
-  table.assign(written.begin(), written.end());
+  for (std::size_t i = 0; i < tape_.register_count(); ++i) written.push_back(&registers[i * count]);
+  std::vector<const double*> table(written.begin(), written.end());
   table.insert(table.end(), arguments.begin(), arguments.end());
-  for (std::size_t i = registers; i * most < values_.size(); ++i) table.push_back(&values_[i * most]);
+  for (std::size_t i = 0; i < constants_.size(); i += most) table.push_back(&constants_[i]);
   tape_.run_over<double>(table, written, count);
   std::copy_n(table[tape_.output(0)], count, results);
 }
@@ -62,7 +57,7 @@ std::vector<std::uint32_t> unit_panels() {
       firsts.insert((exponent << fraction_bits) + ((i << fraction_bits) / pieces));
   }
   // From 1/2 on 1 - c is exact: a whole number of steps of 2^-24.
-  const std::uint32_t one = bits_of(1.0F);
+  const std::uint32_t one = std::bit_cast<std::uint32_t>(1.0F);
   for (std::uint32_t power = 1; power < 1U << fraction_bits; power *= 2) {
     for (std::uint32_t i = 0; i < std::min(power, per_binade); ++i)
       firsts.insert(one - (power + i * std::max(power / per_binade, 1U)));
@@ -78,7 +73,8 @@ std::vector<double> bounds_on(std::span<const std::uint32_t> panels, const Shade
   for_each_in_parallel((panels.size() + piece - 1) / piece, [&](std::size_t part, const Checkpoint&) {
     FormBound bound(function, gpu);
     for (std::size_t i = part * piece; i < std::min(panels.size(), (part + 1) * piece); ++i) {
-      const std::uint32_t last = i + 1 < panels.size() ? panels[i + 1] - 1 : bits_of(1.0F);
+      const std::uint32_t last =
+          i + 1 < panels.size() ? panels[i + 1] - 1 : std::bit_cast<std::uint32_t>(1.0F);
       const Domain box{std::bit_cast<float>(panels[i]), std::bit_cast<float>(last)};
       bounds[i] = bound.on(std::span(&box, 1));
     }

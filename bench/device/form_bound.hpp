@@ -21,13 +21,14 @@ class FormInDouble {
  public:
   explicit FormInDouble(const ShaderFunction& function);
 
-  /// `arguments` has for each argument a pointer to `count` numbers, at most `most`.
-  void operator()(std::span<const double* const> arguments, double* results, std::size_t count);
+  /// `arguments` has for each argument a pointer to `count` numbers, at most `most`. Several threads may call
+  /// it.
+  void operator()(std::span<const double* const> arguments, double* results, std::size_t count) const;
   static constexpr std::size_t most = 1024;
 
  private:
   Tape tape_;
-  std::vector<double> values_;  ///< `most` of each register and constant
+  std::vector<double> constants_;  ///< each of them `most` times
 };
 
 /// Bounds |computed - real| of the same function on a device: `RunningFloat` with its model.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <tuple>
+#include <utility>
 
 #include "bench/device/evaluator.hpp"
 #include "fit/stress/numbers.hpp"
@@ -133,7 +135,9 @@ class Bench {
   const Checkpoint& checkpoint_;
 };
 
-const Symbolic x = Symbolic::variable("x"), y = Symbolic::variable("y"), z = Symbolic::variable("z");
+Symbolic variable(const char* name) {
+  return Symbolic::variable(name);
+}
 
 /// Floats of all exponents: all of them, or a hundredth.
 std::vector<Patterns> all_normal(Patterns whole, ProbeExtent extent) {
@@ -162,6 +166,20 @@ std::vector<std::array<float, 2>> pairs(std::uint64_t seed, std::array<double, 2
   return drawn;
 }
 
+LargestError exp2_on(Bench& bench) {
+  const std::array normal{Patterns{0, bits_of(128.0F)}, Patterns{bits_of(-0.0F), bits_of(-126.0F) + 1}};
+  return bench.over(Symbolic::function("exp2", {variable("x")}), normal, Unit::ulp, exact_exp2);
+}
+
+/// Outside of [1/2, 2] and inside.
+std::pair<LargestError, LargestError> log2_on(Bench& bench) {
+  const auto log2 = [](double a) { return std::log2(a); };
+  const Symbolic function = Symbolic::function("log2", {variable("x")});
+  const std::array far{Patterns{least_normal, bits_of(0.5F)}, Patterns{bits_of(2.0F) + 1, infinite}};
+  const std::array near{Patterns{bits_of(0.5F), bits_of(2.0F) + 1}};
+  return {bench.over(function, far, Unit::ulp, log2), bench.over(function, near, Unit::one, log2)};
+}
+
 /// The one result of arguments.
 template <std::size_t N>
 float value(Bench& bench, const Symbolic& function, const std::array<float, N>& arguments) {
@@ -172,17 +190,10 @@ float value(Bench& bench, const Symbolic& function, const std::array<float, N>& 
 
 Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoint) {
   Bench bench(device, checkpoint);
+  const Symbolic x = variable("x"), y = variable("y"), z = variable("z");
   Probe found;
-  const std::array of_exp2{Patterns{0, bits_of(128.0F)}, Patterns{bits_of(-0.0F), bits_of(-126.0F) + 1}};
-  found.exp2 = bench.over(Symbolic::function("exp2", {x}), of_exp2, Unit::ulp, exact_exp2);
-
-  const auto log2 = [](double a) { return std::log2(a); };
-  const Symbolic logarithm = Symbolic::function("log2", {x});
-  const std::array far{Patterns{least_normal, bits_of(0.5F)}, Patterns{bits_of(2.0F) + 1, infinite}};
-  const std::array near{Patterns{bits_of(0.5F), bits_of(2.0F) + 1}};
-  found.log2 = bench.over(logarithm, far, Unit::ulp, log2);
-  found.log2_near_one = bench.over(logarithm, near, Unit::one, log2);
-
+  found.exp2 = exp2_on(bench);
+  std::tie(found.log2, found.log2_near_one) = log2_on(bench);
   found.root = bench.over(Symbolic::function("sqrt", {x}), all_normal({least_normal, infinite}, extent),
                           Unit::ulp, [](double a) { return std::sqrt(a); });
   found.reciprocal =
@@ -206,6 +217,18 @@ GpuModel model_of(const Probe& probe) {
           .log2_near_one = probe.log2_near_one.error,
           .quotient_ulps = std::max({probe.quotient.error, probe.reciprocal.error, usual_gpu.quotient_ulps}),
           .root_ulps = std::max(probe.root.error, usual_gpu.root_ulps)};
+}
+
+GpuModel model_for(forms::Function function, VulkanDevice& device, const Checkpoint& checkpoint) {
+  Bench bench(device, checkpoint);
+  GpuModel model = usual_gpu;
+  if (function != forms::Function::none) model.exp2_ulps = exp2_on(bench).error;
+  if (function == forms::Function::pow) {
+    const auto [far, near] = log2_on(bench);
+    model.log2_ulps = far.error;
+    model.log2_near_one = near.error;
+  }
+  return model;
 }
 
 }  // namespace shadefit::device

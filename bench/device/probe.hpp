@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bench/device/vulkan_device.hpp"
+#include "bench/forms/forms.hpp"
 #include "fit/scalars/gpu_model.hpp"
 #include "fit/support/checkpoint.hpp"
 
@@ -41,8 +42,10 @@ enum class ProbeExtent {
 /// float. `checkpoint` is called some times a second.
 Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoint = keep_going);
 
-/// The device as a model for bounds. The errors of quotient and root are at least those of Vulkan's rule, as
-/// far as they were only sampled.
+/// The device as a model for bounds. Quotients and roots are sampled: they have no less than `usual_gpu`.
 GpuModel model_of(const Probe& probe);
+
+/// The model for forms with such a function. Only what they need is measured, the rest is as in `usual_gpu`.
+GpuModel model_for(forms::Function function, VulkanDevice& device, const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit::device

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "bench/device/in_words.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
@@ -111,22 +112,6 @@ struct Loader {
     return usable;
   }
 };
-
-/// Runs a function, and says in words what Vulkan throws.
-template <class F>
-auto translated(const F& function) -> decltype(function()) {
-  try {
-    return function();
-  } catch (const vk::DeviceLostError&) {
-    throw CheckFailed("the Vulkan device was lost");
-  } catch (const vk::OutOfDeviceMemoryError&) {
-    throw CheckFailed("the Vulkan device is out of memory");
-  } catch (const vk::OutOfHostMemoryError&) {
-    throw CheckFailed("the Vulkan driver is out of memory");
-  } catch (const vk::SystemError& error) {
-    throw CheckFailed(fmt::format("the Vulkan driver fails: {}", error.what()));
-  }
-}
 
 /// Opens the loader. Without one, or without a driver, there is nothing that a device could do.
 std::unique_ptr<Loader> open_loader(std::vector<std::string>* messages) {
@@ -307,7 +292,7 @@ struct VulkanDevice::Parts {
 
 std::vector<DeviceInfo> vulkan_devices() {
   const auto loader = open_loader(nullptr);
-  return translated([&] {
+  return in_words([&] {
     std::vector<DeviceInfo> infos;
     for (const auto& device : loader->devices()) infos.push_back(info_of(device));
     return infos;
@@ -315,7 +300,7 @@ std::vector<DeviceInfo> vulkan_devices() {
 }
 
 VulkanDevice::VulkanDevice(const DeviceChoice& choice)
-    : parts_(translated([&] { return std::make_unique<Parts>(choice); })) {}
+    : parts_(in_words([&] { return std::make_unique<Parts>(choice); })) {}
 VulkanDevice::~VulkanDevice() = default;
 VulkanDevice::VulkanDevice(VulkanDevice&&) noexcept = default;
 VulkanDevice& VulkanDevice::operator=(VulkanDevice&&) noexcept = default;
@@ -325,7 +310,7 @@ const DeviceInfo& VulkanDevice::info() const {
 }
 
 Program VulkanDevice::load(std::span<const std::uint32_t> spirv) const {
-  return translated([&] {
+  return in_words([&] {
     const auto& device = parts_->device;
     vk::raii::ShaderModule module = device.createShaderModule({{}, spirv.size_bytes(), spirv.data()});
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main");
@@ -338,7 +323,7 @@ Program VulkanDevice::load(std::span<const std::uint32_t> spirv) const {
 double VulkanDevice::run(const Program& program, std::uint32_t threads, const PushWords& push) {
   if (threads > most_threads) throw std::logic_error("more threads than a dispatch has");
   const std::uint32_t groups = (threads + threads_per_group - 1) / threads_per_group;
-  return translated([&] { return parts_->run(program, groups, push); });
+  return in_words([&] { return parts_->run(program, groups, push); });
 }
 
 std::span<std::uint32_t> VulkanDevice::output() {

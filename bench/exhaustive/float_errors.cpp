@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace shadefit::bench {
@@ -32,6 +33,11 @@ void include(FloatErrors& into, const FloatErrors& more) {
   into.nans += more.nans;
   into.above_one += more.above_one;
   into.below_zero += more.below_zero;
+  into.beyond += more.beyond;
+  std::array<std::uint32_t, 2 * std::tuple_size_v<decltype(into.beyond_at)>> places{};
+  std::merge(into.beyond_at.begin(), into.beyond_at.end(), more.beyond_at.begin(), more.beyond_at.end(),
+             places.begin());
+  std::copy_n(places.begin(), into.beyond_at.size(), into.beyond_at.begin());
 }
 
 namespace {
@@ -43,8 +49,19 @@ constexpr std::size_t block = 1024;
 struct Block {
   alignas(64) std::array<float, block> in;
   alignas(64) std::array<float, block> out;
-  alignas(64) std::array<double, block> truth;
+  alignas(64) std::array<double, block> truth, middle, radius;
 };
+
+/// Notes the results beyond the bound; those that are no number too.
+void look_at_bound(const Block& floats, std::size_t count, std::uint32_t first, FloatErrors& found) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::abs(static_cast<double>(floats.out[i]) - floats.middle[i]) <= floats.radius[i]) continue;
+    FloatErrors one;
+    one.beyond = 1;
+    one.beyond_at.front() = first + static_cast<std::uint32_t>(i);
+    include(found, one);
+  }
+}
 
 void look_at(const Block& floats, std::size_t count, std::uint32_t first, FloatErrors& found) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -78,12 +95,17 @@ FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch) {
     subject.form(floats.in.data(), floats.out.data(), block);
     subject.truth(floats.in.data(), floats.truth.data(), block);
     look_at(floats, count, first, found);
+    if (subject.bound) {
+      subject.bound(floats.in.data(), floats.middle.data(), floats.radius.data(), block);
+      look_at_bound(floats, count, first, found);
+    }
     left -= count;
   }
   return found;
 }
 
 FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch, unsigned threads) {
+  if (subject.prepare) subject.prepare(stretch);
   const std::uint64_t parts = std::max(threads, 1U);
   const auto end_of = [&](std::uint64_t part) {
     return stretch.from + static_cast<std::uint32_t>(stretch.size() * part / parts);

@@ -42,10 +42,20 @@ struct FloatErrors {
   std::uint32_t max_ulps_at = UINT32_MAX;
   std::array<std::uint64_t, 33> ulps{};  ///< [0]: none; [i]: 2^(i-1) to 2^i - 1
   std::uint64_t nans = 0, above_one = 0, below_zero = 0;
+  /// Results beyond the bound, and the smallest of their inputs in order. UINT32_MAX: no more.
+  std::uint64_t beyond = 0;
+  std::array<std::uint32_t, 8> beyond_at = no_places();
   bool operator==(const FloatErrors&) const = default;
 
   /// The number of tested inputs.
   std::uint64_t count() const;
+
+ private:
+  static constexpr std::array<std::uint32_t, 8> no_places() {
+    std::array<std::uint32_t, 8> none{};
+    none.fill(UINT32_MAX);
+    return none;
+  }
 };
 
 /// Adds the errors on another stretch.
@@ -56,6 +66,10 @@ void include(FloatErrors& into, const FloatErrors& more);
 struct FloatSubject {
   std::function<void(const float* in, float* out, std::size_t count)> form;
   std::function<void(const float* in, double* out, std::size_t count)> truth;
+  /// Where the form has to be: within `radius` of `middle`. Empty: anywhere.
+  std::function<void(const float* in, double* middle, double* radius, std::size_t count)> bound = {};
+  /// Called by one thread before `errors_on` looks at the floats of a stretch. Empty: nothing to prepare.
+  std::function<void(const Stretch&)> prepare = {};
 };
 
 /// The errors on a stretch.

@@ -67,6 +67,9 @@ SweepIdentity read_identity(const OwnFields& fields) {
     identity.constants.push_back(float_of(fields, item, "constants"));
   identity.width = fields.text("width");
   identity.whole = read_stretch(fields, "whole");
+  if (!fields.has("device")) return identity;
+  identity.device = fields.text("device");
+  identity.bound_from = fields.numbers("bound_from");
   return identity;
 }
 
@@ -83,7 +86,28 @@ FloatErrors read_errors(const OwnFields& fields) {
   if (ulps.size() != found.ulps.size()) fields.fail("ulps", "has another number of bins");
   for (std::size_t i = 0; i < ulps.size(); ++i)
     found.ulps[i] = fields.whole_of<std::uint64_t>(ulps[i], "ulps");
+  if (!fields.has("device")) return found;
+  found.beyond = fields.whole<std::uint64_t>("beyond");
+  const Json& places = fields.list("beyond_at");
+  if (places.size() > found.beyond_at.size()) fields.fail("beyond_at", "has too many places");
+  for (std::size_t i = 0; i < places.size(); ++i)
+    found.beyond_at[i] = pattern_of(fields, places[i], "beyond_at");
+  if (!std::is_sorted(found.beyond_at.begin(), found.beyond_at.end()))
+    fields.fail("beyond_at", "is not in order");
   return found;
+}
+
+/// What only a sweep on a graphics device has.
+void add_device(Json& json, const Sweep& sweep) {
+  Json errors = Json::array(), places = Json::array();
+  for (const double error : sweep.identity.bound_from) errors.push_back(hex_text(error));
+  for (const std::uint32_t at : sweep.found.beyond_at) {
+    if (at != UINT32_MAX) places.push_back(pattern(at));
+  }
+  json["device"] = sweep.identity.device;
+  json["bound_from"] = errors;
+  json["beyond"] = sweep.found.beyond;
+  json["beyond_at"] = places;
 }
 
 Json state_json(const Sweep& sweep) {
@@ -110,6 +134,7 @@ Json state_json(const Sweep& sweep) {
             {"nans", found.nans},
             {"above_one", found.above_one},
             {"below_zero", found.below_zero}};
+  if (!identity.device.empty()) add_device(json, sweep);
   json[digest_field] = digest_of(json);
   return json;
 }
@@ -134,8 +159,8 @@ Sweep parse_state(const std::string& text, const std::string& name) {
   sweep.found = read_errors(fields);
   const auto& ulps = sweep.found.ulps;
   const auto is_possible = [&](std::uint64_t count) { return count <= done.size(); };
-  if (!is_possible(sweep.found.nans) || !std::all_of(ulps.begin(), ulps.end(), is_possible) ||
-      sweep.found.count() != done.size())
+  if (!is_possible(sweep.found.nans) || !is_possible(sweep.found.beyond) ||
+      !std::all_of(ulps.begin(), ulps.end(), is_possible) || sweep.found.count() != done.size())
     fields.fail("ulps", "has counts that do not add up to the tested floats");
   fields.require_written_as(state_json(sweep));
   return sweep;

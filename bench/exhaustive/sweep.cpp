@@ -13,9 +13,10 @@ std::string text(const Stretch& stretch) {
   return fmt::format("0x{:08x}:0x{:08x}", stretch.from, stretch.to);
 }
 
-std::string text(const std::vector<float>& constants) {
+template <class Number>
+std::string text(const std::vector<Number>& numbers) {
   std::vector<std::string> parts;
-  for (const float constant : constants) parts.push_back(hex_text(constant));
+  for (const Number number : numbers) parts.push_back(hex_text(number));
   return fmt::format("({})", fmt::join(parts, ", "));
 }
 
@@ -50,12 +51,16 @@ WorkIdentity identity_in_words(const SweepIdentity& identity) {
           {"degree of exp2", fmt::to_string(identity.exp2_degree)},
           {"set of constants", identity.set + " " + text(identity.constants)},
           {"width", identity.width},
+          {"device", identity.device.empty() ? "none" : identity.device},
+          {"bound from", text(identity.bound_from)},
           {"range", text(identity.whole)}};
 }
 
 std::string file_of(const SweepIdentity& identity) {
-  return fmt::format("exhaustive-{}{}{}.json", identity.form, identity.set.empty() ? "" : "-" + identity.set,
-                     identity.exp2_degree > 0 ? fmt::format("-exp2-{}", identity.exp2_degree) : "");
+  return fmt::format("exhaustive-{}{}{}{}.json", identity.form,
+                     identity.set.empty() ? "" : "-" + identity.set,
+                     identity.exp2_degree > 0 ? fmt::format("-exp2-{}", identity.exp2_degree) : "",
+                     identity.device.empty() ? "" : "-vulkan");
 }
 
 Sweep merge(const std::vector<NamedSweep>& shards, const std::string& version) {

@@ -22,6 +22,9 @@ struct SweepIdentity {
   std::vector<float> constants;  ///< in the order of the formula, those of the target first
   std::string width;             ///< the instructions that it ran with
   Stretch whole = unit_floats;
+  std::string device = {};  ///< the graphics device; empty: the CPU
+  std::vector<double> bound_from =
+      {};  ///< the errors of the device's functions, from which the bound follows
   bool operator==(const SweepIdentity&) const = default;
 };
 

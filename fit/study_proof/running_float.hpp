@@ -95,9 +95,9 @@ struct RunningFloat {
     const Interval quotient = a.value / b.value, least(smallest_magnitude_in(b.computed));
     const Interval inherited =
         (Interval(a.error) + Interval(b.error) * Interval(largest_magnitude_in(quotient))) / least;
-    const GpuModel* const gpu = gpu_of(a, b);
-    return rounded(quotient, a.computed / b.computed, inherited, gpu,
-                   gpu == nullptr ? half_ulp : gpu->quotient_ulps * float_ulp);
+    const GpuModel* const on = gpu_of(a, b);
+    return rounded(quotient, a.computed / b.computed, inherited, on,
+                   on == nullptr ? half_ulp : on->quotient_ulps * float_ulp);
   }
 
  private:

@@ -202,10 +202,11 @@ std::vector<std::string> comment_of(const Scene& scene, const Plan& plan, const 
       decimal_above(plan.error, 3), in_codes ? " sRGB codes" : "", is_constant ? "(n.l)" : "min(n.l, 2 n.h)",
       name(plan.wanted.precision)));
   if (plan.shading.exp2_degree > 0)
-    comment.push_back(fmt::format(
-        "With exp2 and log2 {}; on processors without exp2, a polynomial of degree {} does.",
-        plan.wanted.precision == scene::PixelPrecision::float32 ? "within 2 ulps" : "rounded once",
-        plan.shading.exp2_degree));
+    comment.push_back(fmt::format("With {}; on processors without exp2, a polynomial of degree {} does.",
+                                  plan.wanted.precision == scene::PixelPrecision::float32
+                                      ? "exp2 within 4 ulps, log2 within 3 or 2^-21"
+                                      : "exp2 and log2 rounded once",
+                                  plan.shading.exp2_degree));
   if (!plan.is_within()) comment.emplace_back("That is NOT within the tolerance.");
   if (!is_constant)
     comment.emplace_back(

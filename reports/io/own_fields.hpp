@@ -32,9 +32,10 @@ class OwnFields {
   }
 
   const Json& field(const char* key) const {
-    if (!json_.is_object() || !json_.contains(key)) fail(key, "is missing");
+    if (!has(key)) fail(key, "is missing");
     return json_.at(key);
   }
+  bool has(const char* key) const { return json_.is_object() && json_.contains(key); }
   /// The fields of an object that is a field itself, or an element of one.
   OwnFields inner(const char* key) const { return item(field(key)); }
   OwnFields item(const Json& json) const { return {json, file_}; }

@@ -6,19 +6,21 @@
 #include <span>
 
 #include "approx/gloss.hpp"
+#include "fit/scalars/gpu_model.hpp"
 
 namespace shadefit::scene {
 namespace {
 
 struct Format {
   double unit;      ///< u
-  double function;  ///< roundings of exp2 and log2
+  double function;  ///< roundings of exp2, and of log2 away from 1
   double largest;   ///< number
   double smallest;  ///< step below the normal numbers
 };
 
 Format format_of(PixelPrecision precision) {
-  if (precision == PixelPrecision::float32) return {0x1p-24, 4, 0x1.fffffep127, 0x1p-149};
+  // 4 ulps of 2 u, as `usual_gpu` (fit/scalars/gpu_model.hpp).
+  if (precision == PixelPrecision::float32) return {0x1p-24, 8, 0x1.fffffep127, 0x1p-149};
   return {0x1p-11, 1, 65504, 0x1p-24};
 }
 
@@ -98,6 +100,8 @@ double weighted_roundings(const RoundedShading& shading, const Format& format, d
                     format.function + of_power;
   if (shading.form.is_fused) of_value += ln2 * sharpness;
   if (shading.form.kind == LobeKind::multiplied) of_value += shading.form.whole;
+  if (shading.form.kind == LobeKind::power)
+    of_value += ln2 * shading.lobes.range().most * usual_gpu.log2_near_one / format.unit;
   // (2 c)^p |log2 c| (n + 2) of a power below 1
   const double dull = 3 * std::pow(2, p) / (p * std::numbers::e * ln2);
   return std::pow(std::min(1.0, factor), p) * of_value +

@@ -7,9 +7,10 @@
 
 /// Bounds of the rounding error of a scene's shading, by counting roundings.
 ///
-/// An operation has an error factor of at most 1 + u, u = 2^-24 or 2^-11. exp2 and log2 have 2 ulps, 4 u, in
-/// float. In half they have one rounding, because a processor computes them in float. The displayed value of
-/// a light is v = min(1, g w 2^-|a|), a the exponent of the lobe.
+/// An operation has an error factor of at most 1 + u, u = 2^-24 or 2^-11. In float, exp2 and log2 have 4
+/// ulps, 8 u; in half one rounding, because a processor computes them in float. Between 1/2 and 2 log2 has an
+/// absolute error of 2^-21 instead, so c^n one of n ln 2 times that, relative. The displayed value of a light
+/// is v = min(1, g w 2^-|a|), a the exponent of the lobe.
 ///
 /// - The exponent of d slopes has 2 d + 3 roundings, with n + x and the constants; A c - A rounds A c, |A| u
 ///   more; where slopes differ in sign and cancel, all times by how much. 2^a is off by ln 2 |a| times that,

@@ -251,6 +251,41 @@ TEST(StateFile, ReadsBackWhatItWrote) {
   }
 }
 
+// Every thousandth result leaves the bound; of all of them the first eight are kept, in one go or in parts.
+TEST(StateFile, OfADeviceSaysWhatIsBeyondTheBound) {
+  SweepIdentity on_device = identity();
+  on_device.device = "a device, its driver";
+  on_device.bound_from = {3.5, 0x1p-21};
+  FloatSubject subject = schlick_with_faults();
+  std::vector<Stretch> prepared;
+  subject.prepare = [&](const Stretch& stretch) { prepared.push_back(stretch); };
+  subject.bound = [](const float* in, double* middle, double* radius, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      middle[i] = std::pow(1 - static_cast<double>(in[i]), 5);
+      radius[i] = bits(in[i]) % 1000 == 5 ? -1 : 2;
+    }
+  };
+  Sweep sweep = begin_sweep(on_device, {});
+  go_on(
+      sweep, subject, 2, [] {}, 3000);
+  EXPECT_GT(prepared.size(), 1U);
+  EXPECT_EQ(prepared.front().from, sweep.stretch().from);
+  std::vector<std::uint32_t> beyond;
+  for (std::uint32_t at = sweep.stretch().from; at < sweep.stretch().to; ++at) {
+    if (at % 1000 == 5 || at % 1000 == 7) beyond.push_back(at);  // beyond the bound, or no number
+  }
+  EXPECT_EQ(sweep.found.beyond, beyond.size());
+  EXPECT_TRUE(std::equal(sweep.found.beyond_at.begin(), sweep.found.beyond_at.end(), beyond.begin()));
+  const Sweep read = parse_state(state_text(sweep), "file");
+  EXPECT_EQ(read.identity, sweep.identity);
+  EXPECT_EQ(read.found, sweep.found);
+  EXPECT_EQ(file_of(on_device), "exhaustive-schlick-mine-exp2-3-vulkan.json");
+  EXPECT_EQ(refusal([&] {
+              merge({{"one", done({1, 2})}, {"two", done({2, 2}, on_device)}}, "0.1.0");
+            }),
+            "two is of another device: a device, its driver, not none");
+}
+
 TEST(StateFile, EveryByteThatIsChangedOrCutOffIsSeen) {
   const std::string text = state_text(done());
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -134,8 +134,8 @@ double gpu_exp2(double x, int ulps, bool is_flushed) {
   return is_flushed && y < std::numeric_limits<float>::min() ? 0.0 : static_cast<double>(y);
 }
 
-// A computed double stands for the true power: two floats from the nearest are at most 2 ulp and a half from
-// it, one is within 2.
+// A computed double stands for the true power: three floats from the nearest are at most 3 ulp and a half from
+// it, which is within 4.
 TEST(GpuArithmetic, ContainsWhatAGpuMayReturn) {
   using I = RoundedInterval<GpuArithmetic<HalfFormat>>;
   const auto half = [](double x) { return static_cast<double>(NarrowResult<HalfFormat>::rounded(x)); };
@@ -148,7 +148,7 @@ TEST(GpuArithmetic, ContainsWhatAGpuMayReturn) {
     const double separate = half(half(half(half(a * c) + b) * c)), fused = half(half(a * c + b) * c);
     contraction_matters = contraction_matters || separate != fused;
     for (const double exponent : {separate, fused}) {
-      for (const int ulps : {-1, 0, 1}) {
+      for (const int ulps : {-3, 0, 3}) {
         const double result = half(gpu_exp2(exponent, ulps, false));
         EXPECT_TRUE(contains(form, result)) << c << " " << ulps;
         if (result < 0x1p-14) {
@@ -160,13 +160,13 @@ TEST(GpuArithmetic, ContainsWhatAGpuMayReturn) {
   EXPECT_TRUE(contraction_matters);
 }
 
-TEST(GpuArithmetic, IsTwoUlpsWideAndFlushesSubnormals) {
+TEST(GpuArithmetic, IsFourUlpsWideAndFlushesSubnormals) {
   using F = RoundedInterval<GpuArithmetic<FloatFormat>>;
   const F y = exp2(F(-0.5));
   const double truth = std::exp2(-0.5), ulp = 0x1p-24;
-  EXPECT_LE(y.lower(), truth - 1.5 * ulp);
-  EXPECT_GE(y.upper(), truth + 1.5 * ulp);
-  EXPECT_GE(y.lower(), truth - 5 * ulp);  // 2 ulp of 2^-23 relative, rounded
+  EXPECT_LE(y.lower(), truth - 3.5 * ulp);
+  EXPECT_GE(y.upper(), truth + 3.5 * ulp);
+  EXPECT_GE(y.lower(), truth - 8 * ulp);  // 4 ulp of 2^-23 relative, rounded
   EXPECT_EQ(exp2(F(-130)).lower(), 0);
   EXPECT_GT(exp2(F(-130)).upper(), 0x1p-131);
   EXPECT_EQ(F(0x1p-140).lower(), 0);
@@ -177,7 +177,7 @@ TEST(GpuArithmetic, IsTwoUlpsWideAndFlushesSubnormals) {
   EXPECT_TRUE(contains(p, std::pow(0.75, 7)));
   EXPECT_TRUE(contains(l, std::log(0.75)));
   EXPECT_LT(e.upper() - e.lower(), 2e-6 * e.upper());
-  EXPECT_LT(p.upper() - p.lower(), 4e-6 * p.upper());
+  EXPECT_LT(p.upper() - p.lower(), 7e-6 * p.upper());  // mostly 2 * 7 ln 2 * 2^-21
 }
 
 }  // namespace

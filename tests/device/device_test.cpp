@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <optional>
+
+#include "bench/device/evaluator.hpp"
+#include "bench/device/form_functions.hpp"
+#include "bench/device/form_sweep.hpp"
+#include "bench/device/probe.hpp"
+#include "fit/support/user_error.hpp"
+#include "tests/device/drawn_inputs.hpp"
+
+/// What needs a driver: run once for each (tests/CMakeLists.txt), with the validation layer.
+namespace shadefit::device {
+namespace {
+
+constexpr DeviceChoice watched{.words = 3 * drawn_count, .is_watched = true};
+
+class Device : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    try {
+      if (vulkan_devices().empty()) GTEST_SKIP() << "no device of this driver can compute";
+      vulkan_.emplace(watched);
+    } catch (const UserError& error) {
+      GTEST_SKIP() << error.what();
+    }
+  }
+  void TearDown() override {
+    if (!vulkan_) return;
+    for (const std::string& message : vulkan_->messages()) ADD_FAILURE() << "validation layer: " << message;
+  }
+  VulkanDevice& vulkan() { return *vulkan_; }
+
+  /// How many results of a function leave the bounds of another, in a language.
+  std::size_t beyond(const ShaderFunction& run, ShaderLanguage language, const DrawnInputs& drawn,
+                     std::span<const double> values, std::span<const double> bounds) {
+    Evaluator evaluator(vulkan(), compiler_, run, language, Arguments::input);
+    const auto results = evaluator.of_input(drawn.arguments);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < results.size(); ++i)
+      count += is_within(std::bit_cast<float>(results[i]), values[i], bounds[drawn.box_of[i]]) ? 0 : 1;
+    return count;
+  }
+
+ private:
+  std::optional<VulkanDevice> vulkan_;
+  ShaderCompiler compiler_;
+};
+
+/// A form of the catalogue with its first set of constants.
+struct Chosen {
+  forms::Catalogue catalogue = forms::catalogue();
+  const forms::FormEntry* form;
+  const forms::Target* target;
+  explicit Chosen(std::string_view id)
+      : form(&*std::find_if(catalogue.forms.begin(), catalogue.forms.end(),
+                            [&](const auto& entry) { return entry.id == id; })),
+        target(&forms::target_of(catalogue, form->target)) {}
+};
+
+// Every float. These are the errors that `usual_gpu` and the documents state.
+TEST_F(Device, Exp2AndLog2AreAsWrongAsStatedAtMost) {
+  const GpuModel model = model_for(forms::Function::pow, vulkan());
+  EXPECT_LE(model.exp2_ulps, usual_gpu.exp2_ulps);
+  EXPECT_LE(model.log2_ulps, usual_gpu.log2_ulps);
+  EXPECT_LE(model.log2_near_one, usual_gpu.log2_near_one);
+  EXPECT_GT(model.exp2_ulps, 0.5) << "no function is better than rounded";
+  EXPECT_GT(model.log2_ulps, 0.5);
+  EXPECT_GT(model.log2_near_one, 0x1p-26);
+}
+
+TEST_F(Device, RunsEveryFormWithinTheBoundInBothLanguages) {
+  // The largest power of the catalogue is 2^11 + 1, and its logarithm is off by 2^-21.
+  constexpr double vague = 0x1p-9;
+  const forms::Catalogue catalogue = forms::catalogue();
+  std::map<forms::Arguments, DrawnInputs> drawn;
+  std::size_t forms = 0;
+  for (const FormFunction& form : form_functions(catalogue)) {
+    const forms::Arguments kind = forms::target_of(catalogue, form.target).arguments;
+    if (!drawn.contains(kind)) drawn.emplace(kind, drawn_for(kind));
+    const DrawnInputs& inputs = drawn.at(kind);
+    const std::vector<double> values = values_at(inputs, form.function);
+    const std::vector<double> bounds = bounds_of(inputs, form.function, usual_gpu);
+    EXPECT_LT(*std::max_element(bounds.begin(), bounds.end()), vague) << form.form << " " << form.constants;
+    for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::hlsl}) {
+      EXPECT_EQ(beyond(form.function, language, inputs, values, bounds), 0U)
+          << form.target << " " << form.form << " " << form.constants << " in "
+          << (language == ShaderLanguage::glsl ? "GLSL" : "HLSL");
+    }
+    ++forms;
+  }
+  EXPECT_GT(forms, 70U);
+}
+
+// Each digit of the published pair, one too large.
+TEST_F(Device, FindsAWrongDigit) {
+  const Chosen chosen("fresnel-quadratic");
+  const forms::Constants& right = chosen.form->constants.front();
+  const FormFunction form = form_function(*chosen.target, *chosen.form, right);
+  const DrawnInputs inputs = drawn_cosines();
+  const std::vector<double> values = values_at(inputs, form.function);
+  const std::vector<double> bounds = bounds_of(inputs, form.function, usual_gpu);
+  std::size_t digits = 0;
+  for (std::size_t k = 0; k < right.numbers.size(); ++k) {
+    for (std::size_t i = 0; i < right.numbers[k].printed.size(); ++i) {
+      forms::Constants wrong = right;
+      char& digit = wrong.numbers[k].printed[i];
+      if (digit < '0' || digit > '9') continue;
+      digit = digit == '9' ? '0' : static_cast<char>(digit + 1);
+      const FormFunction other = form_function(*chosen.target, *chosen.form, wrong);
+      EXPECT_GT(beyond(other.function, ShaderLanguage::glsl, inputs, values, bounds), 0U)
+          << wrong.numbers[k].printed;
+      ++digits;
+    }
+  }
+  EXPECT_GE(digits, 12U);
+}
+
+// The sweep of `bench --exhaustive`: whole stretches, several dispatches, and a bound that is too small.
+TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
+  const Chosen chosen("lobe-squarings");
+  const FormFunction form = form_function(*chosen.target, *chosen.form, chosen.form->constants.front());
+  const FormSweep sweep(VulkanDevice({}), form, usual_gpu);
+  bench::FloatSubject subject;
+  subject.truth = [](const float* in, double* out, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) out[i] = std::pow(static_cast<double>(in[i]), 16);
+  };
+  sweep.take_over(subject);
+  const bench::Stretch stretch{0x3f000000, 0x3f000000 + (1U << 20) + 7};
+  const bench::FloatErrors found = bench::errors_on(subject, stretch, 2);
+  EXPECT_EQ(found.count(), stretch.size());
+  EXPECT_EQ(found.beyond, 0U);
+  EXPECT_GT(found.max_ulps, 0U);
+  EXPECT_LT(found.max_ulps, 16U);
+  const auto bound = subject.bound;
+  subject.bound = [&](const float* in, double* middle, double* radius, std::size_t count) {
+    bound(in, middle, radius, count);
+    std::fill_n(radius, count, 0.0);
+  };
+  const bench::FloatErrors none = bench::errors_on(subject, stretch, 2);
+  EXPECT_GT(none.beyond, 100U);
+  EXPECT_TRUE(std::is_sorted(none.beyond_at.begin(), none.beyond_at.end()));
+  EXPECT_LT(none.beyond_at.back(), stretch.to);
+}
+
+TEST_F(Device, RefusesADeviceThatIsNotThere) {
+  EXPECT_THROW(VulkanDevice({.place = 99}), UserError);
+}
+
+}  // namespace
+}  // namespace shadefit::device

@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/process.hpp"
+#include "tests/temporary_directory.hpp"
+
+/// The command where there is no graphics device, or no Vulkan at all.
+namespace shadefit::testing {
+namespace {
+
+// With a driver that does not exist, with no Vulkan loader, and in a build without Vulkan alike.
+TEST(NoDevice, IsOneLineAndNothingIsWritten) {
+  const TemporaryDirectory directory;
+  const std::vector<std::vector<std::string>> commands{
+      {"bench", "--list-devices"},
+      {"bench", "--device", "vulkan", "--probe"},
+      {"bench", "--exhaustive", "schlick", "--device", "vulkan", "--out", directory.path().string()}};
+  for (const auto& command : commands) {
+    const Finished finished =
+        run_process(command, [] { ::setenv("VK_ICD_FILENAMES", "/there/is/no/driver.json", 1); });
+    EXPECT_EQ(finished.exit_code, 2) << command[1];
+    EXPECT_EQ(finished.out, "");
+    EXPECT_EQ(std::count(finished.err.begin(), finished.err.end(), '\n'), 1) << finished.err;
+    EXPECT_TRUE(finished.err.starts_with("shadefit: ")) << finished.err;
+  }
+  EXPECT_TRUE(snapshot(directory.path()).empty());
+}
+
+TEST(NoDevice, WhatDoesNotApplyToADeviceIsRefused) {
+  for (const auto& [option, value] : {std::pair("--width", "sse2"), std::pair("--exp2-degree", "3")}) {
+    const Finished finished =
+        run_process({"bench", "--exhaustive", "sg", "--device", "vulkan", option, value}, [] {});
+    EXPECT_EQ(finished.exit_code, 2);
+    EXPECT_NE(finished.err.find(option), std::string::npos) << finished.err;
+  }
+}
+
+}  // namespace
+}  // namespace shadefit::testing
