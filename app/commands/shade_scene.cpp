@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/output/draw_figures.hpp"
-#include "bench/device/measure_scene.hpp"
+#include "bench/device/scenes/measure_scene.hpp"
 #include "bench/shading/measure.hpp"
 #include "bench/shading/picture.hpp"
 #include "bench/shading/tables.hpp"

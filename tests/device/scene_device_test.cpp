@@ -9,7 +9,7 @@
 
 #include "app/commands/command_line.hpp"
 #include "approx/encoding.hpp"
-#include "bench/device/measure_scene.hpp"
+#include "bench/device/scenes/measure_scene.hpp"
 #include "reports/code/scene_code.hpp"
 #include "reports/io/files.hpp"
 #include "tests/app/refusal.hpp"

@@ -1,4 +1,4 @@
-#include "bench/device/scene_shader.hpp"
+#include "bench/device/scenes/scene_shader.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "bench/device/scene_device.hpp"
+#include "bench/device/scenes/scene_device.hpp"
 #include "bench/shading/measure.hpp"
 
 /// The times and errors of the ways to shade a scene, on a graphics device.

@@ -1,4 +1,4 @@
-#include "bench/device/scene_device.hpp"
+#include "bench/device/scenes/scene_device.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "bench/device/scene_shader.hpp"
+#include "bench/device/scenes/scene_shader.hpp"
 #include "bench/device/spirv.hpp"
 #include "bench/device/vulkan_device.hpp"
 #include "bench/shading/ways.hpp"

@@ -1,4 +1,4 @@
-#include "bench/device/measure_scene.hpp"
+#include "bench/device/scenes/measure_scene.hpp"
 
 #include <fmt/format.h>
 
