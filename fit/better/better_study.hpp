@@ -87,8 +87,8 @@ const StudyContender* least_error_at_the_same_cost(const StudyComparison& compar
 const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
                                               const StudyContender& published);
 
-/// Compares the published sets of a study with the fits of each of its forms: least squares, minimax if the
-/// target is a formula, and what the file asks for. Where the best of these loses a property of a published
+/// Compares the published sets of a study with the fits of each of its forms: least squares, minimax, and
+/// what the file asks for. Where the best of these loses a property of a published
 /// set, its form is fitted under constraints that keep them. Throws UserError for a study that cannot be
 /// read.
 StudyComparison compare_study(const StudyFile& file, const Study& study,

@@ -21,7 +21,7 @@ struct LevelRow {
 ///   sign_i error_i = level, or its held level;
 ///   sum of multiplier_i sign_i slope_i = 0, where the multipliers of the rows that are not held sum to 1.
 /// If these multipliers are >= 0, this is Kolmogorov's criterion; it is also that of Lagrange. Source: Watson
-/// 1980, "Approximation Theory and Numerical Methods", chapter 10.
+/// 1980, "Approximation Theory and Numerical Methods".
 struct PolishedLevel {
   std::vector<double> parameters;
   double level = 0;

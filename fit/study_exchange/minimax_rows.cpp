@@ -100,6 +100,7 @@ LeveledFit descend(const RowDescent& descent, const ReadStudy& study, const std:
     fit.parameters = end.at.parameters;
     result.levels.push_back(end.answer ? end.answer->level : end.at.largest);
     fit.level = result.levels.front();
+    if (std::isinf(end.at.largest)) return ended(Status::not_converged, "the form has a pole at its start");
     if (row_directions(end.at.slopes, 1).cols() < end.at.slopes.cols())
       return ended(Status::degenerate, "the parameters do not move the error independently");
     if (!end.answer) return ended(Status::not_converged, end.why);

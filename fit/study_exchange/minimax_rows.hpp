@@ -17,7 +17,7 @@ namespace shadefit {
 /// Often a few rows alone determine the level, and leave some parameters open: those of a single roughness,
 /// or two that the form cannot tell apart. Then these rows stay at their level, and the largest error of the
 /// others is made least, and so on, until all parameters are determined. Source: the strict approximation of
-/// Rice 1963, "Tchebycheff approximation in a compact metric space", Bulletin of the AMS 68; of finite sets,
+/// Rice 1962, "Tchebycheff approximation in a compact metric space", Bulletin of the AMS 68; of finite sets,
 /// Descloux 1963, "Approximations in L^p and Chebyshev approximations", SIAM Journal 11. `touching` has the
 /// rows of all levels.
 StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& starts,

@@ -126,9 +126,10 @@ double RowDescent::rounding(const RowErrors& at) const {
 RowErrors RowDescent::errors_at(const std::vector<double>& parameters, const RowStage& stage) const {
   RowErrors result{parameters, {}, {}};
   sampled_.errors(parameters, result.errors, &result.slopes);
+  const double slack = rounding(result);
   for (std::size_t i = 0; i < stage.ceilings.size(); ++i) {
     const double size = std::abs(result.errors[static_cast<Eigen::Index>(i)]);
-    const bool is_over = size > stage.ceilings[i] * (1 + same_level) + rounding(result);
+    const bool is_over = size > stage.ceilings[i] * (1 + same_level) + slack;
     if (is_over) result.largest = HUGE_VAL;
     if (stage.counts(i)) result.largest = std::max(result.largest, size);
   }
