@@ -55,20 +55,27 @@ class SiteJudge {
     return numbers;
   }
 
-  /// The number that stands in place of a constant, near the others.
+  /// The number that stands in place of a constant, the nearest to the others.
   void add_replaced(std::size_t constant, double value, std::vector<JudgedNumber>& numbers) const {
     constexpr std::size_t near = 8;
     const std::size_t first = site_.numbers.front().literal, last = site_.numbers.back().literal;
+    // In bytes.
+    const auto distance = [&](std::size_t i) {
+      return i < first ? literals_[first].offset - literals_[i].offset
+                       : literals_[i].offset - literals_[std::min(i, last)].offset;
+    };
+    std::optional<std::size_t> nearest;
     for (std::size_t i = first - std::min(first, near); i < std::min(literals_.size(), last + near); ++i) {
-      const Literal& literal = literals_[i];
       const bool is_taken = std::any_of(numbers.begin(), numbers.end(), [&](const JudgedNumber& number) {
-        return number.offset == literal.offset;
+        return number.offset == literals_[i].offset;
       });
-      if (is_taken || number_of(digits_of(text_, literal)) != value) continue;
-      numbers.push_back(
-          {literal.offset, literal.length, constant, grade_of_other(set_.constants[constant], value)});
-      break;
+      if (is_taken || number_of(digits_of(text_, literals_[i])) != value) continue;
+      if (!nearest || distance(i) < distance(*nearest)) nearest = i;
     }
+    if (!nearest) return;
+    const Literal& literal = literals_[*nearest];
+    numbers.push_back(
+        {literal.offset, literal.length, constant, grade_of_other(set_.constants[constant], value)});
     std::sort(numbers.begin(), numbers.end(),
               [](const JudgedNumber& a, const JudgedNumber& b) { return a.offset < b.offset; });
   }

@@ -230,6 +230,17 @@ TEST(Grade, FewerDigitsAreTruncated) {
   EXPECT_EQ(grade_of_other({"b", "-0.00232", -0.00232}, -0.0025), Grade::typo);
 }
 
+TEST(Grade, AReplacedNumberIsTheNearest) {
+  const std::string line = "float f(float c) { return exp2((-5.55473 * c - 6.99) * c); }\n";
+  const std::vector<LintedSite> sites = lint_glsl(line + line);
+  ASSERT_EQ(sites.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(sites[i].numbers.size(), 2u);
+    EXPECT_EQ(sites[i].begin.line, static_cast<long>(i) + 1);
+    EXPECT_EQ(sites[i].end.line, static_cast<long>(i) + 1);
+  }
+}
+
 TEST(Grade, AReplacedValueIsOutdatedWithItsReason) {
   const auto sites =
       lint_glsl("float f(float u) { return u <= 0.03928 ? u/12.92 : pow((u + 0.055)/1.055, 2.4); }");
