@@ -25,10 +25,11 @@ std::string name_of_clock(const DeviceInfo& info) {
 }
 
 double seconds_of_dispatch(const DeviceInfo& info, const std::function<double()>& dispatch) {
-  if (!is_the_cpu(info)) return dispatch();
+  constexpr double least = 1e-6;
+  if (!is_the_cpu(info)) return std::max(dispatch(), least);
   const double before = process_seconds();
   dispatch();
-  return (process_seconds() - before) / std::max(std::thread::hardware_concurrency(), 1U);
+  return std::max((process_seconds() - before) / std::max(std::thread::hardware_concurrency(), 1U), least);
 }
 
 }  // namespace shadefit::device

@@ -221,8 +221,25 @@ TEST_P(TimesOnDriver, AStudyHasTimesToo) {
   const Outcome outcome = run_command_line(
       {"bench", "--device", "vulkan", "--quick", "--no-plots", "acos-linear", "--out", out}, keep_going);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("the target: acos(x)"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("linear, minimax"), std::string::npos) << outcome.out;
+  const std::string csv = testing::snapshot(out).at("bench.csv");
+  for (const char* row :
+       {"\nacos-linear,target,,", "\nacos-linear,linear,minimax,", "\nacos-linear,quadratic,"})
+    EXPECT_NE(csv.find(row), std::string::npos) << row << csv;
+}
+
+// Its errors are those of exact arithmetic, which say nothing of half.
+TEST_P(TimesOnDriver, AStudyOfRowsHasErrorsInFloatAlone) {
+  const testing::TemporaryDirectory directory;
+  const std::string out = directory / "out";
+  const Outcome outcome = run_command_line(
+      {"bench", "--device", "vulkan", "--quick", "--no-plots", "three-sheen", "--out", out}, keep_going);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const CsvTable csv = parse_csv(testing::snapshot(out).at("bench.csv"), "bench.csv");
+  constexpr std::size_t target = 0, precision = 4, error = 11;
+  for (const auto& row : csv.rows) {
+    if (row[target].empty()) continue;
+    EXPECT_EQ(row[error].empty(), row[precision] == "half") << row[precision];
+  }
 }
 
 TEST_P(TimesOnDriver, ADeviceThatIsNotThereIsOneLine) {

@@ -20,7 +20,8 @@ struct DeviceTarget {
   bench::TimedTarget heading;
   std::vector<Range> ranges;  ///< of its arguments
   Places places;              ///< where its forms are compared with it
-  /// The target in double at these places or at others. Empty: the rows have their errors already.
+  /// The target in double at these places or at others. Empty: the rows have their errors already, those of
+  /// exact arithmetic.
   std::function<std::vector<double>(const Places&)> truth;
 };
 

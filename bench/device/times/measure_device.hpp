@@ -1,31 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 
 #include "bench/device/times/device_forms.hpp"
+#include "bench/device/times/programme.hpp"
 #include "bench/device/vulkan_device.hpp"
-#include "bench/timing/timing.hpp"
 #include "bench/tradeoff/trade.hpp"
 
 /// Times and errors of forms on a device.
 namespace shadefit::device {
-
-struct DevicePlan {
-  bench::TimingPlan timing;    ///< its seconds are those that a dispatch should take at least
-  std::uint32_t copied_words;  ///< words of the copy: more than a device's caches hold, where time allows it
-};
-
-/// Of a whole bench and of a quick one. Where the device is the CPU, other programs disturb some dispatches:
-/// many short ones have a better median than few long ones. A copy writes 64 MiB: the last cache of a large
-/// GPU has 50 MiB.
-inline constexpr DevicePlan full_device_plan{{41, 2e-3}, 1U << 24}, quick_device_plan{{9, 1e-3}, 1U << 20};
-
-/// The least number of turns, by powers of two, with which a dispatch takes at least `seconds`; or `most`.
-/// `run` dispatches that many turns and returns its seconds. From one turn on their number is doubled: no
-/// dispatch takes much longer than twice `seconds`, or than one turn.
-std::uint32_t turns_that_take(double seconds, std::uint32_t most,
-                              const std::function<double(std::uint32_t)>& run);
 
 /// The largest |value - truth|, or infinity if a value is no number.
 double largest_error(std::span<const float> values, std::span<const double> truth);
