@@ -43,9 +43,11 @@ double FormBound::on(std::span<const Domain> box) {
   for (const Domain& side : box)
     arguments.push_back(RunningFloat::exact(span_of(side.lower, side.upper), &gpu_));
   program_.run(arguments);
-  // The real value in double is off by some 2^-50 of its largest part; a bound is at least 2^-25 of that.
-  constexpr double slack = 1 + 0x1p-20;
-  return program_.output(0).error * slack;
+  const RunningFloat& form = program_.output(0);
+  // The real value in double is off by some 2^-50 of it, or by 2^-45 where an exponent of a hundred is. That
+  // is far below an ulp of a float, 2^-23, but enclosures may know the rounding of a single float exactly.
+  constexpr double slack = 0x1p-40;
+  return form.error + slack * largest_magnitude_in(form.computed);
 }
 
 std::vector<std::uint32_t> unit_panels() {

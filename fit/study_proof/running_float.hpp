@@ -36,13 +36,21 @@ struct RunningFloat {
   /// A number that is rounded to the nearest float before the program runs.
   static RunningFloat rounded_number(const Interval& value) { return rounded(value, value, Interval(0)); }
 
+  /// How an operation rounds.
+  enum class Rounds {
+    to_nearest,  ///< to the nearest float
+    within,      ///< to a float within the relative error
+  };
+
   /// An operation with true results in `value`; those of the computed operands lie in `result`, and differ
   /// by at most `inherited` before they are rounded, by a relative error.
   static RunningFloat rounded(const Interval& value, const Interval& result, const Interval& inherited,
-                              const GpuModel* gpu = nullptr, double relative = half_ulp) {
+                              const GpuModel* gpu = nullptr, Rounds rounds = Rounds::to_nearest,
+                              double relative = half_ulp) {
     const Interval rounding = Interval(largest_magnitude_in(result)) * Interval(relative) +
                               Interval(gpu == nullptr ? half_least : least_normal);
-    const Interval off = relative == half_ulp ? result : span_of(widened_by_gpu(ends(result), relative));
+    const bool is_nearest = rounds == Rounds::to_nearest;
+    const Interval off = is_nearest ? result : span_of(widened_by_gpu(ends(result), relative));
     return enclosed(value, with_flushed(to_float(off), gpu),
                     largest_magnitude_in(Interval(inherited + rounding)), gpu);
   }
@@ -84,11 +92,12 @@ struct RunningFloat {
   }
   friend RunningFloat operator-(const RunningFloat& a) { return {-a.value, -a.computed, a.error, a.gpu}; }
   friend RunningFloat operator-(const RunningFloat& a, const RunningFloat& b) { return a + -b; }
-  /// a' b' - a b = a' (b' - b) + (a' - a) b.
+  /// a' b' - a b = a' (b' - b) + (a' - a) b. The compiler of a GPU may regroup a product of three (Mesa moves
+  /// numbers inward), so a single product need not be the nearest float; its error of half an ulp remains.
   friend RunningFloat operator*(const RunningFloat& a, const RunningFloat& b) {
     const Interval x(largest_magnitude_in(a.computed)), y(largest_magnitude_in(b.value));
     return rounded(a.value * b.value, a.computed * b.computed, x * Interval(b.error) + Interval(a.error) * y,
-                   gpu_of(a, b));
+                   gpu_of(a, b), gpu_of(a, b) == nullptr ? Rounds::to_nearest : Rounds::within);
   }
   /// a'/b' - a/b = ((a' - a) - (b' - b) a/b)/b'.
   friend RunningFloat operator/(const RunningFloat& a, const RunningFloat& b) {
@@ -96,8 +105,9 @@ struct RunningFloat {
     const Interval inherited =
         (Interval(a.error) + Interval(b.error) * Interval(largest_magnitude_in(quotient))) / least;
     const GpuModel* const on = gpu_of(a, b);
-    return rounded(quotient, a.computed / b.computed, inherited, on,
-                   on == nullptr ? half_ulp : on->quotient_ulps * float_ulp);
+    if (on == nullptr) return rounded(quotient, a.computed / b.computed, inherited);
+    return rounded(quotient, a.computed / b.computed, inherited, on, Rounds::within,
+                   on->quotient_ulps * float_ulp);
   }
 
  private:
@@ -158,7 +168,7 @@ struct Scalar<RunningFloat> {
     const Interval inherited = T::effect(one() / (Interval(2) * shadefit::sqrt(x.both())), x.error);
     if (x.gpu == nullptr) return T::rounded(shadefit::sqrt(x.value), shadefit::sqrt(x.computed), inherited);
     return T::rounded(shadefit::sqrt(x.value), shadefit::sqrt(x.computed), inherited, x.gpu,
-                      x.gpu->root_ulps * float_ulp);
+                      T::Rounds::within, x.gpu->root_ulps * float_ulp);
   }
   static T sin(const T& x) { return of(shadefit::sin, x, shadefit::cos(x.both())); }
   static T cos(const T& x) { return of(shadefit::cos, x, shadefit::sin(x.both())); }

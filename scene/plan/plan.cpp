@@ -192,7 +192,7 @@ class Planner {
     decide_exp2(chosen.form, left_ - chosen.error - chosen.rounding);
     const bool is_float = plan_.wanted.precision == PixelPrecision::float32;
     decide("rounding", Treatment::keep, std::string(name(plan_.wanted.precision)),
-           is_float ? "each operation by 2^-24, exp2 and log2 by four times that"
+           is_float ? "each operation by 2^-24, exp2 and log2 by eight times that"
                     : "each operation by 2^-11, exp2 and log2 too; powers up to 65504",
            chosen.rounding);
   }

@@ -1,7 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 #include <optional>
+#include <string>
 
 #include "bench/device/evaluator.hpp"
 #include "bench/device/form_functions.hpp"
@@ -32,15 +34,23 @@ class Device : public ::testing::Test {
   }
   VulkanDevice& vulkan() { return *vulkan_; }
 
-  /// How many results of a function leave the bounds of another, in a language.
-  std::size_t beyond(const ShaderFunction& run, ShaderLanguage language, const DrawnInputs& drawn,
+  /// The results of a function, in a language, that leave the bounds of another: how many, and the first of
+  /// them; empty if there is none.
+  std::string beyond(const ShaderFunction& run, ShaderLanguage language, const DrawnInputs& drawn,
                      std::span<const double> values, std::span<const double> bounds) {
     Evaluator evaluator(vulkan(), compiler_, run, language, Arguments::input);
     const auto results = evaluator.of_input(drawn.arguments);
     std::size_t count = 0;
-    for (std::size_t i = 0; i < results.size(); ++i)
-      count += is_within(std::bit_cast<float>(results[i]), values[i], bounds[drawn.box_of[i]]) ? 0 : 1;
-    return count;
+    std::string first;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const auto result = std::bit_cast<float>(results[i]);
+      const double bound = bounds[drawn.box_of[i]];
+      if (is_within(result, values[i], bound) || count++ > 0) continue;
+      first = fmt::format(" of {}: {} instead of {}, bound {}, at", results.size(), result, values[i], bound);
+      for (std::size_t k = 0; k < run.arguments.size(); ++k)
+        first += fmt::format(" {}", drawn.arguments[i * run.arguments.size() + k]);
+    }
+    return count == 0 ? "" : fmt::format("{}{}", count, first);
   }
 
  private:
@@ -71,8 +81,9 @@ TEST_F(Device, Exp2AndLog2AreAsWrongAsStatedAtMost) {
 }
 
 TEST_F(Device, RunsEveryFormWithinTheBoundInBothLanguages) {
-  // The largest power of the catalogue is 2^11 + 1, and its logarithm is off by 2^-21.
-  constexpr double vague = 0x1p-9;
+  // exp2(A c - A) has the largest bound: A is up to 2^11/ln 2, and each of its two is off by up to 2^-19 of
+  // itself.
+  constexpr double vague = 0x1p-7;
   const forms::Catalogue catalogue = forms::catalogue();
   std::map<forms::Arguments, DrawnInputs> drawn;
   std::size_t forms = 0;
@@ -82,9 +93,13 @@ TEST_F(Device, RunsEveryFormWithinTheBoundInBothLanguages) {
     const DrawnInputs& inputs = drawn.at(kind);
     const std::vector<double> values = values_at(inputs, form.function);
     const std::vector<double> bounds = bounds_of(inputs, form.function, usual_gpu);
-    EXPECT_LT(*std::max_element(bounds.begin(), bounds.end()), vague) << form.form << " " << form.constants;
+    // log2 of 0, or of a subnormal number that is flushed to 0, is no number that a bound could have.
+    const auto is_vague = [](double bound) { return bound > vague; };
+    const bool has_log2_of_zero = form.form == "lobe-exp2-log2";
+    EXPECT_EQ(std::count_if(bounds.begin(), bounds.end(), is_vague), has_log2_of_zero ? 2 : 0)
+        << form.form << " " << form.constants;
     for (const ShaderLanguage language : {ShaderLanguage::glsl, ShaderLanguage::hlsl}) {
-      EXPECT_EQ(beyond(form.function, language, inputs, values, bounds), 0U)
+      EXPECT_EQ(beyond(form.function, language, inputs, values, bounds), "")
           << form.target << " " << form.form << " " << form.constants << " in "
           << (language == ShaderLanguage::glsl ? "GLSL" : "HLSL");
     }
@@ -109,7 +124,7 @@ TEST_F(Device, FindsAWrongDigit) {
       if (digit < '0' || digit > '9') continue;
       digit = digit == '9' ? '0' : static_cast<char>(digit + 1);
       const FormFunction other = form_function(*chosen.target, *chosen.form, wrong);
-      EXPECT_GT(beyond(other.function, ShaderLanguage::glsl, inputs, values, bounds), 0U)
+      EXPECT_NE(beyond(other.function, ShaderLanguage::glsl, inputs, values, bounds), "")
           << wrong.numbers[k].printed;
       ++digits;
     }

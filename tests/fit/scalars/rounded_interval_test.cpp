@@ -134,8 +134,8 @@ double gpu_exp2(double x, int ulps, bool is_flushed) {
   return is_flushed && y < std::numeric_limits<float>::min() ? 0.0 : static_cast<double>(y);
 }
 
-// A computed double stands for the true power: three floats from the nearest are at most 3 ulp and a half from
-// it, which is within 4.
+// A computed double stands for the true power: three floats from the nearest are at most 3 ulp and a half
+// from it, which is within 4.
 TEST(GpuArithmetic, ContainsWhatAGpuMayReturn) {
   using I = RoundedInterval<GpuArithmetic<HalfFormat>>;
   const auto half = [](double x) { return static_cast<double>(NarrowResult<HalfFormat>::rounded(x)); };
