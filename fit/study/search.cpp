@@ -86,8 +86,8 @@ class Descents {
   Descents(const StudyError& error, const SampledStudy<double>& sampled, const Checkpoint& checkpoint)
       : problem_(error, sampled), residuals_(problem_.NumResiduals()), checkpoint_(checkpoint) {
     solver_.options.parameter_tolerance = 1e-10;
-    // A smaller change of the sum of squares is rounding, or is left to Newton's method: it moves the errors by
-    // less than 1e-9 of the target.
+    // A smaller change of the sum of squares is rounding, or is left to Newton's method: it moves the errors
+    // by less than 1e-9 of the target.
     solver_.options.function_tolerance = 1e-18 * sampled.target_norm() * sampled.target_norm();
     solver_.options.gradient_tolerance = 0;
     solver_.options.cost_threshold = 0;
