@@ -96,8 +96,14 @@ void Contacts::find_tangents() {
 
 Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
   constexpr int most_newton_steps = 60;
+  // Where a parameter alone is the value, it falls by the rounding of 1 in each step and never becomes 0; two
+  // steps are enough, before squares of it underflow.
+  constexpr double nothing = 1e-30;
+  double first = 0;
   for (int i = 0; i < most_newton_steps; ++i) {
     const Contact c = contact(Touch::exact, place);
+    if (i == 0) first = std::abs(c.value);
+    if (i > 0 && std::abs(c.value) < nothing * first) return CanBe::exact;
     double square = 0;
     for (std::size_t j = 0; j < problem_.size; ++j) {
       const double scaled = c.gradient[j] * parameters[j];

@@ -48,14 +48,14 @@ bool has_same_bits(const std::vector<TwoLanes>& a, const std::vector<TwoLanes>& 
 
 std::vector<TwoLanes> sums_of(const WideLoops& loops, const std::vector<std::vector<TwoLanes>>& columns,
                               const std::vector<TwoLanes>& weights) {
-  std::vector<const TwoLanes*> begins;
-  for (const auto& column : columns) begins.push_back(column.data());
-  std::vector<TwoLanes> sums(begins.size() * (begins.size() + 1) / 2 * WideLoops::group, TwoLanes(0));
+  std::vector<const TwoLanes*> firsts;
+  for (const auto& column : columns) firsts.push_back(column.data());
+  std::vector<TwoLanes> sums(firsts.size() * (firsts.size() + 1) / 2 * WideLoops::group, TwoLanes(0));
   // In two calls, the second with fewer groups.
   constexpr std::size_t first = groups - 3, skipped = first * WideLoops::group;
-  loops.add_products(weights.data(), begins, sums.data(), first);
-  for (const TwoLanes*& begin : begins) begin += skipped;
-  loops.add_products(weights.data() + skipped, begins, sums.data(), groups - first);
+  loops.add_products(weights.data(), firsts, sums.data(), first);
+  for (const TwoLanes*& first_pack : firsts) first_pack += skipped;
+  loops.add_products(weights.data() + skipped, firsts, sums.data(), groups - first);
   return sums;
 }
 
