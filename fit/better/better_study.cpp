@@ -1,6 +1,7 @@
 #include "fit/better/better_study.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "approx/scalar.hpp"
@@ -126,6 +127,20 @@ void append_fits(StudyComparison& comparison, const StudyFile& file, const Study
     append_fit(comparison, file, form, objective, checkpoint);
 }
 
+/// Whether a contender stands before another: by its error, and of equal errors the one of fewer
+/// instructions. Two forms of the same curve have the same error but for the last digits of its search, so
+/// digits beyond the ninth do not count.
+bool comes_before(const StudyContender& a, const StudyContender& b) {
+  constexpr int bits = 30;
+  const auto rounded = [](double error) {
+    int exponent = 0;
+    const double significand = std::frexp(error, &exponent);
+    return std::ldexp(std::round(std::ldexp(significand, bits)), exponent - bits);
+  };
+  const double of_a = rounded(a.max_error.magnitude), of_b = rounded(b.max_error.magnitude);
+  return of_a != of_b ? of_a < of_b : a.operations.total() < b.operations.total();
+}
+
 /// The fit with the smallest error that costs no more than a published contender; of those that have its
 /// properties, or of all.
 const StudyContender* best_at_the_same_cost(const StudyComparison& comparison,
@@ -139,8 +154,7 @@ const StudyContender* best_at_the_same_cost(const StudyComparison& comparison,
         contender.max_error.magnitude < worth * published.max_error.magnitude &&
         contender.rms_error <= most_rms * published.rms_error &&
         (!keeps_properties || lost_properties(published.properties, contender.properties).empty());
-    if (is_candidate && (best == nullptr || contender.max_error.magnitude < best->max_error.magnitude))
-      best = &contender;
+    if (is_candidate && (best == nullptr || comes_before(contender, *best))) best = &contender;
   }
   return best;
 }
@@ -220,11 +234,11 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
     }
   }
   auto& contenders = comparison.contenders;
-  std::stable_sort(
-      contenders.begin(), contenders.end(), [](const StudyContender& a, const StudyContender& b) {
-        const bool is_first = a.published != nullptr, is_other_first = b.published != nullptr;
-        return is_first != is_other_first ? is_first : a.max_error.magnitude < b.max_error.magnitude;
-      });
+  std::stable_sort(contenders.begin(), contenders.end(),
+                   [](const StudyContender& a, const StudyContender& b) {
+                     const bool is_first = a.published != nullptr, is_other_first = b.published != nullptr;
+                     return is_first != is_other_first ? is_first : comes_before(a, b);
+                   });
   for (StudyContender& contender : contenders) {
     for (std::size_t i = 0; i < contenders.size(); ++i) {
       if (contenders[i].published != nullptr && is_better(contender, contenders[i]))
