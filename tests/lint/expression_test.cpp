@@ -117,10 +117,15 @@ std::set<std::string> mutants(const std::string& formula) {
 
 TEST(Mutants, HaveEachKindOfSlip) {
   EXPECT_TRUE(mutants("a + b").count("a - b"));
-  EXPECT_TRUE(mutants("a + b").count("a"));            // a lost term
-  EXPECT_TRUE(mutants("a - b").count("b - a"));        // swapped operands
-  EXPECT_TRUE(mutants("a (b + c)").count("a b + c"));  // lost parentheses
-  EXPECT_TRUE(mutants("a x + c").count("a (x + c)"));  // moved ones
+  EXPECT_TRUE(mutants("a + b").count("a"));                    // a lost term
+  EXPECT_TRUE(mutants("a - b").count("b - a"));                // swapped operands
+  EXPECT_TRUE(mutants("a (b + c)").count("a b + c"));          // lost parentheses
+  EXPECT_TRUE(mutants("a x + c").count("a (x + c)"));          // moved ones
+  EXPECT_TRUE(mutants("a exp(x) - b").count("exp(a x) - b"));  // an operand moved into the argument
+  EXPECT_TRUE(mutants("b - a sqrt(x)").count("b - sqrt(a x)"));
+  EXPECT_TRUE(mutants("exp(x) - b").count("exp(x - b)"));
+  EXPECT_TRUE(mutants("exp((x + b)/a)").count("exp(x + b)/a"));  // and out of it
+  EXPECT_TRUE(mutants("(x - b)^2").count("x^2 - b"));
   EXPECT_TRUE(mutants("exp(x)").count("exp2(x)"));
   EXPECT_TRUE(mutants("a/b").count("a b"));
   EXPECT_TRUE(mutants("x^5").count("x^4"));
@@ -129,6 +134,7 @@ TEST(Mutants, HaveEachKindOfSlip) {
   // A factor that is a number may stand elsewhere.
   EXPECT_FALSE(mutants("(a + b)/(4 pi)").count("a + b"));
   EXPECT_FALSE(mutants("2 (a + b)").count("a + b"));
+  EXPECT_FALSE(mutants("exp(2 x)").count("2 exp(x)"));
 }
 
 std::vector<LintedSite> lint_formula(const std::string& text) {
@@ -141,6 +147,19 @@ TEST(MatchExpression, TellsTheSlip) {
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_EQ(sites.front().grade, Grade::wrong);
   EXPECT_NE(sites.front().slip.find(" for "), std::string::npos);
+}
+
+TEST(MatchExpression, ABranchMayHaveTheSlip) {
+  const std::string line = "float f(float x) { if (x <= 0.0031308) return x * 12.92;\nreturn ";
+  const auto grade = [&](const std::string& power) {
+    const auto sites = lint_formula(line + power + "; }");
+    return sites.size() == 1 ? std::string(name(sites.front().grade)) : "none";
+  };
+  EXPECT_EQ(grade("pow(x, 1.0 / 2.4) * 1.055 - 0.055"), "right");
+  EXPECT_EQ(grade("pow(x * 1.055, 1.0 / 2.4) - 0.055"), "wrong");
+  EXPECT_EQ(grade("pow(x, 2.4) * 1.055 - 0.055"), "wrong");
+  // A part of the branch is no slip: the rest may stand elsewhere.
+  EXPECT_EQ(grade("offset(pow(x, 1.0 / 2.4) * 1.055, 0.055)"), "right");
 }
 
 TEST(MatchExpression, ATermThatMattersOnlyAtAnEndIsMissed) {
