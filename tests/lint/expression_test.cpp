@@ -47,6 +47,17 @@ TEST(ReadExpression, AVectorOfEqualComponentsIsANumber) {
   EXPECT_TRUE(std::isnan(at_point_three("x + vec3(0.055, 0.055, 0.05)")));
 }
 
+TEST(ReadExpression, AMaskChoosesAsAComparisonDoes) {
+  for (const char* text : {"mix(x, x * x, vec3(lessThanEqual(x, vec3(0.3))))",
+                           "mix(x, x*x, greaterThan(x, 0.1))", "select(x < 0.5, x * x, x)",
+                           "np.where(x >= 0.3, x**2, x)", "select(vec3f(x), x * x, x <= vec3f(0.3))"})
+    EXPECT_NEAR(at_point_three(text), 0.09, rounding) << text;
+  EXPECT_NEAR(at_point_three("mix(x, x * x, lessThan(x, vec3(0.2)))"), 0.3, rounding);
+  EXPECT_NEAR(at_point_three("select(x * x, x, x < 0.2)"), 0.09, rounding);
+  // Either order: a name, as any other call.
+  EXPECT_NEAR(at_point_three("select(x, x * x, is_dark)"), 0.3, rounding);
+}
+
 TEST(ReadExpression, ASignMayFollowAnOperator) {
   EXPECT_NEAR(at_point_three("1.5 + -0.5 * x"), 1.35, rounding);
   EXPECT_NEAR(at_point_three("1.5 - -x"), 1.8, rounding);
@@ -160,6 +171,18 @@ TEST(MatchExpression, ABranchMayHaveTheSlip) {
   EXPECT_EQ(grade("pow(x, 2.4) * 1.055 - 0.055"), "wrong");
   // A part of the branch is no slip: the rest may stand elsewhere.
   EXPECT_EQ(grade("offset(pow(x, 1.0 / 2.4) * 1.055, 0.055)"), "right");
+}
+
+TEST(MatchExpression, AMaskMayHaveTheWrongThreshold) {
+  const auto grade = [](const std::string& threshold) {
+    const auto sites = lint_formula(
+        "vec3 f(vec3 u) { return mix(pow((u + vec3(0.055)) * (1.0 / 1.055), vec3(2.4)), u * (1.0 / 12.92),\n"
+        "lessThan(u, vec3(" +
+        threshold + "))); }");
+    return sites.size() == 1 ? std::string(name(sites.front().grade)) : "none";
+  };
+  EXPECT_EQ(grade("0.04045"), "right");
+  EXPECT_EQ(grade("0.0031308"), "wrong");
 }
 
 TEST(MatchExpression, ATermThatMattersOnlyAtAnEndIsMissed) {

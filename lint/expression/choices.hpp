@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Calls of programs that choose between values.
+namespace shadefit::lint {
+
+/// The arguments of a call, without the blanks around.
+std::vector<std::string_view> arguments_in(std::string_view list);
+
+/// A call that compares or chooses, as a choice of formulas: lessThan(a, b) is 1 or 0, as a mask of mix() is;
+/// select(x < t, a, b) is x < t ? a : b, and so is select(b, a, x < t) of WGSL. Empty for other calls.
+std::optional<std::string> choice_of(std::string_view function, std::string_view arguments);
+
+}  // namespace shadefit::lint
