@@ -5,7 +5,7 @@
 
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/scalars/shader_calls.hpp"
-#include "lint/expression/choices.hpp"
+#include "lint/expression/calls.hpp"
 #include "lint/expression/usual_names.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/scan/literals.hpp"
@@ -210,8 +210,8 @@ class Rewriter {
     }
     const auto inside = group('(', ')');
     if (!inside) return false;
-    if (const auto choice = choice_of(path, *inside)) {
-      text_.replace(open + 1, inside->size(), *choice);
+    if (const auto formula = call_as_formula(path, *inside)) {
+      text_.replace(open + 1, inside->size(), *formula);
       at_ = open;  // the parentheses stay
     } else {
       name(path + "(" + *inside + ")");

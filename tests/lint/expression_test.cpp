@@ -58,6 +58,22 @@ TEST(ReadExpression, AMaskChoosesAsAComparisonDoes) {
   EXPECT_NEAR(at_point_three("select(x, x * x, is_dark)"), 0.3, rounding);
 }
 
+TEST(ReadExpression, AProductWithAVectorIsASum) {
+  const auto value = [](std::string_view text) {
+    const auto formula = read_expression(text, CommentStyle::c);
+    if (!formula) return std::nan("");
+    return evaluate<double>(*formula, [](const std::string& name) {
+      return name.starts_with("first") ? 1.0 : name.starts_with("second") ? 10.0 : 100.0;
+    });
+  };
+  for (const char* text : {"dot(c, vec3(1, 2, 3))", "dot(float3(1.0, 2.0, 3.0), texture(a, uv).rgb)",
+                           "dot(vec3<f32>(1, 2, 3), pow(c, vec3(2.2)))", "np.dot(rgb[0:3], [1, 2, 3])"})
+    EXPECT_EQ(value(text), 321) << text;
+  // A name, as any other call.
+  for (const char* text : {"dot(n, l)", "dot(c, vec2(1, 2))", "dot(c, f(1, 2, 3))"})
+    EXPECT_EQ(value(text), 100) << text;
+}
+
 TEST(ReadExpression, ASignMayFollowAnOperator) {
   EXPECT_NEAR(at_point_three("1.5 + -0.5 * x"), 1.35, rounding);
   EXPECT_NEAR(at_point_three("1.5 - -x"), 1.8, rounding);
@@ -183,6 +199,24 @@ TEST(MatchExpression, AMaskMayHaveTheWrongThreshold) {
   };
   EXPECT_EQ(grade("0.04045"), "right");
   EXPECT_EQ(grade("0.0031308"), "wrong");
+}
+
+TEST(MatchExpression, AProductOfVectorsIsRead) {
+  const auto grade = [](const std::string& weights) {
+    const auto sites = lint_formula("float f(vec3 c) { return dot(c, vec3(" + weights + ")); }");
+    return sites.size() == 1 ? std::string(name(sites.front().grade)) : "none";
+  };
+  EXPECT_EQ(grade("0.299, 0.587, 0.114"), "right");
+  EXPECT_EQ(grade("0.299, 0.587, 0.144"), "wrong");
+  EXPECT_EQ(grade("0.212, 0.715, 0.072"), "truncated");
+  EXPECT_EQ(grade("0.701, -0.587, -0.114"), "none");  // R - Y
+}
+
+TEST(MatchExpression, AVariableAtItsEndTellsNothing) {
+  // With g = 0 this would be a sum of two terms with 0.71518 for 0.0722.
+  const auto sites = lint_formula(
+      "float a = c.r * 0.21260 + c.g * 0.71518 + c.b * 0.07222;\nfloat b = max(a > d ? e : a, 0.0);\n");
+  EXPECT_TRUE(sites.empty());
 }
 
 TEST(MatchExpression, ATermThatMattersOnlyAtAnEndIsMissed) {
