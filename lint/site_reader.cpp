@@ -1,6 +1,7 @@
 #include "lint/site_reader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -16,6 +17,9 @@ namespace {
 /// some 100 slips of some 100 forms fit by chance is 13, and the median form has 6 operations, a bit for
 /// each.
 constexpr double bits_for_a_slip = 13 + 6;
+
+/// The places of the two branches among the parts of a choice.
+constexpr std::array<std::size_t, 2> branches{2, 3};
 
 std::vector<std::size_t> missing_constants(const KnownSet& set, const Site& site) {
   std::vector<std::size_t> missing;
@@ -54,20 +58,24 @@ std::optional<ExpressionMatch> SiteReader::read() const {
       continue;
     }
     if (match->slip.empty()) return match;
-    // A comment may tell its formula in halves.
-    if (!slip && !first.is_in_comment && site_.numbers.size() > 1 &&
-        site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip)
-      slip = std::move(match);
+    if (!slip && believes_slips()) slip = std::move(match);
   }
-  return slip ? slip : core;
+  if (slip) return slip;
+  return core ? core : slip_of_branch();
+}
+
+/// A comment may tell its formula in halves.
+bool SiteReader::believes_slips() const {
+  return !literals_[site_.numbers.front().literal].is_in_comment && site_.numbers.size() > 1 &&
+         site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
 }
 
 Reading SiteReader::reading() const {
   const std::size_t count = site_.numbers.size();
   if (const auto match = read(); match && match->slip.empty() && !match->is_core)
     return {Reading::Part::form, count + (match->replaced ? 1 : 0)};
-  const bool has_branch = set_.formula.kind() == Symbolic::Kind::choice &&
-                          (reads_branch(set_.formula.part(2)) || reads_branch(set_.formula.part(3)));
+  const bool has_branch =
+      std::any_of(branches.begin(), branches.end(), [&](std::size_t part) { return reads_branch(part); });
   return {has_branch ? Reading::Part::branch : Reading::Part::nothing, count};
 }
 
@@ -88,26 +96,53 @@ std::vector<Symbolic> SiteReader::expressions(const Literal& first, const Litera
   return found;
 }
 
-/// Whether the text around the constants of one branch of the form computes it: pow((u + a)/b, p). Simpler
-/// branches, such as u/s, are in many formulas.
-bool SiteReader::reads_branch(const Symbolic& branch) const {
+/// The constants of one branch, and the text around them. Empty if the form is no choice, or if the branch is
+/// as simple as u/s: that is in many formulas.
+std::optional<SiteReader::Branch> SiteReader::branch(std::size_t part) const {
   constexpr std::size_t least_constants = 2;
-  std::vector<const SiteNumber*> there;
-  std::vector<double> numbers;
-  const std::set<std::string> names = names_of(branch);
+  if (set_.formula.kind() != Symbolic::Kind::choice) return std::nullopt;
+  Branch found{set_, {}, {}};
+  found.set.formula = set_.formula.part(part);
+  const std::set<std::string> names = names_of(found.set.formula);
+  std::vector<std::size_t> literals;
   for (const SiteNumber& number : site_.numbers) {
     if (names.count(set_.constants[number.constant].name) == 0) continue;
-    there.push_back(&number);
-    numbers.push_back(std::abs(constants_[number.constant]));
+    literals.push_back(number.literal);
+    found.numbers.push_back(std::abs(constants_[number.constant]));
   }
-  if (there.size() < least_constants) return false;
-  KnownSet set = set_;
-  set.formula = branch;
-  const std::vector<Symbolic> all =
-      expressions(literals_[there.front()->literal], literals_[there.back()->literal]);
-  return std::any_of(all.begin(), all.end(), [&](const Symbolic& expression) {
-    return is_form(expression, set, constants_, numbers);
-  });
+  if (literals.size() < least_constants) return std::nullopt;
+  found.expressions = expressions(literals_[literals.front()], literals_[literals.back()]);
+  return found;
+}
+
+/// Whether the text around the constants of one branch of the form computes it: pow((u + a)/b, p).
+bool SiteReader::reads_branch(std::size_t part) const {
+  const auto found = branch(part);
+  return found &&
+         std::any_of(found->expressions.begin(), found->expressions.end(), [&](const Symbolic& expression) {
+           return is_form(expression, found->set, constants_, found->numbers);
+         });
+}
+
+/// The form with a slip in one branch, where the branches stand in statements of their own.
+std::optional<ExpressionMatch> SiteReader::slip_of_branch() const {
+  if (!believes_slips()) return std::nullopt;
+  for (const std::size_t part : branches) {
+    const auto found = branch(part);
+    if (!found) continue;
+    std::optional<ExpressionMatch> slip;
+    for (const Symbolic& expression : found->expressions) {
+      auto match = match_expression(expression, found->set, constants_, found->numbers, {});
+      if (match && match->slip.empty()) return std::nullopt;
+      if (match && !slip) slip = std::move(match);
+    }
+    if (!slip) continue;
+    std::vector<Symbolic> parts = set_.formula.parts();
+    parts[part] = slip->form;
+    slip->form = set_.formula.with_parts(std::move(parts));
+    return slip;
+  }
+  return std::nullopt;
 }
 
 }  // namespace shadefit::lint

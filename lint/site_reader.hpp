@@ -31,9 +31,19 @@ class SiteReader {
   Reading reading() const;
 
  private:
+  /// One branch of a choice as a set of its own, with what is there of its numbers.
+  struct Branch {
+    KnownSet set;
+    std::vector<double> numbers;
+    std::vector<Symbolic> expressions;  ///< around them
+  };
+
   bool lacks_constants() const;
+  bool believes_slips() const;
   std::vector<Symbolic> expressions(const Literal& first, const Literal& last) const;
-  bool reads_branch(const Symbolic& branch) const;
+  std::optional<Branch> branch(std::size_t part) const;
+  bool reads_branch(std::size_t part) const;
+  std::optional<ExpressionMatch> slip_of_branch() const;
 
   std::string_view text_;
   CommentStyle style_;

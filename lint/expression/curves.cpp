@@ -130,10 +130,11 @@ CurveComparison::CurveComparison(const KnownSet& set, const std::vector<Part>& p
   for (std::vector<double>& end : ends_of(set.axes)) places.push_back(std::move(end));
   sample(parts, places, {});
   if (set.axes.size() < 2) return;
-  // A number of the expression may be the value of a variable: g = 0.76.
+  // A number of the expression may be the value of a variable: g = 0.76. At the ends, as at 0, the curve may
+  // not tell all constants.
   for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
     for (const double number : parts.empty() ? Values{} : parts.back().numbers) {
-      if (number < set.axes[axis].lower || number > set.axes[axis].upper) continue;
+      if (number <= set.axes[axis].lower || number >= set.axes[axis].upper) continue;
       std::vector<std::vector<double>> held = places;
       for (std::vector<double>& place : held) place[axis] = number;
       sample(parts, held, axis);

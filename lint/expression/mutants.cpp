@@ -57,6 +57,34 @@ void append_moved_parentheses(const Symbolic& formula, std::vector<Symbolic>& ot
     others.push_back(product.part(i) * formula.with_parts({product.part(1 - i), formula.part(1)}));
 }
 
+/// Whether a formula is a function, or a power, of its first part.
+bool is_applied(const Symbolic& formula) {
+  return formula.kind() == Kind::function || formula.kind() == Kind::real_power ||
+         formula.kind() == Kind::integer_power;
+}
+
+Symbolic applied_to(const Symbolic& function, const Symbolic& argument) {
+  std::vector<Symbolic> parts = function.parts();
+  parts.front() = argument;
+  return function.with_parts(std::move(parts));
+}
+
+/// b f(x) as f(b x), f(x) - b as f(x - b), and so for each operation.
+void append_moved_into_argument(const Symbolic& operation, std::vector<Symbolic>& others) {
+  const Symbolic &a = operation.part(0), &b = operation.part(1);
+  if (is_applied(a)) others.push_back(applied_to(a, operation.with_parts({a.part(0), b})));
+  if (is_applied(b)) others.push_back(applied_to(b, operation.with_parts({a, b.part(0)})));
+}
+
+/// f(b x) as b f(x) or f(b) x, f(x - b) as f(x) - b, and so for each operation.
+void append_moved_out_of_argument(const Symbolic& function, std::vector<Symbolic>& others) {
+  const Symbolic& inner = function.part(0);
+  const bool is_product = inner.kind() == Kind::multiply || inner.kind() == Kind::divide;
+  if ((!is_sum(inner) && !is_product) || is_scaled(inner)) return;
+  others.push_back(inner.with_parts({applied_to(function, inner.part(0)), inner.part(1)}));
+  others.push_back(inner.with_parts({inner.part(0), applied_to(function, inner.part(1))}));
+}
+
 /// What may stand in place of an operation.
 std::vector<Symbolic> slips_of(const Symbolic& formula) {
   std::vector<Symbolic> others;
@@ -68,12 +96,14 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       operation(Kind::multiply);
       parts();
       append_moved_parentheses(formula, others);
+      append_moved_into_argument(formula, others);
       break;
     case Kind::subtract:
       operation(Kind::add);
       others.push_back(formula.part(1) - formula.part(0));
       parts();
       append_moved_parentheses(formula, others);
+      append_moved_into_argument(formula, others);
       break;
     case Kind::multiply:
       if (is_scaled(formula)) break;
@@ -81,6 +111,7 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       operation(Kind::divide);
       parts();
       append_lost_parentheses(formula, others);
+      append_moved_into_argument(formula, others);
       break;
     case Kind::divide:
       if (is_scaled(formula)) break;
@@ -88,6 +119,7 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       others.push_back(formula.part(1) / formula.part(0));
       others.push_back(formula.part(0));
       append_lost_parentheses(formula, others);
+      append_moved_into_argument(formula, others);
       break;
     case Kind::negate:
       others.push_back(formula.part(0));
@@ -96,14 +128,13 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       for (const int change : {-1, 1})
         if (formula.exponent() + change != 0)
           others.push_back(Symbolic::integer_power(formula.part(0), formula.exponent() + change));
-      if (is_sum(formula.part(0)))
-        others.push_back(formula.part(0).with_parts(
-            {formula.part(0).part(0), formula.with_parts({formula.part(0).part(1)})}));
+      append_moved_out_of_argument(formula, others);
       break;
     case Kind::real_power:
       others.push_back(
           Symbolic::operation(Kind::real_power, {formula.part(0), Symbolic::number("1") / formula.part(1)}));
       others.push_back(formula.part(0));
+      append_moved_out_of_argument(formula, others);
       break;
     case Kind::choice:
       others.push_back(
@@ -113,6 +144,7 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
       for (const std::string_view other : kin_of(formula.name()))
         others.push_back(Symbolic::function(other, formula.parts()));
       if (formula.parts().size() == 1) parts();
+      append_moved_out_of_argument(formula, others);
       break;
     case Kind::variable:
     case Kind::number:

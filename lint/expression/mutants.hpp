@@ -14,9 +14,9 @@ struct Mutant {
 };
 
 /// The formulas that differ from this one at one operation: another sign, a product for a sum, a function of
-/// the same family (exp for exp2), a lost term or factor, swapped operands, or a lost or moved pair of
-/// parentheses. A factor that is a number, such as 1/pi, is no slip where it is missing: it may stand
-/// elsewhere.
+/// the same family (exp for exp2), a lost term or factor, swapped operands, a lost or moved pair of
+/// parentheses, or an operand moved into or out of a function's argument. A factor that is a number, such as
+/// 1/pi, is no slip where it is missing: it may stand elsewhere.
 std::vector<Mutant> mutants_of(const Symbolic& formula);
 
 }  // namespace shadefit::lint

@@ -5,6 +5,7 @@
 
 #include "fit/scalars/parse_formula.hpp"
 #include "fit/scalars/shader_calls.hpp"
+#include "lint/expression/calls.hpp"
 #include "lint/expression/usual_names.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/scan/literals.hpp"
@@ -130,24 +131,10 @@ class Rewriter {
 
   /// The components of a vector, if they are all the same: vec3(0.055, 0.055, 0.055).
   static std::optional<std::string> only_component(std::string_view group) {
-    const auto trimmed = [](std::string_view part) {
-      while (!part.empty() && is_blank(part.front())) part.remove_prefix(1);
-      while (!part.empty() && is_blank(part.back())) part.remove_suffix(1);
-      return part;
-    };
-    std::optional<std::string_view> first;
-    int depth = 0;
-    for (std::size_t begin = 0, i = 0; i <= group.size(); ++i) {
-      const char c = i < group.size() ? group[i] : ',';
-      if (c == '(' || c == '[') ++depth;
-      if (c == ')' || c == ']') --depth;
-      if (c != ',' || (depth != 0 && i < group.size())) continue;
-      const std::string_view part = trimmed(group.substr(begin, i - begin));
-      if (first && *first != part) return std::nullopt;
-      first = part;
-      begin = i + 1;
-    }
-    return std::string(*first);
+    const std::vector<std::string_view> components = arguments_in(group);
+    const bool is_one = std::all_of(components.begin(), components.end(),
+                                    [&](std::string_view one) { return one == components.front(); });
+    return is_one ? std::optional(std::string(components.front())) : std::nullopt;
   }
 
   void name(const std::string& text) {
@@ -223,7 +210,12 @@ class Rewriter {
     }
     const auto inside = group('(', ')');
     if (!inside) return false;
-    name(path + "(" + *inside + ")");
+    if (const auto formula = call_as_formula(path, *inside)) {
+      text_.replace(open + 1, inside->size(), *formula);
+      at_ = open;  // the parentheses stay
+    } else {
+      name(path + "(" + *inside + ")");
+    }
     return true;
   }
 

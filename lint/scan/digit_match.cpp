@@ -40,17 +40,42 @@ bool is_same_float(const Digits& found, const Digits& published) {
          static_cast<float>(number_of(found)) == static_cast<float>(number_of(published));
 }
 
+/// All digits of a double that is a float or a half: 112 at most.
+Digits all_digits_of(double value) {
+  std::array<char, 128> exact{};
+  const auto end =
+      std::to_chars(exact.data(), exact.data() + exact.size(), value, std::chars_format::scientific, 112);
+  return digits_of({exact.data(), static_cast<std::size_t>(end.ptr - exact.data())});
+}
+
+/// The nearest number of half precision: 11 binary digits, the last one not below 2^-24 (IEEE 754). Beyond
+/// 65504, its largest, no digits are printed.
+double half_of(double value) {
+  constexpr int digits = 11, least_exponent = -24;
+  int exponent = 0;
+  std::frexp(value, &exponent);
+  const int last = std::max(exponent - digits, least_exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(value, -last)), last);
+}
+
+/// Whether the digits are those of the half, as many as tell it from its neighbours: 6.984 for 6.98316. Three
+/// digits are those of the number itself.
+bool is_print_of_half(const Digits& found, const Digits& published) {
+  constexpr std::size_t least_printed = 4, most_printed = 5;
+  if (found.text.size() < least_printed || found.text.size() > most_printed) return false;
+  const double half = half_of(number_of(published));
+  constexpr double near = 1e-3;  // half a unit of four digits is less: most numbers need no more
+  if (std::abs(number_of(found) - half) > near * half) return false;
+  const Digits all = all_digits_of(half);
+  return found == rounded_to(all, found.text.size());
+}
+
 /// Whether the digits are those that one prints for the float or for the published number: rounded or cut
 /// off. 0.159301758125 for 0.1593017578125 is the same float, but nobody prints it: a digit was lost.
 bool is_print_of_float(const Digits& found, const Digits& published) {
   if (!is_same_float(found, published)) return false;
   if (is_shortened(found, published)) return true;
-  // A float has at most 112 significant digits.
-  std::array<char, 128> exact{};
-  const auto end = std::to_chars(exact.data(), exact.data() + exact.size(),
-                                 static_cast<double>(static_cast<float>(number_of(published))),
-                                 std::chars_format::scientific, 112);
-  const Digits all = digits_of({exact.data(), static_cast<std::size_t>(end.ptr - exact.data())});
+  const Digits all = all_digits_of(static_cast<double>(static_cast<float>(number_of(published))));
   return found == rounded_to(all, found.text.size()) || found == cut_to(all, found.text.size());
 }
 
@@ -105,6 +130,7 @@ std::optional<DigitMatch> match_digits(const Digits& found, const Digits& publis
   if (is_print_of_float(found, published)) return DigitMatch::float32;
   constexpr std::size_t least_rounded = 3;
   if (found.text.size() >= least_rounded && is_shortened(found, published)) return DigitMatch::rounded;
+  if (is_print_of_half(found, published)) return DigitMatch::rounded;
   if (std::abs(found.exponent - published.exponent) <= 1 && is_one_edit(found.text, published.text))
     return DigitMatch::edited;
   if (is_same_float(found, published)) return DigitMatch::float32;

@@ -12,7 +12,7 @@ enum class DigitMatch {
   same,                ///< the same digits
   longer,              ///< more digits, which round to the published ones
   float32,             ///< the digits of the float nearest to the published number, or others of that float
-  rounded,             ///< fewer digits, rounded or cut off
+  rounded,             ///< fewer digits, rounded or cut off, or those of the nearest half
   shifted,             ///< the same digits, with the decimal point elsewhere
   edited,              ///< one digit differs, is missing or too many, or two neighbours are swapped
   rounded_and_edited,  ///< fewer digits, and one of them edited: of 6.98316 first 6.9832, then 6.9382

@@ -49,6 +49,17 @@ TEST(DigitMatch, TheSameFloatIsRightIfSomebodyPrintsIt) {
   EXPECT_EQ(match("0.15930175", "0.1593017578125"), DigitMatch::rounded);  // another float
 }
 
+TEST(DigitMatch, DigitsOfAHalfAreFewerDigits) {
+  // The neighbours of 6.98316 in half precision are 6.984375 = 1788/256 and 6.98046875.
+  EXPECT_EQ(match("6.984", "6.98316"), DigitMatch::rounded);
+  EXPECT_EQ(match("6.9844", "6.98316"), DigitMatch::rounded);
+  EXPECT_EQ(match("6.985", "6.98316"), std::nullopt);
+  EXPECT_EQ(match("6.98438", "6.98316"), std::nullopt);  // more digits than a half has
+  // Below 2^-14 the last digit of a half is 2^-24: 524 of them here. 11 binary digits would give 3.1263e-5.
+  EXPECT_EQ(match("3.1233e-5", "3.12601e-5"), DigitMatch::rounded);
+  EXPECT_EQ(match("3.1263e-5", "3.12601e-5"), std::nullopt);
+}
+
 TEST(DigitMatch, ShortenedHasBothSides) {
   EXPECT_TRUE(is_shortened(digits_of("0.0023"), digits_of("0.00232")));
   EXPECT_FALSE(is_shortened(digits_of("0.0024"), digits_of("0.00232")));

@@ -47,6 +47,33 @@ TEST(ReadExpression, AVectorOfEqualComponentsIsANumber) {
   EXPECT_TRUE(std::isnan(at_point_three("x + vec3(0.055, 0.055, 0.05)")));
 }
 
+TEST(ReadExpression, AMaskChoosesAsAComparisonDoes) {
+  for (const char* text : {"mix(x, x * x, vec3(lessThanEqual(x, vec3(0.3))))",
+                           "mix(x, x*x, greaterThan(x, 0.1))", "select(x < 0.5, x * x, x)",
+                           "np.where(x >= 0.3, x**2, x)", "select(vec3f(x), x * x, x <= vec3f(0.3))"})
+    EXPECT_NEAR(at_point_three(text), 0.09, rounding) << text;
+  EXPECT_NEAR(at_point_three("mix(x, x * x, lessThan(x, vec3(0.2)))"), 0.3, rounding);
+  EXPECT_NEAR(at_point_three("select(x * x, x, x < 0.2)"), 0.09, rounding);
+  // Either order: a name, as any other call.
+  EXPECT_NEAR(at_point_three("select(x, x * x, is_dark)"), 0.3, rounding);
+}
+
+TEST(ReadExpression, AProductWithAVectorIsASum) {
+  const auto value = [](std::string_view text) {
+    const auto formula = read_expression(text, CommentStyle::c);
+    if (!formula) return std::nan("");
+    return evaluate<double>(*formula, [](const std::string& name) {
+      return name.starts_with("first") ? 1.0 : name.starts_with("second") ? 10.0 : 100.0;
+    });
+  };
+  for (const char* text : {"dot(c, vec3(1, 2, 3))", "dot(float3(1.0, 2.0, 3.0), texture(a, uv).rgb)",
+                           "dot(vec3<f32>(1, 2, 3), pow(c, vec3(2.2)))", "np.dot(rgb[0:3], [1, 2, 3])"})
+    EXPECT_EQ(value(text), 321) << text;
+  // A name, as any other call.
+  for (const char* text : {"dot(n, l)", "dot(c, vec2(1, 2))", "dot(c, f(1, 2, 3))"})
+    EXPECT_EQ(value(text), 100) << text;
+}
+
 TEST(ReadExpression, ASignMayFollowAnOperator) {
   EXPECT_NEAR(at_point_three("1.5 + -0.5 * x"), 1.35, rounding);
   EXPECT_NEAR(at_point_three("1.5 - -x"), 1.8, rounding);
@@ -117,10 +144,15 @@ std::set<std::string> mutants(const std::string& formula) {
 
 TEST(Mutants, HaveEachKindOfSlip) {
   EXPECT_TRUE(mutants("a + b").count("a - b"));
-  EXPECT_TRUE(mutants("a + b").count("a"));            // a lost term
-  EXPECT_TRUE(mutants("a - b").count("b - a"));        // swapped operands
-  EXPECT_TRUE(mutants("a (b + c)").count("a b + c"));  // lost parentheses
-  EXPECT_TRUE(mutants("a x + c").count("a (x + c)"));  // moved ones
+  EXPECT_TRUE(mutants("a + b").count("a"));                    // a lost term
+  EXPECT_TRUE(mutants("a - b").count("b - a"));                // swapped operands
+  EXPECT_TRUE(mutants("a (b + c)").count("a b + c"));          // lost parentheses
+  EXPECT_TRUE(mutants("a x + c").count("a (x + c)"));          // moved ones
+  EXPECT_TRUE(mutants("a exp(x) - b").count("exp(a x) - b"));  // an operand moved into the argument
+  EXPECT_TRUE(mutants("b - a sqrt(x)").count("b - sqrt(a x)"));
+  EXPECT_TRUE(mutants("exp(x) - b").count("exp(x - b)"));
+  EXPECT_TRUE(mutants("exp((x + b)/a)").count("exp(x + b)/a"));  // and out of it
+  EXPECT_TRUE(mutants("(x - b)^2").count("x^2 - b"));
   EXPECT_TRUE(mutants("exp(x)").count("exp2(x)"));
   EXPECT_TRUE(mutants("a/b").count("a b"));
   EXPECT_TRUE(mutants("x^5").count("x^4"));
@@ -129,6 +161,7 @@ TEST(Mutants, HaveEachKindOfSlip) {
   // A factor that is a number may stand elsewhere.
   EXPECT_FALSE(mutants("(a + b)/(4 pi)").count("a + b"));
   EXPECT_FALSE(mutants("2 (a + b)").count("a + b"));
+  EXPECT_FALSE(mutants("exp(2 x)").count("2 exp(x)"));
 }
 
 std::vector<LintedSite> lint_formula(const std::string& text) {
@@ -141,6 +174,49 @@ TEST(MatchExpression, TellsTheSlip) {
   ASSERT_EQ(sites.size(), 1u);
   EXPECT_EQ(sites.front().grade, Grade::wrong);
   EXPECT_NE(sites.front().slip.find(" for "), std::string::npos);
+}
+
+TEST(MatchExpression, ABranchMayHaveTheSlip) {
+  const std::string line = "float f(float x) { if (x <= 0.0031308) return x * 12.92;\nreturn ";
+  const auto grade = [&](const std::string& power) {
+    const auto sites = lint_formula(line + power + "; }");
+    return sites.size() == 1 ? std::string(name(sites.front().grade)) : "none";
+  };
+  EXPECT_EQ(grade("pow(x, 1.0 / 2.4) * 1.055 - 0.055"), "right");
+  EXPECT_EQ(grade("pow(x * 1.055, 1.0 / 2.4) - 0.055"), "wrong");
+  EXPECT_EQ(grade("pow(x, 2.4) * 1.055 - 0.055"), "wrong");
+  // A part of the branch is no slip: the rest may stand elsewhere.
+  EXPECT_EQ(grade("offset(pow(x, 1.0 / 2.4) * 1.055, 0.055)"), "right");
+}
+
+TEST(MatchExpression, AMaskMayHaveTheWrongThreshold) {
+  const auto grade = [](const std::string& threshold) {
+    const auto sites = lint_formula(
+        "vec3 f(vec3 u) { return mix(pow((u + vec3(0.055)) * (1.0 / 1.055), vec3(2.4)), u * (1.0 / 12.92),\n"
+        "lessThan(u, vec3(" +
+        threshold + "))); }");
+    return sites.size() == 1 ? std::string(name(sites.front().grade)) : "none";
+  };
+  EXPECT_EQ(grade("0.04045"), "right");
+  EXPECT_EQ(grade("0.0031308"), "wrong");
+}
+
+TEST(MatchExpression, AProductOfVectorsIsRead) {
+  const auto grade = [](const std::string& weights) {
+    const auto sites = lint_formula("float f(vec3 c) { return dot(c, vec3(" + weights + ")); }");
+    return sites.size() == 1 ? std::string(name(sites.front().grade)) : "none";
+  };
+  EXPECT_EQ(grade("0.299, 0.587, 0.114"), "right");
+  EXPECT_EQ(grade("0.299, 0.587, 0.144"), "wrong");
+  EXPECT_EQ(grade("0.212, 0.715, 0.072"), "truncated");
+  EXPECT_EQ(grade("0.701, -0.587, -0.114"), "none");  // R - Y
+}
+
+TEST(MatchExpression, AVariableAtItsEndTellsNothing) {
+  // With g = 0 this would be a sum of two terms with 0.71518 for 0.0722.
+  const auto sites = lint_formula(
+      "float a = c.r * 0.21260 + c.g * 0.71518 + c.b * 0.07222;\nfloat b = max(a > d ? e : a, 0.0);\n");
+  EXPECT_TRUE(sites.empty());
 }
 
 TEST(MatchExpression, ATermThatMattersOnlyAtAnEndIsMissed) {
