@@ -29,8 +29,9 @@ using Kernel = void (*)(const Arrays<Real>&, std::span<const Real> parameters);
 
 /// A form, its exp2, and the register width that it needs.
 struct CompiledForm {
-  std::string_view form;  ///< the id of a form of the catalogue (bench/forms/catalogue.hpp), "copy" or "multiply-adds"
-  int exp2_degree = 0;    ///< of the polynomial in its exp2; 0: the library's, or none
+  std::string_view
+      form;  ///< the id of a form of the catalogue (bench/forms/catalogue.hpp), "copy" or "multiply-adds"
+  int exp2_degree = 0;  ///< of the polynomial in its exp2; 0: the library's, or none
   Kernel<float> in_float = nullptr;
   Kernel<double> in_double = nullptr;
 };

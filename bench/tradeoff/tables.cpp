@@ -44,9 +44,26 @@ std::vector<Cell> bench_row(const TimedForm& timed, const Machine& machine) {
 }  // namespace
 
 Table bench_table(const Trade& trade) {
-  Table table{{"target", "form", "constants", "exp2_degree", "precision", "width", "place", "ns_per_element",
-               "spread", "copies", "times_faster_than_pow", "max_abs_error", "cpu", "compiler", "device",
-               "driver", "clock", "multiply_adds", "dependent_ns", "dependent_multiply_adds"},
+  Table table{{"target",
+               "form",
+               "constants",
+               "exp2_degree",
+               "precision",
+               "width",
+               "place",
+               "ns_per_element",
+               "spread",
+               "copies",
+               "times_faster_than_pow",
+               "max_abs_error",
+               "cpu",
+               "compiler",
+               "device",
+               "driver",
+               "clock",
+               "multiply_adds",
+               "dependent_ns",
+               "dependent_multiply_adds"},
               {}};
   for (const TimedForm& floor : trade.copies) table.rows.push_back(bench_row(floor, trade.machine));
   for (const TimedForm& timed : trade.forms) table.rows.push_back(bench_row(timed, trade.machine));
