@@ -344,8 +344,8 @@ struct MultiplyAdds : AsGiven<0, Function::none> {
   /// The highest coefficient, and four that come again and again: exact in half, and 1 in sum.
   template <class T>
   static std::array<T, 5> prepared(const std::array<T, 0>&) {
-    return {constant<T>("0.25"), constant<T>("0.015625"), constant<T>("0.03125"), constant<T>("0.046875"),
-            constant<T>("0.09375")};
+    const auto part = [](int n) { return T(integer<T>(n) / integer<T>(64)); };
+    return {part(16), part(1), part(2), part(3), part(6)};
   }
   template <class T>
   T operator()(const T& c, const std::array<T, 5>& p) const {

@@ -3,7 +3,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -134,25 +133,6 @@ bool is_lower(const LeveledFit& a, const LeveledFit& b) {
   return false;
 }
 
-/// The digits to which a second descent, from near by, comes back. Newton's last step alone knows too little
-/// where a later level holds the rows of an earlier one at their least: a rounding of that level moves the
-/// parameters by its square root.
-int repeated_digits(const LeveledFit& found,
-                    const std::function<LeveledFit(const std::vector<double>&)>& descend) {
-  constexpr double near_by = 1e-4;
-  std::vector<double> start = found.fit.parameters;
-  for (std::size_t j = 0; j < start.size(); ++j) start[j] *= 1 + (j % 2 == 0 ? near_by : -near_by);
-  const LeveledFit again = descend(start);
-  if (again.fit.status != Status::converged || is_lower(again, found) || is_lower(found, again))
-    return least_study_digits;  // it ends elsewhere: nothing more is known
-  double apart = 0;
-  for (std::size_t j = 0; j < start.size(); ++j) {
-    const double value = found.fit.parameters[j], by = std::abs(again.fit.parameters[j] - value);
-    if (by > 0) apart = std::max(apart, by / std::abs(value));
-  }
-  return correct_digits(apart);
-}
-
 }  // namespace
 
 StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& starts,
@@ -165,20 +145,19 @@ StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& sta
   if (!starts.empty() && !searched.is_linear) from.push_back(start_of(study, starts));
 
   const RowDescent descent(error, nodes, searched.sampled);
-  const auto fit_from = [&](const std::vector<double>& start) {
-    return descend(descent, study, start, searched.is_linear, checkpoint);
-  };
   std::optional<LeveledFit> lowest;
   for (const auto& start : from) {
-    LeveledFit found = fit_from(start);
+    LeveledFit found = descend(descent, study, start, searched.is_linear, checkpoint);
     if (!lowest || is_lower(found, *lowest)) lowest = std::move(found);
   }
-  StudyFit best = lowest->fit;
+  StudyFit best = std::move(lowest->fit);
   best.names = study.parameters;
   best.starts = searched.starts;
   best.is_global = searched.is_linear;
   if (best.status != Status::converged) return best;
-  best.digits = std::min(best.digits, repeated_digits(*lowest, fit_from));
+  // A later level holds the rows of an earlier one at its least. There a rounding of the level moves the
+  // parameters by its square root, of which Newton's last step knows nothing.
+  if (lowest->levels.size() > 1) best.digits = std::min(best.digits, most_digits / 2);
   best.rms_error = rms_error(study, error, best.parameters);
   best.max_abs_error = largest_residual(study, best.parameters);
   confirm_integrals(study, best);

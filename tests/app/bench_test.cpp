@@ -169,8 +169,9 @@ TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
             "shadefit: --shard requires --exhaustive (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--out", "--json"}),
             "shadefit: --out '--json' looks like an option: name a value (a path may begin with './')\n");
-  EXPECT_EQ(refusal({"--device", "cuda"}),
-            "shadefit: --device 'cuda' is not a device: it must be vulkan or vulkan:N, see --list-devices\n");
+  EXPECT_EQ(
+      refusal({"--device", "cuda"}),
+      "shadefit: --device 'cuda' is not a device: it must be vulkan or vulkan:N, see 'shadefit bench --list-devices'\n");
   EXPECT_EQ(refusal({"--device", "vulkan", "--width", "sse2"}),
             "shadefit: --width excludes --device (see 'shadefit help bench')\n");
   const TemporaryDirectory directory;
