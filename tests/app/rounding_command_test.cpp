@@ -49,9 +49,10 @@ TEST(FitRound, EveryFormat) {
 TEST(FitRound, ForTheConsole) {
   const Outcome outcome = run_command_line({"fit", "sg-offset", "--exponent", "5,10", "--round", "half"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* part : {"best", "fitted, rounded", "published, rounded", "0x1.", "on a GPU at most",
-                           "every operation rounded, at every half of the domain", "exp2 within 4 ulp of a float",
-                           "Best: proven, among all finite numbers of the format."})
+  for (const char* part :
+       {"best", "fitted, rounded", "published, rounded", "0x1.", "on a GPU at most",
+        "every operation rounded, at every half of the domain", "exp2 within 4 ulp of a float",
+        "Best: proven, among all finite numbers of the format."})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
 }
 
