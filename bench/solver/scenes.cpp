@@ -41,7 +41,8 @@ void plan_scene(benchmark::State& state, double tolerance) {
 }  // namespace
 
 void register_scenes() {
-  for (const int part : {32, 255, 4096}) {
+  // Much less is not kept by the sharpest of 1000 materials: a GPU's log2 errs near 1.
+  for (const int part : {32, 255}) {
     const std::string name = "scene/plan/tolerance:1/" + std::to_string(part);
     benchmark::RegisterBenchmark(name.c_str(), plan_scene, 1.0 / part)
         ->Arg(1)
