@@ -1,24 +1,25 @@
 #include "fit/tape/wide_loops.hpp"
 
 #include <array>
+#include <cstring>
 
 namespace shadefit {
 namespace {
 
-// They lie in arrays of TwoLanes.
-using OfTwo = double __attribute__((vector_size(16), may_alias));
-using OfFour = double __attribute__((vector_size(32), aligned(16), may_alias));
+using OfTwo = double __attribute__((vector_size(16)));
+using OfFour = double __attribute__((vector_size(32)));
 
 template <class Register>
 constexpr std::size_t packs_in = sizeof(Register) / sizeof(TwoLanes);
 
+// Arrays of TwoLanes are aligned for two doubles alone: a copy is a move that needs no more.
 template <class Register>
-[[gnu::always_inline]] inline const Register& in(const TwoLanes& pack) {
-  return *reinterpret_cast<const Register*>(&pack);
+[[gnu::always_inline]] inline void load(const TwoLanes* from, Register& to) {
+  std::memcpy(&to, from, sizeof to);
 }
 template <class Register>
-[[gnu::always_inline]] inline Register& in(TwoLanes& pack) {
-  return *reinterpret_cast<Register*>(&pack);
+[[gnu::always_inline]] inline void store(const Register& from, TwoLanes* to) {
+  std::memcpy(static_cast<void*>(to), &from, sizeof from);
 }
 
 // A function for one kind of machine inlines all of its parts: they are compiled for that machine with it.
@@ -27,8 +28,13 @@ template <class Register, class Combine>
 [[gnu::always_inline]] inline void each(const TwoLanes* a, const TwoLanes* b, TwoLanes* result,
                                         std::size_t groups, const Combine& combine) {
   for (std::size_t k = 0; k < groups * WideLoops::group; k += WideLoops::group) {
-    for (std::size_t p = k; p < k + WideLoops::group; p += packs_in<Register>)
-      combine(in<Register>(a[p]), in<Register>(b[p]), in<Register>(result[p]));
+    for (std::size_t p = k; p < k + WideLoops::group; p += packs_in<Register>) {
+      Register x, y, r;
+      load(a + p, x);
+      load(b + p, y);
+      combine(x, y, r);
+      store(r, result + p);
+    }
   }
 }
 
@@ -58,12 +64,22 @@ template <std::size_t N, class Register>
   std::array<std::array<Register, parts>, N> here{};
   for (std::size_t k = 0; k < groups * WideLoops::group; k += WideLoops::group) {
     for (std::size_t p = 0; p < parts; ++p) {
-      for (std::size_t i = 0; i < N; ++i)
-        here[i][p] += in<Register>(weighted[k + p * size]) * in<Register>(columns[i][k + p * size]);
+      Register x, y;
+      load(weighted + k + p * size, x);
+      for (std::size_t i = 0; i < N; ++i) {
+        load(columns[i] + k + p * size, y);
+        here[i][p] += x * y;
+      }
     }
   }
   for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t p = 0; p < parts; ++p) in<Register>(sums[i * WideLoops::group + p * size]) += here[i][p];
+    for (std::size_t p = 0; p < parts; ++p) {
+      TwoLanes* const sum = sums + i * WideLoops::group + p * size;
+      Register whole;
+      load(sum, whole);
+      whole += here[i][p];
+      store(whole, sum);
+    }
   }
 }
 
