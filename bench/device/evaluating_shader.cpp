@@ -59,10 +59,11 @@ std::string hlsl_shader(const ShaderFunction& function, Arguments arguments, con
 
 }  // namespace
 
-std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language, Arguments arguments) {
+std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language, Arguments arguments,
+                              ShaderPrecision precision) {
   const bool is_hlsl = language == ShaderLanguage::hlsl;
   const std::string code = shader_code(std::span(&function, 1), is_hlsl ? Language::hlsl : Language::glsl,
-                                       ShaderPrecision::float32, std::array<std::string, 0>());
+                                       precision, std::array<std::string, 0>());
   return is_hlsl ? hlsl_shader(function, arguments, code) : glsl_shader(function, arguments, code);
 }
 

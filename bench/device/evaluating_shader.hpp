@@ -16,6 +16,7 @@ enum class Arguments {
 
 /// The code that `emit` writes for a function, and a main function that calls it once a thread. The threads
 /// below the second push word write their result: thread i to word i of the output, or to that of its place.
-std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language, Arguments arguments);
+std::string evaluating_shader(const ShaderFunction& function, ShaderLanguage language, Arguments arguments,
+                              ShaderPrecision precision = ShaderPrecision::float32);
 
 }  // namespace shadefit::device

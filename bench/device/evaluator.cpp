@@ -6,10 +6,20 @@
 
 namespace shadefit::device {
 
+namespace {
+
+std::vector<std::uint32_t> spirv_of(const ShaderCompiler& compiler, const ShaderFunction& function,
+                                    ShaderLanguage language, Arguments arguments, ShaderPrecision precision) {
+  auto spirv = compiler.spirv(evaluating_shader(function, language, arguments, precision), language);
+  return precision == ShaderPrecision::float16 ? with_halves(spirv) : spirv;
+}
+
+}  // namespace
+
 Evaluator::Evaluator(VulkanDevice& device, const ShaderCompiler& compiler, const ShaderFunction& function,
-                     ShaderLanguage language, Arguments arguments)
+                     ShaderLanguage language, Arguments arguments, ShaderPrecision precision)
     : device_(device),
-      program_(device.load(compiler.spirv(evaluating_shader(function, language, arguments), language))),
+      program_(device.load(spirv_of(compiler, function, language, arguments, precision))),
       argument_count_(function.arguments.size()) {}
 
 void Evaluator::over_patterns(

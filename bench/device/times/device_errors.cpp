@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bench/device/evaluator.hpp"
 #include "bench/device/spirv.hpp"
 #include "bench/device/times/measure_device.hpp"
 #include "fit/scalars/half.hpp"
@@ -22,11 +23,13 @@ Places held(Places places, ShaderPrecision precision) {
   return places;
 }
 
-void write_places(const Places& places, std::span<std::uint32_t> words) {
-  for (std::size_t a = 0; a < places.size(); ++a) {
-    for (std::size_t i = 0; i < places[a].size(); ++i)
-      words[i * places.size() + a] = std::bit_cast<std::uint32_t>(places[a][i]);
+/// The arguments of one place after the other.
+std::vector<float> arguments_of(const Places& places) {
+  std::vector<float> arguments;
+  for (std::size_t i = 0; i < places.front().size(); ++i) {
+    for (const std::vector<float>& axis : places) arguments.push_back(axis[i]);
   }
+  return arguments;
 }
 
 std::vector<float> read_values(std::span<const std::uint32_t> words) {
@@ -66,6 +69,7 @@ std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const 
   std::vector<std::optional<double>> errors;
   const DeviceTarget* target = nullptr;
   std::vector<double> truth;
+  std::vector<float> arguments;
   for (const DeviceForm& form : forms.forms) {
     between();
     if (target != &forms.targets.at(form.target)) {
@@ -74,18 +78,15 @@ std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const 
       if (target->truth) {
         const Places places = held(target->places, precision);
         truth = target->truth(places);
-        write_places(places, device.input());
+        arguments = arguments_of(places);
       }
     }
     if (truth.empty()) {
       errors.emplace_back();
       continue;
     }
-    auto spirv = compiler.spirv(values_shader(form.function, precision), ShaderLanguage::glsl);
-    if (precision == ShaderPrecision::float16) spirv = with_halves(spirv);
-    const auto count = static_cast<std::uint32_t>(truth.size());
-    device.run(device.load(spirv), count, {count});
-    errors.emplace_back(largest_error(read_values(device.output().first(count)), truth));
+    Evaluator evaluator(device, compiler, form.function, ShaderLanguage::glsl, Arguments::input, precision);
+    errors.emplace_back(largest_error(read_values(evaluator.of_input(arguments)), truth));
   }
   return errors;
 }

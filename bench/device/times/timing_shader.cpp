@@ -63,19 +63,6 @@ std::string timing_shader(const ShaderFunction& function, std::span<const Range>
   return code + fmt::format("  }}\n  result[gl_GlobalInvocationID.x] = {};\n}}\n", sum);
 }
 
-std::string values_shader(const ShaderFunction& function, ShaderPrecision precision) {
-  const std::size_t count = function.arguments.size();
-  std::string arguments;
-  for (std::size_t a = 0; a < count; ++a)
-    arguments += fmt::format("{}uintBitsToFloat(given[i * {}u + {}u])", a == 0 ? "" : ", ", count, a);
-  return head() + emitted(function, precision) +
-         fmt::format(
-             "\nvoid main() {{\n"
-             "  uint i = gl_GlobalInvocationID.x;\n"
-             "  if (i < push.count) result[i] = {}({});\n}}\n",
-             function.name, arguments);
-}
-
 namespace {
 
 /// A shader that does something with each of the first words of the buffers.

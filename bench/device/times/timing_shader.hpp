@@ -35,10 +35,6 @@ struct Range {
 std::string timing_shader(const ShaderFunction& function, std::span<const Range> ranges,
                           ShaderPrecision precision, Chain chain);
 
-/// Evaluates a function of n arguments once a thread: thread i reads the bits of its arguments from word i n
-/// of the input on and writes a float to word i of the output. The first push word is the number of results.
-std::string values_shader(const ShaderFunction& function, ShaderPrecision precision);
-
 /// Copies words from the input to the output. The push words are the number of words and that of threads.
 std::string copying_shader();
 /// Writes to each word of both buffers, so that there is memory behind them. The same push words.
