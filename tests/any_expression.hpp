@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/scalars/shader_calls.hpp"
+#include "fit/formula/shader_calls.hpp"
 #include "fit/scalars/symbolic.hpp"
 
 /// Random formulas, the same in every run.

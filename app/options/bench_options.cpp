@@ -104,7 +104,7 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
           bench, "--exp2-degree", options.exp2_degree, parse_degree, "N",
           "with --exhaustive: the degree of the polynomial for its exp2 (default: the exp2 of the library)")
           ->needs(exhaustive);
-  add_shard(bench, options.shard)->needs(exhaustive);
+  auto* shard = add_shard(bench, options.shard)->needs(exhaustive);
   auto* device = add_value(bench, "--device", options.device, parse_device, "vulkan[:N]",
                            "measure on a graphics device (default: the CPU)")
                      ->excludes(width)
@@ -114,10 +114,18 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
       ->needs(device)
       ->excludes(exhaustive)
       ->excludes(study);
+  auto* half = bench
+                   .add_flag("--half", options.half,
+                             "with --exhaustive and --device: every half in [0, 1], and arithmetic in half")
+                   ->needs(exhaustive)
+                   ->needs(device)
+                   ->excludes(shard)
+                   ->excludes(json);
   add_value(
       bench, "--range", options.range, parse_range, "A:B",
       "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:0x3f800001)")
-      ->needs(exhaustive);
+      ->needs(exhaustive)
+      ->excludes(half);
 }
 
 }  // namespace shadefit

@@ -38,6 +38,7 @@ struct BenchOptions {
   bench::Stretch range = bench::unit_floats;
   /// The place of a Vulkan device among `device::vulkan_devices`, in the place of the CPU.
   std::optional<std::size_t> device = {};
+  bool half = false;  ///< with `exhaustive` on a device: every half, in place of every float
   bool list_devices = false;
   bool probe = false;  ///< measure the functions of the device
   Terminal terminal = {};

@@ -12,7 +12,7 @@
 #include "approx/records/optical_constants.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/run/results.hpp"
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/solve/weight.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/sweep.hpp"

@@ -7,6 +7,8 @@
 #include <system_error>
 
 #include "app/options/bench_options.hpp"
+#include "app/shards/halves_command.hpp"
+#include "app/shards/swept_form.hpp"
 #include "app/terminal/interrupt.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/probe.hpp"
@@ -14,9 +16,7 @@
 #include "bench/forms/catalogue.hpp"
 #include "bench/timing/machine.hpp"
 #include "bench/timing/timing.hpp"
-#include "bench/tradeoff/measure.hpp"
 #include "fit/support/hex_float.hpp"
-#include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "reports/io/output.hpp"
@@ -30,92 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using bench::Sweep;
 
-/// The form and its target that a sweep compares.
-struct Chosen {
-  const forms::FormEntry* form;
-  const forms::Target* target;
-  const forms::Constants* constants;
-  int exp2_degree;
-  forms::Width width;
-};
-
-const forms::FormEntry& find_form(const forms::Catalogue& catalogue, const std::string& id) {
-  std::vector<std::string> known;
-  for (const forms::FormEntry& form : catalogue.forms) {
-    if (form.arguments == forms::Arguments::cosine) known.emplace_back(form.id);
-    if (form.id != id) continue;
-    if (form.arguments == forms::Arguments::cosine) return form;
-    throw UserError(
-        fmt::format("--exhaustive '{}' is not a form of one cosine: it reads {} of each element", id,
-                    form.arguments == forms::Arguments::cosine_and_code ? "a gloss too" : "a normal"));
-  }
-  require_known(id, known, "form of one cosine");
-  throw std::logic_error("a form that is known and was not found");
-}
-
-const forms::Constants& find_constants(const forms::FormEntry& form, const std::optional<std::string>& id) {
-  if (!id) return form.constants.front();
-  std::vector<std::string> known;
-  for (const forms::Constants& constants : form.constants) {
-    if (constants.id == *id) return constants;
-    known.push_back(constants.id);
-  }
-  throw UserError(fmt::format("--constants '{}' is not a set of {}: it must be one of {}", *id, form.id,
-                              fmt::join(known, ", ")));
-}
-
-Chosen chosen_by(const forms::Catalogue& catalogue, const BenchOptions& options) {
-  const forms::FormEntry& form = find_form(catalogue, *options.exhaustive);
-  return {&form, &forms::target_of(catalogue, form.target), &find_constants(form, options.constants),
-          options.exp2_degree, options.width.value_or(forms::Width::sse2)};
-}
-
-/// The kernel of a form. Throws UserError for a degree that the form does not have.
-const forms::CompiledForm find_kernel(const std::vector<forms::CompiledForm>& all, std::string_view form,
-                                      int exp2_degree) {
-  std::vector<int> known;
-  for (const forms::CompiledForm& compiled : all) {
-    if (compiled.form != form || compiled.in_float == nullptr) continue;
-    if (compiled.exp2_degree == exp2_degree) return compiled;
-    known.push_back(compiled.exp2_degree);
-  }
-  throw UserError(fmt::format("--exp2-degree '{}' is not compiled for {}: it must be one of {}", exp2_degree,
-                              form, fmt::join(known, ", ")));
-}
-
-std::vector<float> in_float(const std::vector<double>& numbers) {
-  std::vector<float> floats;
-  for (const double number : numbers) floats.push_back(static_cast<float>(number));
-  return floats;
-}
-
-/// The form in float. The reference is the target's formula in double, by the library. Its error is a few
-/// last bits of a double: less than one for pow of the C library (as documented), half of one for 1 - c of a
-/// float, multiplied by a power of some tens. One ulp of a float is 2^29 ulps of a double, so the reference
-/// rounds to the right float, except within a millionth of the middle between two floats.
-bench::FloatSubject subject_of(const forms::Catalogue& catalogue, const Chosen& chosen) {
-  const auto form = find_kernel(bench::compiled_for(chosen.width), chosen.form->id, chosen.exp2_degree);
-  const auto exact = std::find_if(catalogue.forms.begin(), catalogue.forms.end(), [&](const auto& other) {
-    return other.target == chosen.target->id;  // the first form of a target is the target itself
-  });
-  const auto truth = find_kernel(forms::scalar_forms(), exact->id, 0);
-  const auto parameters = in_float(forms::parameters_of(*chosen.target, *chosen.constants));
-  const auto given = forms::parameters_of(*chosen.target, exact->constants.front());
-  return {[=](const float* in, float* out, std::size_t count) {
-            form.in_float({.in = {in}, .out = out, .size = count}, parameters);
-          },
-          [=](const float* in, double* out, std::size_t count) {
-            // In pieces that fit on the stack, because several threads run here at once.
-            std::array<double, 256> cosines;
-            for (std::size_t first = 0; first < count; first += cosines.size()) {
-              const std::size_t piece = std::min(cosines.size(), count - first);
-              std::copy_n(in + first, piece, cosines.begin());
-              truth.in_double({.in = {cosines.data()}, .out = out + first, .size = piece}, given);
-            }
-          }};
-}
-
-bench::SweepIdentity identity_of(const Chosen& chosen, const BenchOptions& options,
+bench::SweepIdentity identity_of(const SweptForm& chosen, const BenchOptions& options,
                                  const std::string& version) {
   return {version,
           std::string(chosen.form->id),
@@ -127,7 +42,7 @@ bench::SweepIdentity identity_of(const Chosen& chosen, const BenchOptions& optio
 }
 
 /// The form on a graphics device in the place of this processor.
-void put_on_device(bench::FloatSubject& subject, bench::SweepIdentity& identity, const Chosen& chosen,
+void put_on_device(bench::FloatSubject& subject, bench::SweepIdentity& identity, const SweptForm& chosen,
                    std::size_t place, const GpuModel& model) {
   const device::FormSweep sweep(device::VulkanDevice({.place = place}),
                                 device::form_function(*chosen.target, *chosen.form, *chosen.constants),
@@ -173,11 +88,10 @@ std::string device_text(const Sweep& sweep) {
   return text;
 }
 
-std::string result_text(const Sweep& sweep, const Chosen& chosen, const Terminal& terminal) {
+std::string result_text(const Sweep& sweep, const SweptForm& chosen, const Terminal& terminal) {
   const bench::FloatErrors& found = sweep.found;
   std::string text =
-      fmt::format("{}{}{} in {}: {} floats, against {} in double\n", chosen.form->id,
-                  chosen.constants->numbers.empty() ? "" : ", " + chosen.constants->id,
+      fmt::format("{}{} in {}: {} floats, against {} in double\n", words_of(chosen),
                   chosen.exp2_degree > 0 ? fmt::format(", exp2 of degree {}", chosen.exp2_degree) : "",
                   sweep.identity.device.empty() ? forms::name(chosen.width) : "float", found.count(),
                   chosen.target->text);
@@ -226,7 +140,7 @@ void sweep_and_keep(Sweep& sweep, const bench::FloatSubject& subject, const fs::
 }
 
 /// Sweeps one form, or goes on with it, and keeps its result. On a device `model` says how wrong that is.
-Outcome sweep_form(const BenchOptions& options, const forms::Catalogue& catalogue, const Chosen& chosen,
+Outcome sweep_form(const BenchOptions& options, const forms::Catalogue& catalogue, const SweptForm& chosen,
                    const GpuModel& model, const std::string& version, const Checkpoint& checkpoint,
                    const Progress& progress, Sweep& sweep) {
   bench::FloatSubject subject = subject_of(catalogue, chosen);
@@ -277,25 +191,20 @@ Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue
   Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
               {}};
   std::uint64_t beyond = 0;
-  for (const forms::FormEntry& form : catalogue.forms) {
-    if (form.arguments != forms::Arguments::cosine) continue;
-    for (const forms::Constants& constants : form.constants) {
-      BenchOptions one = options;
-      one.exhaustive = std::string(form.id);
-      one.constants = constants.id;
-      Sweep sweep;
-      const Outcome outcome =
-          sweep_form(one, catalogue, chosen_by(catalogue, one), model, version, checkpoint, progress, sweep);
-      if (!sweep.is_done()) return outcome;
-      const bench::FloatErrors& found = sweep.found;
-      beyond += found.beyond;
-      table.rows.push_back({std::string(form.id), constants.id, static_cast<long>(found.count()),
-                            Number{static_cast<double>(found.max_abs_error), 6},
-                            hex_text(std::bit_cast<float>(found.max_abs_error_at)),
-                            static_cast<long>(found.max_ulps),
-                            hex_text(std::bit_cast<float>(found.max_ulps_at)), static_cast<long>(found.nans),
-                            static_cast<long>(found.beyond)});
-    }
+  for (SweptForm form : all_of_one_cosine(catalogue)) {
+    form.exp2_degree = options.exp2_degree;
+    form.width = options.width.value_or(form.width);
+    Sweep sweep;
+    const Outcome outcome = sweep_form(options, catalogue, form, model, version, checkpoint, progress, sweep);
+    if (!sweep.is_done()) return outcome;
+    const bench::FloatErrors& found = sweep.found;
+    beyond += found.beyond;
+    table.rows.push_back({std::string(form.form->id), form.constants->id, static_cast<long>(found.count()),
+                          Number{static_cast<double>(found.max_abs_error), 6},
+                          hex_text(std::bit_cast<float>(found.max_abs_error_at)),
+                          static_cast<long>(found.max_ulps),
+                          hex_text(std::bit_cast<float>(found.max_ulps_at)), static_cast<long>(found.nans),
+                          static_cast<long>(found.beyond)});
   }
   write_files(options.out, {{file, write_csv(table, Precision::report)}});
   return {beyond == 0 ? 0 : 1,
@@ -309,9 +218,10 @@ Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue
 Outcome exhaustive_command(const BenchOptions& options, const std::string& version,
                            const Checkpoint& checkpoint, const Progress& progress) {
   require_directory(options.out);
+  if (options.half) return halves_command(options, checkpoint, progress);
   const forms::Catalogue catalogue = forms::catalogue();
   if (*options.exhaustive == "all") return sweep_all(options, catalogue, version, checkpoint, progress);
-  const Chosen chosen = chosen_by(catalogue, options);
+  const SweptForm chosen = chosen_by(catalogue, options);
   const GpuModel model = measured_model(options, chosen.form->function, checkpoint);
   Sweep sweep;
   return sweep_form(options, catalogue, chosen, model, version, checkpoint, progress, sweep);

@@ -5,19 +5,25 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 
 #include "fit/support/parallel.hpp"
 
 namespace shadefit::device {
 namespace {
 
-Tape tape_of_code(const ShaderFunction& function) {
-  return tape_of(as_generated(function.result, ShaderPrecision::float32), function.arguments);
+Tape tape_of_code(const ShaderFunction& function, ShaderPrecision precision) {
+  return tape_of(as_generated(function.result, precision), function.arguments);
 }
+
+template <class Format>
+constexpr ShaderPrecision precision_of =
+    std::is_same_v<Format, HalfFormat> ? ShaderPrecision::float16 : ShaderPrecision::float32;
 
 }  // namespace
 
-FormInDouble::FormInDouble(const ShaderFunction& function) : tape_(tape_of_code(function)) {
+FormInDouble::FormInDouble(const ShaderFunction& function, ShaderPrecision precision)
+    : tape_(tape_of_code(function, precision)) {
   for (const double constant : tape_.constants<double>()) constants_.insert(constants_.end(), most, constant);
 }
 
@@ -35,20 +41,25 @@ void FormInDouble::operator()(std::span<const double* const> arguments, double* 
   std::copy_n(table[tape_.output(0)], count, results);
 }
 
-FormBound::FormBound(const ShaderFunction& function, const GpuModel& gpu)
-    : gpu_(gpu), program_(tape_of_code(function), {}) {}
+template <class Format>
+FormBound<Format>::FormBound(const ShaderFunction& function, const GpuModel& gpu)
+    : gpu_(gpu), program_(tape_of_code(function, precision_of<Format>), {}) {}
 
-double FormBound::on(std::span<const Domain> box) {
-  std::vector<RunningFloat> arguments;
+template <class Format>
+double FormBound<Format>::on(std::span<const Domain> box) {
+  std::vector<RunningNarrow<Format>> arguments;
   for (const Domain& side : box)
-    arguments.push_back(RunningFloat::exact(span_of(side.lower, side.upper), &gpu_));
+    arguments.push_back(RunningNarrow<Format>::exact(span_of(side.lower, side.upper), &gpu_));
   program_.run(arguments);
-  const RunningFloat& form = program_.output(0);
+  const RunningNarrow<Format>& form = program_.output(0);
   // The real value in double is off by some 2^-50 of it, or by 2^-45 where an exponent of a hundred is. That
   // is far below an ulp of a float, 2^-23, but enclosures may know the rounding of a single float exactly.
   constexpr double slack = 0x1p-40;
   return form.error + slack * largest_magnitude_in(form.computed);
 }
+
+template class FormBound<FloatFormat>;
+template class FormBound<HalfFormat>;
 
 std::vector<std::uint32_t> unit_panels() {
   constexpr std::uint32_t per_binade = 64, fraction_bits = 23, sharp_binades = 12;
@@ -73,7 +84,7 @@ std::vector<double> bounds_on(std::span<const std::uint32_t> panels, const Shade
   constexpr std::size_t piece = 128;
   std::vector<double> bounds(panels.size());
   for_each_in_parallel((panels.size() + piece - 1) / piece, [&](std::size_t part, const Checkpoint&) {
-    FormBound bound(function, gpu);
+    FormBound<> bound(function, gpu);
     for (std::size_t i = part * piece; i < std::min(panels.size(), (part + 1) * piece); ++i) {
       const std::uint32_t last =
           i + 1 < panels.size() ? panels[i + 1] - 1 : std::bit_cast<std::uint32_t>(1.0F);

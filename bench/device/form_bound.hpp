@@ -8,7 +8,7 @@
 
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/gpu_model.hpp"
-#include "fit/study_proof/running_float.hpp"
+#include "fit/study_proof/running_narrow.hpp"
 #include "fit/tape/tape_program.hpp"
 #include "reports/code/shader_code.hpp"
 
@@ -16,10 +16,10 @@
 namespace shadefit::device {
 
 /// A function as `emit` writes it, in double, for many arguments at a time. The numbers are the decimals of
-/// the code.
+/// the code in that precision.
 class FormInDouble {
  public:
-  explicit FormInDouble(const ShaderFunction& function);
+  explicit FormInDouble(const ShaderFunction& function, ShaderPrecision precision = ShaderPrecision::float32);
 
   /// `arguments` has for each argument a pointer to `count` numbers, at most `most`. Several threads may call
   /// it.
@@ -31,18 +31,24 @@ class FormInDouble {
   std::vector<double> constants_;  ///< each of them `most` times
 };
 
-/// Bounds |computed - real| of the same function on a device: `RunningFloat` with its model.
+/// Bounds |computed - real| of the same function on a device, in float or in half: `RunningNarrow` with its
+/// model.
+template <class Format = FloatFormat>
 class FormBound {
  public:
   FormBound(const ShaderFunction& function, const GpuModel& gpu);
 
-  /// At all floats whose arguments lie in a box. A rounding of the real value to double is included.
+  /// At all numbers of the format whose arguments lie in a box. A rounding of the real value to double is
+  /// included.
   double on(std::span<const Domain> box);
 
  private:
   GpuModel gpu_;
-  TapeProgram<RunningFloat> program_;
+  TapeProgram<RunningNarrow<Format>> program_;
 };
+
+extern template class FormBound<FloatFormat>;
+extern template class FormBound<HalfFormat>;
 
 /// The floats of [0, 1], cut into panels on which a bound is sharp to a few percent: [first, next panel's).
 /// Each has 1/64 of a power of two of c and of 1 - c; both count, as forms vanish at both ends.

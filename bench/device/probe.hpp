@@ -14,7 +14,7 @@ namespace shadefit::device {
 
 /// The largest error of a function, and where.
 struct LargestError {
-  double error = 0;  ///< infinite for a result that is no number
+  double error = 0;  ///< infinite if a result was NaN
   std::vector<float> at = {};
   std::uint64_t count = 0;  ///< how many arguments were tried
 };

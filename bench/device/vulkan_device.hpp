@@ -58,7 +58,7 @@ class Program {
 /// throws CheckFailed with one line if the device is lost, is out of memory or does not answer.
 class VulkanDevice {
  public:
-  /// Throws UserError if there is no such device.
+  /// Throws UserError if the machine has no device at `choice.place`.
   explicit VulkanDevice(const DeviceChoice& choice);
   ~VulkanDevice();
   VulkanDevice(VulkanDevice&&) noexcept;

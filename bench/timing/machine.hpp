@@ -11,9 +11,9 @@ struct Machine {
   std::string compiler;    ///< of this program
   unsigned threads;        ///< that the machine runs in parallel
   std::size_t last_cache;  ///< bytes; 0 if unknown
-  /// What the times are of, by its name, and the driver that runs it: on the CPU there is none.
-  std::string device = "cpu", driver = {};
-  std::string clock = "steady clock";  ///< that the times are of
+  std::string device = "cpu";          ///< what ran the forms: the CPU, or the name of a graphics device
+  std::string driver = {};             ///< the driver of that device; empty for the CPU
+  std::string clock = "steady clock";  ///< which clock took the times
   bool is_graphics() const { return !driver.empty(); }
 };
 

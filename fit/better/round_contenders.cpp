@@ -9,7 +9,7 @@
 #include "fit/better/prove_properties.hpp"
 #include "fit/rounding/lattice.hpp"
 #include "fit/rounding/study_in_format.hpp"
-#include "fit/study_proof/float_rounding.hpp"
+#include "fit/study_proof/rounding_bound.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {
@@ -69,18 +69,13 @@ std::vector<double> values_of(const StudyComparison& comparison, const StudyCont
   return values;
 }
 
-ContenderInFormat in_float(const StudySubject& subject, const StudyContender& contender,
-                           const std::vector<double>& values, const Checkpoint& checkpoint) {
-  const ReadStudy read = read_formulas(subject.study);
-  const std::vector<double> numbers = rounded<FloatFormat>(values);
-  ContenderInFormat result = described<FloatFormat>(subject.parameters, numbers);
+/// By proof: a bound of the error in real numbers, plus a bound of what rounding adds.
+template <class Format>
+ContenderInFormat proven_in(const StudySubject& subject, const StudyContender& contender,
+                            const std::vector<double>& values, const Checkpoint& checkpoint) {
+  ContenderInFormat result = described<Format>(subject.parameters, rounded<Format>(values));
   if (!result.reason.empty()) return result;
-  if (read.rows) {
-    StudyInFormat<FloatFormat> study(read, checkpoint);
-    evaluate(read, study, numbers, result);
-    return result;
-  }
-  const double rounding = contender.bound ? bound_of_float_rounding(subject, checkpoint) : HUGE_VAL;
+  const double rounding = contender.bound ? bound_of_rounding<Format>(subject, checkpoint) : HUGE_VAL;
   if (std::isfinite(rounding)) {
     result.bound = std::nextafter(*contender.bound + rounding, HUGE_VAL);
     result.evidence = Evidence::proven;
@@ -90,18 +85,31 @@ ContenderInFormat in_float(const StudySubject& subject, const StudyContender& co
   return result;
 }
 
+ContenderInFormat in_float(const StudySubject& subject, const StudyContender& contender,
+                           const std::vector<double>& values, const Checkpoint& checkpoint) {
+  const ReadStudy read = read_formulas(subject.study);
+  if (!read.rows) return proven_in<FloatFormat>(subject, contender, values, checkpoint);
+  const std::vector<double> numbers = rounded<FloatFormat>(values);
+  ContenderInFormat result = described<FloatFormat>(subject.parameters, numbers);
+  if (!result.reason.empty()) return result;
+  StudyInFormat<FloatFormat> study(read, checkpoint);
+  evaluate(read, study, numbers, result);
+  return result;
+}
+
 /// A contender in half, and the study to evaluate other constants in.
 struct InHalf {
   ContenderInFormat rounded;
   std::vector<double> numbers;
-  std::optional<StudyInFormat<HalfFormat>> study;  ///< none if a constant overflows
+  std::optional<StudyInFormat<HalfFormat>> study;  ///< none if a constant overflows, and in two variables
 };
 
-/// Empty in two variables, and if the range holds no half.
-std::optional<InHalf> in_half(const StudySubject& subject, const std::vector<double>& values,
-                              const Checkpoint& checkpoint) {
+/// Empty if the range holds no half.
+std::optional<InHalf> in_half(const StudySubject& subject, const StudyContender& contender,
+                              const std::vector<double>& values, const Checkpoint& checkpoint) {
   const ReadStudy read = read_formulas(subject.study);
-  if (read.axes.size() > 1 && !read.rows) return std::nullopt;
+  if (read.axes.size() > 1 && !read.rows)
+    return InHalf{proven_in<HalfFormat>(subject, contender, values, checkpoint), {}, {}};
   InHalf half{{}, rounded<HalfFormat>(values), {}};
   half.rounded = described<HalfFormat>(subject.parameters, half.numbers);
   if (!half.rounded.reason.empty()) return half;
@@ -146,7 +154,7 @@ void round_contenders(StudyComparison& comparison, const Checkpoint& checkpoint)
     if (!fault_of(subject).empty()) continue;
     const std::vector<double> values = values_of(comparison, contender);
     contender.formats = {in_float(subject, contender, values, checkpoint)};
-    std::optional<InHalf> half = in_half(subject, values, checkpoint);
+    std::optional<InHalf> half = in_half(subject, contender, values, checkpoint);
     if (!half) continue;
     contender.formats.push_back(half->rounded);
     if (!half->study) continue;

@@ -13,7 +13,7 @@
 #include "fit/errors/extremum.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 
 namespace shadefit {
 namespace {

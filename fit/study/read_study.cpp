@@ -5,8 +5,8 @@
 
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/scalars/parse_formula.hpp"
-#include "fit/scalars/shader_calls.hpp"
+#include "fit/formula/parse_formula.hpp"
+#include "fit/formula/shader_calls.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/user_error.hpp"
 

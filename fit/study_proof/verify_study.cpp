@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/formula/parse_formula.hpp"
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/scalars/parse_formula.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_proof/enclosed_error.hpp"
 #include "fit/study_proof/study_certificate.hpp"

@@ -117,7 +117,6 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
     objective.words += more;
     if (objective.words != asked.words) objectives.push_back(std::move(objective));
   };
-  const bool has_rows = asked.study.rows != nullptr;
   const std::array errors{Error::absolute, Error::relative};
   std::vector<std::string> weights{asked.study.weight};
   if (weights.front() != "1") weights.emplace_back("1");
@@ -128,10 +127,10 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
       study.weight = weight;
       const std::string words = weight == weights.front() ? "" : ", without the weight";
       add(objective_of(study, Norm::least_squares, {}), words);
-      if (!has_rows) add(objective_of(study, Norm::minimax, {}), words);
+      add(objective_of(study, Norm::minimax, {}), words);
     }
   }
-  if (has_rows || asked.study.over.size() > 1) return objectives;
+  if (asked.study.rows || asked.study.over.size() > 1) return objectives;
   const ReadStudy read = read_study(asked.study);
   const StudyAxis& axis = read.axes.front();
   if (0 <= axis.lower && axis.upper <= 1) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "fit/scalars/parse_formula.hpp"
-#include "fit/scalars/shader_calls.hpp"
+#include "fit/formula/parse_formula.hpp"
+#include "fit/formula/shader_calls.hpp"
 #include "lint/expression/calls.hpp"
 #include "lint/expression/usual_names.hpp"
 #include "lint/scan/characters.hpp"

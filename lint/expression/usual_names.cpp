@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "fit/scalars/shader_calls.hpp"
+#include "fit/formula/shader_calls.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "fit/least_squares/status.hpp"
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/io/utf8.hpp"

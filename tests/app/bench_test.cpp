@@ -175,6 +175,8 @@ TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refusal({"--device", "vulkan", "--width", "sse2"}),
             "shadefit: --width excludes --device (see 'shadefit help bench')\n");
   const TemporaryDirectory directory;
+  EXPECT_EQ(refusal({"--exhaustive", "sg", "--half"}),
+            "shadefit: --half requires --device (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--device", "vulkan", "--only", "phong-64", "--out", directory / "out"}),
             "shadefit: --device has no form for --only 'phong-64': sums of several lights are not measured "
             "there, phong-1 is one light\n");

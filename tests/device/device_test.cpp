@@ -8,6 +8,7 @@
 #include "bench/device/evaluator.hpp"
 #include "bench/device/form_functions.hpp"
 #include "bench/device/form_sweep.hpp"
+#include "bench/device/half_errors.hpp"
 #include "bench/device/probe.hpp"
 #include "fit/support/user_error.hpp"
 #include "tests/device/drawn_inputs.hpp"
@@ -106,6 +107,34 @@ TEST_F(Device, RunsEveryFormWithinTheBoundInBothLanguages) {
     ++forms;
   }
   EXPECT_GT(forms, 70U);
+}
+
+/// The form in double is the truth: what is left is the arithmetic in half.
+TruthOfCosines in_double(const ShaderFunction& function) {
+  return [form = FormInDouble(function)](const float* in, double* out, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto c = static_cast<double>(in[i]);
+      form(std::array{&c}, out + i, 1);
+    }
+  };
+}
+
+// Every half in [0, 1] through every form of one cosine.
+TEST_F(Device, RunsEveryHalfWithinTheBound) {
+  const forms::Catalogue catalogue = forms::catalogue();
+  for (const FormFunction& form : form_functions(catalogue)) {
+    if (forms::target_of(catalogue, form.target).arguments != forms::Arguments::cosine) continue;
+    const TruthOfCosines truth = in_double(form.function);
+    if (!vulkan().info().has_half) {
+      EXPECT_THROW(errors_in_half(vulkan(), form.function, truth, usual_gpu), UserError);
+      continue;
+    }
+    const HalfErrors found = errors_in_half(vulkan(), form.function, truth, usual_gpu);
+    EXPECT_EQ(found.count, 15361U);
+    EXPECT_GT(found.max_abs_error, 0x1p-13) << form.form << " is better than rounded to half";
+    EXPECT_EQ(found.beyond.size(), 0U)
+        << form.form << " " << form.constants << " at " << (found.beyond.empty() ? 0 : found.beyond.front());
+  }
 }
 
 // Each digit of the published pair, one too large.

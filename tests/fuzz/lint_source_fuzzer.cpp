@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "lint/fix/fixes.hpp"
 #include "lint/lint_tree.hpp"
 

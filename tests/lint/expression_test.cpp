@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "lint/expression/mutants.hpp"
 #include "lint/expression/source_expression.hpp"
 #include "lint/lint_tree.hpp"

@@ -10,7 +10,7 @@
 /// Times and errors of forms on a device.
 namespace shadefit::device {
 
-/// The largest |value - truth|, or infinity if a value is no number.
+/// The largest |value - truth|; infinity if a value is NaN.
 double largest_error(std::span<const float> values, std::span<const double> truth);
 
 /// How the device at a place is opened for its times: with buffers in its own memory.

@@ -19,7 +19,7 @@
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/scalars/jet.hpp"
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"

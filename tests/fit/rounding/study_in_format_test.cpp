@@ -12,7 +12,7 @@
 
 #include "fit/rounding/lattice.hpp"
 #include "fit/scalars/half.hpp"
-#include "fit/study_proof/float_rounding.hpp"
+#include "fit/study_proof/rounding_bound.hpp"
 #include "fit/support/hex_float.hpp"
 
 namespace shadefit {
@@ -124,37 +124,57 @@ double seen_in(const FloatTrial& trial) {
   return seen;
 }
 
-TEST(FloatRounding, BoundsWhatFloatsShow) {
+TEST(RoundingBound, BoundsWhatFloatsShow) {
   for (const FloatTrial& trial : float_trials()) {
-    const double bound = bound_of_float_rounding(trial.subject), seen = seen_in(trial);
+    const double bound = bound_of_rounding<FloatFormat>(trial.subject), seen = seen_in(trial);
     EXPECT_LE(seen, bound) << trial.name;
     EXPECT_GE(trial.most_times * seen, bound) << trial.name << ": the bound is far off";
   }
 }
 
+// Every 64th pair of halves in [0, 1]^2, in the arithmetic of Eigen.
+TEST(RoundingBound, BoundsWhatPairsOfHalvesShow) {
+  const StudySubject subject{
+      {.target = "x", .form = "x + a y (1 - x)", .over = {from_0_to_1, {"y", "0", "1"}}}, {{"a", "0.7512"}}};
+  const double bound = bound_of_rounding<HalfFormat>(subject);
+  const Eigen::half a = round_to_half(0.7512), one(1.0F);
+  double seen = 0;
+  for (std::uint16_t i = 0; i <= 0x3c00; i += 8) {
+    for (std::uint16_t j = 0; j <= 0x3c00; j += 8) {
+      const auto x = Eigen::numext::bit_cast<Eigen::half>(i), y = Eigen::numext::bit_cast<Eigen::half>(j);
+      const double truth =
+          static_cast<double>(x) + 0.7512 * static_cast<double>(y) * (1 - static_cast<double>(x));
+      seen = std::max(seen, std::abs(static_cast<double>(x + a * y * (one - x)) - truth));
+    }
+  }
+  EXPECT_LE(seen, bound);
+  EXPECT_GE(4 * seen, bound) << "the bound is far off";
+}
+
 // A relative error and a weight divide and multiply it. x + 1 in floats is off by 2^-23, and by analysis at
 // most 2^-24 times 3.
-TEST(FloatRounding, IsMeasuredAsTheErrorIs) {
+TEST(RoundingBound, IsMeasuredAsTheErrorIs) {
   StudySubject subject{{.target = "4", .form = "x + a", .over = {{"x", "1", "2"}}}, {{"a", "1"}}};
-  const double plain = bound_of_float_rounding(subject);
+  const double plain = bound_of_rounding<FloatFormat>(subject);
   EXPECT_LE(plain, 3 * 0x1p-24 * (1 + 1e-15));
   EXPECT_GE(plain, 2 * 0x1p-24) << "2 + 2^-23 is a tie";
   subject.study.error = Error::relative;
-  EXPECT_NEAR(bound_of_float_rounding(subject), plain / 4, 1e-12);
+  EXPECT_NEAR(bound_of_rounding<FloatFormat>(subject), plain / 4, 1e-12);
   subject.study.weight = "2";
-  EXPECT_NEAR(bound_of_float_rounding(subject), plain / 2, 1e-12);
+  EXPECT_NEAR(bound_of_rounding<FloatFormat>(subject), plain / 2, 1e-12);
 }
 
 // 0.7 rounds down, and at that float the condition differs: the whole jump is an error.
-TEST(FloatRounding, KnowsThatAConditionMayChange) {
-  EXPECT_EQ(bound_of_float_rounding(
+TEST(RoundingBound, KnowsThatAConditionMayChange) {
+  EXPECT_EQ(bound_of_rounding<FloatFormat>(
                 {{.target = "x", .form = "x < a ? 0 : 1", .over = {from_0_to_1}}, {{"a", "0.7"}}}),
             1);
 }
 
-TEST(FloatRounding, IsInfiniteWithoutABound) {
+TEST(RoundingBound, IsInfiniteWithoutABound) {
   for (const char* form : {"integral(a t, t, 0, x)", "exp(a x)", "sqrt(x - 0.5) + a", "a/(x - 0.5)"})
-    EXPECT_EQ(bound_of_float_rounding({{.target = "x", .form = form, .over = {from_0_to_1}}, {{"a", "100"}}}),
+    EXPECT_EQ(bound_of_rounding<FloatFormat>(
+                  {{.target = "x", .form = form, .over = {from_0_to_1}}, {{"a", "100"}}}),
               HUGE_VAL)
         << form;
 }

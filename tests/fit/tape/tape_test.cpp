@@ -11,7 +11,7 @@
 #include "fit/proof/interval.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/multiprecision.hpp"
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/tape/batch.hpp"
 #include "tests/any_expression.hpp"
 #include "tests/intervals.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/tape/tape_program.hpp"
 #include "fit/truths/albedos.hpp"
 #include "fit/truths/graded_rule.hpp"

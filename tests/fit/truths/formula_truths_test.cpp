@@ -7,7 +7,7 @@
 #include <string>
 
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/truths/truths.hpp"
 
 namespace shadefit {

@@ -1,4 +1,4 @@
-#include "fit/scalars/parse_formula.hpp"
+#include "fit/formula/parse_formula.hpp"
 
 #include <gtest/gtest.h>
 

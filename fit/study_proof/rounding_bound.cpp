@@ -1,4 +1,4 @@
-#include "fit/study_proof/float_rounding.hpp"
+#include "fit/study_proof/rounding_bound.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,7 +8,7 @@
 
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/scalars/integral.hpp"
-#include "fit/study_proof/running_float.hpp"
+#include "fit/study_proof/running_narrow.hpp"
 #include "fit/study_proof/study_box.hpp"
 #include "fit/tape/tape_program.hpp"
 
@@ -20,10 +20,11 @@ std::vector<std::string> with_parameters(std::vector<std::string> variables, con
   return variables;
 }
 
-std::vector<RunningFloat> rounded_constants(const Constants& constants) {
-  std::vector<RunningFloat> rounded;
+template <class Format>
+std::vector<RunningNarrow<Format>> rounded_constants(const Constants& constants) {
+  std::vector<RunningNarrow<Format>> rounded;
   for (const auto& [name, text] : constants)
-    rounded.push_back(RunningFloat::rounded_number(enclosed_constant(text).value()));
+    rounded.push_back(RunningNarrow<Format>::rounded_number(enclosed_constant(text).value()));
   return rounded;
 }
 
@@ -32,11 +33,13 @@ Symbolic scale_of(const ReadStudy& study) {
   return study.error == Error::relative ? study.weight / study.target : study.weight;
 }
 
-/// The bound on boxes. The variables are exact: they are floats.
-class FloatRounding {
+/// The bound on boxes. The variables are exact: they are numbers of the format.
+template <class Format>
+class RoundingOnBoxes {
  public:
-  FloatRounding(const ReadStudy& study, const Constants& constants, const std::vector<std::string>& variables)
-      : form_(tape_of(study.form, with_parameters(variables, study)), rounded_constants(constants)),
+  RoundingOnBoxes(const ReadStudy& study, const Constants& constants,
+                  const std::vector<std::string>& variables)
+      : form_(tape_of(study.form, with_parameters(variables, study)), rounded_constants<Format>(constants)),
         scale_(tape_of(scale_of(study), variables), {}) {
     for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
   }
@@ -45,10 +48,10 @@ class FloatRounding {
 
   double bound_on(const StudyBox& box) {
     std::vector<Interval> numbers;
-    std::vector<RunningFloat> operands;
+    std::vector<RunningNarrow<Format>> operands;
     for (std::size_t i = 0; i < box.size(); ++i) {
       numbers.push_back(numbers_of(box[i], ranges_[i]));
-      operands.push_back(RunningFloat::exact(numbers.back()));
+      operands.push_back(RunningNarrow<Format>::exact(numbers.back()));
     }
     form_.run(operands);
     scale_.run(numbers);
@@ -69,7 +72,7 @@ class FloatRounding {
 
  private:
   std::vector<Domain> ranges_;
-  TapeProgram<RunningFloat> form_;
+  TapeProgram<RunningNarrow<Format>> form_;
   TapeProgram<Interval> scale_;
 };
 
@@ -89,15 +92,9 @@ StudyBox centre_of(StudyBox box) {
   return box;
 }
 
-}  // namespace
-
-double bound_of_float_rounding(const StudySubject& subject, const Checkpoint& checkpoint,
-                               std::size_t box_limit) {
-  const ReadStudy study = read_formulas(subject.study);
-  // In intervals the sum that stands for an integral is no enclosure of it.
-  if (integral_depth(study.form) > 0 || integral_depth(scale_of(study)) > 0)
-    return std::numeric_limits<double>::infinity();
-  FloatRounding rounding(study, subject.parameters, node_variables(study));
+/// The bound on all boxes, which are cut where it is largest.
+template <class Format>
+double bound_on_boxes(RoundingOnBoxes<Format> rounding, const Checkpoint& checkpoint, std::size_t box_limit) {
   std::priority_queue<BoundedBox> open;
   double reached = 0;  // on narrow boxes: the bound will not fall far below
   const auto add = [&](const StudyBox& box) {
@@ -115,5 +112,20 @@ double bound_of_float_rounding(const StudySubject& subject, const Checkpoint& ch
   }
   return open.top().bound;
 }
+
+}  // namespace
+
+template <class Format>
+double bound_of_rounding(const StudySubject& subject, const Checkpoint& checkpoint, std::size_t box_limit) {
+  const ReadStudy study = read_formulas(subject.study);
+  // In intervals the sum that stands for an integral is no enclosure of it.
+  if (integral_depth(study.form) > 0 || integral_depth(scale_of(study)) > 0)
+    return std::numeric_limits<double>::infinity();
+  return bound_on_boxes(RoundingOnBoxes<Format>(study, subject.parameters, node_variables(study)), checkpoint,
+                        box_limit);
+}
+
+template double bound_of_rounding<FloatFormat>(const StudySubject&, const Checkpoint&, std::size_t);
+template double bound_of_rounding<HalfFormat>(const StudySubject&, const Checkpoint&, std::size_t);
 
 }  // namespace shadefit

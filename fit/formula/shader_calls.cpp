@@ -1,4 +1,4 @@
-#include "fit/scalars/shader_calls.hpp"
+#include "fit/formula/shader_calls.hpp"
 
 #include <algorithm>
 #include <array>

@@ -9,12 +9,12 @@
 #include "fit/scalars/gpu_model.hpp"
 #include "fit/scalars/narrow_result.hpp"
 
-/// A program in float on a CPU or a GPU: what it should compute, what it may compute, and how far apart the
-/// two are.
+/// A program in float or half on a CPU or a GPU: what it should compute, what it may compute, and how far
+/// apart the two are.
 namespace shadefit {
 
-/// A value of a program whose every operation and function is rounded to the nearest float; or, with a `gpu`,
-/// is as wrong as that device may be, subnormal numbers flushed to zero or not.
+/// A value of a program whose every operation and function is rounded to the nearest number of a format; or,
+/// with a `gpu`, is as wrong as that device may be, subnormal numbers flushed to zero or not.
 ///
 /// The error of an operation is what its operands' errors do to it, by the mean value theorem between the
 /// true and the computed operands, and its own rounding. It is also never more than what the two enclosures
@@ -22,52 +22,56 @@ namespace shadefit {
 /// `RunningError` (fit/proof/running_error.hpp) has no second enclosure, so it cannot know that the float
 /// 1 - x is not negative for x <= 1. Source: Higham 2002, "Accuracy and Stability of Numerical Algorithms",
 /// 2nd edition, section 3.3.
-struct RunningFloat {
+template <class Format>
+struct RunningNarrow {
   Interval value;     ///< encloses the true value
-  Interval computed;  ///< encloses every float that the program may have, with its products rounded or not
+  Interval computed;  ///< encloses every number that the program may have, with its products rounded or not
   double error = 0;   ///< at least |computed - true|
   const GpuModel* gpu = nullptr;  ///< the device of an operand or a result of one; none of a number
 
-  /// A float as an operand.
-  static RunningFloat exact(const Interval& value, const GpuModel* gpu = nullptr) {
+  /// A number of the format as an operand.
+  static RunningNarrow exact(const Interval& value, const GpuModel* gpu = nullptr) {
     return enclosed(value, with_flushed(value, gpu), gpu == nullptr ? 0 : least_normal, gpu);
   }
 
-  /// A number that is rounded to the nearest float before the program runs.
-  static RunningFloat rounded_number(const Interval& value) { return rounded(value, value, Interval(0)); }
+  /// A number that is rounded to the nearest of the format before the program runs.
+  static RunningNarrow rounded_number(const Interval& value) { return rounded(value, value, Interval(0)); }
 
   /// How an operation rounds.
   enum class Rounds {
-    to_nearest,  ///< to the nearest float
-    within,      ///< to a float within the relative error
+    to_nearest,  ///< to the nearest number of the format
+    within,      ///< to a number within the relative error
   };
 
   /// An operation with true results in `value`; those of the computed operands lie in `result`, and differ
   /// by at most `inherited` before they are rounded, by a relative error.
-  static RunningFloat rounded(const Interval& value, const Interval& result, const Interval& inherited,
-                              const GpuModel* gpu = nullptr, Rounds rounds = Rounds::to_nearest,
-                              double relative = half_ulp) {
+  static RunningNarrow rounded(const Interval& value, const Interval& result, const Interval& inherited,
+                               const GpuModel* gpu = nullptr, Rounds rounds = Rounds::to_nearest,
+                               double relative = half_ulp) {
     const Interval rounding = Interval(largest_magnitude_in(result)) * Interval(relative) +
                               Interval(gpu == nullptr ? half_least : least_normal);
     const bool is_nearest = rounds == Rounds::to_nearest;
     const Interval off = is_nearest ? result : span_of(widened_by_gpu(ends(result), relative));
-    return enclosed(value, with_flushed(to_float(off), gpu),
+    return enclosed(value, with_flushed(to_format(off), gpu),
                     largest_magnitude_in(Interval(inherited + rounding)), gpu);
   }
 
   /// The same for an operation that rounds nothing.
-  static RunningFloat enclosed(const Interval& value, const Interval& computed, double error,
-                               const GpuModel* gpu = nullptr) {
+  static RunningNarrow enclosed(const Interval& value, const Interval& computed, double error,
+                                const GpuModel* gpu = nullptr) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
     if (!is_bounded(value) || !is_bounded(computed)) return {value, any_number(), unknown, gpu};
     return {value, computed, std::fmin(error, largest_magnitude_in(Interval(computed - value))), gpu};
   }
 
-  /// A function of a GPU: its results lie between `results`, and are off by at most `own`.
-  static RunningFloat of_gpu(const Interval& value, Ends results, const Interval& own,
-                             const Interval& inherited, const GpuModel* gpu) {
-    return enclosed(value, with_flushed(to_float(span_of(results)), gpu),
-                    largest_magnitude_in(Interval(inherited + own + Interval(least_normal))), gpu);
+  /// A function of a GPU: its results lie between `results`, and are off by at most `own`. They are floats; a
+  /// narrower format rounds them once more.
+  static RunningNarrow of_gpu(const Interval& value, Ends results, const Interval& own,
+                              const Interval& inherited, const GpuModel* gpu) {
+    const Interval rounding =
+        is_narrow ? Interval(largest_magnitude_in(span_of(results))) * Interval(half_ulp) : Interval(0);
+    return enclosed(value, with_flushed(to_format(span_of(results)), gpu),
+                    largest_magnitude_in(Interval(inherited + own + rounding + Interval(least_normal))), gpu);
   }
 
   /// What an error of an operand does to a result; `slope` encloses the derivative between the true and the
@@ -77,7 +81,7 @@ struct RunningFloat {
   }
 
   /// The device of two operands.
-  static const GpuModel* gpu_of(const RunningFloat& a, const RunningFloat& b) {
+  static const GpuModel* gpu_of(const RunningNarrow& a, const RunningNarrow& b) {
     return a.gpu != nullptr ? a.gpu : b.gpu;
   }
 
@@ -86,39 +90,46 @@ struct RunningFloat {
 
   Interval both() const { return Scalar<Interval>::hull(value, computed); }
 
-  friend RunningFloat operator+(const RunningFloat& a, const RunningFloat& b) {
+  friend RunningNarrow operator+(const RunningNarrow& a, const RunningNarrow& b) {
     return rounded(a.value + b.value, a.computed + b.computed, Interval(a.error) + Interval(b.error),
                    gpu_of(a, b));
   }
-  friend RunningFloat operator-(const RunningFloat& a) { return {-a.value, -a.computed, a.error, a.gpu}; }
-  friend RunningFloat operator-(const RunningFloat& a, const RunningFloat& b) { return a + -b; }
+  friend RunningNarrow operator-(const RunningNarrow& a) { return {-a.value, -a.computed, a.error, a.gpu}; }
+  friend RunningNarrow operator-(const RunningNarrow& a, const RunningNarrow& b) { return a + -b; }
   /// a' b' - a b = a' (b' - b) + (a' - a) b. The compiler of a GPU may regroup a product of three (Mesa moves
   /// numbers inward), so a single product need not be the nearest float; its error of half an ulp remains.
-  friend RunningFloat operator*(const RunningFloat& a, const RunningFloat& b) {
+  friend RunningNarrow operator*(const RunningNarrow& a, const RunningNarrow& b) {
     const Interval x(largest_magnitude_in(a.computed)), y(largest_magnitude_in(b.value));
     return rounded(a.value * b.value, a.computed * b.computed, x * Interval(b.error) + Interval(a.error) * y,
                    gpu_of(a, b), gpu_of(a, b) == nullptr ? Rounds::to_nearest : Rounds::within);
   }
   /// a'/b' - a/b = ((a' - a) - (b' - b) a/b)/b'.
-  friend RunningFloat operator/(const RunningFloat& a, const RunningFloat& b) {
+  friend RunningNarrow operator/(const RunningNarrow& a, const RunningNarrow& b) {
     const Interval quotient = a.value / b.value, least(smallest_magnitude_in(b.computed));
     const Interval inherited =
         (Interval(a.error) + Interval(b.error) * Interval(largest_magnitude_in(quotient))) / least;
     const GpuModel* const on = gpu_of(a, b);
     if (on == nullptr) return rounded(quotient, a.computed / b.computed, inherited);
     return rounded(quotient, a.computed / b.computed, inherited, on, Rounds::within,
-                   on->quotient_ulps * float_ulp);
+                   of_function(on->quotient_ulps));
   }
 
+  /// The relative error of a GPU's function with a normal result.
+  static constexpr double of_function(double ulps) {
+    return is_narrow ? half_ulp + ulps * float_ulp * (1 + half_ulp) : ulps * float_ulp;
+  }
+
+  static constexpr bool is_narrow = Format::digits < FloatFormat::digits;
+
  private:
-  static constexpr double half_ulp = power_of_two(-FloatFormat::digits);  ///< of a result, relative
-  static constexpr double half_least = least_of<FloatFormat> / 2;         ///< of a subnormal one
-  static constexpr double least_normal = least_normal_of<FloatFormat>;
+  static constexpr double half_ulp = power_of_two(-Format::digits);  ///< of a result, relative
+  static constexpr double half_least = least_of<Format> / 2;         ///< of a subnormal one
+  static constexpr double least_normal = least_normal_of<Format>;
 
   /// What results may be rounded to: rounding is monotonic. The results themselves are kept in, because a
   /// fused multiplication and addition does not round the product. From overflow on nothing is known.
-  static Interval to_float(const Interval& result) {
-    const auto round = [](double x) { return static_cast<double>(NarrowResult<FloatFormat>::rounded(x)); };
+  static Interval to_format(const Interval& result) {
+    const auto round = [](double x) { return static_cast<double>(NarrowResult<Format>::rounded(x)); };
     const double lower = round(lower_end(result)), upper = round(upper_end(result));
     if (!(std::isfinite(lower) && std::isfinite(upper))) return any_number();
     return Scalar<Interval>::hull(result, shadefit::span_of(lower, upper));
@@ -134,11 +145,13 @@ struct RunningFloat {
   }
 };
 
+using RunningFloat = RunningNarrow<FloatFormat>;
+
 /// A function without a slope here has only its enclosures, which are wide on wide boxes. Of a GPU's
 /// functions only those are known that `GpuModel` knows, and what consists of them.
-template <>
-struct Scalar<RunningFloat> {
-  using T = RunningFloat;
+template <class Format>
+struct Scalar<RunningNarrow<Format>> {
+  using T = RunningNarrow<Format>;
 
   static T exp(const T& x) {
     if (x.gpu != nullptr) return exp2(x * T::rounded_number(one() / shadefit::ln2<Interval>()));
@@ -168,7 +181,7 @@ struct Scalar<RunningFloat> {
     const Interval inherited = T::effect(one() / (Interval(2) * shadefit::sqrt(x.both())), x.error);
     if (x.gpu == nullptr) return T::rounded(shadefit::sqrt(x.value), shadefit::sqrt(x.computed), inherited);
     return T::rounded(shadefit::sqrt(x.value), shadefit::sqrt(x.computed), inherited, x.gpu,
-                      T::Rounds::within, x.gpu->root_ulps * float_ulp);
+                      T::Rounds::within, T::of_function(x.gpu->root_ulps));
   }
   static T sin(const T& x) { return of(shadefit::sin, x, shadefit::cos(x.both())); }
   static T cos(const T& x) { return of(shadefit::cos, x, shadefit::sin(x.both())); }
@@ -207,6 +220,7 @@ struct Scalar<RunningFloat> {
     const Interval value = shadefit::power(x.value, p.value);
     const GpuModel* const gpu = T::gpu_of(x, p);
     if (gpu == nullptr) return T::rounded(value, shadefit::power(x.computed, p.computed), inherited);
+    if (T::is_narrow) return narrow_power(x, p, value, gpu);
     if (!(ends_of(x).lower >= 0))
       return T::of_gpu(value, {-unbounded_error, unbounded_error}, any_number(), inherited, gpu);
     const Ends results = gpu_power(ends_of(x), ends_of(p), *gpu);
@@ -240,6 +254,18 @@ struct Scalar<RunningFloat> {
  private:
   static constexpr double unbounded_error = std::numeric_limits<double>::infinity();
 
+  /// On a GPU pow(x, p) is exp2(p log2 x). In half the product is a half too. 0^p is 0, for p > 0.
+  static T narrow_power(const T& x, const T& p, const Interval& value, const GpuModel* gpu) {
+    const auto [lower, upper] = ends_of(x);
+    if (lower > 0) {
+      const T result = exp2(p * log2(x));
+      return T::enclosed(value, result.computed, result.error, gpu);
+    }
+    if (!(lower == 0 && ends_of(p).lower > 0)) return T::enclosed(value, any_number(), unbounded_error, gpu);
+    const Interval none(0);
+    const Interval most = upper > 0 ? exp2(p * log2(T::exact(Interval(upper), gpu))).computed : none;
+    return T::enclosed(value, hull(none, most), unbounded_error, gpu);
+  }
   static Ends ends_of(const T& x) { return T::ends(x.computed); }
   static Interval one() { return Interval(1); }
   static Interval square(const Interval& x) { return shadefit::power(x, 2); }

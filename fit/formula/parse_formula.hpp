@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fit/formula/definition.hpp"
 #include "fit/scalars/symbolic.hpp"
 
 /// Reads closed forms, as people write them, into the symbolic scalar.
@@ -16,12 +17,6 @@ namespace shadefit {
 /// counts as n - 1. Functions on formulas are recursive, so the depth needs a limit.
 inline constexpr std::size_t longest_formula = 4000;
 inline constexpr std::size_t deepest_formula = 200;
-
-/// A named formula, `hg(c, g) = ..`; without arguments a name for an expression.
-struct Definition {
-  std::vector<std::string> arguments;
-  Symbolic formula;
-};
 
 /// The names that a formula may contain besides pi, ln2 and the functions.
 struct FormulaNames {
@@ -52,7 +47,7 @@ struct ReadFormula {
 ///   atom       a number (2, .5, 1e-3, 2.4f), pi, ln2, a name, a call, or a formula in parentheses
 /// `integral(t^2, t, 0, x)` is the integral of t^2 from 0 to x; t is a new name. At most two are inside one
 /// another. A power with a whole exponent is computed by multiplications. Any other is a real power; its base
-/// must not be negative. Calls are those of fit/scalars/shader_calls.hpp and of the definitions.
+/// must not be negative. Calls are those of fit/formula/shader_calls.hpp and of the definitions.
 ///
 /// A text that people read in two ways is refused: "1/2 pi", "a^b^c" and "2 3" need parentheses or a `*`;
 /// "2f" is refused too.

@@ -1,0 +1,68 @@
+#include "app/shards/halves_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/shards/swept_form.hpp"
+#include "bench/device/form_functions.hpp"
+#include "bench/device/half_errors.hpp"
+#include "bench/device/probe.hpp"
+#include "bench/timing/timing.hpp"
+#include "fit/support/hex_float.hpp"
+#include "reports/io/files.hpp"
+#include "reports/io/output.hpp"
+#include "reports/io/utf8.hpp"
+#include "reports/table/writers.hpp"
+
+namespace shadefit {
+namespace {
+
+/// The first places beyond a bound, in a line each.
+std::string places_text(const SweptForm& form, const std::vector<double>& places) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, places.size()); ++i)
+    text += fmt::format("beyond the bound: {} at c = {} ({:.6g})\n", words_of(form), hex_text(places[i]),
+                        places[i]);
+  return text;
+}
+
+}  // namespace
+
+Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
+  const forms::Catalogue catalogue = forms::catalogue();
+  const bool is_all = *options.exhaustive == "all";
+  const std::vector<SweptForm> swept =
+      is_all ? all_of_one_cosine(catalogue) : std::vector{chosen_by(catalogue, options)};
+  device::VulkanDevice vulkan({.place = *options.device});
+  const GpuModel model =
+      device::model_for(is_all ? forms::Function::pow : swept.front().form->function, vulkan, checkpoint);
+  Table table{{"form", "constants", "halves", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
+              {}};
+  std::string beyond;
+  const double start = bench::now().real;
+  for (const SweptForm& form : swept) {
+    checkpoint();
+    const double share = static_cast<double>(table.rows.size()) / static_cast<double>(swept.size());
+    if (share > 0) progress(progress_line("halves", share, bench::now().real - start));
+    const device::FormFunction on_device = device::form_function(*form.target, *form.form, *form.constants);
+    const device::HalfErrors found =
+        device::errors_in_half(vulkan, on_device.function, subject_of(catalogue, form).truth, model);
+    table.rows.push_back({std::string(form.form->id), form.constants->id, static_cast<long>(found.count),
+                          Number{found.max_abs_error, 6}, hex_text(found.max_abs_error_at),
+                          static_cast<long>(found.max_ulps), hex_text(found.max_ulps_at),
+                          static_cast<long>(found.nans), static_cast<long>(found.beyond.size())});
+    beyond += places_text(form, found.beyond);
+  }
+  std::string text = fmt::format("on {}, {}\n{}{}", vulkan.info().name, vulkan.info().driver,
+                                 write_console(table, Precision::report, options.terminal), beyond);
+  if (is_all) {
+    constexpr const char* file = "errors-half.csv";
+    write_files(options.out, {{file, write_csv(table, Precision::report)}});
+    text += fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file).string()));
+  }
+  return {beyond.empty() ? 0 : 1, text, ""};
+}
+
+}  // namespace shadefit

@@ -1,0 +1,116 @@
+#include "fit/formula/formula_text.hpp"
+
+#include <charconv>
+#include <stdexcept>
+
+namespace shadefit {
+namespace {
+
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
+
+}  // namespace
+
+bool is_digit(char c) {
+  return '0' <= c && c <= '9';
+}
+
+bool begins_name(char c) {
+  return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
+}
+
+char FormulaText::peek() {
+  while (is_space(next())) ++place_;
+  return next();
+}
+
+bool FormulaText::is_at_end() {
+  peek();
+  return place_ >= text_.size();
+}
+
+bool FormulaText::skip(char c) {
+  if (peek() != c) return false;
+  ++place_;
+  return true;
+}
+
+bool FormulaText::skip(std::string_view word) {
+  peek();
+  if (text_.substr(place_, word.size()) != word) return false;
+  place_ += word.size();
+  return true;
+}
+
+bool FormulaText::skip_minus() {
+  if (!skip('-')) return false;
+  if (peek() == '-') fail("one sign only");
+  return true;
+}
+
+void FormulaText::expect(char c) {
+  if (!skip(c)) fail(std::string("'") + c + "'");
+}
+
+std::string_view FormulaText::name() {
+  peek();
+  const std::size_t start = place_;
+  while (begins_name(next()) || (place_ > start && is_digit(next()))) ++place_;
+  return text_.substr(start, place_ - start);
+}
+
+std::string FormulaText::number() {
+  const std::size_t start = place_;
+  const auto digits = [&] {
+    const std::size_t first = place_;
+    while (is_digit(next())) ++place_;
+    return text_.substr(first, place_ - first);
+  };
+  std::string decimal(digits());
+  bool is_float = false;
+  if (decimal.empty()) decimal = "0";
+  if (next() == '.') {
+    ++place_;
+    is_float = true;
+    const std::string_view fraction = digits();
+    if (!fraction.empty()) decimal += "." + std::string(fraction);
+  }
+  const std::size_t sign = next(1) == '+' || next(1) == '-' ? 1 : 0;
+  if ((next() == 'e' || next() == 'E') && is_digit(next(1 + sign))) {
+    decimal += text_.substr(place_, 1 + sign);
+    place_ += 1 + sign;
+    decimal += digits();
+    is_float = true;
+  }
+  if (next() == '.') fail("a number with one point", start);
+  double value = 0;
+  if (std::from_chars(decimal.data(), decimal.data() + decimal.size(), value).ec != std::errc{})
+    fail("a number within the range of a double", start);
+  const char suffix = next();
+  const bool has_suffix = (suffix == 'f' || suffix == 'F' || suffix == 'h' || suffix == 'H') &&
+                          !begins_name(next(1)) && !is_digit(next(1)) && next(1) != '(';
+  if (has_suffix && !is_float)
+    fail("a point before the suffix, " + decimal + ".0" + suffix + ", or a '*'", start);
+  if (has_suffix) ++place_;
+  return decimal;
+}
+
+std::size_t FormulaText::end_of_argument() const {
+  std::size_t end = place_;
+  for (int open = 0; end < text_.size(); ++end) {
+    if (text_[end] == '(') ++open;
+    if (text_[end] == ')' && --open < 0) break;
+    if (text_[end] == ',' && open == 0) break;
+  }
+  return end;
+}
+
+void FormulaText::fail(const std::string& expected, std::optional<std::size_t> where) const {
+  std::size_t place = where.value_or(place_);
+  while (where && is_space(at(place))) ++place;
+  throw std::invalid_argument("formula '" + std::string(text_) + "': expected " + expected + " at place " +
+                              std::to_string(place + 1));
+}
+
+}  // namespace shadefit

@@ -1,0 +1,368 @@
+#include "fit/formula/parse_formula.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "fit/formula/formula_text.hpp"
+#include "fit/formula/shader_calls.hpp"
+#include "fit/scalars/integral.hpp"
+#include "fit/support/nearest.hpp"
+#include "fit/truths/truths.hpp"
+
+namespace shadefit {
+namespace {
+
+/// Deeper nesting than any formula has; a bound on the recursion of the reader.
+constexpr int deepest = 100;
+
+/// A condition is known by what it chooses: its first argument where it holds, else its second.
+using Condition = std::function<Symbolic(const Symbolic&, const Symbolic&)>;
+using Operand = std::variant<Symbolic, Condition>;
+
+Condition is_less(const Symbolic& a, const Symbolic& b) {
+  return [=](const Symbolic& yes, const Symbolic& no) { return select(less(a, b), yes, no); };
+}
+Condition negated(const Condition& p) {
+  return [=](const Symbolic& yes, const Symbolic& no) { return p(no, yes); };
+}
+Condition both(const Condition& p, const Condition& q) {
+  return [=](const Symbolic& yes, const Symbolic& no) { return p(q(yes, no), no); };
+}
+
+std::string counted(const std::vector<std::size_t>& counts) {
+  std::string text;
+  for (const std::size_t n : counts) text += (text.empty() ? "" : " or ") + std::to_string(n);
+  return text + (counts == std::vector<std::size_t>{1} ? " argument" : " arguments");
+}
+
+/// Recursive descent: one function for each rule of the grammar.
+class FormulaReader {
+ public:
+  FormulaReader(std::string_view text, const FormulaNames& names) : text_(text), names_(names) {}
+
+  ReadFormula whole() {
+    const Symbolic result = limited(formula());
+    if (!text_.is_at_end()) text_.fail("an operator or the end");
+    require_size(size_of(result));
+    return {result, parameters_};
+  }
+
+ private:
+  Symbolic formula() {
+    const std::size_t start = text_.place();
+    return number_of(any_formula(), start);
+  }
+
+  Operand any_formula() {
+    if (++depth_ > deepest) text_.fail("no more than " + std::to_string(deepest) + " nested parentheses");
+    const std::size_t start = text_.place();
+    Operand result = disjunction();
+    if (text_.skip('?')) {
+      const Condition condition = condition_of(result, start);
+      const Symbolic yes = formula();
+      text_.expect(':');
+      result = limited(condition(yes, formula()));
+    }
+    --depth_;
+    return result;
+  }
+
+  Operand disjunction() {
+    const std::size_t start = text_.place();
+    Operand result = conjunction();
+    while (text_.skip("||")) {
+      const Condition left = condition_of(result, start);
+      const std::size_t next = text_.place();
+      result = negated(both(negated(left), negated(condition_of(conjunction(), next))));
+    }
+    return result;
+  }
+
+  Operand conjunction() {
+    const std::size_t start = text_.place();
+    Operand result = comparison();
+    while (text_.skip("&&")) {
+      const Condition left = condition_of(result, start);
+      const std::size_t next = text_.place();
+      result = both(left, condition_of(comparison(), next));
+    }
+    return result;
+  }
+
+  Operand comparison() {
+    const std::size_t start = text_.place();
+    if (text_.peek() == '!' && text_.next(1) != '=') {
+      if (++depth_ > deepest) text_.fail("no more than " + std::to_string(deepest) + " signs of negation");
+      text_.skip('!');
+      const std::size_t next = text_.place();
+      const Condition inner = condition_of(comparison(), next);
+      --depth_;
+      return negated(inner);
+    }
+    Operand left = sum();
+    for (const std::string_view sign : {"<=", ">=", "==", "!=", "<", ">"}) {
+      if (!text_.skip(sign)) continue;
+      const std::size_t next = text_.place();
+      const Symbolic a = number_of(left, start), b = number_of(sum(), next);
+      if (sign == "<") return is_less(a, b);
+      if (sign == ">") return is_less(b, a);
+      if (sign == "<=") return negated(is_less(b, a));
+      if (sign == ">=") return negated(is_less(a, b));
+      const Condition equal = both(negated(is_less(a, b)), negated(is_less(b, a)));
+      return sign == "==" ? equal : negated(equal);
+    }
+    return left;
+  }
+
+  Operand sum() {
+    const std::size_t start = text_.place();
+    Operand first = text_.skip_minus() ? Operand(-number_of(quotient(), start)) : quotient();
+    for (;;) {
+      const bool adds = text_.peek() == '+';
+      if (!adds && text_.peek() != '-') return first;
+      text_.go_to(text_.place() + 1);
+      const Symbolic left = number_of(first, start);
+      const std::size_t next = text_.place();
+      const bool is_signed = text_.skip_minus();
+      const Symbolic term = number_of(quotient(), next);
+      const Symbolic right = is_signed ? -term : term;
+      first = limited(adds ? left + right : left - right);
+    }
+  }
+
+  /// A formula is not deeper than the limit, and a refused one not deeper than twice the limit.
+  Symbolic limited(const Symbolic& result) const {
+    if (result.depth() > deepest_formula)
+      text_.fail("no more than " + std::to_string(deepest_formula) + " operations inside one another");
+    return result;
+  }
+
+  void require_size(std::size_t size) const {
+    if (size > most_operations)
+      text_.fail("no more than " + std::to_string(most_operations) +
+                 " operations with all definitions put in");
+  }
+
+  Operand quotient() {
+    const std::size_t start = text_.place();
+    Operand result = product();
+    while (text_.peek() == '/' || text_.peek() == '*') {
+      const Symbolic left = number_of(result, start);
+      const bool divides = text_.peek() == '/';
+      text_.go_to(text_.place() + 1);
+      if (!divides && text_.next() == '*') text_.fail("'^' for a power, not '**'", text_.place() - 1);
+      const Symbolic right = factor();
+      if (divides && text_.begins_atom()) text_.fail("parentheses around the quotient or its denominator");
+      result = limited(divides ? left / right : beside(left * right));
+    }
+    return result;
+  }
+
+  /// Powers side by side.
+  Operand product() {
+    const std::size_t start = text_.place();
+    Operand first = raised_atom();
+    return text_.begins_atom() ? Operand(beside(number_of(first, start))) : first;
+  }
+
+  Symbolic beside(Symbolic result) {
+    while (text_.begins_atom()) {
+      if (is_digit(text_.peek()) || text_.peek() == '.') text_.fail("a '*' before the number");
+      const std::size_t start = text_.place();
+      result = limited(result * number_of(raised_atom(), start));
+    }
+    return result;
+  }
+
+  /// After an operator a sign may stand before a power.
+  Symbolic factor() {
+    const bool is_signed = text_.skip_minus();
+    const std::size_t start = text_.place();
+    const Symbolic value = number_of(raised_atom(), start);
+    return is_signed ? -value : value;
+  }
+
+  Operand raised_atom() {
+    const std::size_t start = text_.place();
+    const Operand atom_ = atom();
+    if (!text_.skip('^')) return atom_;
+    const Symbolic base = number_of(atom_, start);
+    const bool is_negative = text_.skip('-');
+    if (is_negative && !is_digit(text_.peek())) text_.fail("a number, or parentheses around the exponent");
+    const std::size_t next = text_.place();
+    const Symbolic exponent = number_of(atom(), next);
+    if (text_.peek() == '^') text_.fail("parentheses around one of the powers");
+    const bool is_whole = exponent.kind() == Symbolic::Kind::number &&
+                          std::all_of(exponent.name().begin(), exponent.name().end(), is_digit);
+    const Symbolic result = raised(base, is_negative ? -exponent : exponent);
+    if (is_whole && result.kind() != Symbolic::Kind::integer_power)
+      text_.fail("a smaller whole exponent", next);
+    return result;
+  }
+
+  Operand atom() {
+    if (text_.begins_number()) return Symbolic::number(text_.number());
+    if (begins_name(text_.peek())) return named();
+    if (!text_.skip('(')) text_.fail("a number, a name or '('");
+    Operand inner = any_formula();
+    text_.expect(')');
+    return inner;
+  }
+
+  Symbolic named() {
+    const std::size_t start = text_.place();
+    const std::string_view name = text_.name();
+    const bool is_before_parenthesis = text_.next() == '(';
+    if (std::find(names_.variables.begin(), names_.variables.end(), name) != names_.variables.end())
+      return Symbolic::variable(name);
+    if (const auto found = names_.definitions.find(name); found != names_.definitions.end())
+      return use(found->first, found->second);
+    if (name == "pi" || name == "ln2") return Symbolic::constant(name);
+    if (name == "PI" || name == "M_PI") return Symbolic::constant("pi");
+    if (const auto counts = argument_counts(name); !counts.empty()) {
+      const std::vector<Symbolic> given = arguments();
+      if (std::find(counts.begin(), counts.end(), given.size()) == counts.end())
+        text_.fail(counted(counts) + " of '" + std::string(name) + "'", start);
+      return call(name, given);
+    }
+    if (name == "integral" && is_before_parenthesis && names_.takes_integrals) return integral_of(start);
+    if (const Truth* truth = find_truth(name); truth && is_before_parenthesis && names_.takes_integrals)
+      return use(std::string(name), definition_of(*truth));
+    if (std::find(bound_.begin(), bound_.end(), name) != bound_.end()) return Symbolic::variable(name);
+    if (std::find(past_.begin(), past_.end(), name) != past_.end())
+      text_.fail("'" + std::string(name) + "' inside its integral alone", start);
+    if (names_.takes_parameters && !(is_before_parenthesis && name.size() > 1)) {
+      if (std::find(parameters_.begin(), parameters_.end(), name) == parameters_.end())
+        parameters_.emplace_back(name);
+      return Symbolic::variable(name);
+    }
+    refuse(name, start);
+  }
+
+  /// integral(body, t, lower, upper). The variable is read first, since the body uses it.
+  Symbolic integral_of(std::size_t start) {
+    constexpr std::size_t most_inside = 2;
+    text_.expect('(');
+    const std::size_t body_start = text_.place();
+    text_.go_to(text_.end_of_argument());
+    text_.expect(',');
+    const std::string variable = new_name();
+    const std::size_t rest = text_.place();
+    if (bound_.size() == most_inside) text_.fail("no more than two integrals inside one another", start);
+    text_.go_to(body_start);
+    bound_.push_back(variable);
+    const Symbolic body = formula();
+    bound_.pop_back();
+    past_.push_back(variable);
+    text_.expect(',');
+    text_.go_to(rest);
+    text_.expect(',');
+    const Symbolic lower = formula();
+    text_.expect(',');
+    const Symbolic upper = formula();
+    text_.expect(')');
+    return limited(integral(body, variable, lower, upper));
+  }
+
+  /// A name that nothing else has.
+  std::string new_name() {
+    text_.peek();
+    const std::size_t start = text_.place();
+    const std::string name(text_.name());
+    const auto has = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    const bool is_taken = has(names_.variables) || has(parameters_) || has(bound_) ||
+                          names_.definitions.contains(name) || !argument_counts(name).empty() ||
+                          has({"pi", "ln2", "PI", "M_PI", "integral"});
+    if (name.empty() || is_taken) text_.fail("a new name for the variable of the integral", start);
+    return name;
+  }
+
+  static Definition definition_of(const Truth& truth) {
+    if (truth.formula.empty()) {
+      std::vector<Symbolic> arguments;
+      for (const std::string& argument : truth.arguments) arguments.push_back(Symbolic::variable(argument));
+      return {truth.arguments, Symbolic::function(truth.name, arguments)};
+    }
+    const FormulaNames names{.variables = truth.arguments, .takes_integrals = true};
+    return {truth.arguments, FormulaReader(truth.formula, names).whole().formula};
+  }
+
+  /// A definition with its arguments put in.
+  Symbolic use(const std::string& name, const Definition& definition) {
+    const std::size_t start = text_.place();
+    if (definition.arguments.empty()) return definition.formula;
+    const std::vector<Symbolic> given = arguments();
+    if (given.size() != definition.arguments.size())
+      text_.fail(counted({definition.arguments.size()}) + " of '" + name + "'", start);
+    require_size(size_of(definition, given));
+    return limited(put_in(definition, given));
+  }
+
+  std::vector<Symbolic> arguments() {
+    text_.expect('(');
+    std::vector<Symbolic> result{formula()};
+    while (text_.skip(',')) result.push_back(formula());
+    text_.expect(')');
+    return result;
+  }
+
+  /// An unknown name: a function where others are parameters, else any.
+  [[noreturn]] void refuse(std::string_view name, std::size_t start) const {
+    std::vector<std::string> known = function_names();
+    for (const auto& [defined, _] : names_.definitions) known.push_back(defined);
+    for (const Truth& truth : truths()) {
+      if (names_.takes_integrals) known.emplace_back(truth.name);
+    }
+    if (names_.takes_parameters) {
+      const auto nearest = nearest_name(name, known);
+      text_.fail("a function before '(', not '" + std::string(name) + "'" +
+                     (nearest ? " (did you mean '" + *nearest + "'?)" : "; a product needs a '*' or a space"),
+                 start);
+    }
+    std::string names;
+    for (const std::string& variable : names_.variables) names += variable + ", ";
+    for (const auto& [defined, _] : names_.definitions) names += defined + ", ";
+    const bool is_call = text_.at(start + name.size()) == '(';
+    const auto nearest = is_call ? nearest_name(name, known) : std::nullopt;
+    text_.fail("one of " + names + "pi, ln2 and the functions, not '" + std::string(name) + "'" +
+                   (nearest ? " (did you mean '" + *nearest + "'?)" : ""),
+               start);
+  }
+
+  Symbolic number_of(const Operand& operand, std::size_t start) const {
+    if (std::holds_alternative<Condition>(operand)) text_.fail("a number, not a condition", start);
+    return std::get<Symbolic>(operand);
+  }
+
+  Condition condition_of(const Operand& operand, std::size_t start) const {
+    if (std::holds_alternative<Symbolic>(operand)) text_.fail("a condition (such as a < b)", start);
+    return std::get<Condition>(operand);
+  }
+
+  FormulaText text_;
+  const FormulaNames& names_;
+  std::vector<std::string> parameters_;
+  std::vector<std::string> bound_;  ///< variables of the integrals around the place
+  std::vector<std::string> past_;   ///< and of those before it
+  int depth_ = 0;
+};
+
+}  // namespace
+
+ReadFormula read_formula(std::string_view text, const FormulaNames& names) {
+  if (text.size() > longest_formula)
+    throw std::invalid_argument("the formula is " + std::to_string(text.size()) +
+                                " characters long: at most " + std::to_string(longest_formula));
+  return FormulaReader(text, names).whole();
+}
+
+Symbolic parse_formula(std::string_view text, std::span<const std::string_view> variables) {
+  return read_formula(text, {.variables = {variables.begin(), variables.end()}}).formula;
+}
+
+}  // namespace shadefit
