@@ -143,7 +143,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     const auto hessian = polish(fine, parameters);
     if (!hessian) {
       if (rule + 1 < rules.last()) continue;
-      fit.why = "the gradient vanishes where no minimum is";
+      fit.why = "Newton's method did not find a minimum";
       return fit;
     }
     const auto wide = rules.sampled<long double>(rule + 1);

@@ -33,7 +33,7 @@ Symbolic weighted(const ReadStudy& study, const Symbolic& error) {
   return is_weighted ? study.weight * error : error;
 }
 
-/// The error of a form that is 0, but for its sign.
+/// The error of a form that is 0, up to its sign.
 Symbolic scale_formula(const ReadStudy& study) {
   return weighted(study, study.error == Error::relative ? Symbolic::number("1") : study.target);
 }

@@ -322,7 +322,7 @@ class ConstrainedFit {
     }
     for (const Active& a : active_) {
       if (a.contact.touch != Touch::exact && a.multiplier < 0) {
-        fail(Status::not_converged, "a constraint touches that does not hold the fit up");
+        fail(Status::not_converged, "a constraint that touches has a negative multiplier");
         return;
       }
       fit_.alternation.push_back({a.contact.touch, a.contact.is_tangent, problem_.cosine_at(a.contact.place),

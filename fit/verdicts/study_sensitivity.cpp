@@ -13,7 +13,7 @@ namespace {
 
 void require_plain(const StudyObjective& objective) {
   if (objective.study.rows)
-    throw UserError("--sensitivity does not go with --table: the profile intervals of a fit of rows say it");
+    throw UserError("--sensitivity does not go with --table: a fit of rows has profile intervals instead");
   if (objective.constraints != Constraints{})
     throw UserError("--sensitivity does not go with a constraint: rounded constants do not meet it");
 }

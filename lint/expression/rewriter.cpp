@@ -73,7 +73,7 @@ class Rewriter {
     }
   }
 
-  /// The sign of an exponent stands directly before it.
+  /// The sign of an exponent is directly before it.
   void sign() {
     out_ += '-';
     ++at_;

@@ -35,7 +35,7 @@ struct DeviceForm {
 
 struct DeviceForms {
   std::vector<DeviceTarget> targets;
-  std::vector<DeviceForm> forms;  ///< those of one shape stand together
+  std::vector<DeviceForm> forms;  ///< those of one shape follow each other
 };
 
 /// The forms of the catalogue for these targets, or for all of them. Forms of several lights are left out:

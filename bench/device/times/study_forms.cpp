@@ -60,7 +60,7 @@ void require_names(const std::vector<std::string>& variables) {
   for (const std::string& name : variables) {
     const auto reason = reason_to_refuse_name(name, Language::glsl);
     if (!reason.empty())
-      throw UserError(fmt::format("--device cannot have the variable '{}' in GLSL: {}", name, reason));
+      throw UserError(fmt::format("--device: GLSL cannot have the variable '{}': {}", name, reason));
   }
 }
 
