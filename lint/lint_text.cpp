@@ -18,7 +18,7 @@ class SiteJudge {
             const KnownSet& set, const Site& site)
       : text_(text), literals_(literals), set_(set), site_(site), reader_(text, style, literals, set, site) {}
 
-  /// The site, unless neither its numbers nor the expression around tell that it is one.
+  /// The site, or empty if neither its numbers nor the expression around them show that it is one.
   std::optional<JudgedSite> judge(const EffectLimits& limits) const {
     auto read = reader_.read();
     const bool is_read = read.has_value();
@@ -38,7 +38,7 @@ class SiteJudge {
     judged.is_in_comment =
         std::all_of(site_.numbers.begin(), site_.numbers.end(),
                     [&](const SiteNumber& number) { return literals_[number.literal].is_in_comment; });
-    // A comment without a formula may break a number or tell of an older one.
+    // A comment without a formula may wrap a number or mention an older one.
     if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right) return std::nullopt;
     for (const SiteNumber& number : site_.numbers)
       if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
@@ -55,7 +55,7 @@ class SiteJudge {
     return numbers;
   }
 
-  /// The number that stands in place of a constant, the nearest to the others.
+  /// Adds the number that replaces a constant: the nearest one to the others.
   void add_replaced(std::size_t constant, double value, std::vector<JudgedNumber>& numbers) const {
     constexpr std::size_t near = 8;
     const std::size_t first = site_.numbers.front().literal, last = site_.numbers.back().literal;
@@ -80,10 +80,10 @@ class SiteJudge {
               [](const JudgedNumber& a, const JudgedNumber& b) { return a.offset < b.offset; });
   }
 
-  /// Where the published order is kept and one constant inside it is missing, the only number between its
-  /// neighbours stands in its place: vec4(1, 0.0425, 1.0, -0.04).
+  /// If the published order is kept and one constant inside it is missing, the only number between its
+  /// neighbours replaces it: vec4(1, 0.0425, 1.0, -0.04).
   std::optional<ExpressionMatch> replaced_in_order() const {
-    constexpr std::size_t least_constants = 5;  // of fewer, the order says little
+    constexpr std::size_t least_constants = 5;  // with fewer, the order says little
     const std::vector<std::size_t>& missing = reader_.missing();
     if (missing.size() != 1 || set_.constants.size() < least_constants) return std::nullopt;
     for (std::size_t i = 1; i < site_.numbers.size(); ++i)
@@ -105,7 +105,8 @@ class SiteJudge {
   SiteReader reader_;
 };
 
-/// Whether a number is the one argument of a function that is no type: encode(0.0031308) is no threshold.
+/// Whether a number is the one argument of a function that is not a type: encode(0.0031308) is not a
+/// threshold.
 bool is_argument(std::string_view text, const Literal& literal) {
   std::size_t end = literal.offset, next = literal.offset + literal.length;
   while (end > 0 && is_blank(text[end - 1])) --end;
@@ -116,7 +117,7 @@ bool is_argument(std::string_view text, const Literal& literal) {
   return begin < end && !is_number_type(text.substr(begin, end - begin));
 }
 
-/// The site without digits of another formula that are the argument of a call of it.
+/// The site without digits of another formula that are the argument of its call.
 Site without_arguments(Site site, const KnownSet& set, std::string_view text,
                        const std::vector<Literal>& literals) {
   if (site.numbers.size() == 1) return site;

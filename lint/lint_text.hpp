@@ -14,7 +14,7 @@
 /// Finds and judges the published constants of one source text.
 namespace shadefit::lint {
 
-/// All that does not depend on the text.
+/// Everything that does not depend on the text.
 struct KnownConstants {
   std::vector<KnownSet> sets;
   DigitIndex index;
@@ -35,13 +35,13 @@ struct JudgedSite {
   std::vector<JudgedNumber> numbers;  ///< by their places
   GradedSite graded;
   std::string slip = {};       ///< of the expression: see ExpressionMatch
-  std::string replaced = {};   ///< why a value that stands here was replaced by its source
-  bool is_in_comment = false;  ///< all numbers
+  std::string replaced = {};   ///< why the source replaced a value that is found here
+  bool is_in_comment = false;  ///< whether all numbers are
   bool is_in_other_units = false;
 };
 
-/// All sites, by their places. The checkpoint is called before each: a text of a few MiB can have so many
-/// that this takes seconds.
+/// All sites, by their places. The checkpoint is called before each, because a text of a few MiB can have so
+/// many that this takes seconds.
 std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
                                    const EffectLimits& limits, const Checkpoint& checkpoint = keep_going);
 

@@ -21,7 +21,7 @@ CommentStyle comments_of(SourceLanguage language) {
   }
 }
 
-/// Places of a text, asked for in rising order.
+/// Finds lines and columns of a text, in rising order.
 class PlaceFinder {
  public:
   explicit PlaceFinder(std::string_view text) : text_(text) {}
@@ -54,7 +54,7 @@ std::string_view line_at(std::string_view text, std::size_t begin) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-/// The words behind "shadefit: ignore" in a line.
+/// The words after "shadefit: ignore" in a line.
 std::optional<std::string> ignore_reason(std::string_view line) {
   constexpr std::string_view mark = "shadefit: ignore";
   const std::size_t at = line.find(mark);
@@ -74,13 +74,13 @@ std::optional<std::string> ignored_at(std::string_view text, std::size_t first, 
   return begin == 0 ? std::nullopt : ignore_reason(line_at(text, line_begin(text, begin - 1)));
 }
 
-/// Whether a number has the digits of a constant, one slip aside, or those of a known copy.
+/// Whether a number has the digits of a constant, except for one slip, or those of a known copy.
 bool is_by_digits(const KnownSet& set, const JudgedSite& judged, const JudgedNumber& number,
                   std::string_view text) {
   const Digits found = digits_of(text.substr(number.offset, number.length)),
                published = digits_of(set.constants[number.constant].printed);
   const auto match = match_digits(found, published);
-  // In other units the point stands elsewhere on purpose.
+  // In other units the decimal point is shifted on purpose.
   if (match) return *match != DigitMatch::shifted || !judged.is_in_other_units;
   if (is_rounded_and_edited(found, published)) return true;
   return std::any_of(set.variants.begin(), set.variants.end(), [&](const KnownVariant& variant) {
@@ -114,7 +114,7 @@ LintedSite linted(const std::string& file, std::string_view text, const KnownSet
   return site;
 }
 
-/// A mark as a site: of its number, or where it pins none, of its name.
+/// A mark as a site: at its number, or at its name if it pins no number.
 LintedSite linted(const std::string& file, std::string_view text, const std::vector<KnownSet>& sets,
                   const JudgedPin& judged, PlaceFinder& places) {
   const Pin& pin = judged.pin;
@@ -147,7 +147,7 @@ LintedSite linted(const std::string& file, std::string_view text, const std::vec
   return site;
 }
 
-/// Takes pinned numbers out of a site. Whether anything is left to say.
+/// Removes pinned numbers from a site. True if anything is left to report.
 bool leave_unpinned(LintedSite& site, const std::set<std::size_t>& pinned) {
   const std::size_t count =
       std::erase_if(site.numbers, [&](const LintedNumber& number) { return pinned.contains(number.offset); });
@@ -186,7 +186,7 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
     std::optional<std::uintmax_t> bytes;
     SkippedFiles skipped;
   };
-  // One piece of work is many files: most files take microseconds.
+  // A piece of work has many files, because most files take microseconds.
   constexpr std::size_t files_of_a_piece = 32;
   const std::size_t pieces = (tree.files.size() + files_of_a_piece - 1) / files_of_a_piece;
   std::vector<OfFile> found(tree.files.size());

@@ -17,20 +17,20 @@ struct TextPlace {
   long line = 0, column = 0;
 };
 
-/// A number of a site and what should stand there.
+/// A number of a site and the published one.
 struct LintedNumber {
   std::string constant, published;  ///< name and digits
-  std::string text;                 ///< as it stands
+  std::string text;                 ///< as found
   Grade grade = Grade::right;
   std::size_t offset = 0;  ///< in the file, in bytes
-  /// Whether the digits tell that this number stands for the constant, not only the expression around.
+  /// Whether the digits show that this number is the constant; otherwise only the expression around shows it.
   bool is_by_digits = false;
 };
 
 /// A site in a file, or a number that a mark pins to a constant (lint/pins/pin.hpp).
 struct LintedSite {
   std::string file;
-  TextPlace begin, end;  ///< of its first and behind its last number
+  TextPlace begin, end;  ///< of its first number, and after its last
   std::string id, form;  ///< of the set
   std::string source;
   std::vector<LintedNumber> numbers;
@@ -41,7 +41,7 @@ struct LintedSite {
   bool is_in_comment = false;
   std::optional<std::string> ignored = {};  ///< the reason of a mark "shadefit: ignore REASON"
   bool is_pinned = false;
-  std::string fault = {};  ///< of a mark that pins nothing, and why; then there are no numbers
+  std::string fault = {};  ///< why a mark pins nothing; then there are no numbers
 };
 
 struct LintedTree {
@@ -51,9 +51,9 @@ struct LintedTree {
   SkippedFiles skipped;
 };
 
-/// Reads and judges each file, on all cores. A site whose line, or the line above, has a comment
-/// "shadefit: ignore REASON" keeps its grade and gets the reason. A pinned number is judged as that alone: a
-/// site is left out if all its other numbers are right.
+/// Reads and judges each file, on all cores. A site with a comment "shadefit: ignore REASON" in its line or
+/// in the line above keeps its grade and gets the reason. A pinned number is judged by its pin alone: the
+/// other sites with this number are left out if the rest of their numbers are right.
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how = {});
 

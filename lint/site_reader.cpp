@@ -13,12 +13,11 @@
 namespace shadefit::lint {
 namespace {
 
-/// A wrong expression is believed only where numbers and operations tell enough: log2 of how seldom two of
-/// some 100 slips of some 100 forms fit by chance is 13, and the median form has 6 operations, a bit for
-/// each.
+/// A wrong expression counts only if numbers and operations are evidence enough. Two of some 100 slips of
+/// some 100 forms fit by chance in one of 2^13 cases, and the median form has 6 operations, one bit for each.
 constexpr double bits_for_a_slip = 13 + 6;
 
-/// The places of the two branches among the parts of a choice.
+/// The indices of the two branches among the parts of a choice.
 constexpr std::array<std::size_t, 2> branches{2, 3};
 
 std::vector<std::size_t> missing_constants(const KnownSet& set, const Site& site) {
@@ -64,7 +63,7 @@ std::optional<ExpressionMatch> SiteReader::read() const {
   return core ? core : slip_of_branch();
 }
 
-/// A comment may tell its formula in halves.
+/// Not in a comment, which may have only half of its formula.
 bool SiteReader::believes_slips() const {
   return !literals_[site_.numbers.front().literal].is_in_comment && site_.numbers.size() > 1 &&
          site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
@@ -79,14 +78,14 @@ Reading SiteReader::reading() const {
   return {has_branch ? Reading::Part::branch : Reading::Part::nothing, count};
 }
 
-/// Whether more than one constant is missing that a program has to write: not 1 or pi/2. Then no expression
+/// Whether more than one constant is missing that a program must have, unlike 1 or pi/2. Then no expression
 /// can be the form.
 bool SiteReader::lacks_constants() const {
   return std::count_if(missing_.begin(), missing_.end(),
                        [&](std::size_t constant) { return !set_.constants[constant].is_common; }) > 1;
 }
 
-/// What is computed around the numbers: in one statement, then in several.
+/// The values that are computed around the numbers: first in one statement, then in several.
 std::vector<Symbolic> SiteReader::expressions(const Literal& first, const Literal& last) const {
   const std::size_t begin = first.offset, end = last.offset + last.length;
   std::vector<Symbolic> found;
@@ -96,8 +95,8 @@ std::vector<Symbolic> SiteReader::expressions(const Literal& first, const Litera
   return found;
 }
 
-/// The constants of one branch, and the text around them. Empty if the form is no choice, or if the branch is
-/// as simple as u/s: that is in many formulas.
+/// The constants of one branch, and the text around them. Empty if the form is not a choice, or if the branch
+/// is as simple as u/s, which is in many formulas.
 std::optional<SiteReader::Branch> SiteReader::branch(std::size_t part) const {
   constexpr std::size_t least_constants = 2;
   if (set_.formula.kind() != Symbolic::Kind::choice) return std::nullopt;
@@ -115,7 +114,7 @@ std::optional<SiteReader::Branch> SiteReader::branch(std::size_t part) const {
   return found;
 }
 
-/// Whether the text around the constants of one branch of the form computes it: pow((u + a)/b, p).
+/// Whether the text around the constants of a branch computes that branch: pow((u + a)/b, p).
 bool SiteReader::reads_branch(std::size_t part) const {
   const auto found = branch(part);
   return found &&
@@ -124,7 +123,7 @@ bool SiteReader::reads_branch(std::size_t part) const {
          });
 }
 
-/// The form with a slip in one branch, where the branches stand in statements of their own.
+/// The form with a slip in one branch, if the branches are statements of their own.
 std::optional<ExpressionMatch> SiteReader::slip_of_branch() const {
   if (!believes_slips()) return std::nullopt;
   for (const std::size_t part : branches) {

@@ -17,21 +17,22 @@ class SiteReader {
   SiteReader(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
              const KnownSet& set, const Site& site);
 
-  /// The constants as they stand: see constants_at().
+  /// The constants as found: see constants_at().
   const std::vector<double>& constants() const { return constants_; }
 
-  /// The constants of the set that are not at the site, by their places.
+  /// The indices of the set's constants that are not at the site.
   const std::vector<std::size_t>& missing() const { return missing_; }
 
-  /// The smallest expression around the numbers that is the form, or that with a slip. Empty if none is, if
-  /// more than one constant is missing that a program has to write, or if the numbers are in other units.
+  /// The smallest expression around the numbers that is the form, perhaps with a slip. Empty if there is
+  /// none, if more than one constant is missing that a program must have, or if the numbers are in other
+  /// units.
   std::optional<ExpressionMatch> read() const;
 
-  /// How well the text tells that the numbers are those of the set.
+  /// How much of the form the text contains.
   Reading reading() const;
 
  private:
-  /// One branch of a choice as a set of its own, with what is there of its numbers.
+  /// One branch of a choice as a set of its own, with those of its numbers that are at the site.
   struct Branch {
     KnownSet set;
     std::vector<double> numbers;

@@ -11,7 +11,7 @@
 namespace shadefit::device {
 namespace {
 
-/// The arguments of thread i in a language, whose `as_float` makes a float of a bit pattern.
+/// The arguments of thread i as code. `as_float` is the language's function from a bit pattern to its float.
 std::string arguments_of(const ShaderFunction& function, Arguments arguments, const std::string& as_float) {
   const std::size_t count = function.arguments.size();
   if (arguments == Arguments::patterns) return as_float + "(push.from + i)";
@@ -21,7 +21,7 @@ std::string arguments_of(const ShaderFunction& function, Arguments arguments, co
   return list;
 }
 
-/// The place of a thread's result, and of its arguments in the input.
+/// The index of a thread's result in the output, and of its arguments in the input.
 std::string_view place_of(Arguments arguments) {
   return arguments == Arguments::patterns ? "thread" : "push.from + thread";
 }

@@ -11,20 +11,21 @@
 /// A function that is evaluated on a device.
 namespace shadefit::device {
 
-/// A function as `emit` writes it, ready on a device, which must outlive it. In half, which only GLSL can be,
-/// each operation is one of 16 bits: see `with_halves`.
+/// A function as `emit` writes it, loaded on a device. The device must outlive it. In half, which only GLSL
+/// has, each operation has 16 bits: see `with_halves`.
 class Evaluator {
  public:
   Evaluator(VulkanDevice& device, const ShaderCompiler& compiler, const ShaderFunction& function,
             ShaderLanguage language, Arguments arguments,
             ShaderPrecision precision = ShaderPrecision::float32);
 
-  /// Calls `take` with the results for some bit patterns after the others, of [from, to): the first of them,
-  /// and a result for each. The dispatches are short.
+  /// Evaluates the function at all bit patterns of [from, to), in short dispatches. After each dispatch
+  /// `take` gets the first bit pattern and the results from there on.
   void over_patterns(std::uint32_t from, std::uint32_t to,
                      const std::function<void(std::uint32_t, std::span<const std::uint32_t>)>& take);
 
-  /// The results for arguments, one after the other. The span is valid until the next call.
+  /// The results for a list of arguments: those of the first evaluation, then those of the second, and so on.
+  /// The span is valid until the next call.
   std::span<const std::uint32_t> of_input(std::span<const float> arguments);
 
  private:

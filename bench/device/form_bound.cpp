@@ -52,8 +52,8 @@ double FormBound<Format>::on(std::span<const Domain> box) {
     arguments.push_back(RunningNarrow<Format>::exact(span_of(side.lower, side.upper), &gpu_));
   program_.run(arguments);
   const RunningNarrow<Format>& form = program_.output(0);
-  // The real value in double is off by some 2^-50 of it, or by 2^-45 where an exponent of a hundred is. That
-  // is far below an ulp of a float, 2^-23, but enclosures may know the rounding of a single float exactly.
+  // The value in double is off by about 2^-50 of itself, or by 2^-45 at an exponent of a hundred. That is far
+  // below an ulp of a float, 2^-23, but an enclosure may know the rounding of a single float exactly.
   constexpr double slack = 0x1p-40;
   return form.error + slack * largest_magnitude_in(form.computed);
 }

@@ -12,23 +12,23 @@
 #include "fit/tape/tape_program.hpp"
 #include "reports/code/shader_code.hpp"
 
-/// What a form may be on a device: its value in double, and how far a device may be from it.
+/// The value of a form in double, and how far a device's result may be from it.
 namespace shadefit::device {
 
-/// A function as `emit` writes it, in double, for many arguments at a time. The numbers are the decimals of
-/// the code in that precision.
+/// Evaluates in double a function that `emit` writes, for many arguments at a time. Its constants are the
+/// decimals of the emitted code in that precision.
 class FormInDouble {
  public:
   explicit FormInDouble(const ShaderFunction& function, ShaderPrecision precision = ShaderPrecision::float32);
 
-  /// `arguments` has for each argument a pointer to `count` numbers, at most `most`. Several threads may call
-  /// it.
+  /// `arguments` has one pointer for each argument, to `count` numbers. `count` is at most `most`. Several
+  /// threads may call it.
   void operator()(std::span<const double* const> arguments, double* results, std::size_t count) const;
   static constexpr std::size_t most = 1024;
 
  private:
   Tape tape_;
-  std::vector<double> constants_;  ///< each of them `most` times
+  std::vector<double> constants_;  ///< each repeated `most` times
 };
 
 /// Bounds |computed - real| of the same function on a device, in float or in half: `RunningNarrow` with its
@@ -38,8 +38,8 @@ class FormBound {
  public:
   FormBound(const ShaderFunction& function, const GpuModel& gpu);
 
-  /// At all numbers of the format whose arguments lie in a box. A rounding of the real value to double is
-  /// included.
+  /// The bound for all arguments of the format in a box. It includes the rounding of the real value to
+  /// double.
   double on(std::span<const Domain> box);
 
  private:
@@ -50,15 +50,15 @@ class FormBound {
 extern template class FormBound<FloatFormat>;
 extern template class FormBound<HalfFormat>;
 
-/// The floats of [0, 1], cut into panels on which a bound is sharp to a few percent: [first, next panel's).
-/// Each has 1/64 of a power of two of c and of 1 - c; both count, as forms vanish at both ends.
+/// The floats of [0, 1], cut into panels on which a bound is sharp to a few percent. The result has the first
+/// float of each. A panel spans 1/64 of a power of two of c and of 1 - c, because forms vanish at both ends.
 std::vector<std::uint32_t> unit_panels();
 
 /// A bound for each panel, for a function of one argument.
 std::vector<double> bounds_on(std::span<const std::uint32_t> panels, const ShaderFunction& function,
                               const GpuModel& gpu);
 
-/// Whether a device's result is a number within a bound of the real value.
+/// Whether a device's result is a number and within a bound of the real value.
 inline bool is_within(float result, double real, double bound) {
   return std::abs(static_cast<double>(result) - real) <= bound;
 }

@@ -10,7 +10,7 @@
 namespace shadefit::device {
 namespace {
 
-/// What a form reads of each element, by the names of the function's arguments.
+/// The names of the function's arguments: what a form reads for each element.
 std::vector<std::string> arguments_of(forms::Arguments arguments) {
   switch (arguments) {
     case forms::Arguments::cosine:

@@ -15,8 +15,8 @@ inline constexpr const char* form_name = "form";
 /// A form with one set of its constants.
 struct FormFunction {
   std::string target, form, constants;  ///< ids of the catalogue
-  /// What `emit` would write for it: all constants are numbers. Its arguments are c; c and code; or x, y
-  /// and z of a normal.
+  /// What `emit` would write for it: all constants are numbers. Its arguments are c, or c and code, or the x,
+  /// y and z of a normal.
   ShaderFunction function;
 };
 
@@ -24,7 +24,7 @@ struct FormFunction {
 FormFunction form_function(const forms::Target& target, const forms::FormEntry& form,
                            const forms::Constants& constants);
 
-/// Every form with every set, but those of several lights: they are sums of one.
+/// Every form with every set of constants, except the forms of several lights: these are sums of one light.
 std::vector<FormFunction> form_functions(const forms::Catalogue& catalogue);
 
 }  // namespace shadefit::device

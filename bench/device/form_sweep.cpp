@@ -19,7 +19,7 @@ struct FormSweep::Parts {
         panels(unit_panels()),
         bounds(bounds_on(panels, form.function, model)) {}
 
-  /// The results for a stretch.
+  /// Computes the results for a stretch.
   void prepare(const bench::Stretch& stretch) {
     first = stretch.from;
     results.resize(stretch.size());

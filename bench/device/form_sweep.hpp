@@ -10,10 +10,10 @@
 #include "bench/exhaustive/float_errors.hpp"
 #include "fit/scalars/gpu_model.hpp"
 
-/// Every float through a form on a device.
+/// Evaluates a form at every float on a device.
 namespace shadefit::device {
 
-/// A form on a device, with the bound that follows from the errors of the device's functions.
+/// A form on a device, with the error bound that follows from the errors of the device's functions.
 class FormSweep {
  public:
   FormSweep(VulkanDevice device, const FormFunction& form, const GpuModel& model);
@@ -29,7 +29,7 @@ class FormSweep {
   std::shared_ptr<Parts> parts_;
 };
 
-/// The numbers of a model, for the identity of a sweep.
+/// The numbers of a model; they are part of a sweep's identity.
 std::vector<double> numbers_of(const GpuModel& model);
 
 }  // namespace shadefit::device

@@ -6,7 +6,7 @@
 
 #include "fit/support/user_error.hpp"
 
-/// What Vulkan throws, in words.
+/// The errors of Vulkan as messages of one line.
 namespace shadefit::device {
 
 /// Calls a function. An error of Vulkan becomes a CheckFailed with one line.

@@ -4,7 +4,7 @@
 #include "bench/device/vulkan_device.hpp"
 #include "fit/support/user_error.hpp"
 
-/// What stands for a device in a build without Vulkan.
+/// The functions of a device in a build without Vulkan: each says what to install.
 namespace shadefit::device {
 namespace {
 

@@ -32,7 +32,7 @@ void include(LargestError& into, const LargestError& more) {
   if (more.error > into.error) into = {more.error, more.at, into.count};
 }
 
-/// 1/ulp of a float near a double that is normal in float.
+/// 1/ulp for floats near `truth`, which must be in the range of normal floats.
 double per_ulp(double truth) {
   constexpr std::uint64_t exponent_bits = 0x7ff0000000000000, twice_the_bias = 0x7fe0000000000000;
   const std::uint64_t power = std::bit_cast<std::uint64_t>(truth) & exponent_bits;
@@ -65,12 +65,12 @@ LargestError largest_error(std::uint32_t first, std::span<const std::uint32_t> r
   return {most, {std::bit_cast<float>(first + static_cast<std::uint32_t>(place))}, results.size()};
 }
 
-/// A device with what runs on it.
+/// Measures functions on a device.
 class Bench {
  public:
   Bench(VulkanDevice& device, const Checkpoint& checkpoint) : device_(device), checkpoint_(checkpoint) {}
 
-  /// A function of one argument over stretches of floats.
+  /// The largest error of a function of one argument over ranges of floats.
   template <class Truth>
   LargestError over(const Symbolic& function, std::span<const Patterns> stretches, Unit unit,
                     const Truth& truth) {
@@ -85,7 +85,7 @@ class Bench {
     return found;
   }
 
-  /// A function of several arguments, given one after the other. Results that are not normal do not count.
+  /// The largest error of a function of several arguments at these. Results that are not normal do not count.
   template <std::size_t N, class Truth>
   LargestError at(const Symbolic& function, const std::vector<std::array<float, N>>& arguments,
                   const Truth& truth) {
@@ -139,7 +139,7 @@ Symbolic variable(const char* name) {
   return Symbolic::variable(name);
 }
 
-/// Floats of all exponents: all of them, or a hundredth.
+/// Floats of all exponents: all of them, or 1 %.
 std::vector<Patterns> all_normal(Patterns whole, ProbeExtent extent) {
   if (extent == ProbeExtent::all) return {whole};
   constexpr std::uint32_t share = 100, size = 1U << 17;
@@ -171,7 +171,7 @@ LargestError exp2_on(Bench& bench) {
   return bench.over(Symbolic::function("exp2", {variable("x")}), normal, Unit::ulp, exact_exp2);
 }
 
-/// Outside of [1/2, 2] and inside.
+/// The errors outside of [1/2, 2] and inside.
 std::pair<LargestError, LargestError> log2_on(Bench& bench) {
   const auto log2 = [](double a) { return std::log2(a); };
   const Symbolic function = Symbolic::function("log2", {variable("x")});
@@ -180,7 +180,7 @@ std::pair<LargestError, LargestError> log2_on(Bench& bench) {
   return {bench.over(function, far, Unit::ulp, log2), bench.over(function, near, Unit::one, log2)};
 }
 
-/// The one result of arguments.
+/// The result for one set of arguments.
 template <std::size_t N>
 float value(Bench& bench, const Symbolic& function, const std::array<float, N>& arguments) {
   return bench.values(function, std::vector{arguments}).front();
@@ -204,7 +204,7 @@ Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoi
   found.power = bench.at(power(x, y), pairs(2, {0x1p-8, 1}, {1, 64}),
                          [](double a, double b) { return std::pow(a, b); });
 
-  const float a = 1 + 0x1p-12F;  // its square is 1 + 2^-11 + 2^-24, which is no float
+  const float a = 1 + 0x1p-12F;  // its square is 1 + 2^-11 + 2^-24, which is not a float
   found.fuses = value(bench, x * y + z, std::array{a, a, -(1 + 0x1p-11F)}) == 0x1p-24F;
   found.keeps_small_operands = value(bench, x * y, std::array{0x1p-130F, 0x1p20F}) == 0x1p-110F;
   found.keeps_small_results = value(bench, x * y, std::array{0x1p-110F, 0x1p-20F}) == 0x1p-130F;

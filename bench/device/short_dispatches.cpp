@@ -6,7 +6,7 @@ namespace shadefit::device {
 
 void in_short_dispatches(std::uint64_t count, std::uint64_t most,
                          const std::function<double(std::uint64_t, std::uint64_t)>& run) {
-  // A dispatch may take four times as long as the last one led to expect and still be below the limit.
+  // A dispatch may take four times as long as predicted and still stay below the limit.
   constexpr double wanted = longest_dispatch / 4;
   std::uint64_t n = std::min<std::uint64_t>(most, 4096);
   for (std::uint64_t from = 0; from < count;) {

@@ -9,8 +9,7 @@ namespace shadefit::device {
 
 enum class ShaderLanguage { glsl, hlsl };
 
-/// A compiler of compute shaders. Only one may exist at a time in a thread of work; it holds what glslang
-/// prepares once.
+/// A compiler of compute shaders. A thread may have only one at a time: it holds the state of glslang.
 class ShaderCompiler {
  public:
   ShaderCompiler();
@@ -18,13 +17,13 @@ class ShaderCompiler {
   ShaderCompiler(const ShaderCompiler&) = delete;
   ShaderCompiler& operator=(const ShaderCompiler&) = delete;
 
-  /// A shader with the entry point `main`. Nothing is optimised here: the driver does that. Throws
-  /// std::logic_error with glslang's messages if the source is not valid: sources are ours.
+  /// Compiles a shader with the entry point `main`. It is not optimised: the driver does that. Throws
+  /// std::logic_error with glslang's messages if the source is not valid, because the sources are ours.
   std::vector<std::uint32_t> spirv(const std::string& source, ShaderLanguage language) const;
 };
 
-/// A shader whose `mediump` numbers (RelaxedPrecision in SPIR-V) are halves: to a driver that word is only a
-/// hint, which most of them ignore. The emitted text stays as it is. The device must have halves.
+/// The shader with halves for its `mediump` numbers (RelaxedPrecision in SPIR-V). For a driver `mediump` is
+/// only a hint, which most ignore. The emitted text stays as it is. The device must have halves.
 std::vector<std::uint32_t> with_halves(const std::vector<std::uint32_t>& spirv);
 
 }  // namespace shadefit::device

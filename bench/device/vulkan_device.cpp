@@ -37,7 +37,7 @@ std::string kind_of(vk::PhysicalDeviceType type) {
   }
 }
 
-/// The family of queues that computes; none if no queue does.
+/// The queue family that can compute, if there is one.
 std::optional<std::uint32_t> compute_family(const vk::raii::PhysicalDevice& device) {
   const auto families = device.getQueueFamilyProperties();
   for (std::size_t i = 0; i < families.size(); ++i) {
@@ -102,7 +102,7 @@ struct Loader {
     return {context, info};
   }
 
-  /// Those that can compute and know the version of Vulkan that is used here.
+  /// The devices that can compute and that know this version of Vulkan.
   std::vector<vk::raii::PhysicalDevice> devices() const {
     std::vector<vk::raii::PhysicalDevice> usable;
     for (vk::raii::PhysicalDevice& device : vk::raii::PhysicalDevices(instance)) {
@@ -113,7 +113,7 @@ struct Loader {
   }
 };
 
-/// Opens the loader. Without one, or without a driver, there is nothing that a device could do.
+/// Opens the loader. Throws UserError without a loader or a driver.
 std::unique_ptr<Loader> open_loader(std::vector<std::string>* messages) {
   try {
     return std::make_unique<Loader>(messages);
@@ -126,7 +126,7 @@ std::unique_ptr<Loader> open_loader(std::vector<std::string>* messages) {
   }
 }
 
-/// A buffer with its memory, mapped where this program can see it.
+/// A buffer and its memory, mapped if this program can read it.
 struct Buffer {
   vk::raii::Buffer buffer{nullptr};
   vk::raii::DeviceMemory memory{nullptr};

@@ -22,14 +22,14 @@ struct DeviceInfo {
   std::string vulkan;           ///< the version of Vulkan: "1.3.230"
   std::string kind;             ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other"
   bool has_half = false;        ///< shaderFloat16: arithmetic of 16 bits
-  bool has_timestamps = false;  ///< a clock of its own; else a dispatch is timed from outside
+  bool has_timestamps = false;  ///< a clock of its own; otherwise a dispatch is timed from outside
   bool operator==(const DeviceInfo&) const = default;
 };
 
-/// The devices that can run compute shaders, in the order of the Vulkan loader; maybe none.
+/// The devices that can run compute shaders, in the order of the Vulkan loader. May be empty.
 std::vector<DeviceInfo> vulkan_devices();
 
-/// The local size in x of every shader, and the most threads of a dispatch: every driver runs 65535 groups.
+/// The local size in x of every shader, and the most threads of a dispatch: every driver allows 65535 groups.
 inline constexpr std::uint32_t threads_per_group = 64, most_threads = 65535 * threads_per_group;
 
 /// The four words that a dispatch gives its shader.
@@ -58,7 +58,7 @@ class Program {
 /// throws CheckFailed with one line if the device is lost, is out of memory or does not answer.
 class VulkanDevice {
  public:
-  /// Throws UserError if the machine has no device at `choice.place`.
+  /// Throws UserError if `vulkan_devices` has no entry at `choice.place`.
   explicit VulkanDevice(const DeviceChoice& choice);
   ~VulkanDevice();
   VulkanDevice(VulkanDevice&&) noexcept;
@@ -69,14 +69,14 @@ class VulkanDevice {
   /// A compute shader as SPIR-V, with the entry point `main`.
   Program load(std::span<const std::uint32_t> spirv) const;
 
-  /// Runs at least `threads` threads, whole groups of them, and waits. Returns the seconds that they took.
+  /// Runs `threads` threads, rounded up to whole groups, and waits. Returns the seconds that they took.
   double run(const Program& program, std::uint32_t threads, const PushWords& push);
 
-  /// The buffers, where this program can read and write them; else empty.
+  /// The buffers, or empty if this program cannot read them.
   std::span<std::uint32_t> output();
   std::span<std::uint32_t> input();
 
-  /// What the validation layer has said so far.
+  /// The messages of the validation layer so far.
   const std::vector<std::string>& messages() const;
 
  private:
@@ -84,11 +84,12 @@ class VulkanDevice {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The longest time of one dispatch: drivers end one that takes seconds, and a desktop stutters long before.
+/// The longest time of a dispatch in seconds. Drivers stop one that takes seconds; a desktop stutters
+/// earlier.
 inline constexpr double longest_dispatch = 0.2;
 
-/// Runs `count` items in dispatches of at most `most` items, each well below `longest_dispatch`: the first is
-/// small, and the next are sized by the times so far. `run` dispatches [from, from + n) and returns its
+/// Runs `count` items in dispatches of at most `most` items, each well below `longest_dispatch`. The first is
+/// small; the times so far give the size of the next. `run` dispatches [from, from + n) and returns its
 /// seconds.
 void in_short_dispatches(std::uint64_t count, std::uint64_t most,
                          const std::function<double(std::uint64_t from, std::uint64_t n)>& run);

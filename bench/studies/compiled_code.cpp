@@ -42,7 +42,7 @@ CompiledCode::CompiledCode(const std::string& source) {
                                 printable(first_line(read_file(file("said"))))));
   library_ = ::dlopen(file("forms.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library_ == nullptr)
-    throw UserError(fmt::format("cannot load what the C compiler made: {}", printable(::dlerror())));
+    throw UserError(fmt::format("cannot load the output of the C compiler: {}", printable(::dlerror())));
 }
 
 CompiledCode::~CompiledCode() {

@@ -5,18 +5,18 @@
 /// C code that is compiled while the program runs.
 namespace shadefit::bench {
 
-/// Functions in C, compiled by the machine's own compiler and loaded into this process until the end of this
-/// object's life.
+/// Functions in C. The machine's own compiler compiles them, and they stay loaded as long as this object
+/// lives.
 class CompiledCode {
  public:
-  /// Optimised, one number at a time, operations not fused: as the scalar forms of bench/forms. The compiler
-  /// is the one that the variable CC names, else `cc`. Throws UserError if it cannot compile.
+  /// Optimised, one number at a time, without fused multiply-adds, as the scalar forms of bench/forms. The
+  /// compiler is the one that the variable CC names, otherwise `cc`. Throws UserError if it cannot compile.
   explicit CompiledCode(const std::string& source);
   ~CompiledCode();
   CompiledCode(const CompiledCode&) = delete;
   CompiledCode& operator=(const CompiledCode&) = delete;
 
-  /// A function, or a variable. Throws std::logic_error if the code has none of that name.
+  /// The address of a function or a variable. Throws std::logic_error if the code has none of that name.
   void* at(const std::string& name) const;
 
  private:

@@ -20,7 +20,7 @@
 namespace shadefit::bench {
 namespace {
 
-/// Calls a function for every element of arrays, the same for any number of variables.
+/// Calls a function for every element of arrays. The type is the same for any number of variables.
 using Loop = void (*)(const float* const* in, float* out, long size);
 
 /// A function of the code, and the rows that have its time.
@@ -40,7 +40,7 @@ std::string loop_of(const std::string& function, std::size_t variables) {
       function, function == "copy" ? arguments : fmt::format("{}({})", function, arguments));
 }
 
-/// The name of the compiler, by itself.
+/// C code for the name of its own compiler.
 constexpr const char* compiler_code =
     "#ifdef __clang__\nconst char compiler[] = \"clang \" __clang_version__;\n"
     "#else\nconst char compiler[] = \"gcc \" __VERSION__;\n#endif\n";
@@ -49,14 +49,14 @@ std::string target_id(const std::string& id, std::size_t comparison, std::size_t
   return count == 1 ? id : fmt::format("{}-{}", id, comparison + 1);
 }
 
-/// "linear, minimax", "cubic, Unity Technologies": of a source its author.
+/// "linear, minimax" for a fit, "cubic, Unity Technologies" for a published set.
 std::string label_of(const StudyContender& contender) {
   const std::string& origin = contender.origin;
   return contender.form + ", " +
          (contender.published == nullptr ? origin : origin.substr(0, origin.find(',')));
 }
 
-/// The functions of a study in C, and what they stand for.
+/// The functions of a study as C code, and the rows that they time.
 class StudyCode {
  public:
   StudyCode(const std::string& id, const std::vector<StudyComparison>& comparisons) {
@@ -77,7 +77,7 @@ class StudyCode {
   std::string code;
 
  private:
-  /// The target itself, if it is a formula that C has.
+  /// Adds the target itself, if it is a formula that C has.
   void add_target(const StudyComparison& comparison, const std::string& target, std::size_t place) {
     if (comparison.study.rows != nullptr || comparison.contenders.empty()) return;
     const Symbolic formula = formulas_of(comparison, comparison.contenders.front()).target;
@@ -118,8 +118,8 @@ class StudyCode {
   std::vector<ShaderFunction> functions_;
 };
 
-/// Places spread evenly over the ranges of the variables, unsorted: additive recurrence. Its shares are the
-/// powers of 1/x with x^(n+1) = x + 1, which generalise the golden ratio (Roberts 2018, "The Unreasonable
+/// Points that cover the ranges of the variables evenly but unsorted: an additive recurrence. Its steps are
+/// the powers of 1/x with x^(n+1) = x + 1, which generalise the golden ratio (Roberts 2018, "The Unreasonable
 /// Effectiveness of Quasirandom Sequences", extremelearning.com.au).
 class Places {
  public:
@@ -131,7 +131,7 @@ class Places {
     double share = 1;
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
       share /= root;
-      // Arrays at different places of their pages: loads do not wait for stores.
+      // Each array has another offset in its page, so that loads do not wait for stores.
       auto& in = in_.emplace_back(size, axis * 512);
       for (std::size_t i = 0; i < size; ++i) {
         const double part = std::fmod(share * static_cast<double>(i + 1), 1.0);

@@ -13,14 +13,14 @@
 /// Run time against error of the forms of a study.
 namespace shadefit::bench {
 
-/// Times every form of a study, and its target, in scalar float: the code that `emit` writes in C, compiled
-/// here, over an array that is in the first cache. A form has one time for all of its constants that need the
-/// same operations. Errors are those of the contenders, in exact arithmetic. `between` receives the finished
-/// share. Throws UserError for a form that has no code, and where no C compiler works.
+/// Times every form of a study, and its target, in scalar float. It compiles the C code that `emit` writes,
+/// and runs it over an array in the first cache. All constants of a form that need the same operations share
+/// one time. Errors are those of the contenders, in exact arithmetic. `between` receives the finished share.
+/// Throws UserError for a form that has no code, and if no C compiler works.
 Trade measure_study(const std::string& id, const std::vector<StudyComparison>& comparisons,
                     const TimingPlan& plan, const Clock& clock, const std::function<void(double)>& between);
 
-/// One row for each set of constants of a target, by rising time.
+/// One row for each set of constants of a target, the fastest first.
 Table study_times(const Trade& trade, const std::string& target);
 
 /// bench.md and bench.csv.

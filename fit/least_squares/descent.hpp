@@ -269,7 +269,7 @@ void polish(const DescentProblem<N>& problem, Candidate<N>& candidate, double re
     const double left = is_own ? size * size : size * std::max(0.01, i == 0 ? 1 : size / last);
     if (size < 1e-6 && left < rest) {
       candidate.status = is_minimum<N>(*candidate.hessian) ? Status::converged : Status::not_converged;
-      if (candidate.status != Status::converged) candidate.why = "the gradient vanishes where no minimum is";
+      if (candidate.status != Status::converged) candidate.why = "Newton's method did not find a minimum";
       return;
     }
     if (!(size < last / 3)) candidate.hessian.reset();

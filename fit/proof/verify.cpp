@@ -28,9 +28,9 @@ std::string check_subject(const Certificate& certificate) {
     return "the target '" + certificate.target + "' is not the family's " + target;
   if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && std::isfinite(certificate.upper)))
     return "its bounds are not an interval";
-  // Only a wider arithmetic than was used can hold what was proven with it.
+  // A proof holds again only in an arithmetic that is at least as wide.
   if (certificate.precision <= 0 || certificate.precision > interval_precision())
-    return "it was made with " + std::to_string(certificate.precision) + " bits, here are " +
+    return "it was made with " + std::to_string(certificate.precision) + " bits, this build uses " +
            std::to_string(interval_precision());
   return "";
 }

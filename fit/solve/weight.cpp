@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "fit/errors/extremum.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/scalars/hinges.hpp"
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/formula/parse_formula.hpp"
 
 namespace shadefit {
 namespace {

@@ -12,9 +12,9 @@
 namespace shadefit {
 namespace {
 
-/// Places of one axis: the extrema of a Chebyshev polynomial between neighbouring edges, which crowd at both.
-/// With `has_ends` they crowd at each edge without end: a root or a logarithm there may have a hill nearer to
-/// the edge than the first of them.
+/// Places on one axis: between neighbouring edges the extrema of a Chebyshev polynomial, which are dense at
+/// both edges. With `has_ends` they go on towards each edge in powers of two: a root or a logarithm there may
+/// have a top closer to the edge than the first extremum.
 std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count, bool has_ends) {
   std::vector<double> places{edges.front().at};
   const double first_sine = std::sin(std::numbers::pi / 2 / count);
@@ -30,7 +30,7 @@ std::vector<double> axis_places(const std::vector<StudyEdge>& edges, int count, 
     for (int k = step; has_ends && k <= halvings; k += step) places.push_back(upper - std::ldexp(first, -k));
     places.push_back(upper);
   }
-  // Near an edge that is not 0 the nearest of them are one double.
+  // Near an edge that is not 0 several places may round to one double.
   places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
@@ -44,7 +44,7 @@ class Magnitude {
   double operator()(const std::vector<double>& at) {
     difference_.run(at);
     const double value = std::abs(difference_.output(0));
-    // Without a value at a place, such as x log(x) at 0. An infinite error is one.
+    // NaN means that there is no value, as for x log(x) at 0. An infinite error counts.
     return std::isnan(value) ? 0 : value;
   }
 
@@ -52,7 +52,7 @@ class Magnitude {
   TapeProgram<double> difference_;
 };
 
-/// A place moved to the top of its hill, one variable after the other, by golden sections between its
+/// Moves a place to the top of its hill, one variable after the other, by golden-section search between its
 /// neighbours on the grid.
 StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
                       const std::vector<std::array<double, 2>>& around) {
@@ -84,7 +84,7 @@ StudyExtremum refined(Magnitude& magnitude, StudyExtremum best,
         }
       }
       const double top = low + (high - low) / 2;
-      // Less is rounding: then the place of the grid, an end perhaps, is the better answer.
+      // A smaller gain is rounding: then the place of the grid, perhaps an end, is the better answer.
       constexpr double gain = 1e-12;
       if (const double found = value(top); found > best.magnitude * (1 + gain)) {
         best.magnitude = found;
@@ -118,7 +118,7 @@ class Grid {
     return at;
   }
 
-  /// The largest value, and the other tops of at least that share of it. A top is above its neighbours on
+  /// The place of the largest value, and all tops of at least `share` of it. A top is above its neighbours on
   /// each axis.
   std::vector<std::size_t> tops(double share) const {
     std::vector<std::size_t> result;
@@ -130,7 +130,7 @@ class Grid {
 
   double value(std::size_t index) const { return values_[index]; }
 
-  /// The neighbours on each axis; an end of the axis is its own.
+  /// The neighbours on each axis; at an end of the axis the end is one of them.
   std::vector<std::array<double, 2>> around(std::size_t index) const {
     std::vector<std::array<double, 2>> result;
     for (const auto& axis : places_) {
@@ -164,7 +164,7 @@ std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
                                          const std::vector<std::vector<StudyEdge>>& edges,
                                          const std::vector<double>& parameters, double share) {
   constexpr std::array counts{200, 32, 12};
-  // What the grid may miss of the height of a hill: near its top the error is a parabola.
+  // The share of a hill's height that the grid sees at least: near its top the error is a parabola.
   constexpr std::array shares{0.99, 0.95, 0.8};
   const std::size_t axes = study.axes.size();
   std::vector<std::vector<double>> places;
@@ -179,7 +179,7 @@ std::vector<StudyExtremum> tops_of_error(const ReadStudy& study,
 
 StudyExtremum largest_error(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                             const std::vector<double>& parameters) {
-  // Of equal tops, as minimax has them, the first one counts: which one is largest is rounding.
+  // Of equal tops, as in a minimax fit, the first one counts: which one is largest is rounding.
   constexpr double equal = 1e-9;
   StudyExtremum best;
   for (const StudyExtremum& top : tops_of_error(study, edges, parameters, 1)) {
@@ -214,7 +214,7 @@ StudyExtremum largest_residual(const ReadStudy& study, const std::vector<double>
   VectorOf<double> errors;
   SampledStudy<double>(error, nodes_of(plain, {}, 1)).errors(parameters, errors, nullptr);
   StudyExtremum largest{errors.cwiseAbs().maxCoeff(), {}};
-  // Of equal ones, as minimax has them, the first one counts: which one is largest is rounding.
+  // Of equal rows, as in a minimax fit, the first one counts: which one is largest is rounding.
   constexpr double equal = 1e-9;
   Eigen::Index row = 0;
   while (std::abs(errors[row]) < largest.magnitude * (1 - equal)) ++row;

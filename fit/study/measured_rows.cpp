@@ -11,7 +11,7 @@ namespace {
 
 /// Longer names and cells are cut in messages.
 constexpr std::size_t most_shown = 40;
-/// A line with more cells is no row of a measurement.
+/// A line with more cells is not a row of a measurement.
 constexpr std::size_t most_columns = 1000;
 
 std::string shown(std::string_view cell) {
@@ -40,7 +40,7 @@ class RowReader {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     if (rest_.starts_with(mark)) rest_.remove_prefix(mark.size());
     if (rest_.empty()) throw UserError(file_ + " is empty: its first line must name the columns");
-    // It would end a message, and no text has it.
+    // A byte 0 would cut a message off, and no text has one.
     if (rest_.find('\0') != std::string_view::npos)
       throw UserError(file_ + " is not a text: it has a byte 0");
     columns_ = next_cells();
@@ -77,7 +77,7 @@ class RowReader {
     return *number;
   }
 
-  /// What stands in the last row.
+  /// Throws a UserError about a cell of the last row.
   [[noreturn]] void refuse_cell(std::size_t column, const std::string& rule) const {
     refuse(std::string(columns_[column]) + " " + shown(cells_[column]) + " " + rule);
   }

@@ -21,18 +21,18 @@ struct MeasuredRows {
 inline constexpr std::uintmax_t most_row_bytes = 16 << 20;
 inline constexpr std::size_t most_rows = 100000;
 
-/// The line of a row of a file, both from 1 (the header is line 1).
+/// The line of a row in its file. Both count from 1; the header is line 1.
 inline constexpr std::size_t line_of_row(std::size_t row) {
   return row + 1;
 }
 
 /// Reads the text of a file of comma-separated values. Its first line names the columns: one for each
-/// variable, `value`, and `sigma` where the standard deviations are known. Other columns are not read. Lines
-/// may end in CRLF, the last one without an end; a UTF-8 byte order mark and blanks around cells are skipped.
-/// Numbers are decimals with a point, whatever the locale. Throws UserError with one line that names the
-/// file, the line, the column and the rule: for a missing or repeated column, a quote, a row with too many or
-/// too few cells, a cell that is not a finite number, a sigma that is not greater than 0, no rows, and more
-/// than `most_rows`.
+/// variable, `value`, and `sigma` if the standard deviations are known. Other columns are ignored. Lines may
+/// end in CRLF, and the last one may have no end; a UTF-8 byte order mark and blanks around cells are
+/// skipped. Numbers are decimals with a point, whatever the locale. Throws UserError with one line that names
+/// the file, the line, the column and the rule: for a missing or repeated column, a quote, a row with too
+/// many or too few cells, a cell that is not a finite number, a sigma that is not greater than 0, no rows,
+/// and more than `most_rows`.
 MeasuredRows read_measured_rows(std::string_view text, const std::string& file,
                                 const std::vector<std::string>& variables);
 

@@ -11,20 +11,20 @@ namespace {
 using Matrix = MatrixOf<double>;
 using Triangle = ProductMatrix<double>;
 
-/// A share of the square that the linear parameters need not take away.
+/// The linear parameters need not reduce the square by less than this share.
 constexpr double small_share = 1e-10;
 
-/// Makes of the upper half of a symmetric A the triangle R with R^T R = A, by Cholesky. False if a column is
-/// so near to a combination of those before it that more than half of the digits of what is left are lost.
+/// Turns the upper half of a symmetric A into the triangle R with R^T R = A, by Cholesky. False if a column
+/// is so close to a combination of the earlier ones that its rest loses more than half of its digits.
 bool factorise_in_place(Triangle& a) {
   constexpr double independent = 1e-8;
   const Eigen::Index n = a.rows();
   for (Eigen::Index i = 0; i < n; ++i) {
     double rest = a(i, i);
     for (Eigen::Index k = 0; k < i; ++k) rest -= a(k, i) * a(k, i);
-    // What is left of the last column, the error, counts however small it is.
+    // The rest of the last column, the error, counts however small it is.
     const bool is_error = i + 1 == n;
-    const bool is_empty = a(i, i) == 0;  // as that of a nonlinear parameter while the linear ones are 0
+    const bool is_empty = a(i, i) == 0;  // such as that of a nonlinear parameter while the linear ones are 0
     if (!is_error && !is_empty && !(rest > independent * a(i, i))) return false;
     const double root = is_empty ? 0 : std::sqrt(std::max(0.0, rest));
     a(i, i) = root;
@@ -38,8 +38,8 @@ bool factorise_in_place(Triangle& a) {
   return true;
 }
 
-/// The same triangle by reflections of the columns of sqrt(weight) * derivative, and of the error as the
-/// last.
+/// The same triangle by Householder reflections. The columns are sqrt(weight) * derivative, the last one is
+/// the error.
 Triangle triangle_of(const Matrix& slopes, const VectorOf<double>& errors, const VectorOf<double>& roots) {
   Matrix columns(slopes.rows(), slopes.cols() + 1);
   columns << slopes, errors;
@@ -50,7 +50,7 @@ Triangle triangle_of(const Matrix& slopes, const VectorOf<double>& errors, const
   return qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
 }
 
-/// The solution x of R x = right, for the first rows of R. A column that is empty gets 0.
+/// The solution x of R x = right, for the first rows of R. An empty column gets 0.
 ProductVector<double> solved(const Triangle& triangle, const ProductVector<double>& right) {
   ProductVector<double> x = ProductVector<double>::Zero(right.size());
   for (Eigen::Index i = right.size(); i-- > 0;) {
@@ -99,9 +99,10 @@ bool Projection::factorise(std::span<const Eigen::Index> columns) const {
 }
 
 bool Projection::follow(const double* q) const {
-  // What the linear parameters may lack, as a share of the square. The residuals do not feel it: R has them
-  // without it, at the cost of a bit where it is half. The derivatives do, where a step is long. Towards the
-  // end of a descent the share is of the size of the fourth power of a step.
+  // The largest allowed distance of the linear parameters from their best, as a share of the square. It does
+  // not affect the residuals, because R removes it from them; a share of half costs a bit. It affects the
+  // derivatives if a step is long. Towards the end of a descent the share is of the order of the fourth power
+  // of a step.
   constexpr double nearly = 0.1, half = 0.5;
   const auto count = static_cast<Eigen::Index>(linear_.size());
   ProductVector<double> right = ProductVector<double>::Zero(count);
@@ -125,7 +126,7 @@ bool Projection::follow(const double* q) const {
 void Projection::move_to(const double* q) const {
   for (std::size_t i = 0; i < nonlinear_.size(); ++i) last_.parameters[nonlinear_[i]] = q[i];
   if (accepted_.is_known && !linear_.empty() && follow(q)) return;
-  // The linear parameters alone, then all. One step is enough, unless the linear columns are nearly
+  // First the linear parameters alone, then all. One step is enough, unless the linear columns are nearly
   // dependent.
   for (const std::size_t i : linear_) last_.parameters[i] = 0;
   if (!linear_.empty()) {
@@ -146,7 +147,7 @@ double Projection::linear_share() const {
   return square > 0 ? errors.head(static_cast<Eigen::Index>(linear_.size())).squaredNorm() / square : 0;
 }
 
-/// Takes the step of the linear parameters to their best: R_LL step = -R_Lr.
+/// Moves the linear parameters to their best: R_LL step = -R_Lr.
 void Projection::move_linear() const {
   const auto count = static_cast<Eigen::Index>(linear_.size());
   const ProductVector<double> right = last_.triangle.col(last_.triangle.cols() - 1).head(count);
@@ -165,7 +166,7 @@ bool Projection::operator()(const double* q, double* residuals, double* jacobian
   Eigen::Map<VectorOf<double>> result(residuals, n + 1);
   const auto errors = last_.triangle.col(last_.triangle.cols() - 1);
   result = errors.tail(n + 1);
-  // All of the square counts, also what the linear parameters could not take away.
+  // All of the square counts, with the part that the linear parameters could not remove.
   result[n] = std::hypot(result[n], errors.head(errors.size() - n - 1).norm());
   if (jacobian != nullptr) {
     accepted_ = last_;

@@ -11,16 +11,17 @@
 /// Least squares without the parameters that enter linearly.
 namespace shadefit {
 
-/// The reduced problem of variable projection, for ceres::TinySolver: its unknowns are the parameters that do
-/// not enter linearly, the others are the best for them. One parameter may be held.
+/// The reduced problem of variable projection, for ceres::TinySolver. Its unknowns are the parameters that do
+/// not enter linearly; the others have their best values for them. One parameter may be held.
 ///
-/// With J the derivatives and r the errors, times the roots of the weights, one per node, a triangle R with
-/// R^T R = [J r]^T [J r] stands for both: it has the same squares. If the linear parameters come first, its
-/// lower right part is what is left of the others and of r beside the linear ones: Kaufman's Jacobian and its
-/// residuals. So a problem of n unknowns has n + 1 residuals, whatever the number of nodes.
+/// Let J be the derivatives and r the errors, one row per node, both times the roots of the weights. A
+/// triangle R with R^T R = [J r]^T [J r] replaces both: it has the same squares. If the linear parameters
+/// come first, its lower right part is what remains of the other columns and of r beside the linear ones:
+/// Kaufman's Jacobian and its residuals. So a problem of n unknowns has n + 1 residuals, whatever the number
+/// of nodes.
 ///
-/// After a step the linear parameters follow to first order. What they lack then, R tells too, so one look at
-/// the nodes is enough for a place.
+/// After a step the linear parameters follow to first order. R also tells how far they are from their best
+/// then, so one evaluation of the nodes is enough for a place.
 class Projection {
  public:
   using Scalar = double;
@@ -40,36 +41,37 @@ class Projection {
     last_.parameters[*held_] = value;
     forget();
   }
-  /// Forgets the places before: a descent from another start begins.
+  /// Forgets the earlier places: a descent from another start begins.
   void forget() const { last_.is_known = accepted_.is_known = false; }
 
-  /// All parameters at the last place, the linear ones being the best there.
+  /// All parameters at the last place, with the best linear ones.
   const std::vector<double>& parameters() const { return last_.parameters; }
 
-  /// Residuals of which the sum of squares is that of sqrt(weight) * error, and their derivatives.
+  /// Residuals whose sum of squares is that of sqrt(weight) * error, and their derivatives.
   bool operator()(const double* q, double* residuals, double* jacobian) const;
 
  private:
   struct Place {
     bool is_known = false;
     std::vector<double> parameters;  ///< the linear ones are the best there
-    ProductMatrix<double> triangle;  ///< R, with linear parameters that may be a last step away from them
+    ProductMatrix<double> triangle;  ///< R at linear parameters that may be one step before these
   };
 
   bool is_at(const Place& place, const double* q) const;
   void move_to(const double* q) const;
-  /// To a place near the accepted one. False if it is not near enough.
+  /// Moves to a place near the accepted one. False if it is not near enough.
   bool follow(const double* q) const;
   /// Computes R. True if that succeeds by Cholesky: then the columns are independent.
   bool factorise(std::span<const Eigen::Index> columns) const;
-  /// How much of the square a step of the linear parameters takes away.
+  /// The share of the square that a step of the linear parameters removes.
   double linear_share() const;
   void move_linear() const;
 
   const SampledStudy<double>& sampled_;
   std::optional<std::size_t> held_;
   std::vector<std::size_t> linear_, nonlinear_;
-  /// Of the products: linear ones, nonlinear ones, the error; and the same without the nonlinear ones.
+  /// Columns of the products: linear parameters, nonlinear ones, the error; and the same without the
+  /// nonlinear.
   std::vector<Eigen::Index> columns_, linear_columns_;
   mutable Place last_;
   mutable Place accepted_;  ///< where a step was accepted: the derivatives were asked for

@@ -3,10 +3,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "fit/scalars/in_50_digits.hpp"
-#include "fit/scalars/integral.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/formula/shader_calls.hpp"
+#include "fit/scalars/in_50_digits.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/study/study.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -25,7 +25,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The value of a formula of numbers.
+/// The value of a formula without variables.
 double number_of(const std::string& option, const std::string& text) {
   const Symbolic formula = read(option, text, {}).formula;
   const auto value = static_cast<double>(in_50_digits(formula));
@@ -47,7 +47,7 @@ void require_name(const std::string& option, const std::string& name) {
   if (is_taken) throw UserError(option + " '" + name + "' is already a function or a number");
 }
 
-/// A table has names of its own.
+/// A table defines the names `value` and `sigma`.
 void require_free_of_rows(const std::string& option, const std::string& name, const Study& study) {
   if (!study.rows) return;
   const bool is_sigma = name == "sigma" && !study.rows->sigma.empty();

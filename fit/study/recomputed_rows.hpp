@@ -7,10 +7,10 @@
 #include "fit/study/study.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// A table of truth against the formula that it was computed from.
+/// Checks a table of truth against the formula that it was computed from.
 namespace shadefit {
 
-/// A row whose value is not that of the formula.
+/// A row whose value differs from that of the formula.
 struct WrongRow {
   std::size_t row;  ///< from 1
   double value, recomputed;
@@ -21,17 +21,17 @@ struct RecomputedRows {
   std::vector<WrongRow> wrong = {};
 };
 
-/// 1 % of so many rows, at least five, or all where they are fewer: one from each of equal stretches, by the
-/// generator std::minstd_rand, whose numbers the standard fixes. So they are the same on each machine. Rows
-/// from 1, rising.
+/// Draws 1 % of the rows, at least five, or all if there are fewer: one from each of equal stretches. The
+/// generator is std::minstd_rand, whose numbers the standard fixes, so each machine draws the same rows. Rows
+/// count from 1 and rise.
 std::vector<std::size_t> drawn_rows(std::size_t count);
 
 /// How far a row may be from its formula, relative to the largest value of the table. Tables have 12 digits,
-/// and so have truths (docs/truths.md); a formula such as albedo - bias may lose two of them.
+/// as truths have (docs/truths.md); a formula such as albedo - bias may lose two of them.
 inline constexpr double rows_agree = 1e-10;
 
-/// Recomputes the drawn rows of a study, in 50 digits but for truths that are integrals. A value that is not
-/// a number agrees with no row. Throws UserError for a formula that cannot be read.
+/// Recomputes the drawn rows of a study, in 50 digits except for truths that are integrals. NaN agrees with
+/// no row. Throws UserError for a formula that cannot be read.
 RecomputedRows recompute_rows(const Study& study, const std::string& formula,
                               const Checkpoint& checkpoint = keep_going);
 

@@ -20,7 +20,7 @@ std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_
   return place;
 }
 
-/// The first node where a formula has a value that does not pass, as text. Empty if there is none.
+/// The first node where a formula's value does not pass, as text. Empty if there is none.
 template <class Passes>
 std::string first_place(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
                         const Passes& passes) {
@@ -31,7 +31,7 @@ std::string first_place(const ReadStudy& study, const Symbolic& formula, const S
 }
 
 Decimal50 magnitude_at(const ReadStudy& study, const Symbolic& formula, const Decimal50& x) {
-  // Parameters without a relation to each other: what vanishes for all parameters vanishes for these.
+  // Parameters without a relation to each other: what is 0 for these is 0 for all.
   return abs(in_50_digits(formula, [&](const std::string& name) {
     if (name == study.axes.front().variable) return x;
     std::size_t i = 0;
@@ -51,7 +51,7 @@ std::string zero_of_target(const ReadStudy& study) {
       return Decimal50(magnitude_at(study, study.form, x) / magnitude_at(study, study.target, x));
     };
     const Decimal50 far = ratio("1e-6"), near = ratio("1e-12");
-    // A power of the distance above 1/6 grows more than this; a logarithm doubles.
+    // From one distance to the other, a power above 1/6 grows more than this; a logarithm doubles.
     constexpr int growth = 10;
     if (isnan(far) || isnan(near) || near <= growth * far) continue;
     return axis.variable + " = " + to_text(zero);
@@ -63,7 +63,7 @@ std::string zero_of_target(const ReadStudy& study) {
 
 void require_values(const ReadStudy& study, const StudyNodes& nodes) {
   const auto is_finite = [](double value) { return std::isfinite(value); };
-  // A row that does not count would count as one in the standard errors.
+  // A row of weight 0 would still count as one in the standard errors.
   const auto is_weight = [&](double value) {
     return (study.rows ? value > 0 : value >= 0) && std::isfinite(value);
   };

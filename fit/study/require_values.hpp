@@ -4,9 +4,9 @@
 
 namespace shadefit {
 
-/// Throws UserError, with the place, where the target has no finite value, where the weight is negative or
-/// not finite, or of a row 0, and where a relative error divides by a zero of the target that the form does
-/// not share. The last is seen inside the range of one variable, and at nodes where there are more.
+/// Throws UserError with the place where the target has no finite value, where the weight is not finite or
+/// negative (with rows also 0), or where a relative error divides by a zero of the target that the form does
+/// not share. With one variable such zeros are found in all of its range, with several only at nodes.
 void require_values(const ReadStudy& study, const StudyNodes& nodes);
 
 }  // namespace shadefit

@@ -41,8 +41,8 @@ Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes
   return (shrink.asDiagonal() * (inverse * inverse.transpose()) * shrink.asDiagonal()).cast<double>();
 }
 
-/// The sum of squares where one parameter is held, over the parameters that do not enter linearly. Its
-/// unknowns are their distances from the optimum in standard errors: all are of the size of 1.
+/// The sum of squares with one parameter held, over the parameters that do not enter linearly. Its unknowns
+/// are their distances from the optimum in standard errors, so all are of the size of 1.
 class HeldSquare {
  public:
   using Scalar = double;
@@ -95,7 +95,7 @@ class HeldSquare {
 /// The profile of one parameter.
 class Profile {
  public:
-  /// `tangent`: how the unknowns follow the parameter at the optimum, standard errors per standard error.
+  /// `tangent`: how the unknowns change with the parameter at the optimum, in standard errors.
   Profile(HeldSquare problem, Vector tangent, double growth)
       : problem_(std::move(problem)), tangent_(std::move(tangent)), growth_(growth) {
     // The square is flat at its minimum: a millionth of a standard error changes it by 1e-12.
@@ -108,8 +108,8 @@ class Profile {
     least_ = problem_.square(Vector::Zero(tangent_.size()));
   }
 
-  /// The distance in standard errors where the sum of squares has grown, in a direction 1 or -1. Empty if it
-  /// has not at the furthest distance.
+  /// The distance in standard errors where the sum of squares has grown by `growth`, in a direction 1 or -1.
+  /// Empty if it has not at the furthest distance.
   std::optional<double> end(double direction) {
     constexpr double furthest = 1000;
     last_ = Vector::Zero(tangent_.size());
@@ -123,7 +123,7 @@ class Profile {
       excess_outside = excess(outside);
     }
     if (excess_inside == 0) return direction * inside;
-    // 30 bits of the distance: an end is shown to six digits.
+    // 30 bits of the distance, because an end is shown with six digits.
     std::uintmax_t steps = 100;
     const auto root =
         boost::math::tools::toms748_solve(excess, inside, outside, excess_inside, excess_outside,
@@ -132,8 +132,8 @@ class Profile {
   }
 
  private:
-  /// sqrt(growth of the sum of squares / `growth`): near the optimum the distance itself. 2 where the form
-  /// has no value: such parameters are outside.
+  /// sqrt(growth of the sum of squares / `growth`): near the optimum the distance itself. 2 if the form has
+  /// no value, so that such parameters are outside.
   double grown(double distance) {
     problem_.hold(distance);
     double least = HUGE_VAL;
@@ -189,7 +189,7 @@ std::optional<RowStatistics> row_statistics(const ReadStudy& study, const StudyE
     result.covariance.emplace_back(covariance.row(i).begin(), covariance.row(i).end());
     result.standard_errors.push_back(std::sqrt(covariance(i, i)));
   }
-  constexpr double resolution = 1e-8;  // of the search for an end: nearer to 0 is 0
+  constexpr double resolution = 1e-8;  // of the search for an end: a smaller one is 0
   for (std::size_t i = 0; i < count; ++i) {
     const HeldSquare problem(error, sampled, parameters, result.standard_errors, i);
     Profile profile(problem, tangent_of(result, problem.unknowns(), i), growth);

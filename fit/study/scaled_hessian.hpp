@@ -12,8 +12,8 @@
 
 namespace shadefit {
 
-/// A Hessian with units in which its diagonal is 1: parameters have units, and without this a small one would
-/// look like rounding beside a large one.
+/// A Hessian in units that make its diagonal 1. Parameters have units: without this a small one would look
+/// like rounding beside a large one.
 struct ScaledHessian {
   explicit ScaledHessian(const MatrixOf<double>& hessian)
       : units(hessian.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse()),
@@ -29,7 +29,7 @@ struct ScaledHessian {
   MatrixOf<double> scaled;
 };
 
-/// A parameter counts as 0 where it moves the form by less than this share of the target: then its digits are
+/// A parameter counts as 0 if it moves the form by less than this share of the target. Then its digits are
 /// those of that share.
 inline constexpr double negligible = 1e-6;
 

@@ -29,21 +29,21 @@ double radical_inverse(std::uint64_t n, std::uint64_t base) {
   return result;
 }
 
-/// A start of a parameter from a number in [0, 1): either sign, as many in each octave. A descent leaves the
-/// range.
+/// A start of a parameter from a number in [0, 1): of either sign, with as many in each octave. A descent may
+/// leave this range.
 double spread(double u, int octaves) {
   const double side = 2 * u - 1;
   return std::copysign(std::exp2(octaves * (2 * std::abs(side) - 1)), side);
 }
 
-/// How many powers of two the largest of some numbers is away from 1.
+/// The distance of the largest of some numbers from 1, in octaves.
 int octaves_from_one(const std::vector<double>& values) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
   return largest == 0 ? 0 : static_cast<int>(std::ceil(std::abs(std::log2(largest))));
 }
 
-/// Of more rows than this only some take part in the first steps from every start: they show the same basins.
+/// If there are more rows than this, only some take part in the first steps: they show the same basins.
 constexpr std::size_t most_scanned = 2000;
 
 /// Nodes at even steps through the list, at most `most_scanned`, with even weights.
@@ -97,10 +97,10 @@ class Descents {
     return problem_.parameters();
   }
 
-  /// The places with their squares, in rising order.
+  /// The places with their squares, sorted by square.
   std::vector<SearchedPlace> all_at(const std::vector<Vector>& places) const { return from(places, 0); }
 
-  /// The ends of descents of so many steps, by rising square.
+  /// The ends of descents of so many steps, sorted by square.
   std::vector<SearchedPlace> from(const std::vector<Vector>& starts, int steps) const {
     std::vector<SearchedPlace> ends;
     for (Vector q : starts) {
@@ -120,8 +120,8 @@ class Descents {
     return residuals_.squaredNorm();
   }
 
-  /// A change of the square that is a few roundings of it ends a descent, but only the end knows how small
-  /// the square becomes: where it has fallen far, the descent goes on with what it is now.
+  /// A descent ends when the square changes by a few roundings. How small the square becomes is known only at
+  /// the end: if it has fallen far, the descent goes on with the rounding of the smaller square.
   void descend(Vector& q, int steps) const {
     // The squares of 900 nodes, near an optimum, differ by up to 5 epsilon.
     constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
@@ -151,14 +151,14 @@ std::vector<Vector> starting_places(const SearchStarts& wanted, std::size_t size
   return places;
 }
 
-/// Of places by rising square the first half.
+/// The better half of places that are sorted by square.
 std::vector<Vector> lower_half(const std::vector<SearchedPlace>& places) {
   std::vector<Vector> half;
   for (std::size_t i = 0; i < (places.size() + 1) / 2; ++i) half.push_back(places[i].q);
   return half;
 }
 
-/// Adds the lowest ends that are not near to one before them: those are in its basin.
+/// Adds the lowest ends that are not near an earlier one: near ends are in the same basin.
 void append_distinct(const std::vector<SearchedPlace>& ends, std::vector<Vector>& starts) {
   constexpr std::size_t most = 8;
   constexpr double near = 0.05;  // relative, in every parameter
@@ -186,7 +186,7 @@ SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
   SearchStarts starts{
       nonlinear == 0 ? 1 : std::min(std::size_t{16} << nonlinear, std::size_t{96}), octaves_of_shading, {}};
   if (!study.rows || nonlinear == 0) return starts;
-  // A rate is of the size of 1/x, a place of that of x, and a parameter of 1/(a + b x) of that of 1/value.
+  // A rate is about as large as 1/x, a position as x, and a parameter of 1/(a + b x) as 1/value.
   int further = octaves_from_one(study.rows->value);
   for (const auto& places : study.rows->places) further = std::max(further, octaves_from_one(places));
   starts.octaves += further;
@@ -257,7 +257,7 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
 
 std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched) {
   constexpr std::size_t most = 4;
-  // Descents end this near to each other in one basin.
+  // The ends of descents in one basin are at most this far apart.
   constexpr double same = 1e-6;
   std::vector<StudyCandidate> basins;
   for (const StudyCandidate& candidate : searched.candidates) {

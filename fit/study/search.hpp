@@ -14,16 +14,15 @@ struct StudyCandidate {
   double square;  ///< sum of weight * error^2
 };
 
-/// From where descents start.
+/// Where descents start.
 struct SearchStarts {
   std::size_t count;  ///< of a low-discrepancy set
   int octaves;        ///< its values are of either sign, of sizes from 2^-octaves to 2^octaves
   std::vector<std::vector<double>> given;
 };
 
-/// The ends of descents, best first. Those with a pole or without a finite error are left out. One entry if
-/// the form is linear in all parameters. `coarse`, the same or fewer nodes, is for the first steps from every
-/// start.
+/// The ends of descents, best first, without those that have a pole or no finite error. One entry if the form
+/// is linear in all parameters. `coarse` has the same or fewer nodes, for the first steps from every start.
 std::vector<StudyCandidate> search_basins(const StudyError& error, const SampledStudy<double>& coarse,
                                           const SampledStudy<double>& sampled, const SearchStarts& starts,
                                           const Checkpoint& checkpoint = keep_going);
@@ -36,11 +35,11 @@ struct SearchedStudy {
   bool is_linear;  ///< in all parameters: then the only candidate is the best of all
 };
 
-/// The lowest basins, at most four: where another problem with the same form may start. One candidate for
-/// each different square.
+/// The lowest basins, at most four, as starts for another problem with the same form. One candidate for each
+/// different square.
 std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched);
 
-/// A start of all parameters: those that are not among the given ones are 1.
+/// A start of all parameters: those that are not given are 1.
 std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts);
 
 /// Throws UserError where a formula has no value in the range, and if no start has a finite error.
@@ -52,9 +51,9 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
 /// products of rules need fewer on each axis.
 std::size_t search_rule(const ReadStudy& study);
 
-/// The starts for so many parameters that do not enter linearly. Constants of shading are of sizes from 1/64
-/// to 64, as their variables are of the size of 1. Rows have units: the sizes reach further, and there are
-/// more starts, where their numbers are larger or smaller.
+/// The starts for so many parameters that do not enter linearly. Constants of shading are between 1/64 and 64
+/// in size, because their variables are of the size of 1. Rows have units: if their numbers are larger or
+/// smaller, the range is wider and there are more starts.
 SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear);
 
 }  // namespace shadefit

@@ -22,8 +22,8 @@ namespace {
 
 using Vector = VectorOf<double>;
 
-/// Newton in double from a candidate to the bottom of its basin. The exact Hessian there, or empty if there
-/// is no minimum.
+/// Newton's method in double from a candidate to the bottom of its basin. Returns the exact Hessian there, or
+/// empty if there is no minimum.
 std::optional<MatrixOf<double>> polish(const SampledStudy<double>& sampled, std::vector<double>& parameters) {
   double last = HUGE_VAL;
   for (int i = 0; i < 40; ++i) {
@@ -52,7 +52,7 @@ std::optional<MatrixOf<double>> polish(const SampledStudy<double>& sampled, std:
   return std::nullopt;
 }
 
-/// One rule after the other, each sampled when it is needed.
+/// The nodes of one rule after the other, each sampled when it is needed.
 class Rules {
  public:
   explicit Rules(const ReadStudy& study, const StudyError& error) : study_(study), error_(error) {
@@ -132,7 +132,7 @@ class Rules {
   std::vector<std::vector<StudyEdge>> edges_;
 };
 
-/// A candidate on one rule after the other, until the next rule, in long double, moves no parameter.
+/// Polishes a candidate in long double, on one rule after the other, until the next rule moves no parameter.
 StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t first) {
   StudyFit fit;
   fit.parameters = candidate.parameters;
@@ -143,7 +143,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     const auto hessian = polish(fine, parameters);
     if (!hessian) {
       if (rule + 1 < rules.last()) continue;
-      fit.why = "the gradient vanishes where no minimum is";
+      fit.why = "Newton's method did not find a minimum";
       return fit;
     }
     const auto wide = rules.sampled<long double>(rule + 1);
@@ -162,7 +162,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
       fit.parameters[i] = static_cast<double>(static_cast<long double>(parameters[i]) + step[k]);
-      // What moves the form by less than 1e-16 of the target is the rounding of 0.
+      // A parameter that moves the form by less than 1e-16 of the target is rounding.
       if (std::abs(fit.parameters[i]) * std::sqrt((*hessian)(k, k)) < 1e-16 * fine.target_norm())
         fit.parameters[i] = 0;
     }
@@ -182,7 +182,7 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
   return fit;
 }
 
-/// Candidates whose square is the best one's: the optimum may be reached with other parameters.
+/// The candidates whose square is the best one: other parameters may reach the optimum too.
 std::vector<StudyCandidate> best_of(const std::vector<StudyCandidate>& candidates, double target_norm) {
   constexpr double equal = 1e-9;
   // Below this the square is rounding.
@@ -194,7 +194,7 @@ std::vector<StudyCandidate> best_of(const std::vector<StudyCandidate>& candidate
   return best;
 }
 
-/// Whether two candidates are one curve.
+/// Whether two candidates give the same curve.
 bool is_same_curve(const SampledStudy<double>& sampled, const StudyCandidate& a, const StudyCandidate& b) {
   Vector first, second;
   sampled.errors(a.parameters, first, nullptr);
@@ -208,8 +208,8 @@ double size_of(const std::vector<double>& parameters) {
   return std::inner_product(parameters.begin(), parameters.end(), parameters.begin(), 0.0);
 }
 
-/// Of one curve with several sets of parameters the one that comes first, number by number. Of rows the
-/// smallest comes first: every faster wave through evenly spaced rows fits as well.
+/// If several sets of parameters give one curve, the one that comes first, number by number. With rows the
+/// smallest comes first, because every faster wave through evenly spaced rows fits as well.
 StudyCandidate canonical(const ReadStudy& study, const SampledStudy<double>& sampled,
                          const std::vector<StudyCandidate>& best) {
   StudyCandidate first = best.front();

@@ -29,7 +29,7 @@ struct StudyContact {
   double error = 0;
 };
 
-/// Fewer digits of a parameter are no answer.
+/// A fit with fewer digits is not an answer.
 inline constexpr int least_study_digits = 6;
 
 struct StudyFit {
@@ -61,11 +61,11 @@ struct StudyFit {
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts,
                      const Checkpoint& checkpoint = keep_going);
 
-/// If a formula of the study has integrals: at most as many digits as two rules for them agree in, as a share
-/// of the target. Too few are no answer.
+/// If a formula of the study has integrals, limits the digits to those in which two rules for them agree, as
+/// a share of the target. With too few the fit is not converged.
 void confirm_integrals(const ReadStudy& study, StudyFit& fit);
 
-/// The edges of the single variable of a study, and cuts between them: small rules agree on each panel about
+/// The edges of the single variable of a study, with cuts between them: small rules agree on each panel on
 /// the squares of the error and of its derivatives at these parameters.
 std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& error,
                                       const std::vector<double>& parameters);

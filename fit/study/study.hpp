@@ -34,9 +34,9 @@ struct Study {
   std::vector<StudyDefinition> definitions = {};
   std::map<std::string, std::string> given = {};  ///< held constants: formulas of numbers
   std::vector<Held> held = {};                    ///< parameters with given values
-  std::vector<Held> starts = {};                  ///< parameters from where a descent starts too
-  /// No descent starts elsewhere, and a fit of rows has no statistics: for the question whether `starts` are
-  /// near an optimum.
+  std::vector<Held> starts = {};                  ///< values from which a descent starts too
+  /// Then no other descent starts, and a fit of rows has no statistics. This tells whether `starts` are near
+  /// an optimum.
   bool has_only_starts = false;
   std::string weight = "1";  ///< the factor of the error, a formula in the variables
   Error error = Error::absolute;
@@ -50,7 +50,7 @@ struct StudyAxis {
   Symbolic density;
 };
 
-/// A study whose formulas have been read. Given constants are put in.
+/// A study whose formulas have been read. Given constants are inserted.
 struct ReadStudy {
   std::vector<StudyAxis> axes;
   Symbolic target, form, weight;

@@ -50,8 +50,8 @@ struct PublishedSet {
   PrintedValues values;                     ///< one for each parameter
   std::string source;                       ///< author, year, title
   std::vector<std::string> where = {};      ///< repositories and files that use it
-  std::vector<ErrorClaim> claims = {};      ///<
-  std::vector<MistypedCopy> variants = {};  ///<
+  std::vector<ErrorClaim> claims = {};      ///< about its errors
+  std::vector<MistypedCopy> variants = {};  ///< copies that differ
 };
 
 struct StudyFile {

@@ -22,10 +22,10 @@ namespace {
 
 /// How close to a root or a logarithm the nodes go, as in fit/solve/weight.cpp.
 constexpr int power_at_root = 8;
-/// More edges than this are no formula of shading: each is one more panel.
+/// A formula of shading has fewer edges. Each adds a panel.
 constexpr std::size_t most_study_edges = 64;
 
-/// A formula along the last of its variables, where those before it have given values.
+/// A formula along its last variable. The variables before it have given values.
 class HingeCurve {
  public:
   HingeCurve(const Symbolic& formula, std::span<const StudyAxis> axes)
@@ -57,7 +57,7 @@ class HingeCurve {
   std::vector<double> values_;
 };
 
-/// Even places, and powers of two towards both ends.
+/// Evenly spaced places, and powers of two towards both ends.
 std::vector<double> places_on(double lower, double upper) {
   std::vector<double> places{lower, upper};
   constexpr int count = 512;
@@ -82,7 +82,7 @@ double bisected(double low, double high, const Predicate& predicate) {
   }
 }
 
-/// `part` is the hinge's.
+/// Adds the zeros of a hinge as edges. `part` is the formula of the hinge.
 void append_zeros(const Hinge& hinge, HingeCurve& part, const StudyAxis& axis,
                   std::vector<StudyEdge>& edges) {
   const std::vector<double> places = places_on(axis.lower, axis.upper);
@@ -157,7 +157,7 @@ std::vector<AxisNode> axis_nodes(const StudyAxis& axis, const std::vector<StudyE
   return nodes;
 }
 
-/// Rising, places within rounding of each other as one, the ends where they are.
+/// Sorts edges and merges those that differ by rounding. The ends stay where they are.
 std::vector<StudyEdge> merged(const StudyAxis& axis, std::vector<StudyEdge> edges) {
   std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.at < b.at; });
   std::vector<StudyEdge> result;
@@ -192,7 +192,7 @@ std::vector<Hinge> hinges_where(std::initializer_list<const Symbolic*> formulas,
   return result;
 }
 
-/// A hinge of an axis and of axes before it, and of nothing after it.
+/// A hinge that depends on an axis and on axes before it, but on none after it.
 struct MixedHinge {
   Hinge hinge;
   HingeCurve part;

@@ -14,12 +14,12 @@ struct StudyEdge {
   int power = 1;  ///< the formula is smooth in this root of the distance
 };
 
-/// The edges of an axis inside its range and at its ends, rising: zeros of the hinges that depend on this
-/// variable alone. Both ends are among them.
+/// The edges of an axis, rising: both ends of its range, and inside it the zeros of the hinges that depend on
+/// this variable alone.
 std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
 
-/// The zeros of a formula of one variable, its ends included. Found by looking at 592 places, so that two
-/// that are closer can be missed.
+/// The zeros of a formula of one variable, its ends included. The search looks at 592 places, so it can miss
+/// two zeros that are closer.
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis);
 
 struct StudyNodes {
@@ -34,7 +34,8 @@ std::vector<double> values_at_nodes(const ReadStudy& study, const Symbolic& form
 /// The product of Gauss rules with `rule_size` nodes on each panel of each axis. An axis is also split where
 /// a hinge of it and of the axes before it is zero: max(x, y) has its kink at y = x. Throws UserError for a
 /// density that is negative or not finite.
-/// Of measured rows each is a node, all with the same weight, whatever the edges and the rule.
+///
+/// With measured rows each row is a node of the same weight, whatever the edges and the rule.
 StudyNodes nodes_of(const ReadStudy& study, const std::vector<std::vector<StudyEdge>>& edges,
                     unsigned rule_size);
 

@@ -17,7 +17,7 @@ bool contains_any(const Symbolic& e, const std::vector<std::string>& names) {
                      [&](const std::string& name) { return variables.contains(name); });
 }
 
-/// The parameters in which an error is linear together: each in turn that keeps them so.
+/// The parameters in which the error is linear together: in their order, each one that keeps it linear.
 std::vector<bool> linear_ones(Graph& graph, std::span<const int> slopes, std::size_t first) {
   std::vector<bool> is_linear(slopes.size());
   for (std::size_t i = 0; i < slopes.size(); ++i) {
@@ -33,7 +33,7 @@ Symbolic weighted(const ReadStudy& study, const Symbolic& error) {
   return is_weighted ? study.weight * error : error;
 }
 
-/// The error of a form that is 0, without its sign.
+/// The error of a form that is 0, up to its sign.
 Symbolic scale_formula(const ReadStudy& study) {
   return weighted(study, study.error == Error::relative ? Symbolic::number("1") : study.target);
 }

@@ -18,7 +18,7 @@ using VectorOf = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 template <class T>
 using MatrixOf = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// Of the parameters and the error of a study; it lies on the stack.
+/// The parameters and the error of a study. The products of these columns lie on the stack.
 inline constexpr int most_product_columns = static_cast<int>(most_study_parameters) + 1;
 template <class T>
 using ProductMatrix =
@@ -26,7 +26,7 @@ using ProductMatrix =
 template <class T>
 using ProductVector = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, most_product_columns, 1>;
 
-/// weight * (form - target), or that divided by the target.
+/// weight * (form - target), divided by the target if the error is relative.
 Symbolic error_formula(const ReadStudy& study);
 
 /// The error of a study with its derivatives by the parameters. Its integrals are computed by `rule`.
@@ -35,13 +35,13 @@ class StudyError {
   explicit StudyError(const ReadStudy& study, IntegralRule rule = IntegralRule::usual);
 
   std::size_t parameter_count() const { return parameter_count_; }
-  /// Whether the form is linear in all parameters that are marked here, together.
+  /// For each parameter whether it is marked. The form is linear in all marked parameters together.
   const std::vector<bool>& is_linear() const { return is_linear_; }
 
   const StagedTape& gradient() const { return gradient_; }  ///< the error and its derivatives
   /// and the second derivatives: (0, 0), (1, 0), (1, 1), (2, 0) ..
   const StagedTape& hessian() const { return hessian_; }
-  const StagedTape& target() const { return target_; }  ///< the error of a form that is 0, without its sign
+  const StagedTape& target() const { return target_; }  ///< the error of a form that is 0, up to its sign
   /// The denominators of the form that contain a parameter. Where one is 0 the form has a pole.
   const std::vector<StagedTape>& denominators() const { return denominators_; }
 
@@ -75,8 +75,8 @@ class SampledStudy {
   /// The errors at the nodes, and if `slopes` is not null a column of their derivatives for each parameter.
   void errors(std::span<const T> parameters, VectorOf<T>& errors, MatrixOf<T>* slopes) const;
 
-  /// The sums of weight * u * v over the nodes, for u and v of these columns: i is the derivative by
-  /// parameter i, and the number of parameters is the error. In double only.
+  /// The sums of weight * u * v over the nodes, for u and v of these columns. Column i is the derivative by
+  /// parameter i; the column after the last parameter is the error. In double only.
   void products(std::span<const T> parameters, std::span<const Eigen::Index> columns,
                 ProductMatrix<T>& result) const;
 

@@ -27,7 +27,7 @@ std::vector<double> sized(const MinimaxParameters& parameters, std::size_t size)
   return {parameters.begin(), parameters.begin() + static_cast<std::ptrdiff_t>(size)};
 }
 
-/// From one start to the constrained optimum of its basin.
+/// The fit from one start: the constrained optimum of its basin.
 class ConstrainedFit {
  public:
   ConstrainedFit(const ReadStudy& study, const StudyError& error, const std::vector<StudyEdge>& edges,
@@ -62,7 +62,7 @@ class ConstrainedFit {
   };
 
   static constexpr int most_steps = 60;
-  /// A relative step from which on Newton's method takes over.
+  /// Newton's method takes over when a relative step is below this.
   static constexpr double last_step = 1e-6;
   /// A multiplier below this share of the largest one is the rounding of 0.
   static constexpr double no_multiplier = 1e-12;
@@ -73,7 +73,8 @@ class ConstrainedFit {
     return false;
   }
 
-  /// The rounding of a contact's value in double. The target counts: a form may be 0 as a difference.
+  /// The rounding of a contact's value in double. The size of the target counts too: a form of 0 may be a
+  /// difference of large terms.
   double rounding(const Contact& c) const {
     double size =
         std::abs(c.value) + static_cast<double>(std::abs(here_.bound_of(c.touch))) + sampled_.target_norm();
@@ -81,7 +82,7 @@ class ConstrainedFit {
     return 1e-15 * size;
   }
 
-  /// Constraints alone, at the contacts of now and of earlier steps.
+  /// The constraints, at the contacts of this step and of earlier ones.
   std::vector<Contact> constraints() {
     for (const Contact& c : here_.all()) {
       if (here_.share_of_level(c) > 0) continue;
@@ -105,7 +106,7 @@ class ConstrainedFit {
     return result;
   }
 
-  /// The Hessian of the square; far from its minimum that of the linearised error.
+  /// The Hessian of the square where it is positive; elsewhere that of the linearised error.
   Matrix convex_hessian(const std::vector<double>& at, const Matrix& hessian) const {
     if (ScaledHessian(hessian).is_positive()) return hessian;
     Vector errors;
@@ -171,7 +172,7 @@ class ConstrainedFit {
       here_.parameters[i] = base[i] + step[static_cast<Eigen::Index>(i)];
   }
 
-  /// A contact again at the parameters of now: inside a panel its place is an extremum.
+  /// The contact at the present parameters. Inside a panel its place moves to the extremum.
   Contact moved(const Contact& c) const {
     SearchPlace place = c.place;
     if (c.touch != Touch::exact && !c.is_tangent && 0 < place.s && place.s < 1)
@@ -180,7 +181,7 @@ class ConstrainedFit {
     return here_.contact(c.touch, place, c.is_tangent);
   }
 
-  /// The gradient of a constraint; an equation as its value rises.
+  /// The gradient of a constraint; of an equation, in the direction of rising values.
   Vector gradient_of(const Contact& c) const {
     Vector result(size_);
     for (Eigen::Index i = 0; i < size_; ++i)
@@ -188,8 +189,8 @@ class ConstrainedFit {
     return result;
   }
 
-  /// How the gradient of a constraint changes with the parameters, the place moving along: by differences.
-  /// Newton's method only needs it to a few digits.
+  /// The derivative of a constraint's gradient by the parameters, with the place moving along. By
+  /// differences: Newton's method needs only a few digits of it.
   Matrix bend_of(const Contact& c) {
     const MinimaxParameters base = here_.parameters;
     Matrix result(size_, size_);
@@ -205,7 +206,7 @@ class ConstrainedFit {
     return (result + result.transpose()) / 2;
   }
 
-  /// What a constraint's value lacks to its bound, in long double.
+  /// The distance of a constraint's value from its bound, in long double; negative if it is violated.
   long double lack_of(const Contact& c) const {
     WideParameters wide{};
     std::copy(here_.parameters.begin(), here_.parameters.end(), wide.begin());
@@ -215,7 +216,7 @@ class ConstrainedFit {
     return static_cast<long double>(sign_of(c.touch)) * (bound - value);
   }
 
-  /// Newton's step on the equations of Karush, Kuhn and Tucker, and its size.
+  /// Newton's step on the Karush-Kuhn-Tucker equations, and its size.
   struct Step {
     VectorOf<long double> values;  ///< of the parameters, then of the multipliers
     long double size;
@@ -256,7 +257,7 @@ class ConstrainedFit {
       active_[i].multiplier += static_cast<double>(step.values[size_ + static_cast<Eigen::Index>(i)]);
   }
 
-  /// What moves the form by less than 1e-16 of the target is the rounding of 0.
+  /// A parameter that moves the form by less than 1e-16 of the target is rounding: it becomes 0.
   void clear_rounding() {
     const Matrix hessian = sampled_.derivatives(sized(here_.parameters, problem_.size)).hessian;
     for (std::size_t i = 0; i < problem_.size; ++i) {
@@ -307,7 +308,7 @@ class ConstrainedFit {
     check_constraints();
   }
 
-  /// What does not touch holds too, and what touches pushes.
+  /// Checks that the constraints which do not touch hold, and that those which touch have multipliers >= 0.
   void check_constraints() {
     constexpr double tolerance = 1e3;  // of the rounding of a value
     here_.look();
@@ -321,7 +322,7 @@ class ConstrainedFit {
     }
     for (const Active& a : active_) {
       if (a.contact.touch != Touch::exact && a.multiplier < 0) {
-        fail(Status::not_converged, "a constraint touches that does not hold the fit up");
+        fail(Status::not_converged, "a constraint that touches has a negative multiplier");
         return;
       }
       fit_.alternation.push_back({a.contact.touch, a.contact.is_tangent, problem_.cosine_at(a.contact.place),

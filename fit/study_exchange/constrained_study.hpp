@@ -6,19 +6,20 @@
 
 namespace shadefit {
 
-/// The least-squares fit of a study of one variable under constraints; `solve_study` if there is none.
+/// The least-squares fit of a study of one variable under constraints. Without constraints it is
+/// `solve_study`.
 ///
-/// From the fit without constraints: the extrema of the constrained curves give linear conditions, and a
-/// quadratic programme (`least_step`) the step. Places where a curve was extreme stay conditions. Then
-/// Newton's method solves the equations of Karush, Kuhn and Tucker: the gradient of the square is a
+/// It starts from the fit without constraints. The extrema of the constrained curves give linear conditions,
+/// and a quadratic programme (`least_step`) gives the step. A place where a curve was extreme stays a
+/// condition. Then Newton's method solves the Karush-Kuhn-Tucker equations: the gradient of the square is a
 /// combination of the gradients of the constraints that touch, and these are at their bounds. Its residuals
 /// are in long double, and another quadrature rule counts the digits. Source: Wilson 1963, "A simplicial
 /// algorithm for concave programming" (sequential quadratic programmes); for conditions at all places
 /// Hettich, Kortanek 1993, "Semi-infinite programming: theory, methods, and applications", SIAM Review 35.
 ///
-/// `alternation` of the answer has the places where a constraint touches. The search is sampled, and the
-/// answer is the best near the fits without constraints. Throws UserError for constraints that the study
-/// cannot have, or that no parameters satisfy.
+/// `alternation` of the answer has the places where a constraint touches. The search for extrema is sampled,
+/// and the answer is the best optimum near the fits without constraints. Throws UserError for constraints
+/// that the study cannot have, or that no parameters satisfy.
 StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& constraints,
                                  const std::vector<Held>& starts, const Checkpoint& checkpoint = keep_going);
 

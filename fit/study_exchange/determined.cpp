@@ -6,10 +6,11 @@
 namespace shadefit {
 namespace {
 
-/// A multiplier, or a share of one, below this is the rounding of 0. Their sum is 1.
+/// Multipliers sum to 1. One below this is the rounding of 0.
 constexpr double none = 1e-9;
 
-/// How far a row may enter before a multiplier of the support is 0. `shares`: what the support gives way.
+/// The multiplier of an entering row at which the first one of the support becomes 0. `shares`: how much each
+/// multiplier of the support falls for a unit of it.
 double room(const VectorOf<double>& multipliers, const VectorOf<double>& shares) {
   double least = 1;
   for (Eigen::Index i = 0; i < shares.size(); ++i) {

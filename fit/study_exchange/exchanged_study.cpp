@@ -12,7 +12,7 @@ namespace {
 
 static_assert(most_study_parameters <= most_parameters, "the exchange takes every study");
 
-/// The first constraint as its option; null if there is none.
+/// The command-line option of the first constraint; null if there is none.
 const char* option_of(const Constraints& constraints) {
   return !constraints.exact_at.empty() ? "--exact-at"
          : constraints.one_sided       ? "--one-sided"
@@ -50,7 +50,7 @@ ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
   problem_.monotone = constraints.monotone;
   for (const double x : constraints.exact_at)
     problem_.exact_at.push_back(x == edges.front().at ? places.front() : places.back());
-  // A form as text may cancel. Then fewer digits are right, as in least squares.
+  // The text of a form may cancel digits. Then fewer digits are right, as in least squares.
   problem_.largest_step = std::pow(10.0L, -least_study_digits);
   problem_.is_admissible = [this](const MinimaxParameters& p) {
     return !sampled_.has_pole(std::span(p).first(problem_.size));

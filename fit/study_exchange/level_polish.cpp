@@ -81,7 +81,7 @@ class LevelSystem {
   LevelRow& row(Eigen::Index i) { return at_.rows[static_cast<std::size_t>(i)]; }
   const LevelRow& row(Eigen::Index i) const { return at_.rows[static_cast<std::size_t>(i)]; }
 
-  /// What the equations leave, in this arithmetic.
+  /// The residuals of the equations, in arithmetic T.
   template <class T>
   Vector residuals(const SampledStudy<T>& sampled) const {
     const std::vector<T> parameters(at_.parameters.begin(), at_.parameters.end());
@@ -104,7 +104,7 @@ class LevelSystem {
     return result;
   }
 
-  /// One step. Its size, or NaN.
+  /// Takes one step. Returns its size, or NaN.
   template <class T>
   double move(const SampledStudy<T>& sampled) {
     const Eigen::Index unknowns = directions_ + 1 + rows_;
@@ -119,7 +119,7 @@ class LevelSystem {
       matrix(directions_ + 1 + i, directions_) = -1;
     }
     if (!matrix.allFinite()) return NAN;
-    // Where the level leaves steps open, the shortest one is taken.
+    // If the level leaves some steps undetermined, the shortest one is taken.
     Eigen::CompleteOrthogonalDecomposition<Matrix> solver(unknowns, unknowns);
     solver.setThreshold(1e-11);  // less is rounding
     solver.compute(matrix);
@@ -139,7 +139,7 @@ class LevelSystem {
 
   double bend() const {
     Eigen::ColPivHouseholderQR<Matrix> qr(directions_, rows_);
-    // Multipliers make one slope a sum of the others, up to the rounding of the steps.
+    // The optimum makes one slope a combination of the others, up to the rounding of the steps.
     qr.setThreshold(1e-9);
     qr.compute(signed_slopes().transpose());
     const Eigen::Index free = directions_ - qr.rank();

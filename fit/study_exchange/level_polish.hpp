@@ -14,10 +14,11 @@ struct LevelRow {
   std::size_t row;
   double sign;
   double multiplier;
-  std::optional<double> held = std::nullopt;  ///< an earlier level, where the row stays
+  std::optional<double> held = std::nullopt;  ///< the earlier level where the row stays
 };
 
-/// Parameters where some rows are at one level, others stay at theirs, and no small step lowers the level:
+/// Parameters where some rows are at one level, others stay at earlier ones, and no small step lowers the
+/// level:
 ///   sign_i error_i = level, or its held level;
 ///   sum of multiplier_i sign_i slope_i = 0, where the multipliers of the rows that are not held sum to 1.
 /// If these multipliers are >= 0, this is Kolmogorov's criterion; it is also that of Lagrange. Source: Watson
@@ -27,12 +28,12 @@ struct PolishedLevel {
   double level = 0;
   std::vector<LevelRow> rows;
   int digits = 0;  ///< of the worst parameter, by a Newton step with residuals in long double
-  /// The least curvature of the sum of multiplier_i sign_i error_i along steps that leave all these errors as
-  /// they are, in units of `steps` and of the level. Infinite if there is no such step.
+  /// The least curvature of the sum of multiplier_i sign_i error_i along steps that do not change these
+  /// errors, in units of `steps` and of the level. Infinite if there is no such step.
   double bend = 0;
 };
 
-/// Less is the rounding of a curvature of 0.
+/// A smaller curvature is the rounding of 0.
 inline constexpr double no_bend = 1e-7;
 
 /// Newton's method on these equations. A column of `steps` is a direction of the parameters that changes the

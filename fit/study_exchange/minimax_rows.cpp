@@ -17,7 +17,7 @@ namespace {
 
 using Matrix = MatrixOf<double>;
 
-/// Of rows at their levels those with independent slopes along some steps.
+/// The rows whose slopes along some steps are independent.
 std::vector<LevelRow> independent(const std::vector<LevelRow>& rows, const Matrix& slopes) {
   std::vector<LevelRow> result;
   Matrix chosen(slopes.cols(), 0);
@@ -25,7 +25,7 @@ std::vector<LevelRow> independent(const std::vector<LevelRow>& rows, const Matri
     Matrix longer(slopes.cols(), chosen.cols() + 1);
     longer << chosen, slopes.row(static_cast<Eigen::Index>(row.row)).transpose();
     Eigen::ColPivHouseholderQR<Matrix> qr(longer.rows(), longer.cols());
-    qr.setThreshold(1e-9);  // multipliers make one slope a sum of the others, up to rounding
+    qr.setThreshold(1e-9);  // the optimum makes one slope a sum of the others, up to rounding
     qr.compute(longer);
     if (qr.rank() < longer.cols() || !(longer.rightCols(1).norm() > 1e-9)) continue;
     chosen = longer;
@@ -44,7 +44,7 @@ Matrix steps_beside(const std::vector<LevelRow>& held, const Matrix& slopes) {
   return Matrix(qr.householderQ()).rightCols(slopes.cols() - columns.cols());
 }
 
-/// The rows that may still move, where those of a level stay.
+/// The next stage: the rows of a level stay there, and the others may still move.
 RowStage stage_after(const RowStage& stage, const PolishedLevel& level, const RowErrors& at) {
   const Matrix slopes = at.slopes * row_directions(at.slopes, level.level) / level.level;
   std::vector<LevelRow> rows = level.rows;
@@ -64,7 +64,7 @@ RowStage stage_after(const RowStage& stage, const PolishedLevel& level, const Ro
   return next;
 }
 
-/// A fit, and its levels.
+/// A fit and its levels.
 struct LeveledFit {
   StudyFit fit;
   std::vector<double> levels;
@@ -120,9 +120,8 @@ LeveledFit descend(const RowDescent& descent, const ReadStudy& study, const std:
   return ended(Status::converged, "");
 }
 
-/// Whether a fit is lower than another at the first level where they differ. Those from starts that meet in
-/// one optimum differ by rounding. A fit that did not converge, as where the level falls towards a pole, is
-/// no answer.
+/// Whether a fit is lower than another at the first level where they differ by more than rounding. A fit that
+/// did not converge is never lower: its level may fall towards a pole.
 bool is_lower(const LeveledFit& a, const LeveledFit& b) {
   constexpr double same = 1e-9;
   const bool is_answer = a.fit.status == Status::converged;
@@ -155,8 +154,8 @@ StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& sta
   best.starts = searched.starts;
   best.is_global = searched.is_linear;
   if (best.status != Status::converged) return best;
-  // A later level holds the rows of an earlier one at its least. There a rounding of the level moves the
-  // parameters by its square root, of which Newton's last step knows nothing.
+  // A later level keeps the rows of an earlier one at its minimum. There a rounding of the level moves the
+  // parameters by its square root, and Newton's last step does not see that.
   if (lowest->levels.size() > 1) best.digits = std::min(best.digits, most_digits / 2);
   best.rms_error = rms_error(study, error, best.parameters);
   best.max_abs_error = largest_residual(study, best.parameters);

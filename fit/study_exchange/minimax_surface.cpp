@@ -45,10 +45,10 @@ Condition condition(double error, const VectorOf<double>& slope, double sign) {
   return result;
 }
 
-/// Where the error is at its level after a step of the programme.
+/// Where the error is at its level after a step of the linear programme.
 struct Support {
   LowestLevel lowest;
-  std::vector<std::size_t> places;  ///< of the set
+  std::vector<std::size_t> places;  ///< indices in the set
   std::vector<double> signs;        ///< of the errors there
 };
 
@@ -102,12 +102,13 @@ class SurfaceExchange {
 
  private:
   static constexpr int most_steps = 40;
-  /// The programme and the search for tops agree about the level to this share of it. Newton does the rest.
+  /// Newton's method starts when the programme and the search for tops agree on the level to this share of
+  /// it.
   static constexpr double agree = 1e-10;
-  /// A top is at the level if it is by this share. Newton's method moves what a support of other tops does
-  /// not hold by less.
+  /// A top within this share of the level is at the level. Newton's method moves tops outside the support by
+  /// less.
   static constexpr double same_level = 1e-9;
-  /// A top closer than this share of the range to an earlier one is that one.
+  /// A top closer than this share of the range to an earlier one is the same top.
   static constexpr double same_top = 0.01;
 
   StudyFit failed(Status status, std::string why) const {
@@ -118,7 +119,7 @@ class SurfaceExchange {
     return fit;
   }
 
-  /// A few places everywhere, so that all parameters are determined from the start.
+  /// Adds a coarse grid, so that all parameters are determined from the start.
   void add_grid() {
     constexpr int count = 6;
     Places places{{}};
@@ -136,7 +137,7 @@ class SurfaceExchange {
     looks_.assign(places_.size(), look_);
   }
 
-  /// The largest error, and its tops into the set.
+  /// Returns the largest error, and adds its tops to the set.
   double look(const std::vector<double>& parameters) {
     if (sampled_.has_pole(parameters)) return HUGE_VAL;
     double largest = 0;
@@ -149,7 +150,7 @@ class SurfaceExchange {
     return largest;
   }
 
-  /// The largest part of a range between two places.
+  /// The distance of two places: the largest share of a range between them.
   double distance(const std::vector<double>& a, const std::vector<double>& b) const {
     double largest = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -159,8 +160,8 @@ class SurfaceExchange {
     return largest;
   }
 
-  /// Near tops of earlier steps are the same one, seen from parameters that are farther from the answer. Were
-  /// they kept, the programme would have conditions that differ by rounding.
+  /// A top near one of an earlier step is the same top, seen from better parameters, and replaces it. With
+  /// both, the programme would have conditions that differ only by rounding.
   void add(const std::vector<double>& place) {
     std::size_t nearest = places_.size();
     double least = same_top;
@@ -185,7 +186,7 @@ class SurfaceExchange {
     VectorOf<double> errors;
     MatrixOf<double> slopes;
     SampledStudy<double>(error_, nodes_at(places_)).errors(base, errors, &slopes);
-    // Of form and target in double, and of what the parameters do there.
+    // The rounding of form and target in double.
     rounding_ = 2e-15 * std::max(sampled_.target_norm(), errors.cwiseAbs().maxCoeff());
     std::vector<Condition> conditions;
     for (Eigen::Index i = 0; i < errors.size(); ++i) {
@@ -202,8 +203,8 @@ class SurfaceExchange {
     return support;
   }
 
-  /// n places whose derivatives are independent, and the one with the largest error of the others. The signs
-  /// are those of a combination of their derivatives that is 0: no step lowers all these errors together.
+  /// n places whose derivatives are independent, and the other place with the largest error. With these signs
+  /// a combination of their derivatives is 0: no step lowers all these errors together.
   std::optional<std::vector<std::size_t>> first_reference(const VectorOf<double>& errors,
                                                           const MatrixOf<double>& slopes) const {
     const auto n = static_cast<Eigen::Index>(size_);
@@ -230,10 +231,10 @@ class SurfaceExchange {
     return reference;
   }
 
-  /// A fit whose error is nowhere larger than its level.
+  /// Checks that the error of a fit is nowhere larger than its level.
   StudyFit checked(StudyFit fit) {
     if (fit.status != Status::converged) return fit;
-    // Tops on an edge are found to half of the digits of their place, so the level is held to 8 digits.
+    // The place of a top on an edge has only half of the digits, so the level is checked to 8 digits.
     constexpr double held = 1e-8;
     const double largest = look(fit.parameters);
     if (largest <= *fit.level * (1 + held) + rounding_) return fit;
@@ -242,7 +243,7 @@ class SurfaceExchange {
     return fit;
   }
 
-  /// Newton in long double on the errors of the support, which are plus or minus the level.
+  /// Newton's method in long double: the errors of the support are plus or minus the level.
   StudyFit settled(const std::vector<double>& base) {
     const std::size_t unknowns = size_ + 1;
     Places support;
@@ -317,14 +318,14 @@ class SurfaceExchange {
   }
 
   const StudyError& error_;
-  const SampledStudy<double>& sampled_;  ///< tells poles
+  const SampledStudy<double>& sampled_;  ///< detects poles
   ReadStudy weighted_;
   std::vector<double> parameters_;
   std::size_t size_;
   std::vector<std::vector<StudyEdge>> edges_;
   TopPolish polish_;
   Places places_ = {};
-  std::vector<int> looks_ = {};  ///< at which look each place was found
+  std::vector<int> looks_ = {};  ///< the number of the look that found each place
   int look_ = 0;
   Support support_ = {};
   double level_ = 0, rounding_ = 0;

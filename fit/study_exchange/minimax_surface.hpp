@@ -8,20 +8,20 @@ namespace shadefit {
 
 /// The minimax fit of a study of two or three variables.
 ///
-/// The largest |weight * error| is made least on a set of places that grows: the linear programme of the
-/// errors and their derivatives there (fit/minimax/exchange.hpp) gives a step, and the tops of the error
+/// The exchange minimises the largest |weight * error| on a set of places that grows. A linear programme of
+/// the errors and their derivatives there (fit/minimax/exchange.hpp) gives a step, and the tops of the error
 /// after the step join the set. If the form is linear in its parameters, the level of the programme is a
-/// lower bound for all parameters, by duality. So when it meets the largest error, the fit is proven to be
-/// the best, up to the search for tops. A form that is not linear is linearised at each step; a step that
+/// lower bound for all parameters, by duality. When it meets the largest error, the fit is proven to be the
+/// best, up to the search for tops. A form that is not linear is linearised at each step, and a step that
 /// does not lower the largest error is halved. Source: Remez 1934, "Sur la détermination des polynomes
 /// d'approximation de degré donnée"; in several variables the exchange of one finite set for a larger one is
 /// that of Blankenship, Falk 1976, "Infinitely constrained optimization problems", Journal of Optimization
 /// Theory and Applications 19.
 ///
-/// Starts from the least-squares fit and from other basins; the lowest level counts. `digits` are those of a
-/// Newton step in long double on the places that determine the parameters, one more than there are. In
-/// several variables fewer tops may hold the level. Then the fit is degenerate or not converged, and `why`
-/// has the level.
+/// It starts from the least-squares fit and from other basins; the lowest level counts. `digits` are those of
+/// a Newton step in long double on the places that determine the parameters, one more than there are
+/// parameters. In several variables fewer tops may be at the level. Then the fit is degenerate or not
+/// converged, and `why` has the level.
 StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& starts,
                                const Checkpoint& checkpoint = keep_going);
 

@@ -11,7 +11,7 @@
 namespace shadefit {
 namespace {
 
-/// Nodes of the graph of a curve.
+/// The graph nodes of a curve.
 struct CurveNodes {
   CurveNodes(const ReadStudy& study, const Symbolic& formula, CurveOf of) : graph(formula_inputs(study)) {
     for (const std::string& name : formula_inputs(study))
@@ -21,7 +21,7 @@ struct CurveNodes {
     slope = graph.derivative(value, 0);
   }
 
-  /// A node, and its derivatives by the parameters.
+  /// A node and its derivatives by the parameters.
   std::vector<int> with_gradient(int node) {
     std::vector<int> result{node};
     for (std::size_t i = 1; i < inputs.size(); ++i) result.push_back(graph.derivative(node, i));
@@ -38,7 +38,7 @@ struct CurveNodes {
   int value, slope;
 };
 
-/// A formula and its slope on a panel, each with the same derivatives behind it, or with none.
+/// A formula and its slope on a panel. Each may be followed by its derivatives by the parameters.
 template <class T>
 class CurveTapes {
  public:
@@ -51,9 +51,9 @@ class CurveTapes {
     return run(value_, panel, s, parameters);
   }
 
-  /// Their slopes by s at an end, by the distance from it. A root at the end has no derivative, though the
-  /// formula is smooth in s: there quotients of differences are extrapolated to the distance 0 (Neville's
-  /// scheme). From 1/16 on each is halved seven times, so what is left is rounding.
+  /// The slopes of the outputs by the distance from an end, s = 0 or 1. At an end with a root the formula has
+  /// no derivative, though it is smooth in s: there difference quotients are extrapolated to the distance 0
+  /// (Neville's scheme). The distance goes from 1/16 down in seven halvings, so what is left is rounding.
   template <class P>
   std::vector<T> inward(const SearchPanel& panel, double s, const P& parameters) {
     const bool is_left = s == 0;
@@ -101,7 +101,7 @@ class CurveTapes {
   std::vector<T> inputs_;
 };
 
-/// A curve in all ways in which the exchange asks for it.
+/// All evaluations of a curve that the exchange needs.
 class PanelCurve {
  public:
   PanelCurve(CurveNodes nodes, std::vector<SearchPanel> panels)

@@ -7,11 +7,11 @@
 #include "fit/study/study.hpp"
 #include "fit/study/study_nodes.hpp"
 
-/// Formulas of a study along the range of its variable, as the exchange takes them.
+/// Formulas of a study along its variable, as curves of the exchange.
 namespace shadefit {
 
-/// A part of the range between two edges, from left to right. The variable runs as a square of s from an end
-/// where a formula has a root: there its error may have an infinite slope.
+/// A part of the range between two edges. At an end where a formula has a root, the variable is the square of
+/// s: the error may have an infinite slope there.
 struct SearchPanel {
   double left, right;
   bool is_rooted_left, is_rooted_right;

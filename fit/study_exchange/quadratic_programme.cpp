@@ -13,8 +13,8 @@ using Matrix = MatrixOf<double>;
 
 /// The rounding of a condition, relative to the sizes of its terms.
 constexpr double rounding = 1e-13;
-/// A direction that lowers a condition by less than this share of what its slope could is across it: the
-/// conditions that are met determine this one.
+/// A direction that changes a condition by less than this share of what its slope allows is across it: the
+/// active conditions determine this one.
 constexpr double across = 1e-12;
 
 class DualMethod {
@@ -34,7 +34,7 @@ class DualMethod {
   }
 
   std::optional<QuadraticAnswer> solve() {
-    // Each pass meets a condition. A cycle is rounding: then the step is no answer.
+    // Each pass meets a condition. A cycle comes from rounding: then there is no answer.
     for (std::size_t pass = 0; pass < 10 * (conditions_.size() + 1); ++pass) {
       const auto worst = most_violated();
       if (!worst) return QuadraticAnswer{units_.cwiseProduct(step_), active_};
@@ -55,7 +55,7 @@ class DualMethod {
                        [&](const ActiveCondition& a) { return a.condition == condition; });
   }
 
-  /// Equations come first, so that nothing lets them go.
+  /// Equations come first, so that they are never dropped.
   std::optional<std::size_t> most_violated() const {
     std::optional<std::size_t> worst;
     double most = 0;
@@ -115,7 +115,7 @@ class DualMethod {
     }
   }
 
-  /// Two equations may say the same.
+  /// Two equations may be equivalent.
   bool is_met_anyway(std::size_t condition) {
     const double size =
         std::abs(conditions_[condition].bound) + slope(condition).cwiseAbs().dot(step_.cwiseAbs());

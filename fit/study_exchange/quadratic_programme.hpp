@@ -10,7 +10,7 @@
 
 namespace shadefit {
 
-/// A condition that the answer meets with equality, and its multiplier: >= 0 but for an equation.
+/// A condition that the answer meets with equality, and its multiplier: >= 0 except for an equation.
 struct ActiveCondition {
   std::size_t condition;
   double multiplier;
@@ -21,12 +21,13 @@ struct QuadraticAnswer {
   std::vector<ActiveCondition> active;
 };
 
-/// The step d of least d^T hessian d / 2 + gradient^T d under the conditions slope^T d <= bound, or = bound.
-/// `hessian` is positive definite; the slope by the level is not used. Empty if no step meets the conditions.
+/// The step d that minimises d^T hessian d / 2 + gradient^T d under the conditions slope^T d <= bound, or =
+/// bound. `hessian` is positive definite; the slope by the level is ignored. Empty if no step meets the
+/// conditions.
 ///
 /// The dual method of Goldfarb, Idnani 1983, "A numerically stable dual method for solving strictly convex
-/// quadratic programs", Mathematical Programming 27: from the step without conditions, the most violated one
-/// is met after the other, and a condition whose multiplier falls to 0 on the way is let go.
+/// quadratic programs", Mathematical Programming 27. It starts from the step without conditions and meets the
+/// most violated one after the other. A condition whose multiplier falls to 0 on the way is dropped.
 std::optional<QuadraticAnswer> least_step(const MatrixOf<double>& hessian, const VectorOf<double>& gradient,
                                           std::span<const Condition> conditions);
 

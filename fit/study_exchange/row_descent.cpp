@@ -15,9 +15,9 @@ namespace {
 using Vector = VectorOf<double>;
 using Matrix = MatrixOf<double>;
 
-/// The level and the rows agree to this share of it. Newton's method does the rest.
+/// Newton's method starts when the programme and the rows agree on the level to this share of it.
 constexpr double agree = 1e-10;
-/// A row is at the level if it is by this share.
+/// A row within this share of the level is at the level.
 constexpr double same_level = 1e-9;
 
 bool holds(const std::vector<LevelRow>& rows, const LevelRow& one) {
@@ -51,7 +51,8 @@ std::vector<LevelRow> rows_of(const RowStage& stage) {
   return rows;
 }
 
-/// A curvature without its negative parts, and with more of each direction the shorter a step must be.
+/// The curvature without its negative parts. A larger `shortening` adds curvature in all directions: the step
+/// becomes shorter.
 Matrix convex(const Matrix& curvature, double shortening) {
   const Eigen::SelfAdjointEigenSolver<Matrix> values(curvature);
   const Vector raised = values.eigenvalues().cwiseMax(0).array() + shortening;
@@ -88,9 +89,9 @@ std::optional<RowStep> row_step(const RowErrors& at, const RowStage& stage, cons
   return result;
 }
 
-/// The errors with what they bend on the way to a trial: the programme then takes the bend into account,
-/// which is not the same for all rows. Source: Fletcher 1982, "Second order corrections for
-/// non-differentiable optimization", Lecture Notes in Mathematics 912.
+/// The errors with their curvature on the way to a trial, so that the programme takes it into account: it
+/// differs from row to row. Source: Fletcher 1982, "Second order corrections for non-differentiable
+/// optimization", Lecture Notes in Mathematics 912.
 RowErrors bent(const RowErrors& at, const RowErrors& trial) {
   RowErrors result = at;
   Vector step(at.slopes.cols());

@@ -11,9 +11,9 @@
 
 namespace shadefit {
 
-/// Which rows have a say in a level.
+/// Which rows determine a level.
 struct RowStage {
-  /// Of each row the earlier level that its error may not exceed; infinite if the error counts.
+  /// For each row the earlier level that its error may not exceed; infinite if the error counts.
   std::vector<double> ceilings;
   std::vector<LevelRow> held;  ///< rows that stay at earlier levels; their slopes are independent
 
@@ -29,7 +29,7 @@ struct RowErrors {
       0;  ///< of the rows that count; infinite if the form has a pole, or a row is above its ceiling
 };
 
-/// What the quadratic programme takes for the form near by.
+/// The local model of the form in the quadratic programme.
 struct RowModel {
   MatrixOf<double> steps;      ///< its directions, `row_directions`
   MatrixOf<double> curvature;  ///< along them, of the sum of the errors times their multipliers; positive
@@ -38,38 +38,38 @@ struct RowModel {
 /// A step of the quadratic programme.
 struct RowStep {
   std::vector<double> to;      ///< the parameters after it
-  double promised;             ///< the level there, were the form linear
-  std::vector<LevelRow> rows;  ///< that hold it, and those that are held
+  double promised;             ///< the level there if the form were linear
+  std::vector<LevelRow> rows;  ///< the rows at this level, and the held ones
 };
 
-/// Where a descent ended. Without an answer, `why` says so.
+/// Where a descent ended, and why if there is no answer.
 struct DescentEnd {
   RowErrors at;
   std::optional<PolishedLevel> answer;
   std::string why;
 };
 
-/// The descent to the least level of some rows.
+/// The descent to the least level of the rows that count.
 class RowDescent {
  public:
-  /// Refers to all of them; `sampled` has the rows as its nodes.
+  /// Keeps references to all arguments. The nodes of `sampled` are the rows.
   RowDescent(const StudyError& error, const StudyNodes& nodes, const SampledStudy<double>& sampled)
       : error_(error), nodes_(nodes), sampled_(sampled) {}
 
-  /// Sequential quadratic programming: the rows are linearised, and the curvature is that of the sum of their
-  /// errors, each times its multiplier. A step that does not lower the level as promised is shortened, as by
-  /// Levenberg. Source: Fletcher 1987, "Practical Methods of Optimization", chapter 14.
+  /// Sequential quadratic programming: the errors are linearised, and the curvature is that of the sum of the
+  /// errors times their multipliers. A step that does not lower the level as promised is shortened, as in
+  /// Levenberg's method. Source: Fletcher 1987, "Practical Methods of Optimization", chapter 14.
   DescentEnd operator()(const std::vector<double>& start, const RowStage& stage,
                         const Checkpoint& checkpoint) const;
 
   RowErrors errors_at(const std::vector<double>& parameters, const RowStage& stage) const;
 
-  /// What counts as 0 in an error.
+  /// The rounding of an error.
   double rounding(const RowErrors& at) const;
 
  private:
   RowModel model_at(const RowErrors& at, const std::vector<LevelRow>& rows, double shortening) const;
-  /// The errors after a step; if they fell less than promised, after one that takes the bend into account.
+  /// The errors after a step; if they fell less than promised, after a second one with their curvature.
   RowErrors moved(const RowErrors& at, const RowStage& stage, const RowModel& model,
                   const RowStep& step) const;
   /// The level of these rows, if no row exceeds it.

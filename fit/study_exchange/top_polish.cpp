@@ -9,7 +9,7 @@
 namespace shadefit {
 namespace {
 
-/// Nearer to an edge than this share of the range, a top is at the edge if the error is no less there.
+/// A top closer to an edge than this share of the range moves to the edge if the error is not smaller there.
 constexpr double at_edge = 1e-5;
 
 Tape tape_of(const ReadStudy& weighted) {
@@ -65,7 +65,7 @@ bool TopPolish::snap(std::vector<double>& place, std::size_t axis,
   return false;
 }
 
-/// One step along the free variables; false if there is none near.
+/// One Newton step along the free variables. False if it is too long.
 bool TopPolish::step(std::vector<double>& place, const std::vector<bool>& is_free,
                      const std::vector<double>& parameters) const {
   const auto n = static_cast<Eigen::Index>(axes_.size());

@@ -9,13 +9,13 @@
 
 namespace shadefit {
 
-/// Moves places to where the error has no slope along the variables that are not at an edge.
+/// Moves places to stationary points of the error along the variables that are not at an edge.
 class TopPolish {
  public:
   /// `weighted` is a study whose form is the error (`weighted_error_of`).
   TopPolish(const ReadStudy& weighted, const std::vector<std::vector<StudyEdge>>& edges);
 
-  /// By Newton's method. A place that it does not improve stays as it is.
+  /// Newton's method. A place that it does not improve stays as it is.
   std::vector<double> operator()(std::vector<double> place, const std::vector<double>& parameters) const;
 
  private:

@@ -15,14 +15,14 @@
 namespace shadefit {
 namespace {
 
-/// A box of the search; cut if it has halves.
+/// A box of the search. If it was cut, it has halves.
 struct SearchedBox {
   StudyBox box;
   BoxBound on_box;
   std::size_t lower_half = 0, upper_half = 0;  ///< places in the list of all boxes
 };
 
-/// A box that may still hold a larger error. Of equal bounds the box made last is first: so a pole is soon
+/// A box that may still hold a larger error. Of equal bounds the newest box comes first, so a pole is soon
 /// followed down to neighbouring doubles.
 struct OpenBox {
   double bound;
@@ -62,7 +62,7 @@ class LargestStudyError {
   double lower() const { return lower_; }
   double upper() const { return std::fmax(open_.top().bound, lower_); }
   const std::vector<double>& attained() const { return attained_; }
-  /// Within the box of the largest bound.
+  /// A place in the box with the largest bound.
   const std::vector<double>& worst_place() const { return boxes_[open_.top().index].on_box.place; }
 
   /// The boxes as `visit_boxes` reads them.

@@ -11,12 +11,12 @@
 namespace shadefit {
 namespace {
 
-/// The name that stands for an integral. No formula has it: a name has no space.
+/// The name of a variable for an integral. A formula cannot use it, because names have no space.
 std::string name_of_integral(std::size_t i) {
   return "integral " + std::to_string(i);
 }
 
-/// A formula whose integrals are variables; they are added to a list.
+/// A formula with variables in place of its integrals, which are added to a list.
 Symbolic separated(const Symbolic& e, std::vector<Symbolic>& integrals) {
   using Kind = Symbolic::Kind;
   if (e.kind() == Kind::integral) {
@@ -125,7 +125,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
   if (natural <= enough || !is_bounded(value) || jumps_.may_happen(value_, 1)) return result;
 
   const std::vector<Interval> slopes = slopes_for(numbers_on(box));
-  // The places of the largest and of the smallest value, as far as the slopes tell, and the rest of the sum.
+  // Where the value is largest and smallest, as far as the slopes tell, and the rest of the sum.
   StudyBox high = box, low = box;
   Interval rest(0);
   double widest_term = -1;
@@ -140,7 +140,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
     const Interval& slope = slopes[i];
     const double from = box[i].lower, to = box[i].upper;
     if (!is_bounded(slope)) {
-      // As next to a root: the width of the value itself along this variable stands for the term.
+      // Next to a root, for example: the width of the value along this variable replaces the term.
       StudyBox line = middle;
       line[i] = box[i];
       cut_if_wider(i, width_of(value_for(numbers_on(line))));

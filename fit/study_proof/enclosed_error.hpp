@@ -19,16 +19,16 @@ namespace shadefit {
 struct BoxBound {
   double bound = 0;           ///< infinite if none was found
   std::size_t axis = 0;       ///< the variable at which to cut the box for a better bound
-  std::vector<double> place;  ///< where |error| may be large, if `hope` is a reason to look
-  double hope = 0;            ///< at most this, near that place
+  std::vector<double> place;  ///< where |error| may be large
+  double hope = 0;            ///< evaluate there only if this is above the largest value so far
 };
 
-/// weight * (form - target), or that divided by the target, on boxes and at places. Search and check share
-/// it.
+/// The weighted error of a study, relative if the study says so, on boxes and at places. Search and check
+/// share it.
 ///
-/// Integrals are enclosed first (fit/study_proof/study_integral.hpp), and the chain rule has their slopes.
-/// A formula with min, max or abs has slopes that enclose those of both sides. Where a choice, sign, floor or
-/// atan2 may jump on a box, only values are enclosed, no slopes.
+/// Integrals are enclosed first (fit/study_proof/study_integral.hpp), and the chain rule uses their slopes. A
+/// formula with min, max or abs has slopes that enclose those of both sides. If a choice, sign, floor or
+/// atan2 may jump on a box, only values are enclosed.
 class EnclosedError {
  public:
   /// `parameters` in the order of those of the study.
@@ -40,10 +40,9 @@ class EnclosedError {
   /// The error at a place of doubles.
   Interval at(std::span<const double> place);
 
-  /// A bound on a box: by the values of the formula; or by the mean value theorem, f(x) = f(p) + sum of
-  /// slope_i (x_i - p_i). p_i is an end of the box where f rises or falls with x_i, else the middle. A
-  /// variable without bounded slope keeps all its numbers. Does no more work once a bound is at most
-  /// `enough`.
+  /// A bound on a box: by the values of the formula, or by the mean value theorem, f(x) = f(p) + sum of
+  /// slope_i (x_i - p_i). p_i is an end of the box if f rises or falls with x_i, otherwise the middle. A
+  /// variable without a bounded slope keeps its whole interval. Stops early if a bound is at most `enough`.
   BoxBound bound_on(const StudyBox& box, double enough);
 
  private:

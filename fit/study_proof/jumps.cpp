@@ -19,7 +19,7 @@ bool can_jump(const GraphNode& node) {
   return node.operation == Operation::choice || name == "sign" || name == "floor" || name == "atan2";
 }
 
-/// How many operands decide on which side of its jump an operation is: the first one, or the first two.
+/// How many operands decide on which side of its jump an operation is: one or two.
 std::size_t deciding(const GraphNode& node) {
   return node.operation == Operation::function ? 1 : 2;
 }
@@ -28,7 +28,8 @@ bool is_one_number(const Interval& x) {
   return is_bounded(x) && lower_end(x) == upper_end(x);
 }
 
-/// Whether an operation may jump for deciding operands in `a` and `b`. Of one operand, both are it.
+/// Whether an operation may jump if its deciding operands lie in `a` and `b`. A single operand is given
+/// twice.
 bool jumps_on(const GraphNode& node, const Interval& a, const Interval& b) {
   const std::string_view name = name_of(node);
   if (name == "sign") return !is_one_number(signum(a));

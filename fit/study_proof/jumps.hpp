@@ -21,8 +21,8 @@ class Jumps {
   /// The nodes that decide on which side of its jump each operation is: outputs for a tape.
   std::vector<int> deciding_nodes() const;
 
-  /// Whether an operation may jump within the intervals for which a program ran. Its outputs from `first` on
-  /// are those of the deciding nodes.
+  /// Whether an operation may jump within the intervals of a program's last run. The program's outputs from
+  /// `first` on are the deciding nodes.
   bool may_happen(const TapeProgram<Interval>& program, std::size_t first) const;
 
  private:

@@ -31,7 +31,7 @@ StudyBox middle_of_all(StudyBox box) {
   return box;
 }
 
-/// -infinity in place of NaN.
+/// The lower end; -infinity instead of NaN.
 double lowest_in(const Interval& x) {
   return std::isnan(lower_end(x)) || std::isnan(upper_end(x)) ? -std::numeric_limits<double>::infinity()
                                                               : lower_end(x);
@@ -109,12 +109,12 @@ LowestOnBox LowestValue::on(const StudyBox& box, double enough) {
 
 void LowestValue::improve_by_mean_value(const StudyBox& box, LowestOnBox& result) {
   slopes_.run(numbers_on(box, ranges_));
-  StudyBox low = box;  // the places of the least value, as far as the slopes tell
+  StudyBox low = box;  // where the value is least, as far as the slopes tell
   Interval rest(0);
   double widest_term = -1;
   for (std::size_t i = 0; i < box.size(); ++i) {
     const Interval& slope = slopes_.output(i);
-    if (!is_bounded(slope)) continue;  // all numbers of the variable stay
+    if (!is_bounded(slope)) continue;  // the variable keeps its whole interval
     if (is_never_negative(slope)) {
       low[i].upper = low[i].lower;
     } else if (is_never_positive(slope)) {

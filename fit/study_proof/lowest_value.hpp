@@ -30,10 +30,10 @@ class LowestValue {
   /// parameters.
   LowestValue(Graph graph, int node, std::vector<Domain> ranges, std::span<const Interval> parameters);
 
-  /// By the values of the formula; or, where it has neither pole nor jump, by the mean value theorem, f(x) =
-  /// f(p) + sum of slope_i (x_i - p_i). A variable without bounded slope keeps all its numbers; else p_i is
-  /// the lower end of the box where f rises with x_i, the upper one where it falls, else the middle. Does no
-  /// more work once no value is below `enough`.
+  /// A bound by the values of the formula, or, without pole and jump, by the mean value theorem, f(x) = f(p)
+  /// + sum of slope_i (x_i - p_i). p_i is the lower end of the box if f rises with x_i, the upper one if it
+  /// falls, otherwise the middle. A variable without a bounded slope keeps its whole interval. Stops early if
+  /// no value is below `enough`.
   LowestOnBox on(const StudyBox& box, double enough = -std::numeric_limits<double>::infinity());
 
  private:

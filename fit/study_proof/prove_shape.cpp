@@ -50,14 +50,14 @@ struct FormGraph {
 struct Violation {
   double amount;
   std::size_t axis = 0;                ///< the variable at which to cut the box
-  std::optional<StudyBox> place = {};  ///< where it certainly violates it by more than the slack
+  std::optional<StudyBox> place = {};  ///< where it is proven to violate it by more than the slack
 };
 
 /// A constraint on a box.
 using ShapeRule = std::function<Violation(const StudyBox&)>;
 
-/// Cuts all boxes that violate the rule, again and again, until their violations are within the slack:
-/// together if they add up, else each.
+/// Cuts all boxes that violate the rule, again and again, until the violations are within the slack: their
+/// sum if `adds`, otherwise each one.
 ShapeProof prove(const ShapeRule& rule, bool adds, std::span<const Domain> ranges, double slack,
                  const Checkpoint& checkpoint) {
   ShapeProof result{Proof::open};
@@ -76,7 +76,7 @@ ShapeProof prove(const ShapeRule& rule, bool adds, std::span<const Domain> range
       if (halves) {
         cut.insert(cut.end(), halves->begin(), halves->end());
       } else {
-        cut.push_back(box);  // its violation may be small enough beside the others
+        cut.push_back(box);  // the sum may still be within the slack
       }
     }
     if (cut.empty() || (adds && upper_end(sum) <= slack)) {
@@ -88,7 +88,7 @@ ShapeProof prove(const ShapeRule& rule, bool adds, std::span<const Domain> range
   return result;
 }
 
-/// That a node of the form's graph is at least a bound.
+/// Proves that a node of the form's graph is at least a bound.
 ShapeProof prove_bound(const FormGraph& form, int node, double bound, double slack,
                        const Checkpoint& checkpoint) {
   LowestValue lowest = form.lowest_of(node);
@@ -115,7 +115,7 @@ double largest_fall(LowestValue& value, LowestValue& slope, const StudyBox& box)
   return std::fmin(by_values, upper_end(Interval(width * Interval(std::fmax(0, -slopes.lowest)))));
 }
 
-/// That a node of the form's graph never falls.
+/// Proves that a node of the form's graph never falls.
 ShapeProof prove_rise(FormGraph form, int node, double slack, const Checkpoint& checkpoint) {
   LowestValue value = form.lowest_of(node);
   LowestValue slope = form.lowest_of(form.graph.derivative(node, 0));
@@ -131,7 +131,7 @@ ShapeProof prove_rise(FormGraph form, int node, double slack, const Checkpoint& 
   return prove(rule, true, form.ranges, slack, checkpoint);
 }
 
-/// That the form is its target at an end.
+/// Proves that the form equals its target at an end.
 ShapeProof prove_exact(const StudySubject& subject, double end, double slack) {
   StudySubject plain = subject;
   plain.study.weight = "1";

@@ -10,12 +10,12 @@
 
 namespace shadefit {
 
-/// How far a fit under a constraint may cross it, as a part of the largest value: it touches its bound, and
-/// the rounding of its parameters to doubles moves it by some last bits, 1e-16 for each of some terms.
+/// How far a fit under a constraint may cross it, as a share of the largest value. The fit touches its bound,
+/// and the rounding of its parameters to doubles moves it by some last bits, 1e-16 for each of some terms.
 inline constexpr double shape_slack = 1e-12;
 
-/// How far a form that is exact at an end may be off there, as a part of the largest value: a last place of a
-/// float.
+/// How far a form that is exact at an end may be off there, as a share of the largest value: the last place
+/// of a float.
 inline constexpr double exact_slack = 0x1p-24;
 
 /// The most boxes on which a form is enclosed for one constraint. Each takes some microseconds for each
@@ -34,14 +34,14 @@ struct ShapeProof {
 /// - `at_least`, `at_most`: it crosses the bound by no more than `shape_slack * scale`;
 /// - `monotone`, in one variable: it never falls, or never rises, by more than that, however many times;
 /// - `exact_at` an end, in one variable: it differs from the target by no more than `exact_slack * scale`.
-/// Of several constraints only the first one in this order is proven; of others none.
+/// Of several constraints only the first one in this order is proven. Other constraints are not proven.
 ///
-/// A bound is proven on boxes, which are cut until it holds on each. A course is proven by the sum over boxes
-/// of how far the form may run against it: the width of the box times the wrong part of the slope, or the
-/// width of the values where there is no slope, as at the end of sqrt(1 - x) or where a choice may jump. The
-/// answer is `open` if that needs more than `most_shape_boxes`, if a form with a course may have a pole, if
-/// the form has an integral, or if the target at an end has one inside another. Throws UserError for formulas
-/// that cannot be read, and for other parameters than those of the form.
+/// A bound is proven on boxes, which are cut until it holds on each. For `monotone` the proof sums over boxes
+/// how far the form may run the wrong way: the width of the box times the wrong part of the slope. If there
+/// is no slope, as at the end of sqrt(1 - x) or where a choice may jump, it is the width of the values. The
+/// answer is `open` if that needs more than `most_shape_boxes`, if a monotone form may have a pole, if the
+/// form has an integral, or if the target at an end has an integral inside another one. Throws UserError for
+/// formulas that cannot be read, and for parameters other than those of the form.
 ShapeProof prove_shape(const StudySubject& subject, const Constraints& constraint, double scale,
                        const Checkpoint& checkpoint = keep_going);
 

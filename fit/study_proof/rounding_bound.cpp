@@ -28,7 +28,7 @@ std::vector<RunningNarrow<Format>> rounded_constants(const Constants& constants)
   return rounded;
 }
 
-/// What the difference of form and target is multiplied by.
+/// The factor of the difference of form and target.
 Symbolic scale_of(const ReadStudy& study) {
   return study.error == Error::relative ? study.weight / study.target : study.weight;
 }
@@ -82,7 +82,7 @@ struct BoundedBox {
   bool operator<(const BoundedBox& other) const { return bound < other.bound; }
 };
 
-/// A narrow box in the middle of one. At a single place the enclosures know the very rounding.
+/// A narrow box in the middle of one. At a single place the enclosures would know the exact rounding.
 StudyBox centre_of(StudyBox box) {
   constexpr double share = 0x1p-10;
   for (Stretch& side : box) {
@@ -118,7 +118,7 @@ double bound_on_boxes(RoundingOnBoxes<Format> rounding, const Checkpoint& checkp
 template <class Format>
 double bound_of_rounding(const StudySubject& subject, const Checkpoint& checkpoint, std::size_t box_limit) {
   const ReadStudy study = read_formulas(subject.study);
-  // In intervals the sum that stands for an integral is no enclosure of it.
+  // An integral stands for a sum, and in intervals that sum does not enclose it.
   if (integral_depth(study.form) > 0 || integral_depth(scale_of(study)) > 0)
     return std::numeric_limits<double>::infinity();
   return bound_on_boxes(RoundingOnBoxes<Format>(study, subject.parameters, node_variables(study)), checkpoint,

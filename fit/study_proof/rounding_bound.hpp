@@ -6,18 +6,18 @@
 #include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// What the evaluation of a study's form in float or half adds to its error.
+/// How much the evaluation of a study's form in float or half adds to its error.
 namespace shadefit {
 
-/// The most boxes of such a bound. In float it is less than a hundredth of most errors, so a rough one is
+/// The most boxes for this bound. In float it is less than a hundredth of most errors, so a rough one is
 /// enough.
 inline constexpr std::size_t most_rounding_boxes = 2'000;
 
-/// A proven bound of |weight * (computed - true)|, or that divided by the target, at every number of the
-/// format in the ranges: of a form whose constants, numbers, operations and functions are all rounded to the
-/// nearest one, a multiplication with an addition fused or not. So it bounds, with a bound of the error in
-/// real numbers, the error in the format. Infinite if none was found, as for a form with an integral. The
-/// subject must have no `fault_of`; the checkpoint is called for each box that is cut.
+/// A proven bound of |weight * (computed - true)|, divided by the target if the error is relative, at every
+/// number of the format in the ranges. The form's constants, numbers, operations and functions are all
+/// rounded to the nearest one; a multiply-add may be fused or not. Together with a bound of the error in real
+/// numbers it bounds the error in the format. Infinite if none was found, as for a form with an integral.
+/// `fault_of` must find no fault in the subject. The checkpoint is called for each box that is cut.
 template <class Format>
 double bound_of_rounding(const StudySubject& subject, const Checkpoint& checkpoint = keep_going,
                          std::size_t box_limit = most_rounding_boxes);

@@ -9,16 +9,16 @@
 #include "fit/scalars/gpu_model.hpp"
 #include "fit/scalars/narrow_result.hpp"
 
-/// A program in float or half on a CPU or a GPU: what it should compute, what it may compute, and how far
-/// apart the two are.
+/// Bounds for a program in float or half on a CPU or a GPU: its true value, its computed value, and their
+/// distance.
 namespace shadefit {
 
-/// A value of a program whose every operation and function is rounded to the nearest number of a format; or,
-/// with a `gpu`, is as wrong as that device may be, subnormal numbers flushed to zero or not.
+/// A value of a program. Every operation and function is rounded to the nearest number of the format; with a
+/// `gpu` it is as wrong as that device may be, and subnormal numbers may be flushed to zero.
 ///
-/// The error of an operation is what its operands' errors do to it, by the mean value theorem between the
-/// true and the computed operands, and its own rounding. It is also never more than what the two enclosures
-/// allow. That holds where a slope is infinite: next to a root the enclosures shrink with the box.
+/// The error of an operation is its own rounding plus the effect of its operands' errors, by the mean value
+/// theorem between the true and the computed operands. It is also never more than what the two enclosures
+/// allow. That helps where a slope is infinite: next to a root the enclosures shrink with the box.
 /// `RunningError` (fit/proof/running_error.hpp) has no second enclosure, so it cannot know that the float
 /// 1 - x is not negative for x <= 1. Source: Higham 2002, "Accuracy and Stability of Numerical Algorithms",
 /// 2nd edition, section 3.3.
@@ -27,7 +27,7 @@ struct RunningNarrow {
   Interval value;     ///< encloses the true value
   Interval computed;  ///< encloses every number that the program may have, with its products rounded or not
   double error = 0;   ///< at least |computed - true|
-  const GpuModel* gpu = nullptr;  ///< the device of an operand or a result of one; none of a number
+  const GpuModel* gpu = nullptr;  ///< the device of an operand or a result; null for a number
 
   /// A number of the format as an operand.
   static RunningNarrow exact(const Interval& value, const GpuModel* gpu = nullptr) {
@@ -43,8 +43,8 @@ struct RunningNarrow {
     within,      ///< to a number within the relative error
   };
 
-  /// An operation with true results in `value`; those of the computed operands lie in `result`, and differ
-  /// by at most `inherited` before they are rounded, by a relative error.
+  /// An operation whose true results lie in `value`. The results for the computed operands lie in `result`
+  /// and differ by at most `inherited`; then they are rounded, by a relative error.
   static RunningNarrow rounded(const Interval& value, const Interval& result, const Interval& inherited,
                                const GpuModel* gpu = nullptr, Rounds rounds = Rounds::to_nearest,
                                double relative = half_ulp) {
@@ -56,7 +56,7 @@ struct RunningNarrow {
                     largest_magnitude_in(Interval(inherited + rounding)), gpu);
   }
 
-  /// The same for an operation that rounds nothing.
+  /// The same for an operation without rounding.
   static RunningNarrow enclosed(const Interval& value, const Interval& computed, double error,
                                 const GpuModel* gpu = nullptr) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
@@ -74,8 +74,8 @@ struct RunningNarrow {
                     largest_magnitude_in(Interval(inherited + own + rounding + Interval(least_normal))), gpu);
   }
 
-  /// What an error of an operand does to a result; `slope` encloses the derivative between the true and the
-  /// computed operand. An exact operand does nothing, also where the slope is infinite.
+  /// The effect of an operand's error on a result. `slope` encloses the derivative between the true and the
+  /// computed operand. An exact operand has no effect, even if the slope is infinite.
   static Interval effect(const Interval& slope, double error) {
     return error > 0 ? Interval(largest_magnitude_in(slope)) * Interval(error) : Interval(0);
   }
@@ -126,8 +126,8 @@ struct RunningNarrow {
   static constexpr double half_least = least_of<Format> / 2;         ///< of a subnormal one
   static constexpr double least_normal = least_normal_of<Format>;
 
-  /// What results may be rounded to: rounding is monotonic. The results themselves are kept in, because a
-  /// fused multiplication and addition does not round the product. From overflow on nothing is known.
+  /// The numbers that results may be rounded to: rounding is monotonic. The results themselves stay included,
+  /// because a fused multiply-add does not round the product. From overflow on nothing is known.
   static Interval to_format(const Interval& result) {
     const auto round = [](double x) { return static_cast<double>(NarrowResult<Format>::rounded(x)); };
     const double lower = round(lower_end(result)), upper = round(upper_end(result));
@@ -147,8 +147,8 @@ struct RunningNarrow {
 
 using RunningFloat = RunningNarrow<FloatFormat>;
 
-/// A function without a slope here has only its enclosures, which are wide on wide boxes. Of a GPU's
-/// functions only those are known that `GpuModel` knows, and what consists of them.
+/// A function without a slope here has only its enclosures, which are wide on wide boxes. Of a GPU only the
+/// functions of `GpuModel` are known, and those that consist of them.
 template <class Format>
 struct Scalar<RunningNarrow<Format>> {
   using T = RunningNarrow<Format>;
@@ -228,7 +228,7 @@ struct Scalar<RunningNarrow<Format>> {
     return T::of_gpu(value, results, own, inherited, gpu);
   }
 
-  /// A condition that holds, or not, for the true and for the computed operands alike.
+  /// Certain only if the condition has one answer for both the true and the computed operands.
   static Certainty less(const T& a, const T& b) {
     const Certainty truly = shadefit::less(a.value, b.value);
     return truly == shadefit::less(a.computed, b.computed) ? truly : Certainty::unknown;

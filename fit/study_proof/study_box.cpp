@@ -64,8 +64,7 @@ std::string visit_boxes(std::span<const Domain> ranges, std::string_view text,
       continue;
     }
     const auto axis = static_cast<std::size_t>(c - '1');
-    if (c < '1' || axis >= box.size())
-      return std::string("its boxes have a sign that is no cut: '") + c + "'";
+    if (c < '1' || axis >= box.size()) return std::string("its boxes have an unknown sign: '") + c + "'";
     const auto halves = halves_of(box, axis);
     if (!halves) return "its boxes cut one between neighbouring doubles";
     open.push_back((*halves)[1]);

@@ -15,15 +15,15 @@
 /// Boxes of the ranges of a study, for proofs.
 namespace shadefit {
 
-/// The numbers from `end + lower` to `end + upper`, where `end` is one end of a range. Near its lower end,
-/// and near its upper end, a formula such as sqrt(1 - x) turns within a distance that is far below the
-/// spacing of doubles there. So a box holds distances from the nearer end: below 0 from the upper end.
+/// The numbers from `end + lower` to `end + upper`, where `end` is one end of a range. Near an end a formula
+/// such as sqrt(1 - x) turns within a distance that is far below the spacing of doubles there. So a box holds
+/// distances from the nearer end; those from the upper end are negative.
 struct Stretch {
   bool is_from_upper = false;
   double lower = 0, upper = 0;
 };
 
-/// A stretch of each variable.
+/// One stretch for each variable.
 using StudyBox = std::vector<Stretch>;
 
 /// The ranges cut at their middles, so that each stretch begins at an end: 2, 4 or 8 boxes, which cover the
@@ -42,10 +42,10 @@ Interval numbers_of(const Stretch& stretch, const Domain& range);
 /// The place of doubles nearest to the middle of a box, within the ranges.
 std::vector<double> place_in(const StudyBox& box, std::span<const Domain> ranges);
 
-/// Calls `visit` for each box of a text, and returns the first answer that is not empty. The text describes
-/// how the boxes of `corners_of` are cut, one after the other: "." is a box; "1", "2" or "3" cuts at the
-/// middle of that variable, and the lower half follows, then the upper one. So whatever the text says, the
-/// boxes cover the ranges. A text that is not of this kind is answered with the reason.
+/// Calls `visit` for each box that a text describes, and returns the first answer that is not empty. The text
+/// says how the boxes of `corners_of` are cut, one after the other: "." is a box; "1", "2" or "3" cuts at the
+/// middle of that variable, and the lower half follows, then the upper one. So the boxes cover the ranges,
+/// whatever the text says. For a text of another kind the answer is the reason.
 std::string visit_boxes(std::span<const Domain> ranges, std::string_view text,
                         const std::function<std::string(const StudyBox&)>& visit);
 

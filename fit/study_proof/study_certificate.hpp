@@ -11,11 +11,11 @@
 #include "fit/study/study.hpp"
 #include "fit/support/checkpoint.hpp"
 
-/// Proofs of the largest error of a form of one's own.
+/// Proofs of the largest error of a user's own form.
 namespace shadefit {
 
-/// What a proof is about: all formulas, and the constants. The ranges are those of doubles: an end that is a
-/// formula, or a decimal that is no double, stands for the double nearest to it.
+/// What a proof is about: all formulas, and the constants. Ranges are doubles: an end that is a formula, or a
+/// decimal that is not a double, stands for the nearest double.
 struct StudySubject {
   Study study;                ///< without densities, held parameters and starts, which belong to a fit
   Constants parameters = {};  ///< of the form, in the order in which they first appear
@@ -52,10 +52,10 @@ inline constexpr std::size_t most_study_boxes = 200'000;
 /// The most boxes if a formula has an integral: each takes milliseconds.
 inline constexpr std::size_t most_boxes_of_integrals = 4'000;
 
-/// Proves bounds of the largest error by branch and bound over boxes of the variables, of relative width
-/// `width` or as near as `box_limit` boxes allow. The checkpoint is called for each box that is cut. Throws
-/// UserError for a `fault_of` the subject and for a width outside [least_width, 1); CheckFailed, with the
-/// place, if no finite bound was proven.
+/// Proves bounds of the largest error by branch and bound over boxes of the variables. Their relative width
+/// is `width`, or as near to it as `box_limit` boxes allow. The checkpoint is called for each box that is
+/// cut. Throws UserError if `fault_of` finds a fault in the subject, and for a width outside [least_width,
+/// 1); CheckFailed, with the place, if no finite bound was proven.
 CertifiedStudy certify_study(const StudySubject& subject, double width,
                              const Checkpoint& checkpoint = keep_going,
                              std::size_t box_limit = most_study_boxes);
@@ -66,8 +66,8 @@ bool is_exactly(const std::string& formula, double value);
 /// How many boxes a certificate has.
 std::size_t count_boxes(const StudyCertificate& certificate);
 
-/// Checks a certificate again, only by evaluating the formulas on its boxes. Empty if everything in it
-/// holds, else one line with the reason to refuse it. `done` is called for each box.
+/// Checks a certificate again, only by evaluating the formulas on its boxes. Empty if all of it holds,
+/// otherwise one line with the reason to refuse it. `done` is called for each box.
 std::string reason_to_refuse(
     const StudyCertificate& certificate, const ShareDone& done = [](double) {});
 

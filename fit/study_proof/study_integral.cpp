@@ -17,14 +17,14 @@ namespace {
 constexpr int order = 16;
 using Series = Taylor<order>;
 
-/// The most panels of an integral. A root at an end halves the width's panel about 40 times.
+/// The most panels of an integral. The panel next to a root is halved about 40 times.
 constexpr std::size_t most_inner_panels = 64;
 
 /// A panel is not cut if its remainder adds less than this share of the integral, or of the width that the
 /// intervals of the variables cause.
 constexpr double negligible = 1e-20, small_beside_width = 1e-3;
 
-/// The name of the variable in [0, 1]. No formula has it: a name has no space.
+/// The name of the variable in [0, 1]. A formula cannot use it, because names have no space.
 const std::string unit_variable = "unit variable";
 
 /// length * body(lower + length s), whose integral over s from 0 to 1 is the integral.
@@ -89,11 +89,11 @@ class StudyIntegral::Panels {
   struct Panel {
     double lower, upper;  ///< exact: sums of powers of two
     std::vector<Interval> values;
-    double excess;  ///< the width that a cut makes smaller
-    double width;   ///< the width that it does not
+    double excess;  ///< the part of the width that a cut reduces
+    double width;   ///< the part that it does not reduce
   };
 
-  /// The excess that no cut is needed for.
+  /// An excess up to this needs no cut.
   double allowed(const std::vector<Panel>& panels) const {
     double width = 0, magnitude = 0;
     for (const Panel& panel : panels) {
@@ -104,7 +104,7 @@ class StudyIntegral::Panels {
     return std::fmax(small_beside_width * width, negligible * magnitude);
   }
 
-  /// By series where they have a bound and the bodies do not jump, else by their range.
+  /// By series if they have a bound and the bodies do not jump, otherwise by the range of the bodies.
   Panel panel(std::span<const Interval> variables, double lower, double upper) {
     if (!jumps_.empty()) {
       run_range(variables, lower, upper);

@@ -14,22 +14,21 @@ namespace shadefit {
 /// An integral inside a formula, enclosed on boxes of the variables.
 ///
 /// Its variable is mapped to [0, 1], which is cut into panels. On a panel of middle m and radius r the
-/// integral of f is the sum of 2 f_j r^(j+1)/(j+1) over even j < n, f_j the Taylor coefficients at m, and the
-/// remainder with f_n enclosed on all of the panel (fit/proof/enclosed_integral.hpp). Where f has no series,
-/// as sqrt(t) at t = 0, the panel's length times the range of f is taken. The panel that adds most to the
-/// width is cut first.
+/// integral of f is the sum of 2 f_j r^(j+1)/(j+1) over even j < n, where f_j are the Taylor coefficients at
+/// m, and a remainder with f_n enclosed on all of the panel (fit/proof/enclosed_integral.hpp). If f has no
+/// series, as sqrt(t) at t = 0, it is the panel's length times the range of f. The panel that adds most to
+/// the width is cut first.
 class StudyIntegral {
  public:
-  /// `integral` is a formula of that kind, without another one inside; `parameters` in the order of those of
-  /// the study.
+  /// `integral` has no other integral inside. `parameters` are in the order of those of the study.
   StudyIntegral(const ReadStudy& study, const Symbolic& integral, std::span<const Interval> parameters);
   StudyIntegral(StudyIntegral&&) noexcept;
   ~StudyIntegral();
 
-  /// The integral for variables in these intervals; not bounded if no bound was found.
+  /// The integral for variables in these intervals; unbounded if no bound was found.
   Interval value(std::span<const Interval> variables);
 
-  /// Its derivatives by the variables. A body that may jump has none: they are not bounded.
+  /// Its derivatives by the variables. They are unbounded if the body may jump.
   std::vector<Interval> slopes(std::span<const Interval> variables);
 
  private:

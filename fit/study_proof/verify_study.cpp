@@ -21,7 +21,7 @@ std::string range_text(double lower, double upper) {
 }
 
 std::string check_ranges(const StudyCertificate& certificate, const ReadStudy& study) {
-  if (certificate.ranges.size() != study.axes.size()) return "it has not one range for each variable";
+  if (certificate.ranges.size() != study.axes.size()) return "it does not have one range for each variable";
   for (std::size_t i = 0; i < study.axes.size(); ++i) {
     const StudyAxis& axis = study.axes[i];
     const Domain& range = certificate.ranges[i];
@@ -35,9 +35,9 @@ std::string check_ranges(const StudyCertificate& certificate, const ReadStudy& s
 std::string check_bounds(const StudyCertificate& certificate) {
   if (!(0 <= certificate.lower && certificate.lower <= certificate.upper && std::isfinite(certificate.upper)))
     return "its bounds are not an interval";
-  // Only a wider arithmetic than was used can hold what was proven with it.
+  // A proof holds again only in an arithmetic that is at least as wide.
   if (certificate.precision <= 0 || certificate.precision > interval_precision())
-    return "it was made with " + std::to_string(certificate.precision) + " bits, here are " +
+    return "it was made with " + std::to_string(certificate.precision) + " bits, this build uses " +
            std::to_string(interval_precision());
   return "";
 }

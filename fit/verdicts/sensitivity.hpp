@@ -35,7 +35,7 @@ struct CommonDigits {
   double objective;
 };
 
-/// A fit whose metric differs in one point.
+/// A fit whose metric differs in one respect.
 struct OtherContract {
   Metric metric;
   Fit fit;
@@ -55,7 +55,7 @@ struct FittedConstants {
   std::vector<bool> is_given;  ///< of a constant that was not fitted and stays
   /// The objective at other values.
   std::function<double(const std::vector<double>&)> objective;
-  /// The least objective with the constant of that place held at a value; NaN if that fit fails.
+  /// The least objective with constant i held at a value; NaN if that fit fails.
   std::function<double(std::size_t, double)> profile;
 };
 

@@ -11,13 +11,13 @@
 namespace shadefit {
 namespace {
 
-/// Even samples of a range: at i/(count - 1) of it, or at the middles (i + 1/2)/count.
+/// Evenly spaced samples of a range: at shares i/(count - 1) of it, or at the middles (i + 1/2)/count.
 struct Samples {
   int count;
   bool has_ends;
 };
 
-/// The target at even samples; null if one of its values is not finite.
+/// The target at evenly spaced samples; null if one of its values is not finite.
 std::shared_ptr<const MeasuredRows> sampled(const ReadStudy& study, const Tape& target,
                                             const Samples& samples) {
   const StudyAxis& axis = study.axes.front();
@@ -36,7 +36,7 @@ std::shared_ptr<const MeasuredRows> sampled(const ReadStudy& study, const Tape& 
   return rows;
 }
 
-/// What scripts usually take: a round number of samples with the ends, a round step, the texels of a table.
+/// The samples that scripts usually take: a round number with the ends, a round step, the texels of a table.
 std::vector<Samples> usual_samples(const StudyAxis& axis) {
   std::set<int> with_ends{10,  11,  16,  20,  21,  32,  50,  51,   64,   100,  101,
                           128, 200, 201, 256, 257, 500, 501, 1000, 1001, 1024, 4096};
@@ -51,7 +51,7 @@ std::vector<Samples> usual_samples(const StudyAxis& axis) {
   return samples;
 }
 
-/// Least squares on even samples.
+/// Appends least squares on evenly spaced samples.
 void append_samples(const StudyObjective& asked, const ReadStudy& read,
                     std::vector<StudyObjective>& objectives) {
   const std::vector<std::string> variables{read.axes.front().variable};
@@ -73,8 +73,8 @@ void append_samples(const StudyObjective& asked, const ReadStudy& read,
   }
 }
 
-/// Densities over a variable x in [0, 1], with their words: x as a cosine, and as a roughness r where x =
-/// r^2.
+/// Densities over a variable x in [0, 1], with their descriptions: for x as a cosine, and for x = r^2 with a
+/// roughness r.
 std::vector<std::pair<std::string, std::string>> usual_densities(const std::string& x) {
   return {{"measure angle", density_of("angle", x)},
           {"measure cosine-weighted", density_of("cosine-weighted", x)},

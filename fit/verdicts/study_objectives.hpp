@@ -27,10 +27,10 @@ StudyObjective objective_of(const Study& study, Norm norm, const Constraints& co
 /// The same with a parameter held.
 StudyObjective holding(StudyObjective objective, const std::string& parameter, double value);
 
-/// The objectives other than `asked` under which a number may have been fitted. Each norm with each error,
-/// with the weight of the study and without.
-/// Where the target is a formula of one variable also: least squares under the usual densities of a variable
-/// in [0, 1], minimax that is exact at one end or at both, and least squares on even samples of usual sizes.
+/// The objectives other than `asked` under which a number may have been fitted: each norm with each error,
+/// with and without the study's weight. If the target is a formula of one variable, also least squares under
+/// the usual densities of a variable in [0, 1], minimax that is exact at one end or at both, and least
+/// squares on evenly spaced samples of usual sizes.
 std::vector<StudyObjective> other_objectives(const StudyObjective& asked);
 
 }  // namespace shadefit

@@ -13,7 +13,7 @@ namespace {
 
 void require_plain(const StudyObjective& objective) {
   if (objective.study.rows)
-    throw UserError("--sensitivity does not go with --table: the profile intervals of a fit of rows say it");
+    throw UserError("--sensitivity does not go with --table: a fit of rows has profile intervals instead");
   if (objective.constraints != Constraints{})
     throw UserError("--sensitivity does not go with a constraint: rounded constants do not meet it");
 }
@@ -34,7 +34,7 @@ FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit) {
                                                                                   double value) {
     if (names.size() == 1) return objective({value});
     const StudyFit again = fit_study(holding(asked, names[i], value));
-    // Where the held constant alone makes the largest error, the others are free: any of them is the best.
+    // If the held constant alone causes the largest error, the others are free: any of them is the best.
     const bool is_answer = again.status == Status::converged ||
                            (asked.norm == Norm::minimax && again.status == Status::degenerate);
     if (!is_answer) return std::numeric_limits<double>::quiet_NaN();

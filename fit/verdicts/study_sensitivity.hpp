@@ -11,7 +11,7 @@
 /// The digits of a study's constants that matter.
 namespace shadefit {
 
-/// A fit whose objective differs in one point.
+/// A fit whose objective differs in one respect.
 struct OtherStudy {
   std::string under;  ///< "least squares, measure angle", "least squares, x in 0.1:1"
   StudyFit fit;
@@ -22,9 +22,9 @@ struct StudySensitivity {
   std::vector<OtherStudy> others = {};  ///< the own fit first; of one variable
 };
 
-/// The sensitivity of a converged fit. The other objectives: the measures of a cosine where the range is
+/// The sensitivity of a converged fit. The other objectives are the measures of a cosine if the range is
 /// inside [0, 1], then ranges without a tenth at one end or both. Throws UserError for constraints, because
-/// rounded constants do not meet them, and for measured rows, whose profile intervals a fit has already.
+/// rounded constants do not meet them, and for measured rows, because their fits have profile intervals.
 StudySensitivity sensitivity_of(const StudyObjective& objective, const StudyFit& fit,
                                 const Checkpoint& checkpoint = keep_going);
 

@@ -16,7 +16,8 @@
 namespace shadefit {
 namespace {
 
-/// The fit under an objective; empty if there is none, as for a relative error where the target is 0.
+/// The fit under an objective. Empty if there is none, such as for a relative error if the target is 0
+/// somewhere.
 std::optional<StudyFit> fit_if_any(const StudyObjective& objective, const Checkpoint& checkpoint) {
   try {
     StudyFit fit = fit_study(objective, checkpoint);
@@ -26,8 +27,8 @@ std::optional<StudyFit> fit_if_any(const StudyObjective& objective, const Checkp
   }
 }
 
-/// How far the worst constant is off, in units of its last printed digit. More digits than a fit has are not
-/// compared.
+/// How far the worst constant is off, in units of its last printed digit. Digits beyond those of a fit are
+/// ignored.
 long worst_units_off(const std::vector<std::string>& printed, const std::vector<double>& computed) {
   constexpr double digits_of_a_fit = 1e-14;
   long worst = 0;
@@ -39,8 +40,8 @@ long worst_units_off(const std::vector<std::string>& printed, const std::vector<
   return worst;
 }
 
-/// How much of the tried values of a parameter lies in one unit of its last printed digit. Half of them lie
-/// between their quartiles, all of few within their range.
+/// The share of the tried values of a parameter that one unit of its last printed digit covers. Half of the
+/// values lie between their quartiles; if there are only a few, all lie in their range.
 double share_in_a_unit(std::vector<double> values, double unit) {
   std::sort(values.begin(), values.end());
   constexpr std::size_t few = 4;
@@ -50,8 +51,8 @@ double share_in_a_unit(std::vector<double> values, double unit) {
   return width > unit ? unit / width : 1;
 }
 
-/// The expected number of trials that have all printed digits by chance, were these drawn from where the
-/// trials lie: among those that hold the same constant, or none.
+/// The expected number of trials that have all printed digits by chance, if the digits were drawn from where
+/// the trials lie. Counts the trials that hold the same constant, or none.
 double expected_chance_hits(const std::vector<TriedFit>& trials, const std::vector<std::string>& printed,
                             std::optional<std::size_t> held) {
   double expected = 0;
@@ -65,8 +66,9 @@ double expected_chance_hits(const std::vector<TriedFit>& trials, const std::vect
   return expected;
 }
 
-/// Each parameter in turn held at its printed value, under each of the objectives. One that is exact at a
-/// place is left out: it would only say again what is held. So is one on samples: it is near to the integral.
+/// Each objective with each parameter in turn held at its printed value. Objectives that are exact at a place
+/// are left out, because they hold a constant already; those on samples are left out, because they are close
+/// to the integral.
 std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all, const PublishedSet& set) {
   std::vector<StudyObjective> objectives;
   if (set.values.size() < 2) return objectives;
@@ -82,16 +84,16 @@ std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all
   return objectives;
 }
 
-/// Whether a fit goes through all its samples of the target: they say nothing of an objective then, as where
-/// the target is the form but for a part that no sample sees.
+/// Whether a fit goes through all its samples of the target. Then the samples cannot tell objectives apart:
+/// the target is the form except for a part that no sample sees.
 bool meets_all_samples(const StudyObjective& objective, const StudyObjective& asked, const StudyFit& fit) {
   constexpr double no_error = 1e-12;
   return objective.study.rows != asked.study.rows && fit.rms_error < no_error;
 }
 
-/// Whether the constant that an objective holds is near to the best one without that. A constant that was
-/// rounded and then held is; others are not: the best constants for one density, with one of them held, may
-/// be the best for another too.
+/// Whether the constant that an objective holds is near the best one when it is free. That is so for a
+/// constant that was rounded and then held. Others prove nothing: the best constants for one density, with
+/// one of them held, may be the best for another density too.
 bool is_held_nearby(const StudyObjective& held, const std::vector<TriedFit>& trials,
                     const std::vector<std::string>& parameters) {
   constexpr double near = 0.1;  // relative
@@ -104,7 +106,7 @@ bool is_held_nearby(const StudyObjective& held, const std::vector<TriedFit>& tri
   });
 }
 
-/// Which of the parameters an objective holds beyond those that the asked one holds.
+/// The parameter that an objective holds and the asked one does not.
 std::optional<std::size_t> held_of(const StudyObjective& objective, const StudyObjective& asked,
                                    const std::vector<std::string>& parameters) {
   if (objective.study.held.size() == asked.study.held.size()) return std::nullopt;
@@ -112,7 +114,7 @@ std::optional<std::size_t> held_of(const StudyObjective& objective, const StudyO
   return static_cast<std::size_t>(found - parameters.begin());
 }
 
-/// The fitted values in the order of all parameters, the held ones at their printed values.
+/// The values of all parameters in their order: fitted, or printed if held.
 std::vector<double> all_values(const StudyFit& fit, const StudyObjective& objective,
                                const std::vector<std::string>& parameters) {
   std::vector<double> values;
@@ -192,7 +194,7 @@ TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const
   tried.has_asked = off.has_value();
   if (off && *off <= 1) return tried;
 
-  // All of them are tried even after one with the right digits: chance is counted among all.
+  // All are tried, even after one has the right digits: chance is counted among all.
   const std::vector<StudyObjective> others = other_objectives(asked);
   bool is_hit = false;
   for (const StudyObjective& other : others) is_hit = hits_nearby(other) || is_hit;
@@ -207,7 +209,7 @@ TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const
 
 StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::string>& printed) {
   if (tried.fits.empty()) return {Verdict::refuted, "", {}, tried.attempts};
-  std::vector<long> off;  // of each fit
+  std::vector<long> off;  // for each fit
   for (const TriedFit& fit : tried.fits) off.push_back(worst_units_off(printed, fit.values));
   const auto chance_of = [&](std::size_t i) {
     return expected_chance_hits(tried.fits, printed, tried.fits[i].held);
@@ -220,7 +222,7 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
   if (tried.has_asked && off.front() == 1) return judgement(Verdict::rounding, 0);
   const auto nearest = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
   if (off[nearest] != 0) return judgement(Verdict::refuted, nearest);
-  // Of the fits with all digits, the first of those with the least chance.
+  // Of the fits that have all digits, the first of those with the least chance.
   std::size_t best = nearest;
   for (std::size_t i = nearest + 1; i < off.size(); ++i)
     if (off[i] == 0 && chance_of(i) < chance_of(best)) best = i;

@@ -13,32 +13,32 @@
 /// Verdicts on the published constants of a study.
 namespace shadefit {
 
-/// The printed constants that are not held, as places from where a fit may start.
+/// The printed constants that are not held, as starts of a fit.
 std::vector<Held> starts_at(const PublishedSet& set, const std::vector<Held>& held);
 
-/// Those of the first set that was published for a form; none without one.
+/// Those of the first set that was published for a form; empty if there is none.
 std::vector<Held> published_starts(const StudyFile& file, const std::string& form, const Study& study);
 
 struct StudyJudgement {
   Verdict verdict;
-  /// Under which the digits are right; if refuted, under which they are nearest; empty if no fit converged.
+  /// The objective with the right digits; if refuted, with the nearest; empty if no fit converged.
   std::string objective;
   std::vector<double> computed;  ///< under that objective
-  std::size_t tried = 0;         ///< fits
-  /// How many of those that hold the same constant, or none, would have all printed digits by chance.
+  std::size_t tried = 0;         ///< how many fits were tried
+  /// The expected number of fits that hold the same constant, or none, and have all printed digits by chance.
   double chance = 0;
   std::vector<std::string> also = {};  ///< the other objectives that have the same digits
   long units_off = 0;  ///< of the worst constant under `objective`, in units of its last printed digit
 };
 
-/// More expected chance hits than this decide nothing.
+/// If more chance hits are expected, a hit decides nothing.
 inline constexpr double most_chance_hits = 0.01;
 
 /// A fit that was tried for a published set.
 struct TriedFit {
   std::string words;                ///< of its objective
   std::vector<double> values;       ///< of all parameters, a held one at its printed value
-  std::optional<std::size_t> held;  ///< the parameter that is held beside those that the study holds
+  std::optional<std::size_t> held;  ///< the parameter that is held in addition to those of the study
 };
 
 struct TriedFits {
@@ -47,24 +47,24 @@ struct TriedFits {
   std::size_t attempts = 0;
 };
 
-/// The fits that may have a set's digits: under the asked objective, under the others if its digits differ
-/// and, if none of these has the digits, with each constant in turn held at its printed value where that is
-/// near to the best one. Throws UserError if the set lacks a parameter of the form, or has another.
+/// The fits that may have a set's digits. First under the asked objective; if its digits differ, under the
+/// others; and if none of these has the digits, with each constant in turn held at its printed value, if that
+/// is near the best one. Throws UserError if the set lacks a parameter of the form, or has another.
 TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set,
                      const Checkpoint& checkpoint = keep_going);
 
-/// Compares printed constants, in the order of the parameters, with those of one fit at a time. `confirmed`:
-/// all printed digits are those of the asked fit; `rounding`: some last digits are off by one;
-/// `other-objective`: all are those of another fit; `undecidable`: they are, but among so many fits that
-/// could be chance; else `refuted`.
+/// Compares printed constants, in the order of the parameters, with each fit. `confirmed`: the asked fit has
+/// all printed digits; `rounding`: some last digits are off by one; `other-objective`: another fit has them
+/// all; `undecidable`: another fit has them, but among so many fits that it could be chance; otherwise
+/// `refuted`.
 StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::string>& printed);
 
-/// The verdict on a set by the fits that are tried for it. Throws like `tried_fits`.
+/// The verdict on a set, by the fits that are tried for it. Throws as `tried_fits` does.
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set,
                          const Checkpoint& checkpoint = keep_going);
 
-/// What a source states about an error, and the verdict: `confirmed` if the computed error has the same
-/// digits or is smaller, `rounding` if its last digit is off by one, else `refuted`.
+/// A stated error and the verdict on it: `confirmed` if the computed error has the same digits or is smaller,
+/// `rounding` if its last digit is off by one, otherwise `refuted`.
 struct JudgedError {
   ErrorClaim claim;
   double computed;  ///< infinite or NaN if the error does not exist: no relative error where the target is 0
@@ -74,7 +74,7 @@ struct JudgedError {
 /// Judges a stated error of a form with these parameters.
 JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters);
 
-/// The values of a set in the order of the parameters. Throws like `judge_set`.
+/// The values of a set in the order of the parameters. Throws as `judge_set` does.
 std::vector<std::string> values_of(const PublishedSet& set, const std::vector<std::string>& parameters);
 
 }  // namespace shadefit

@@ -35,8 +35,7 @@ constexpr std::string_view name(Verdict verdict) {
 
 /// The difference of a printed number and the computed one, in units of the last printed digit. The computed
 /// number is rounded to the same digits, half away from zero: 0 means that all printed digits are right.
-/// `printed` is a decimal, like
-/// "-5.55473" or "5.4856e-13".
+/// `printed` is a decimal, like "-5.55473" or "5.4856e-13".
 long units_off(std::string_view printed, double computed);
 
 /// One unit in the last printed digit: 0.001 for "0.788".

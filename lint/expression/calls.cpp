@@ -49,7 +49,7 @@ std::optional<std::string> choice_of(std::string_view name, const std::vector<st
   return std::nullopt;
 }
 
-/// The three components of vec3(a, b, c) or [a, b, c]; empty for another text.
+/// The three components of vec3(a, b, c) or [a, b, c]; empty for any other text.
 std::vector<std::string_view> components_of(std::string_view vector) {
   std::size_t open = 0;
   while (open < vector.size() && is_of_name(vector[open])) ++open;

@@ -27,8 +27,8 @@ bool has_all_constants(const KnownSet& set, const Symbolic& formula) {
                      [&](const KnownConstant& constant) { return names.count(constant.name) > 0; });
 }
 
-/// The innermost part of the form that has all its constants, as a set of its own: of a phase function of
-/// k = a g - b g^3 that polynomial. Empty if it is the whole form, or too simple to be told from others.
+/// The innermost part of the form that has all its constants, as a set of its own. For a phase function of k
+/// = a g - b g^3 it is that polynomial. Empty if it is the whole form, or so simple that it occurs elsewhere.
 std::optional<KnownSet> core_of(const KnownSet& set) {
   constexpr int least_operations = 3;
   Symbolic core = set.formula;
@@ -58,7 +58,7 @@ void append_thresholds(const Symbolic& formula, std::vector<double>& thresholds)
   for (const Symbolic& part : formula.parts()) append_thresholds(part, thresholds);
 }
 
-/// The constant that is the threshold of a form of one variable, if it is missing.
+/// The threshold of a form of one variable, if it is a constant and is missing.
 std::optional<std::size_t> missing_threshold(const KnownSet& set, const std::vector<std::size_t>& missing) {
   if (set.formula.kind() != Symbolic::Kind::choice || set.axes.size() != 1) return std::nullopt;
   for (const std::size_t constant : missing)
@@ -69,8 +69,8 @@ std::optional<std::size_t> missing_threshold(const KnownSet& set, const std::vec
   return std::nullopt;
 }
 
-/// The form with another threshold, if the expression has one that is far from the published one: a near one
-/// may be a better junction of the branches. The places of CurveComparison may all lie above both.
+/// The form with another threshold, if the expression has one that is far from the published one. A near one
+/// may join the branches better. All places of CurveComparison may lie above both thresholds.
 ExpressionMatch with_threshold(ExpressionMatch match, const Symbolic& expression, const KnownSet& set,
                                const std::vector<std::size_t>& missing) {
   constexpr double far = 2;
@@ -89,7 +89,7 @@ ExpressionMatch with_threshold(ExpressionMatch match, const Symbolic& expression
   return match;
 }
 
-/// An expression against a form.
+/// Compares an expression with a form.
 class ExpressionMatcher {
  public:
   ExpressionMatcher(const Symbolic& expression, const KnownSet& set, const std::vector<double>& constants,
@@ -109,15 +109,15 @@ class ExpressionMatcher {
     return ExpressionMatch{.form = set_.formula, .constants = published, .is_published = true};
   }
 
-  /// With half of the form, or another simple multiple, the published constants are right: the factor may be
-  /// folded in.
+  /// The published constants are also right with half of the form, or another simple multiple: a factor may
+  /// be folded in.
   std::optional<ExpressionMatch> multiple() const {
     if (constants_ != published_values(set_) || !comparison_.has_multiple({set_.formula, constants_}))
       return std::nullopt;
     return ExpressionMatch{set_.formula, constants_};
   }
 
-  /// A part of the form alone is no slip: the rest may stand in another statement.
+  /// A part of the form alone is not a slip: the rest may be in another statement.
   std::optional<ExpressionMatch> replaced(const std::vector<std::size_t>& missing) const {
     if (comparison_.is_empty()) return std::nullopt;
     for (const std::size_t constant : missing) {
@@ -133,7 +133,7 @@ class ExpressionMatcher {
   }
 
   std::optional<ExpressionMatch> slipped() const {
-    // A difference that is less is none: rounding hides it.
+    // Rounding hides a smaller difference.
     constexpr double hidden = 1e-4;
     if (comparison_.is_empty() || parts_.back().held < numbers_.size()) return std::nullopt;
     for (const Mutant& mutant : mutants_of(set_.formula))

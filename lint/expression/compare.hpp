@@ -12,30 +12,31 @@
 /// Whether the expression of a site is the form of its set.
 namespace shadefit::lint {
 
-/// What an expression of a source text is, beside the form of a set.
+/// What an expression in a source text is, compared with the form of a set.
 struct ExpressionMatch {
-  Symbolic form;                  ///< of the set, or that with the slip
+  Symbolic form;                  ///< that of the set, or that with the slip
   std::vector<double> constants;  ///< in it
   /// A slip by which it differs from the form: "1 + k c for 1 - k c"; empty: it is the form.
   std::string slip = {};
-  /// Whether it computes the published curve although its numbers are others: 6.07995 + (90 - z).
+  /// Whether it computes the published curve with other numbers: 6.07995 + (90 - z).
   bool is_published = false;
-  /// Whether only the part of the form with all its constants was found, or that with a replaced one.
+  /// Whether it matches only the part of the form with all its constants, perhaps with one replaced.
   bool is_core = false;
-  /// A constant of `missing` in whose place another number stands.
+  /// The constant of `missing` that another number replaces.
   std::optional<std::size_t> replaced = {};
 };
 
-/// Looks for a part of the expression, with as many of these numbers as it holds, that has the values of
-/// the form, or of the part of the form that has all constants: as it is, with a constant of `missing`
-/// replaced by a number of the expression, or with one slip (lint/expression/mutants.hpp). The names of the
-/// expression may be the variables of the form in any order. Empty if no part is one of these.
+/// Looks in the expression for a part that holds as many of these numbers as the whole does, and has the
+/// values of the form, or of the part of the form with all constants. The form may be unchanged, may have a
+/// constant of `missing` replaced by a number of the expression, or may have one slip
+/// (lint/expression/mutants.hpp). The names of the expression may be the variables of the form in any order.
+/// Empty if no part matches.
 std::optional<ExpressionMatch> match_expression(const Symbolic& expression, const KnownSet& set,
                                                 const std::vector<double>& constants,
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing);
 
-/// Whether such a part has the values of the form, with nothing replaced and no slip.
+/// Whether such a part has the values of the unchanged form.
 bool is_form(const Symbolic& expression, const KnownSet& set, const std::vector<double>& constants,
              const std::vector<double>& numbers);
 

@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Numbers of full float32 digits are nearer to each other than this.
+/// Numbers that are the same to all digits of float32 differ by less than this, relatively.
 constexpr double same_number = 1e-6;
 
 bool is_near(double a, double b, double slack) {
@@ -34,8 +34,8 @@ Part collect(const Symbolic& formula, const std::vector<double>& wanted, std::ve
   return whole;
 }
 
-/// Places inside the ranges, in no simple ratio to each other: multiples of the golden ratio and its kin (the
-/// R sequence of M. Roberts, 2018).
+/// Places inside the ranges, not in simple ratios to each other: multiples of the generalised golden ratio
+/// (the R sequence of M. Roberts, 2018).
 std::vector<std::vector<double>> places_in(const std::vector<KnownAxis>& axes) {
   constexpr int count = 9;
   constexpr std::array<double, 3> steps{0.6180339887498949, 0.7548776662466927, 0.5698402909980532};
@@ -51,7 +51,7 @@ std::vector<std::vector<double>> places_in(const std::vector<KnownAxis>& axes) {
   return places;
 }
 
-/// Near the lower and the upper ends, where a lost term may be all that is left.
+/// Places near the lower and the upper ends, where a lost term may be all that is left.
 std::vector<std::vector<double>> ends_of(const std::vector<KnownAxis>& axes) {
   std::vector<std::vector<double>> ends(2);
   constexpr double near = 1e-4;
@@ -62,7 +62,7 @@ std::vector<std::vector<double>> ends_of(const std::vector<KnownAxis>& axes) {
   return ends;
 }
 
-/// The values of a formula at places, its names in the order of the numbers of a place.
+/// The values of a formula at places. Its names are in the order of a place's numbers.
 Values values_at(const Symbolic& formula, const std::vector<std::string>& names,
                  const std::vector<std::vector<double>>& places) {
   Values values;
@@ -95,8 +95,8 @@ bool are_same(const Values& a, const Values& b, std::size_t count, double slack)
   return 2 * finite > count;
 }
 
-/// The first `count` values divided by that number by which they are a multiple of another curve, if it is a
-/// simple one: 1/2, pi, 1/ln 2. Empty if there is none.
+/// If the first `count` values are a simple multiple (1/2, pi, 1/ln 2) of another curve, the values divided
+/// by that factor. Otherwise empty.
 std::optional<Values> without_factor(const Values& values, const Values& of, std::size_t count) {
   const auto largest_of = std::max_element(of.begin(), of.begin() + static_cast<std::ptrdiff_t>(count),
                                            [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -130,8 +130,8 @@ CurveComparison::CurveComparison(const KnownSet& set, const std::vector<Part>& p
   for (std::vector<double>& end : ends_of(set.axes)) places.push_back(std::move(end));
   sample(parts, places, {});
   if (set.axes.size() < 2) return;
-  // A number of the expression may be the value of a variable: g = 0.76. At the ends, as at 0, the curve may
-  // not tell all constants.
+  // A number of the expression may be the value of a variable: g = 0.76. Not at the ends: there, as at 0, the
+  // curve may not depend on all constants.
   for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
     for (const double number : parts.empty() ? Values{} : parts.back().numbers) {
       if (number <= set.axes[axis].lower || number >= set.axes[axis].upper) continue;

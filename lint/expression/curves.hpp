@@ -9,8 +9,8 @@
 #include "fit/scalars/symbolic.hpp"
 #include "lint/known/known_set.hpp"
 
-/// Whether an expression computes a curve: at a few places, whatever its names and the order of its
-/// operations.
+/// Whether an expression computes a curve. They are compared at a few places, so names and the order of
+/// operations do not matter.
 namespace shadefit::lint {
 
 /// A part of an expression with what it holds.
@@ -34,25 +34,26 @@ struct Curve {
   std::vector<double> constants;
 };
 
-/// Digits of floats and published digits differ by 1e-7, and polynomials with large terms enlarge that.
+/// Published digits and their floats differ by 1e-7, and polynomials with large terms enlarge that.
 inline constexpr double same_curve = 1e-5;
 
-/// The curves of the parts of an expression, for each order of their names and where a name is a number.
+/// The curves of the parts of an expression, for each order of their names, and with numbers for variables.
 class CurveComparison {
  public:
   CurveComparison(const KnownSet& set, const std::vector<Part>& parts);
 
   bool is_empty() const { return sampled_.empty(); }
 
-  /// Whether a part has this curve inside the ranges. At their ends programs have branches of their own.
+  /// Whether a part has this curve inside the ranges. Their ends are left out, because programs have branches
+  /// there.
   bool has(const Curve& curve) const;
 
-  /// Whether a part has a multiple of this curve inside the ranges, by a simple number: exp2(-1 - a c) is
-  /// half of exp2(-a c).
+  /// Whether a part has a simple multiple of this curve inside the ranges: exp2(-1 - a c) is half of exp2(-a
+  /// c).
   bool has_multiple(const Curve& curve) const;
 
-  /// Whether a part has this curve, also at the ends, and it differs from all that are allowed by more than
-  /// `hidden` of the largest value.
+  /// Whether a part has this curve, also at the ends, and the curve differs from all allowed ones by more
+  /// than `hidden` of the largest value.
   bool has_other(const Curve& curve, const std::vector<Curve>& allowed, double hidden) const;
 
  private:
@@ -65,7 +66,7 @@ class CurveComparison {
 
   static bool is_there(const Sampled& sampled, const Values& values, std::size_t count);
 
-  /// `held`: the variable whose value is a number there.
+  /// `held`: the variable that has a number's value at all these places.
   void sample(const std::vector<Part>& parts, const std::vector<std::vector<double>>& places,
               std::optional<std::size_t> held);
 

@@ -17,12 +17,12 @@ bool is_close(char c) {
   return c == ')' || c == ']';
 }
 
-/// What ends an expression at any depth.
+/// Whether a character ends an expression at any depth.
 bool ends_statement(char c) {
   return c == ';' || c == '{' || c == '}' || c == '"' || c == '`' || c == '$' || c == '\\' || c == '@';
 }
 
-/// An operator that needs an operand on its other side.
+/// Whether a character is an operator that needs another operand.
 bool joins(char c) {
   return std::string_view("+-*/(,?:<>&|=[^%").find(c) != std::string_view::npos;
 }
@@ -37,7 +37,7 @@ char after(std::string_view text, std::size_t at) {
   return at < text.size() ? text[at] : ';';
 }
 
-/// Whether the line that ends there goes on in the next one.
+/// Whether the line that ends here continues in the next one.
 bool goes_on(std::string_view text, std::size_t line_end) {
   const char last = before(text, line_end), next = after(text, line_end);
   return joins(last) || std::string_view("+-*/),?:<>&|]^.").find(next) != std::string_view::npos;
@@ -49,7 +49,7 @@ bool is_assignment(std::string_view text, std::size_t at) {
   return next != '=' && last != '=' && last != '<' && last != '>' && last != '!';
 }
 
-/// "x *= .." multiplies what follows: it is only a part of an expression.
+/// "x *= .." multiplies what follows, so that is only a part of an expression.
 bool is_behind_compound_assignment(std::string_view text, std::size_t begin) {
   return begin >= 2 && text[begin - 1] == '=' &&
          std::string_view("+-*/").find(text[begin - 2]) != std::string_view::npos;
@@ -61,8 +61,8 @@ bool is_return(std::string_view text, std::size_t begin) {
          (begin == word.size() || !is_of_name(text[begin - word.size() - 1]));
 }
 
-/// Where an expression around `begin` starts: behind an opening parenthesis that closes behind `begin`, a
-/// comma beside it, or the begin of the statement.
+/// Where an expression around `begin` starts: after an opening parenthesis that closes after `begin`, after a
+/// comma next to it, or at the start of the statement.
 std::size_t begin_of(std::string_view text, std::size_t begin) {
   const std::size_t least = begin - std::min(begin, most_bytes);
   int depth = 0;
@@ -131,7 +131,7 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
     const std::string_view one = text.substr(begin, end - begin);
     if (one.size() > most_bytes || is_behind_compound_assignment(text, begin)) break;
     if (found.empty() || one.size() > found.back().size()) found.push_back(one);
-    // The next one goes out of the parentheses around.
+    // The next expression goes beyond the parentheses around this one.
     const bool has_left = begin > 0 && (is_open(text[begin - 1]) || text[begin - 1] == ','),
                has_right = end < text.size() && (is_close(text[end]) || text[end] == ',');
     if (!has_left || !has_right) break;

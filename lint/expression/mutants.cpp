@@ -33,12 +33,13 @@ bool is_sum(const Symbolic& formula) {
   return formula.kind() == Kind::add || formula.kind() == Kind::subtract;
 }
 
-/// Whether a product or quotient only has a factor such as 1/pi: programs fold it into other factors.
+/// Whether a product or quotient only has a constant factor such as 1/pi: programs fold it into other
+/// factors.
 bool is_scaled(const Symbolic& formula) {
   return is_number(formula.part(0)) || is_number(formula.part(1));
 }
 
-/// a (b + c) as a b + c, (a + b) c as a + b c, and so for quotients and differences.
+/// a (b + c) as a b + c, (a + b) c as a + b c; the same for quotients and differences.
 void append_lost_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
   const Symbolic &a = formula.part(0), &b = formula.part(1);
   if (is_sum(b))
@@ -49,7 +50,7 @@ void append_lost_parentheses(const Symbolic& formula, std::vector<Symbolic>& oth
     others.push_back(a / b.part(0) * b.part(1));
 }
 
-/// a b + c as a (b + c), and so for a difference.
+/// a b + c as a (b + c); the same for a difference.
 void append_moved_parentheses(const Symbolic& formula, std::vector<Symbolic>& others) {
   const Symbolic& product = formula.part(0);
   if (product.kind() != Kind::multiply) return;
@@ -69,14 +70,14 @@ Symbolic applied_to(const Symbolic& function, const Symbolic& argument) {
   return function.with_parts(std::move(parts));
 }
 
-/// b f(x) as f(b x), f(x) - b as f(x - b), and so for each operation.
+/// b f(x) as f(b x), f(x) - b as f(x - b); the same for each operation.
 void append_moved_into_argument(const Symbolic& operation, std::vector<Symbolic>& others) {
   const Symbolic &a = operation.part(0), &b = operation.part(1);
   if (is_applied(a)) others.push_back(applied_to(a, operation.with_parts({a.part(0), b})));
   if (is_applied(b)) others.push_back(applied_to(b, operation.with_parts({a, b.part(0)})));
 }
 
-/// f(b x) as b f(x) or f(b) x, f(x - b) as f(x) - b, and so for each operation.
+/// f(b x) as b f(x) or f(b) x, f(x - b) as f(x) - b; the same for each operation.
 void append_moved_out_of_argument(const Symbolic& function, std::vector<Symbolic>& others) {
   const Symbolic& inner = function.part(0);
   const bool is_product = inner.kind() == Kind::multiply || inner.kind() == Kind::divide;
@@ -85,7 +86,7 @@ void append_moved_out_of_argument(const Symbolic& function, std::vector<Symbolic
   others.push_back(inner.with_parts({inner.part(0), applied_to(function, inner.part(1))}));
 }
 
-/// What may stand in place of an operation.
+/// The slips that may replace an operation.
 std::vector<Symbolic> slips_of(const Symbolic& formula) {
   std::vector<Symbolic> others;
   const auto operation = [&](Kind kind) { others.push_back(Symbolic::operation(kind, formula.parts())); };
@@ -157,7 +158,7 @@ std::vector<Symbolic> slips_of(const Symbolic& formula) {
 
 using Visit = std::function<void(const Symbolic& whole, const Symbolic& before, const Symbolic& after)>;
 
-/// Visits the whole formula with each slip in each of its parts.
+/// Visits the whole formula with each slip of each part.
 void visit_slips(const Symbolic& part, const std::function<Symbolic(const Symbolic&)>& around,
                  const Visit& visit) {
   for (const Symbolic& other : slips_of(part)) visit(around(other), part, other);

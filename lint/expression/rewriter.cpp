@@ -73,7 +73,7 @@ class Rewriter {
     }
   }
 
-  /// The sign of an exponent stands directly before it.
+  /// The sign of an exponent is directly before it.
   void sign() {
     out_ += '-';
     ++at_;
@@ -115,7 +115,7 @@ class Rewriter {
     return text_.substr(first, at_ - first);
   }
 
-  /// Behind an opening parenthesis: over all up to its closing one. Empty without one.
+  /// After an opening parenthesis: the text up to the closing one. Empty without one.
   std::optional<std::string> group(char open, char close) {
     std::size_t depth = 0;
     const std::size_t first = at_;
@@ -153,7 +153,7 @@ class Rewriter {
     while (true) {
       if (peek(0) == ':' && peek(1) == ':' && is_of_name(peek(2))) {
         at_ += 2;
-        path = take_word();  // a namespace says nothing
+        path = take_word();  // a namespace has no meaning here
       } else if (peek(0) == '-' && peek(1) == '>' && is_of_name(peek(2))) {
         at_ += 2;
         path += "." + take_word();
@@ -177,12 +177,12 @@ class Rewriter {
     return constant(path);
   }
 
-  /// Names in front of functions that say nothing: Math.pow, np.exp.
+  /// Prefixes of functions that have no meaning here: Math.pow, np.exp.
   static bool is_module(std::string_view path) {
     return path == "Math" || path == "np" || path == "math" || path == "numpy" || path == "dr";
   }
 
-  /// Whether a member that begins here is a function on the number before it: x.powf(2.4).
+  /// Whether a member that begins here is a method of the number before it: x.powf(2.4).
   bool is_method() const {
     const std::string_view rest = std::string_view(text_).substr(at_ + 1);
     constexpr std::array<std::string_view, 14> methods{"powf(",  "powi(",  "pow(", "sqrt()", "exp()",
@@ -261,7 +261,7 @@ class Rewriter {
     return function == "div" ? " / " : "";
   }
 
-  /// The begin of the operand at the end of the output.
+  /// Where the operand at the end of the output begins.
   std::size_t receiver() const {
     std::size_t begin = out_.size();
     while (begin > 0 && out_[begin - 1] == ' ') --begin;
@@ -277,7 +277,7 @@ class Rewriter {
     return begin;
   }
 
-  /// The components of a group, (..).xyz, are dropped.
+  /// Drops the components of a group: (..).xyz.
   bool swizzle() {
     ++at_;
     const std::string components = take_word();

@@ -12,23 +12,25 @@
 /// The expression around numbers of a source text.
 namespace shadefit::lint {
 
-/// The expressions around the bytes [begin, end), from the smallest that has balanced parentheses to the
+/// The expressions around the bytes [begin, end): from the smallest one with balanced parentheses to the
 /// whole right side of the statement.
 std::vector<std::string_view> expressions_around(std::string_view text, std::size_t begin, std::size_t end);
 
-/// Reads an expression of GLSL, HLSL, C, JavaScript, Python, Rust and their kin as a formula of its names. A
-/// call of an unknown function, a member and an element of an array are names too: "dot(n, l)". A vector of
-/// one number, `vec3(x)`, is that number. Empty if it has more than operations of scalars: vectors of several
-/// numbers, assignments, unknown signs.
+/// Reads an expression of GLSL, HLSL, C, JavaScript, Python, Rust and similar languages as a formula of its
+/// names. A call of an unknown function, a member and an element of an array are names too: "dot(n, l)". A
+/// vector of one number, `vec3(x)`, is that number. Empty if it has other operations than those of scalars:
+/// vectors of several numbers, assignments, unknown signs.
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style);
 
 /// Whether a formula has no names: 4 pi.
 bool is_number(const Symbolic& formula);
 
-/// The values of the statements around the bytes [begin, end) in terms of what is not assigned there: for
+/// The values of the statements around the bytes [begin, end), as formulas of the names that are not assigned
+/// there. For
 ///   float a = x * (x + 0.0245786); float b = x * 0.983729 + 0.238081; return a / b;
-/// the last one is a quotient in x. From the first value that depends on the last of these bytes on. First
-/// those in terms of what is computed before the bytes, then those in terms of what that is computed from.
+/// the last value is a quotient in x. The list begins with the first value after the last of these bytes.
+/// First come the values as formulas of what is computed before the bytes, then with its own formulas
+/// inserted.
 std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
                                     CommentStyle style);
 

@@ -10,7 +10,7 @@
 namespace shadefit::lint {
 namespace {
 
-/// Of names such as PI_DIV_2 and M_PI_2 pi/2, of TAU 2 pi.
+/// pi/2 for names such as PI_DIV_2 and M_PI_2, 2 pi for TAU.
 std::optional<std::string> divided_pi(std::string_view letters) {
   for (const std::string_view word : {"pidiv2", "pi2", "piover2"})
     if (letters.ends_with(word)) return "(pi/2)";
@@ -73,7 +73,7 @@ std::optional<std::string> pi_in(std::string_view path) {
   for (const std::string_view word :
        {"inv", "inverse", "reciprocal", "rcp", "recip", "1", "1div", "1over", "oneover"})
     if (ends(word)) return "(1/pi)";
-  // SQRT_PI and QUARTER_PI are names as others.
+  // SQRT_PI and QUARTER_PI are ordinary names.
   for (const std::string_view word :
        {"sqrt", "quarter", "three", "four", "3", "4", "8", "log", "div", "over"})
     if (ends(word)) return std::nullopt;

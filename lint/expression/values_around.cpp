@@ -8,14 +8,14 @@
 namespace shadefit::lint {
 namespace {
 
-/// The most statements that are read behind the last number, and the most bytes before and behind.
+/// The most statements that are read after the last number, and the most bytes before and after.
 constexpr std::size_t most_statements_behind = 4;
 constexpr std::size_t most_bytes_around = 700;
 
-/// The bytes in which constants with a name may stand before the first number: let a = 1.0; let b = 0.03;
+/// Named constants are read within this many bytes before the first number: let a = 1.0; let b = 0.03.
 constexpr std::size_t most_bytes_before = 300;
 
-/// Larger formulas are none that a person wrote.
+/// A person does not write larger formulas.
 constexpr std::size_t deepest_value = 60;
 
 struct Statement {
@@ -143,8 +143,8 @@ Symbolic combined(char operation, const Symbolic& a, const Symbolic& b) {
   }
 }
 
-/// The values from the last number on. `keeps_all`: also with what is computed before the first number, not
-/// only with constants.
+/// The values from the last number on. `keeps_all`: with everything that is computed before the first number
+/// inserted, not only constants.
 std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::size_t begin, std::size_t end,
                                 CommentStyle style, bool keeps_all) {
   std::map<std::string, Symbolic> known;
@@ -179,7 +179,7 @@ std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, st
   const std::vector<Statement> statements = statements_of(text, block_begin(text, begin), end, style);
   std::vector<Symbolic> values = values_of(statements, begin, end, style, false);
   if (statements.empty() || statements.front().end > begin) return values;
-  // A formula of x with x = 1 - y before it, or one of y with t = y y before it.
+  // The form may be one of x, after x = 1 - y (the values so far), or one of y, after t = y y (these values).
   for (Symbolic& value : values_of(statements, begin, end, style, true)) values.push_back(std::move(value));
   return values;
 }

@@ -15,7 +15,7 @@ bool is_fixed(const LintedSite& site, FixScope scope) {
   return site.grade == Grade::wrong || (scope == FixScope::typo && site.grade == Grade::typo);
 }
 
-/// Whether "\times 10^{-13}" or the like follows: the published number may have the factor inside.
+/// Whether a factor such as "\times 10^{-13}" follows: the published number may include it.
 bool is_before_factor(std::string_view text, std::size_t end) {
   constexpr std::size_t looked_at = 16;
   const std::string_view rest = text.substr(end, looked_at);

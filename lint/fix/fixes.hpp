@@ -8,7 +8,7 @@
 
 #include "lint/lint_tree.hpp"
 
-/// Puts the published digits in the place of others.
+/// Replaces wrong digits by the published ones.
 namespace shadefit::lint {
 
 /// What is rewritten. Pinned numbers always are.
@@ -21,16 +21,16 @@ inline constexpr std::array fix_scopes{FixScope::pins, FixScope::typo, FixScope:
 
 std::string_view name(FixScope scope);
 
-/// A number and what is to stand in its place, in its own notation.
+/// A number and its replacement, in its own notation.
 struct Fix {
   std::size_t offset = 0;  ///< in the file, in bytes
   std::string before, after;
 };
 
-/// The fixes of the sites of one text, by rising place. Left alone are: what a mark ignores and what stands
-/// in a comment, unless it is pinned; a site whose expression has a slip; a number that stands for a
-/// constant by the expression alone; one behind which a factor 10^n stands; and one that two sites would
-/// rewrite differently. `text` is what the sites were found in.
+/// The fixes of the sites of one text, by rising place. These numbers stay: those that a mark ignores; those
+/// in a comment, unless pinned; those of a site whose expression has a slip; those that stand for a constant
+/// by the expression alone; those before a factor 10^n; and those that two sites would rewrite differently.
+/// `text` is the one with the sites.
 std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view text, FixScope scope);
 
 /// The text with the fixes; no other byte changes.

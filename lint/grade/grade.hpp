@@ -9,7 +9,7 @@
 #include "lint/known/known_set.hpp"
 #include "lint/scan/sites.hpp"
 
-/// How right the constants of a site are.
+/// Grades the constants of a site.
 namespace shadefit::lint {
 
 /// From harmless to harmful.
@@ -25,37 +25,37 @@ std::string_view name(Grade grade);
 
 /// The effects above which a site is `wrong`.
 struct EffectLimits {
-  /// Of a colour, in 8-bit sRGB codes: what moves it by more than half a code may change the code.
+  /// For a colour, in 8-bit sRGB codes: a change of more than half a code may change the code.
   double codes = 0.5;
-  /// Of any other curve: an 8-bit picture shows a change of 1/256 if the curve is a factor of its light; a
-  /// quarter of that is below any code.
+  /// For any other curve: an 8-bit picture shows a change of 1/256 if the curve is a factor of its light; a
+  /// quarter of that is never visible.
   double change = 1e-3;
-  std::optional<double> of_all = {};  ///< of every curve, instead of both
+  std::optional<double> of_all = {};  ///< for every curve, instead of both
 };
 
 struct GradedSite {
   Grade grade = Grade::right;
-  Effect effect = {};     ///< of what stands there in place of what was published
+  Effect effect = {};     ///< of the numbers found instead of the published ones
   bool is_shown = false;  ///< whether the curve is a colour
 };
 
 /// The grade of a single number, by its digits alone.
 Grade grade_of(const KnownSet& set, const SiteNumber& number);
 
-/// The grade of a number in the place of a constant that does not match it: `truncated` for 0.0023 in place
-/// of 0.00232, else `typo`.
+/// The grade of a number that replaces a constant and does not match it: `truncated` for 0.0023 instead of
+/// 0.00232, otherwise `typo`.
 Grade grade_of_other(const KnownConstant& constant, double found);
 
-/// Whether the decimal points of several numbers stand elsewhere: then they are in other units, such as 1000
+/// Whether the decimal points of several numbers are shifted: then they are in other units, such as 1000
 /// kelvin, and right.
 bool is_in_other_units(const Site& site);
 
-/// The constants of a set as they stand at a site, with the signs of the published ones: the sign belongs to
-/// the expression around. A number that only has more digits, or those of a float, is the published one.
+/// The constants of a set as found at a site, with the signs of the published ones: the expression has the
+/// sign. A number that only has more digits, or those of a float, counts as the published one.
 std::vector<double> constants_at(const KnownSet& set, const Site& site, std::string_view text,
                                  const std::vector<Literal>& literals);
 
-/// The grade of a form with constants that stand at a site.
+/// The grade of a form with the constants found at a site.
 GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
                     const EffectLimits& limits);
 

@@ -27,7 +27,7 @@ bool is_common_number(double value) {
                                std::numbers::ln2,
                                1 / std::numbers::ln2};
   if (value == 0) return true;
-  // Half a unit of the seventh digit, as a part of the number.
+  // Half a unit of the seventh digit, relative to the number.
   const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 6);
   const double slack = 0.5 * unit / std::abs(value);
   for (const double factor : factors)

@@ -51,7 +51,7 @@ Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<do
 }
 
 bool is_shown(const KnownSet& set) {
-  // A fit leaves the range of its target by a few per cent at most.
+  // A fit leaves the range of its target by a few percent at most.
   constexpr double slack = 0.05;
   const std::vector<double> values = values_on_grid(set, set.formula, published_values(set));
   return std::all_of(values.begin(), values.end(), [](double value) {

@@ -50,8 +50,8 @@ void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
   }
 }
 
-/// The exponents for which the effect of a family's constants is computed: below, a lobe is no Gaussian; far
-/// above, it is a point.
+/// The exponents for which the effect of a family's constants is computed. A lobe of a smaller exponent is
+/// not Gaussian; one of a far larger exponent is a point.
 KnownAxis family_exponents() {
   return {"k", 3, 30};
 }

@@ -8,7 +8,7 @@
 #include "fit/scalars/symbolic.hpp"
 #include "fit/study/study_file.hpp"
 
-/// Published constants as they may stand in a source tree.
+/// Published constants that a source tree may contain.
 namespace shadefit::lint {
 
 struct KnownConstant {
@@ -24,12 +24,12 @@ struct KnownAxis {
   double lower = 0, upper = 0;
 };
 
-/// A value that its own source or standard has replaced, or that never was one.
+/// A value that its own source or standard has replaced, or a mistyped copy.
 struct KnownVariant {
-  std::size_t constant = 0;  ///< its place in `constants`
+  std::size_t constant = 0;  ///< index in `constants`
   std::string printed;
   std::string replaced;      ///< why it was replaced; empty: it is a mistyped copy
-  bool is_borrowed = false;  ///< whether another set publishes these digits: beside it they tell nothing
+  bool is_borrowed = false;  ///< whether another set publishes these digits: then they tell nothing
 };
 
 /// Constants that belong together: those of one published form.
@@ -50,8 +50,8 @@ std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies);
 /// The constants of a set as published.
 std::vector<double> published_values(const KnownSet& set);
 
-/// What changes where this form and these constants, in the order of the set, stand in place of the published
-/// ones: over even places of the ranges.
+/// The effect of this form and these constants, in the order of the set, instead of the published ones: over
+/// an even grid of the ranges.
 Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<double>& constants);
 
 /// Whether the values of a set's form lie in [0, 1], as those of a colour do.

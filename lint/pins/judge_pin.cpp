@@ -27,7 +27,7 @@ std::optional<PinName> split(std::string_view name) {
   return parts;
 }
 
-/// "; did you mean 'x'?", or the names where they are few.
+/// "; did you mean 'x'?", or all names if they are few.
 std::string advice(const std::string& misspelled, const std::set<std::string>& known) {
   const std::vector<std::string> names(known.begin(), known.end());
   constexpr std::size_t few = 8;
@@ -41,7 +41,7 @@ struct PinTarget {
   std::size_t set, constant;
 };
 
-/// The constants that a name means: one for each source; or the fault of the name.
+/// The constants that a name means, one for each source; or what is wrong with the name.
 struct PinTargets {
   std::vector<PinTarget> found = {};
   std::string fault = {};
@@ -80,7 +80,7 @@ PinTargets targets_of(std::string_view name, const std::vector<KnownSet>& sets) 
 }
 
 /// Whether a number has the digits of the nearest float of a short published one: 0.774999976 for 0.775.
-/// match_digits tells it of longer ones.
+/// `match_digits` covers longer ones.
 bool has_float_of(const Digits& found, double published) {
   constexpr std::size_t digits_of_a_float = 7;
   return found.text.size() >= digits_of_a_float &&

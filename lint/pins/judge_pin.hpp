@@ -8,7 +8,7 @@
 #include "lint/known/known_set.hpp"
 #include "lint/pins/pin.hpp"
 
-/// Holds pinned numbers against the constants that they are pinned to.
+/// Compares pinned numbers with the constants that they are pinned to.
 namespace shadefit::lint {
 
 struct JudgedPin {
@@ -18,13 +18,13 @@ struct JudgedPin {
   std::size_t constant = 0;  ///< of the set
   Grade digits = Grade::right;
   GradedSite graded = {};
-  std::string replaced = {};  ///< why a value that stands here was replaced by its source
+  std::string replaced = {};  ///< why the source replaced a value that is found here
 };
 
-/// A pinned number is right with the published digits, with more that round to them, or with those of the
+/// A pinned number is right if it has the published digits, more digits that round to them, or those of the
 /// nearest float; signs do not count. Any other number is graded like one that was found, at worst by its
-/// effect with the other constants as published. Where several sources published the constant, it may be the
-/// number of any of them.
+/// effect with the other constants as published. If several sources published the constant, the number of any
+/// of them will do.
 JudgedPin judge_pin(const Pin& pin, const std::vector<KnownSet>& sets, const EffectLimits& limits);
 
 }  // namespace shadefit::lint

@@ -19,7 +19,7 @@ std::string_view without_blanks_behind(std::string_view text) {
   return text;
 }
 
-/// The line before a mark without the beginning of the comment; null if no comment begins there.
+/// The line before a mark, without the start of the comment; null if no comment starts there.
 std::string_view before_comment(std::string_view line) {
   line = without_blanks_behind(line);
   for (const std::string_view begin : {"//", "#", "/*", "<!--"}) {
@@ -31,7 +31,7 @@ std::string_view before_comment(std::string_view line) {
   return {};
 }
 
-/// The word behind a mark; the end of a sentence and that of the comment do not belong to it.
+/// The word after a mark, without the end of a sentence or of the comment.
 std::string_view name_behind(std::string_view text) {
   while (text.starts_with(' ') || text.starts_with('\t')) text.remove_prefix(1);
   const auto end = std::find_if_not(text.begin(), text.end(), is_of_pin_name);
@@ -40,7 +40,7 @@ std::string_view name_behind(std::string_view text) {
   return name;
 }
 
-/// Whether a member begins there: `v.x`, and `v.0` of a tuple, which is no number.
+/// Whether a member begins there: `v.x`, or `v.0` of a tuple, which is not a number.
 bool begins_member(std::string_view line, std::size_t at) {
   return line[at] == '.' && at > 0 &&
          (is_of_name(line[at - 1]) || line[at - 1] == ')' || line[at - 1] == ']');
@@ -80,7 +80,7 @@ std::string_view last_number(std::string_view line) {
 
 std::vector<Pin> pins_of(std::string_view text) {
   std::vector<Pin> pins;
-  std::size_t free = 0;  // behind the last mark
+  std::size_t free = 0;  // after the last mark
   for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark, at + 1)) {
     const std::size_t end = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
     const std::size_t line = std::max(free, end == std::string_view::npos ? 0 : end + 1);

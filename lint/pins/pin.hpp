@@ -11,7 +11,7 @@ namespace shadefit::lint {
 struct Pin {
   std::size_t offset = 0;  ///< of `name`
   std::string_view name;   ///< "acos-linear.a"
-  /// The last number before the comment in its line, behind an earlier mark; empty: there is none.
+  /// The last number between an earlier mark and the comment in its line; empty: there is none.
   std::size_t number_offset = 0;
   std::string_view number;
 };

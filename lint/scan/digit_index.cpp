@@ -7,7 +7,7 @@
 namespace shadefit::lint {
 namespace {
 
-/// Fowler, Noll and Vo's hash (FNV-1a, 64 bits), of a text without the digit at `skipped`.
+/// The hash of Fowler, Noll and Vo (FNV-1a, 64 bits) of a text without the digit at `skipped`.
 std::uint64_t key_of(std::string_view text, std::size_t skipped) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -74,7 +74,7 @@ std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {
 }
 
 void DigitIndex::look_near(const Digits& found, std::vector<NumberMatch>& matches) const {
-  // Numbers that agree in three digits are nearer than this.
+  // Numbers that agree in three digits are closer than this.
   constexpr double near = 0.011;
   const double mantissa = mantissa_of(found);
   auto entry = std::lower_bound(entries_.begin(), entries_.end(), mantissa * (1 - near),

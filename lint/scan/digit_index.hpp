@@ -23,7 +23,7 @@ struct ConstantPlace {
 struct NumberMatch {
   ConstantPlace place;
   DigitMatch match = DigitMatch::same;
-  std::optional<std::size_t> variant = {};  ///< of the set, whose digits these are
+  std::optional<std::size_t> variant = {};  ///< the variant of the set with these digits
 };
 
 /// The digits of all constants, sorted by value, and their texts with one digit left out: two texts that
@@ -40,7 +40,7 @@ class DigitIndex {
     Digits digits;
     double mantissa = 0;
     ConstantPlace place;
-    bool is_common = false;  ///< then a near number is another one
+    bool is_common = false;  ///< then a near number is a different one
     std::optional<std::size_t> variant = {};
   };
 

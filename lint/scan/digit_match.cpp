@@ -9,8 +9,7 @@
 namespace shadefit::lint {
 namespace {
 
-/// The text rounded half up to n digits, without trailing zeros; and whether that added a digit before the
-/// first.
+/// The text rounded half up to n digits, without trailing zeros; and whether rounding added a leading digit.
 Digits rounded_to(const Digits& digits, std::size_t n) {
   Digits result{digits.text.substr(0, n), digits.exponent};
   if (n < digits.text.size() && digits.text[n] >= '5') {
@@ -48,8 +47,8 @@ Digits all_digits_of(double value) {
   return digits_of({exact.data(), static_cast<std::size_t>(end.ptr - exact.data())});
 }
 
-/// The nearest number of half precision: 11 binary digits, the last one not below 2^-24 (IEEE 754). Beyond
-/// 65504, its largest, no digits are printed.
+/// The nearest number in half precision: 11 binary digits, the last one not below 2^-24 (IEEE 754). No digits
+/// are printed beyond 65504, its largest.
 double half_of(double value) {
   constexpr int digits = 11, least_exponent = -24;
   int exponent = 0;
@@ -58,20 +57,20 @@ double half_of(double value) {
   return std::ldexp(std::nearbyint(std::ldexp(value, -last)), last);
 }
 
-/// Whether the digits are those of the half, as many as tell it from its neighbours: 6.984 for 6.98316. Three
-/// digits are those of the number itself.
+/// Whether the digits are those of the half, with enough digits to tell it from its neighbours: 6.984 for
+/// 6.98316. Three digits would be those of the number itself.
 bool is_print_of_half(const Digits& found, const Digits& published) {
   constexpr std::size_t least_printed = 4, most_printed = 5;
   if (found.text.size() < least_printed || found.text.size() > most_printed) return false;
   const double half = half_of(number_of(published));
-  constexpr double near = 1e-3;  // half a unit of four digits is less: most numbers need no more
+  constexpr double near = 1e-3;  // half a unit of four digits is less; this settles most numbers
   if (std::abs(number_of(found) - half) > near * half) return false;
   const Digits all = all_digits_of(half);
   return found == rounded_to(all, found.text.size());
 }
 
-/// Whether the digits are those that one prints for the float or for the published number: rounded or cut
-/// off. 0.159301758125 for 0.1593017578125 is the same float, but nobody prints it: a digit was lost.
+/// Whether one would print these digits for the float or for the published number: rounded or cut off.
+/// 0.159301758125 for 0.1593017578125 is the same float, but nobody prints it: a digit was lost.
 bool is_print_of_float(const Digits& found, const Digits& published) {
   if (!is_same_float(found, published)) return false;
   if (is_shortened(found, published)) return true;

@@ -15,21 +15,21 @@ enum class DigitMatch {
   rounded,             ///< fewer digits, rounded or cut off, or those of the nearest half
   shifted,             ///< the same digits, with the decimal point elsewhere
   edited,              ///< one digit differs, is missing or too many, or two neighbours are swapped
-  rounded_and_edited,  ///< fewer digits, and one of them edited: of 6.98316 first 6.9832, then 6.9382
+  rounded_and_edited,  ///< fewer digits, and one of them edited: 6.98316 as 6.9832, then 6.9382
 };
 
-/// The fewest digits of a published number for a match other than the same digits: of fewer, too many numbers
-/// are near.
+/// The fewest digits of a published number for a match other than `same`. With fewer, too many numbers are
+/// near.
 inline constexpr std::size_t least_digits_to_vary = 4;
 
-/// Compares a number without its sign; empty if it is another number. `rounded_and_edited` is no answer: a
-/// hundred times as many numbers are.
+/// Compares a number without its sign. Empty if it is another number. It never answers `rounded_and_edited`,
+/// which a hundred times as many numbers are.
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published);
 
 /// Whether the digits are the first ones of the published number, rounded or cut off.
 bool is_shortened(const Digits& found, const Digits& published);
 
-/// Whether one edit makes the digits of the published number, rounded or cut off to five digits or more.
+/// Whether one edit turns the published number, rounded or cut off to five digits or more, into the digits.
 bool is_rounded_and_edited(const Digits& found, const Digits& published);
 
 /// The number with these digits.

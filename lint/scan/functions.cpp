@@ -8,7 +8,8 @@
 namespace shadefit::lint {
 namespace {
 
-/// Of the parameters of a function, and of what may stand between them and the body: "-> f32", ": SV_Target".
+/// The longest parameters of a function, and the longest text between them and the body: "-> f32", ":
+/// SV_Target".
 constexpr std::size_t most_bytes_of_parameters = 1000, most_bytes_of_result = 40;
 
 template <std::size_t N>
@@ -27,7 +28,7 @@ bool is_keyword(std::string_view word) {
   return is_one_of(word, words);
 }
 
-/// The begin of the name that ends there.
+/// Where the name that ends there begins.
 std::size_t name_begin(std::string_view text, std::size_t end) {
   while (end > 0 && is_of_name(text[end - 1])) --end;
   return end;

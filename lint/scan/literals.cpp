@@ -8,12 +8,12 @@
 namespace shadefit::lint {
 namespace {
 
-/// C++ and Rust separate digits.
+/// Separators of digits in C++ and Rust.
 constexpr bool is_separator(char c) {
   return c == '_' || c == '\'';
 }
 
-/// Walks over a text and notes its numbers.
+/// Scans a text for numbers.
 class LiteralReader {
  public:
   LiteralReader(std::string_view text, CommentStyle style) : text_(text), style_(style) {}
@@ -37,7 +37,7 @@ class LiteralReader {
   char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
   void word() {
-    // Behind a backslash stands one letter: "\n0.055" in a string holds a number.
+    // One letter follows a backslash: "\n0.055" in a string holds a number.
     if (at_ > 0 && text_[at_ - 1] == '\\') {
       ++at_;
       return;
@@ -56,7 +56,7 @@ class LiteralReader {
     if (style_ == CommentStyle::hash) {
       if (c == '#') comment_ = '/';
     } else if (c == '/' && peek(1) == '/') {
-      // "https://" is no comment.
+      // "https://" is not a comment.
       if (at_ == 0 || text_[at_ - 1] != ':') comment_ = '/';
       ++at_;
     } else if (c == '/' && peek(1) == '*') {
@@ -76,7 +76,7 @@ class LiteralReader {
     }
   }
 
-  /// f, h, l, f32, f64: anything else behind the digits makes a word of it.
+  /// f, h, l, f32, f64: any other letters after the digits make a word of it.
   bool suffix() {
     const std::size_t first = at_;
     while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
@@ -87,7 +87,7 @@ class LiteralReader {
            letters == "d" || letters == "D" || letters == "lf" || letters == "m";
   }
 
-  /// Whether a factor 10^n follows, as LaTeX and plain text write it.
+  /// Whether a factor 10^n follows, in LaTeX or plain text.
   bool is_before_power_of_ten() const {
     std::string_view rest = text_.substr(at_, 20);
     while (rest.starts_with(' ')) rest.remove_prefix(1);
@@ -153,7 +153,7 @@ Digits digits_of(std::string_view number) {
       if (i + 1 < number.size() && number[i + 1] == '+') ++i;
       int exponent = 0;
       std::from_chars(number.data() + i + 1, number.data() + number.size(), exponent);
-      // No number of a source text has a larger one; a sum with it does not overflow.
+      // No number of a source text has a larger exponent; a sum with it does not overflow.
       point += std::clamp(exponent, -100'000, 100'000);
       break;
     } else if (is_letter(c)) {

@@ -15,7 +15,7 @@ enum class CommentStyle {
   none,  ///< a text such as Markdown
 };
 
-/// The digits of a decimal number without sign, leading and trailing zeros: 0.0450 has "45" and exponent -2.
+/// The digits of a decimal number without sign, leading and trailing zeros: "45" and exponent -1 for 0.0450.
 struct Digits {
   std::string text;  ///< empty: the number is 0
   int exponent = 0;  ///< the number is 0.TEXT times 10^exponent
@@ -35,7 +35,7 @@ struct Literal {
 /// The digits of a number of a text.
 Digits digits_of(std::string_view text, const Literal& literal);
 
-/// The numbers of a text in order, but those with a hexadecimal prefix, those inside a word or a version
+/// The numbers of a text in order, except those with a hexadecimal prefix, those inside a word or a version
 /// (1.2.3), and those with more than `most_digits` digits.
 std::vector<Literal> literals_of(std::string_view text, CommentStyle style);
 

@@ -27,14 +27,14 @@ std::string_view leading_exponent(std::string_view text) {
   return n > first ? text.substr(0, n) : std::string_view{};
 }
 
-/// Whether these letters may stand behind a number; the scanner knows.
+/// Whether these letters may follow a number, by the rules of the scanner.
 bool is_suffix(std::string_view letters) {
   const std::string number = "1" + std::string(letters);
   const auto read = literals_of(number, CommentStyle::none);
   return read.size() == 1 && read.front().length == number.size();
 }
 
-/// All digits but zeros at the front: as printed, with zeros at the end.
+/// All digits without leading zeros: as printed, with trailing zeros.
 std::string printed_digits(const Notation& number) {
   std::string digits(number.whole);
   digits += number.fraction;
@@ -42,7 +42,7 @@ std::string printed_digits(const Notation& number) {
   return digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
 }
 
-/// The exponent in the style of another: its letter, its '+', and its zeros at the front.
+/// The exponent in the style of another: its letter, its '+', and its leading zeros.
 std::string exponent_like(std::string_view style, int value) {
   const bool has_sign = style[1] == '-' || style[1] == '+';
   const std::string_view digits = style.substr(has_sign ? 2 : 1);
@@ -52,7 +52,7 @@ std::string exponent_like(std::string_view style, int value) {
   return style[0] + (sign + text);
 }
 
-/// The parts of a number as text. A point stands if the literal has one or if digits follow.
+/// The parts of a number as text. It has a point if the literal has one or if digits follow.
 std::string joined(const Notation& literal, std::string whole, std::string fraction) {
   if (whole.empty() && !literal.whole.empty()) whole = "0";
   if (whole == "0" && literal.whole.empty() && !fraction.empty()) whole.clear();

@@ -17,13 +17,13 @@ struct Notation {
   std::size_t length = 0;  ///< of all parts
 };
 
-/// Reads the number that a text begins with, without a sign. Empty if there is none, if it is hexadecimal,
-/// has other letters behind it than a suffix, or is longer than `most_digits`.
+/// Reads the number that a text begins with, without a sign. Empty if there is none, if it is hexadecimal, if
+/// letters other than a suffix follow, or if it is longer than `most_digits`.
 std::optional<Notation> notation_at(std::string_view text);
 
-/// The published number, without its sign, in the notation of a literal: with its suffix, its form of a zero
-/// before the point, and its place of the point before an exponent. "1.5e-3f" and "0.00142" make "1.42e-3f".
-/// Both have to be numbers of `notation_at`, the published one perhaps with a sign.
+/// The published number, without its sign, in the notation of a literal: with its suffix, with or without a
+/// zero before the point, and with the point at the same place before an exponent. "1.5e-3f" and "0.00142"
+/// give "1.42e-3f". `notation_at` must accept both; the published one may have a sign.
 std::string rewritten(std::string_view literal, std::string_view published);
 
 }  // namespace shadefit::lint

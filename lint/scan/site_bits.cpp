@@ -9,7 +9,7 @@
 namespace shadefit::lint {
 namespace {
 
-/// What the numbers of one site tell.
+/// How much evidence the numbers of a site are.
 class SiteBits {
  public:
   SiteBits(std::string_view text, const std::vector<Literal>& literals, const KnownSet& set, const Site& site)
@@ -20,7 +20,7 @@ class SiteBits {
     for (const SiteNumber& number : site_.numbers) bits += bits_of(number);
     bits += bits_of_order() + bits_of_names();
     if (bits < least_bits) return bits;
-    // Each of them may be any of the numbers there. One that comes again is no other.
+    // Each number may match any of the different numbers there, so the bits are fewer.
     const auto count = static_cast<double>(site_.numbers.size());
     const auto there = static_cast<double>(count_different());
     return bits - count * std::log2(std::max(1.0, there / count));
@@ -70,7 +70,7 @@ class SiteBits {
     return static_cast<std::size_t>(std::unique(texts.begin(), texts.end()) - texts.begin());
   }
 
-  /// Whether a number is only a factor of the next one: both of 0.6 * 0.6 * 2.51.
+  /// Whether a number is only a factor of the next one, as both 0.6 in 0.6 * 0.6 * 2.51.
   bool is_factor(std::size_t literal) const {
     if (literal + 1 >= literals_.size()) return false;
     const std::size_t end = literals_[literal].offset + literals_[literal].length;
@@ -79,7 +79,7 @@ class SiteBits {
            std::all_of(between.begin(), between.end(), [](char c) { return c == '*' || is_blank(c); });
   }
 
-  /// Where the product begins whose last factor is a number.
+  /// Where the product begins whose last factor is this number.
   std::size_t product_begin(std::size_t literal) const {
     while (literal > 0 && is_factor(literal - 1)) --literal;
     return literal;
@@ -94,8 +94,9 @@ class SiteBits {
     return at != std::string_view::npos && brackets.find(rest[at]) != std::string_view::npos;
   }
 
-  /// One order of n! if all n constants stand in the published one, with nothing between but their factors.
-  /// If they are a whole list, (a, b, c), three more: a row of numbers at a random place is no list.
+  /// The bits of one order in n!, if all n constants are in the published order, with nothing between them
+  /// but their factors. Three more bits if they are a whole list, (a, b, c): a row of numbers at a random
+  /// place is not one.
   double bits_of_order() const {
     const std::size_t count = set_.constants.size();
     if (site_.numbers.size() != count) return 0;
@@ -108,9 +109,9 @@ class SiteBits {
     return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0) + (is_list ? bits_of_a_list : 0);
   }
 
-  /// Where all words of the id stand in the lines of the numbers, cosineLobe.sharpness = 2.133. In 148 000
-  /// lines with numbers of some 140 graphics programs, the words of no id came together more often than 6
-  /// times; 10 bits are one of 1000. Wrong digits are not believed for a name.
+  /// The bits of finding all words of the id in the lines of the numbers, as in cosineLobe.sharpness = 2.133.
+  /// In 148 000 lines with numbers of some 140 graphics programs, the words of no id came together more than
+  /// 6 times; 10 bits are one in 1000. A name does not excuse wrong digits.
   double bits_of_names() const {
     constexpr double bits_of_an_id = 10;
     constexpr std::size_t least_words = 2, shortest = 4;
@@ -131,7 +132,7 @@ class SiteBits {
     return words >= least_words ? bits_of_an_id : 0;
   }
 
-  /// In small letters, from the begin of the first line to the last number.
+  /// In lower case, from the start of the first line to the last number.
   std::string lines_of_numbers() const {
     const std::size_t at = literals_[first()].offset;
     const std::size_t line_end = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);

@@ -9,7 +9,7 @@
 namespace shadefit::lint {
 namespace {
 
-/// The most telling sites first take their numbers.
+/// Gives each number to one site, the most telling sites first.
 class SiteChoice {
  public:
   SiteChoice(std::vector<Site> sites, const ReadSite& read)
@@ -34,7 +34,7 @@ class SiteChoice {
   }
 
  private:
-  /// A site that has lost half of its numbers is none.
+  /// Keeps a site unless it has lost half of its numbers.
   void keep(std::size_t i) {
     is_done_[i] = true;
     Site& site = sites_[i];
@@ -54,7 +54,7 @@ class SiteChoice {
     return *readings_[i];
   }
 
-  /// Of the sites with most of these numbers the one of whose form most is read.
+  /// Of the sites that have most of these numbers, the one whose form is read best.
   std::size_t better_read(std::size_t i) {
     if (2 * count_taken(sites_[i]) >= sites_[i].numbers.size()) return i;
     std::size_t best = i;
@@ -66,11 +66,11 @@ class SiteChoice {
     return best;
   }
 
-  /// The less telling sites with most of the numbers of a site.
+  /// The less telling sites that have most of the numbers of a site.
   std::vector<std::size_t> rivals_of(std::size_t i) const {
     std::map<std::size_t, std::size_t> shared;
     for (const SiteNumber& number : sites_[i].numbers) {
-      // Those behind this site in the order of `sites_`.
+      // The sites after this one in the order of `sites_`.
       auto other = std::upper_bound(at_.begin(), at_.end(), std::pair(number.literal, i));
       for (; other != at_.end() && other->first == number.literal; ++other)
         if (!is_done_[other->second]) ++shared[other->second];

@@ -6,7 +6,7 @@
 
 namespace shadefit::lint {
 
-/// Of sites that have numbers in common the ones to keep, by their places: see sites_of().
+/// The sites to keep, by their places, of those that have numbers in common: see `sites_of`.
 std::vector<Site> chosen_sites(std::vector<Site> sites, const ReadSite& read);
 
 }  // namespace shadefit::lint

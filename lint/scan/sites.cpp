@@ -12,10 +12,10 @@
 namespace shadefit::lint {
 namespace {
 
-/// Constants of one formula stand within that many bytes of each other, and in one function.
+/// Constants of one formula are within this many bytes of each other, and in one function.
 constexpr std::size_t most_gap = 700;
 
-/// A number of fewer digits is looked for only near the other constants.
+/// A number of fewer digits is only looked for near the other constants.
 constexpr std::size_t least_digits_alone = 3;
 
 struct Hit {
@@ -33,7 +33,7 @@ std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& lite
       hits.push_back({match.place.set, i, match});
     }
   }
-  // Of several constants of a set that a number may stand for, the closest comes first.
+  // A number may stand for several constants of a set; the closest comes first.
   std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
     return std::tuple(a.set, a.literal, a.match.match) < std::tuple(b.set, b.literal, b.match.match);
   });
@@ -45,9 +45,9 @@ class SiteFinder {
   SiteFinder(std::string_view text, const std::vector<Literal>& literals, const std::vector<KnownSet>& sets)
       : text_(text), literals_(literals), sets_(sets) {}
 
-  /// Takes the hits of one number, and of one set, in order. A constant that comes again begins the next
-  /// site, and so does every number behind a complete one: the next copy of the formula may be the wrong one.
-  /// The components of a vector are one number: vec3(0.055, 0.055, 0.055).
+  /// Takes the hits of one number and one set, in order. A repeated constant begins the next site, and so
+  /// does every number after a complete site: the next copy of the formula may be the wrong one. The
+  /// components of a vector are one number: vec3(0.055, 0.055, 0.055).
   void add(std::span<const Hit> hits) {
     const Hit& first = hits.front();
     if (is_next_component(hits)) {
@@ -67,7 +67,7 @@ class SiteFinder {
       return other.constant == number.constant;
     });
     if (same != numbers_.end()) {
-      // A closer match in the place of a loose one belongs to the same site.
+      // A closer match that replaces a loose one belongs to the same site.
       if (number.match < same->match && same->match >= DigitMatch::rounded) {
         numbers_.erase(same);
       } else if (number.match > same->match && number.match >= DigitMatch::rounded) {
@@ -94,7 +94,7 @@ class SiteFinder {
   std::vector<Site> take() { return std::move(sites_); }
 
  private:
-  /// Whether all constants are there but those that are looked for near others alone.
+  /// Whether all constants are there, except those that are only looked for near others.
   bool is_complete() const {
     const auto& constants = sets_[set_].constants;
     return numbers_.size() >= static_cast<std::size_t>(std::count_if(
@@ -142,7 +142,7 @@ class SiteFinder {
 
   Digits digits_at(std::size_t literal) const { return digits_of(text_, literals_[literal]); }
 
-  /// A number in a comment beside numbers of code is not computed with.
+  /// Drops numbers in a comment if others are in code: they are not computed with.
   void drop_comments(Site& site) const {
     const auto is_in_comment = [&](const SiteNumber& number) {
       return literals_[number.literal].is_in_comment;
@@ -151,7 +151,7 @@ class SiteFinder {
       std::erase_if(site.numbers, is_in_comment);
   }
 
-  /// Constants of few digits, such as 0.03, are looked for only near the others.
+  /// Adds constants of few digits, such as 0.03, near the others.
   void add_companions(Site& site) {
     constexpr std::size_t most_literals = 6;
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
@@ -167,7 +167,7 @@ class SiteFinder {
     for (std::size_t c = 0; c < set.constants.size(); ++c) {
       if (has_constant(site, c)) continue;
       const Digits published = digits_of(set.constants[c].printed);
-      // In the published order first, and then the nearest: a 1 may stand everywhere.
+      // First by the published order, then by distance: a 1 may be anywhere.
       const auto place_of = [&](std::size_t i) {
         return std::pair(!keeps_order(site, c, i), i < first ? first - i : i - std::min(i, last));
       };
@@ -182,8 +182,8 @@ class SiteFinder {
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
   }
 
-  /// Where the others tell enough, a constant that is missing may be a number between or beside them that was
-  /// rounded and then mistyped. Whether there is one.
+  /// Adds missing constants as numbers that were rounded and then mistyped, between or beside the others.
+  /// Only for sites whose other numbers are evidence enough. True if there is one.
   bool add_rounded_and_edited(Site& site) {
     const std::size_t count = site.numbers.size();
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
@@ -204,7 +204,7 @@ class SiteFinder {
     return site.numbers.size() > count;
   }
 
-  /// Whether the constant there leaves those of a site in the published order.
+  /// Whether the site's constants stay in the published order with this constant at this literal.
   static bool keeps_order(const Site& site, std::size_t constant, std::size_t literal) {
     return std::all_of(site.numbers.begin(), site.numbers.end(), [&](const SiteNumber& number) {
       return (number.constant < constant) == (number.literal < literal);
@@ -223,7 +223,7 @@ class SiteFinder {
   std::string_view text_;
   const std::vector<Literal>& literals_;
   const std::vector<KnownSet>& sets_;
-  std::optional<std::vector<std::size_t>> functions_;  ///< where they begin, once that is asked for
+  std::optional<std::vector<std::size_t>> functions_;  ///< where they begin, computed when first needed
   std::size_t set_ = 0;
   std::vector<SiteNumber> numbers_;  ///< of the site that is being collected
   std::vector<Site> sites_;

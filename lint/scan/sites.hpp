@@ -8,33 +8,34 @@
 
 #include "lint/scan/digit_index.hpp"
 
-/// Places of a source text that hold the constants of a set.
+/// Places in a source text that hold the constants of a set.
 namespace shadefit::lint {
 
 /// A number of a text that stands for a constant of a set.
 struct SiteNumber {
-  std::size_t literal = 0;   ///< its place among the literals of the text
+  std::size_t literal = 0;   ///< its index among the literals of the text
   std::size_t constant = 0;  ///< of the set
   DigitMatch match = DigitMatch::same;
   std::optional<std::size_t> variant = {};
 };
 
-/// Numbers near each other that stand for constants of one set, each once, by their places in the text.
+/// Numbers near each other for constants of one set, each constant once, by their places in the text.
 struct Site {
   std::size_t set = 0;
   std::vector<SiteNumber> numbers;
-  /// How telling the numbers are: log2 of how seldom as many numbers at random places agree as well.
+  /// How much evidence the numbers are: -log2 of the chance that as many numbers at random places agree as
+  /// well.
   double bits = 0;
 };
 
-/// Sites with at least that many bits need no other evidence. A tree of 10 000 files has some 2^22 numbers,
+/// Sites with at least this many bits need no other evidence. A tree of 10 000 files has some 2^22 numbers,
 /// and there are some 2^8 sets of constants.
 inline constexpr double telling_bits = 24;
 
-/// Sites with fewer bits are not worth reading the expression around them.
+/// With fewer bits the expression around a site is not read.
 inline constexpr double least_bits = 6;
 
-/// What of the form of its set is read in the text around a site.
+/// How much of a set's form the text around a site contains.
 struct Reading {
   enum class Part {
     nothing,
@@ -42,14 +43,14 @@ struct Reading {
     form,    ///< the whole form
   };
   Part part = Part::nothing;
-  std::size_t constants = 0;  ///< of the set, which stand there, right or wrong
+  std::size_t constants = 0;  ///< how many constants of the set are there, right or wrong
 };
 
 /// Reads the text around a site.
 using ReadSite = std::function<Reading(const Site&)>;
 
-/// All sites of at least `least_bits`, by their places. Where two sites have most of their numbers in common,
-/// the one is kept of whose form more is read, if it has as many constants; else the more telling one.
+/// All sites of at least `least_bits`, by their places. If two sites have most of their numbers in common,
+/// the one whose form is read better is kept, if it has as many constants; otherwise the more telling one.
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
                            const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read);
 

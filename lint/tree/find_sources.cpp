@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders of others' code, in small letters: those of package managers, and those that engines use.
+/// Folders with code of others, in lower case: those of package managers, and those that engines use.
 constexpr std::string_view vendored_names[] = {
     // package managers and build tools
     "node_modules", "bower_components", "jspm_packages", "site-packages", ".venv", "venv", ".tox", ".yarn",
@@ -26,12 +26,12 @@ constexpr std::string_view vendored_names[] = {
     "third_party", "third-party", "thirdparty", "3rdparty", "3rd_party", "3rd-party", "external", "externals",
     "extern", "externs", "vendor", "vendors", "vendored", ".vendored", "deps", "dependencies"};
 
-/// What version control keeps of its own.
+/// The folders of version control.
 constexpr std::string_view control_names[] = {".git", ".hg", ".svn"};
 
 constexpr std::size_t most_large_messages = 5;
 
-/// A licence may stand before the first line that shows the language.
+/// A licence may come before the first line that shows the language.
 constexpr std::uintmax_t looked_into = 16384;
 
 template <class Values, class Value>
@@ -44,7 +44,7 @@ bool is_minified_name(const std::string& name) {
   return small.ends_with(".min.js") || small.ends_with(".min.mjs") || small.ends_with(".min.cjs");
 }
 
-/// A place on the way: its absolute name without links, and its name as shown, which is empty for the current
+/// A place on the walk: its absolute name without links, and its shown name, which is empty for the current
 /// folder.
 struct Place {
   std::string absolute, name;
@@ -109,7 +109,7 @@ class Search {
     tree_.skipped.messages.push_back(fmt::format("cannot read '{}': {}", path.string(), reason));
   }
 
-  /// The lists of rules are those of the folders above.
+  /// `lists` are the rules of the folders above.
   void walk(const Place& folder, RuleLists lists) {
     if (!seen_.insert(folder.absolute).second) return;
     std::error_code error;
@@ -122,7 +122,7 @@ class Search {
     for (const fs::directory_entry& one : entries) {
       const std::string name = one.path().filename().string();
       const Place place = folder.below(name);
-      // The type that the folder's own list has: no look at each file.
+      // The type comes with the list of the folder, so that no file is looked at.
       if (one.is_symlink(error)) {
         ++tree_.skipped.links;
       } else if (one.is_directory(error)) {
@@ -168,7 +168,7 @@ class Search {
     }
   }
 
-  /// A file of an unknown language is read as if it were C: numbers and comments are much the same in most.
+  /// A file of an unknown language is read as if it were C: most languages write numbers and comments alike.
   void add_named_file(const Place& place) {
     const auto named = language_of(fs::path(place.absolute).filename().string());
     const auto language = named ? named->language : SourceLanguage::c_family;
@@ -194,7 +194,7 @@ class Search {
     }
   }
 
-  /// Whether a file whose name leaves it open is a shader; if not, it is counted.
+  /// Whether a file whose name does not tell its language is a shader. If not, it is counted.
   bool is_shader(const Place& place, std::uintmax_t size) {
     try {
       if (looks_like_shader(read_part(place.path(), 0, std::min(size, looked_into)))) return true;

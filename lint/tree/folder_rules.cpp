@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Some 30 000 lines: no person wrote more.
+/// About 30 000 lines: nobody writes more.
 constexpr std::uintmax_t most_rule_bytes = 1 << 20;
 
 bool is_there(const fs::path& path) {
@@ -20,7 +20,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(fs::symlink_status(path, none));
 }
 
-/// git follows no link to rules either.
+/// Links are not followed, as in git.
 void add_rules(const fs::path& file, const fs::path& folder, RuleLists& lists) {
   std::error_code none;
   if (!fs::is_regular_file(fs::symlink_status(file, none))) return;
@@ -28,7 +28,7 @@ void add_rules(const fs::path& file, const fs::path& folder, RuleLists& lists) {
     auto rules = parse_ignore_rules(read_bounded(file, most_rule_bytes));
     if (!rules.empty()) lists.push_back(rules_of(folder, std::move(rules)));
   } catch (const UserError&) {
-    // Without its rules more is read, as with git.
+    // Without its rules more files are read, as in git.
   }
 }
 
@@ -59,7 +59,7 @@ IgnoreVerdict verdict(const RuleLists& lists, std::string_view path, bool is_fol
 void enter(const fs::path& folder, RuleLists& lists) {
   if (is_there(folder / ".git")) {
     lists.clear();
-    // In a work tree or a submodule .git is a file, and the list that it leads to is not read.
+    // In a work tree or a submodule .git is a file. The list that it refers to is not read.
     add_rules(folder / ".git/info/exclude", folder, lists);
   }
   add_rules(folder / ".gitignore", folder, lists);

@@ -40,7 +40,7 @@ bool is_in_class(std::string_view name, char c) {
 constexpr std::array<std::string_view, 12> class_names{"alnum", "alpha", "blank", "cntrl", "digit", "graph",
                                                        "lower", "print", "punct", "space", "upper", "xdigit"};
 
-/// The set of a class, or nothing for an unknown one.
+/// The set of a class; empty for an unknown one.
 std::optional<std::bitset<256>> set_of_class(std::string_view name) {
   if (std::find(class_names.begin(), class_names.end(), name) == class_names.end()) return std::nullopt;
   std::bitset<256> set;
@@ -48,7 +48,7 @@ std::optional<std::bitset<256>> set_of_class(std::string_view name) {
   return set;
 }
 
-/// The set behind a '[', up to and with its ']', which are taken from the text. Nothing if it is malformed.
+/// Takes the set after a '[', with its ']', from the text. Empty if it is malformed.
 std::optional<std::bitset<256>> take_set(std::string_view& text) {
   std::bitset<256> set;
   const auto take = [&]() -> std::optional<char> {
@@ -116,7 +116,7 @@ void take_stars(std::string_view pattern, std::string_view& rest, std::vector<Gl
   }
 }
 
-/// The steps of a pattern, or nothing if it is malformed.
+/// The steps of a pattern; empty if it is malformed.
 std::optional<std::vector<GlobStep>> read_steps(std::string_view pattern) {
   std::vector<GlobStep> steps;
   for (std::string_view rest = pattern; !rest.empty();) {
@@ -157,7 +157,7 @@ std::string take_end(std::vector<GlobStep>& steps) {
   return end;
 }
 
-/// Also marks the steps behind those that match nothing too.
+/// Marks also the next step if a step can match nothing.
 void leave_out(std::vector<char>& at, const std::vector<GlobStep>& steps) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (at[i] == 0 || steps[i].kind == Kind::byte) continue;
@@ -183,7 +183,7 @@ bool matches(const Glob& glob, std::string_view text) {
   const std::vector<GlobStep>& steps = glob.steps;
   if (steps.empty()) return text.empty();
   if (steps.size() == 1 && steps[0].kind == Kind::star) return text.find('/') == std::string_view::npos;
-  // All ways at once, byte by byte: a hostile glob cannot make them branch.
+  // All ways in parallel, byte by byte, so that a hostile glob cannot make them branch.
   std::vector<char> at(steps.size() + 1), next(steps.size() + 1);
   at[0] = 1;
   leave_out(at, steps);

@@ -21,19 +21,17 @@ struct GlobStep {
   std::bitset<256> bytes = {};
 };
 
-/// A glob that was read: `start`, then the steps, then `end`. Most names differ in the start or the end
-/// already.
+/// A parsed glob: `start`, then the steps, then `end`. Most names already differ in the start or the end.
 struct Glob {
   std::string start, end;
   std::vector<GlobStep> steps;
   bool is_valid = true;  ///< false: a set without its ']', an unknown class, a last '\'; matches nothing
 };
 
-/// Reads a glob. `*` and `?` match no '/', `**` between slashes matches folders, at the end everything;
-/// `[..]` sets with ranges,
-/// '!' or '^', and classes such as [:alpha:]; '\' before a byte takes it as it is. Bytes are compared, not
-/// letters. Source: gitignore(5) and wildmatch.c of git 2.39. As there, `**` directly behind a start without
-/// wildcards counts as behind a slash: `a**` matches a/b.
+/// Parses a glob. `*` and `?` do not match '/'; `**` between slashes matches folders, and at the end
+/// everything. `[..]` is a set with ranges, '!' or '^', and classes such as [:alpha:]. A '\' makes the next
+/// byte literal. Bytes are compared, not letters. Source: gitignore(5) and wildmatch.c of git 2.39. As there,
+/// `**` directly after a start without wildcards counts as after a slash: `a**` matches a/b.
 Glob parse_glob(std::string_view pattern);
 
 /// Whether a glob matches all of a text. Takes time in proportion to the length of the glob times that of the

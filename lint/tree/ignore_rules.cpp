@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t longest_rule = 4096;
 
-/// Without the blanks at the end that no '\' keeps.
+/// The line without trailing blanks, unless a '\' protects them.
 std::string_view without_blanks(std::string_view line) {
   std::size_t end = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Far more than a person writes; toml++ takes some hundred bytes for each value.
+/// Far more than a person writes. toml++ takes some hundred bytes for each value.
 constexpr std::uintmax_t most_config_bytes = 1 << 18;
 
 std::string word_of(const TomlReader& reader, const toml::node& node, const std::string& key) {
@@ -31,7 +31,7 @@ std::vector<std::string> words_of(const TomlReader& reader, const toml::table& i
   return words;
 }
 
-/// One of the words that a key may be.
+/// One of the words that a key may have.
 std::string choice_of(const TomlReader& reader, const toml::node& node, const std::string& key,
                       const std::vector<std::string>& known) {
   const std::string word = word_of(reader, node, key);

@@ -11,8 +11,8 @@ namespace {
 /// A text has no byte 0; git looks for it in the first 8000 bytes.
 constexpr std::size_t looked_at = 8192;
 
-/// People write lines of 30 to 100 bytes. Data in a long line stands among code; in minified code nearly all
-/// lines are long.
+/// People write lines of 30 to 100 bytes. Other code may have data in a long line; in minified code nearly
+/// all lines are long.
 constexpr std::size_t least_minified_bytes = 8192, least_minified_mean = 1000;
 
 bool is_minified(const std::string& text) {

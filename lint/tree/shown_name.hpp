@@ -5,9 +5,9 @@
 
 namespace shadefit::lint {
 
-/// A path as shown: relative to `current`, an absolute folder, if it is absolute and below that, else as
-/// given;
-/// '/' between its names, without "." and double '/'. The folder `current` itself is the empty text.
+/// A path as shown: relative to `current`, an absolute folder, if it is absolute and below that; otherwise as
+/// given. With '/' between its names, without "." and double '/'. The folder `current` itself is the empty
+/// text.
 inline std::string shown_name(const std::filesystem::path& path, const std::filesystem::path& current) {
   std::filesystem::path shown = path;
   if (path.is_absolute()) {

@@ -9,17 +9,17 @@ namespace {
 
 using Language = SourceLanguage;
 
-/// The endings of a language's files, behind the last dot.
+/// The endings of a language's files, after the last dot.
 struct Endings {
   Language language;
   std::string_view sure, unsure = {};
 };
 
-/// By the files of engines: glslang (stages), Godot (gdshader), Defold (vp, fp), jMonkeyEngine (glsllib),
+/// From the files of engines: glslang (stages), Godot (gdshader), Defold (vp, fp), jMonkeyEngine (glsllib),
 /// bgfx (sc, sh), Cocos (chunk, effect), Filament (mat, fs, vs), Unity (shader, cginc, compute, raytrace),
 /// Unreal (usf, ush), O3DE (azsl, srgi), CryEngine (cfx, cfi), Stride (sdsl, sdfx), Diligent (psh, vsh, csh),
-/// OGRE and Source (cg, fxc), Dagor (dshl), OpenUSD (glslfx), Falcor (slangh). A shell script, F#, PHP,
-/// MATLAB, PostScript or a material of Unity may have the endings that are not sure.
+/// OGRE and Source (cg, fxc), Dagor (dshl), OpenUSD (glslfx), Falcor (slangh). The unsure endings may also be
+/// those of a shell script, F#, PHP, MATLAB, PostScript or a material of Unity.
 constexpr Endings endings[] = {
     {Language::glsl,
      "glsl glslfx vert frag geom comp tesc tese rgen rint rahit rchit rmiss rcall gl glslinc glsllib glslf glslv glslh "
@@ -43,7 +43,7 @@ constexpr Endings endings[] = {
     {Language::markdown, "md markdown mdx"},
 };
 
-/// Whether a list of words, with blanks between them, has one.
+/// Whether a list of words, separated by blanks, has a word.
 bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
     const std::size_t end = at + word.size();
@@ -52,7 +52,7 @@ bool has_word(std::string_view words, std::string_view word) {
   return false;
 }
 
-/// What shaders have in their first lines: directives, storage classes, types.
+/// Words in the first lines of shaders: directives, storage classes, types.
 constexpr std::string_view shader_words[] = {"#version", "#include", "#define",  "#ifdef", "#ifndef",
                                              "#pragma",  "uniform ", "varying ", "gl_",    "void main",
                                              "vec2",     "vec3",     "vec4",     "float2", "float3",
@@ -114,7 +114,7 @@ std::optional<NamedLanguage> language_of(std::string_view file_name) {
   const std::size_t dot = file_name.rfind('.');
   if (dot == std::string_view::npos || dot == 0) return std::nullopt;
   const std::string whole = in_small_letters(file_name), ending = whole.substr(dot + 1);
-  // Babylon.js keeps GLSL in files with the ending of HLSL.
+  // Babylon.js has GLSL in files with the ending of HLSL.
   if (whole.ends_with(".fragment.fx") || whole.ends_with(".vertex.fx")) return NamedLanguage{Language::glsl};
   for (const Endings& one : endings) {
     if (has_word(one.sure, ending)) return NamedLanguage{one.language};

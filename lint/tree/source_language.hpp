@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// The languages that source files are written in, and how they are told apart.
+/// The languages of source files, and how to tell them apart.
 namespace shadefit::lint {
 
 /// `c_family`: C, C++, Objective-C++, OpenCL, ISPC and OSL. `markdown`: code in fences.
@@ -36,23 +36,23 @@ inline constexpr std::array source_languages{
 /// Its name for options and messages: "glsl", "c", "cuda" ..
 std::string_view name(SourceLanguage language);
 
-/// The language of that name, or nothing.
+/// The language of that name; empty if there is none.
 std::optional<SourceLanguage> language_named(std::string_view name);
 
-/// The text with small letters for those of ASCII.
+/// The text in lower case, for ASCII letters.
 std::string in_small_letters(std::string_view text);
 
-/// What the name of a file says about its language.
+/// What the name of a file tells about its language.
 struct NamedLanguage {
   SourceLanguage language;
   bool is_sure = true;  ///< false: other files have this ending too, `looks_like_shader` decides
 };
 
-/// The language of a file by the ending of its name, in large or small letters; nothing for other files.
+/// The language of a file by the ending of its name, in upper or lower case; empty for other files.
 std::optional<NamedLanguage> language_of(std::string_view file_name);
 
-/// Whether a text has a word that shaders have and that shell scripts, F#, PHP and YAML have not. A script
-/// that names its interpreter is none.
+/// Whether a text has a word that occurs in shaders, but not in shell scripts, F#, PHP and YAML. A script
+/// that names its interpreter is not a shader.
 bool looks_like_shader(std::string_view beginning);
 
 }  // namespace shadefit::lint

@@ -12,7 +12,7 @@
 /// Finds and reads the source files of other projects.
 namespace shadefit::lint {
 
-/// About 100 000 lines: what is larger is data, or was generated.
+/// About 100 000 lines. Larger files are data, or were generated.
 inline constexpr std::uintmax_t largest_source = 4 << 20;
 
 struct SourceFile {
@@ -26,15 +26,15 @@ struct SourceFile {
 /// What was not read, by reason.
 struct SkippedFiles {
   std::size_t unknown_language = 0, binary = 0, too_large = 0;
-  std::size_t vendored = 0;  ///< folders, with all below
+  std::size_t vendored = 0;  ///< folders with everything below
   std::size_t minified = 0;
-  std::size_t ignored = 0;  ///< source files, and folders with all below
+  std::size_t ignored = 0;  ///< source files, and folders with everything below
   std::size_t unreadable = 0;
   std::size_t links = 0;              ///< symbolic links
   std::vector<std::string> messages;  ///< one for each unreadable place, and for the first that are too large
 };
 
-/// Adds what another thread skipped. In one order of files the sum has one order of messages.
+/// Adds what another thread skipped. Adding in the order of files gives the messages in one order.
 void add(SkippedFiles& sum, const SkippedFiles& part);
 
 struct SourceTree {
@@ -42,33 +42,33 @@ struct SourceTree {
   SkippedFiles skipped;
 };
 
-/// Globs as in .gitignore, with the folder that they count from; empty: the current one.
+/// Globs as in .gitignore, and the folder that they are relative to; empty: the current one.
 struct FolderGlobs {
   std::filesystem::path folder;
   std::vector<std::string> globs = {};
 };
 
 struct TreeOptions {
-  std::vector<std::string> exclude = {};       ///< globs as in .gitignore, from the current folder
+  std::vector<std::string> exclude = {};       ///< globs as in .gitignore, relative to the current folder
   std::vector<SourceLanguage> languages = {};  ///< empty: all
   bool with_vendored = false;
   std::uintmax_t largest = largest_source;
   FolderGlobs configured = {};  ///< those of a configuration; `exclude` has the last word
 };
 
-/// The source files that the paths name, or that lie below the folders that they name. Left out are: what a
+/// The source files that the paths name, or that are below the folders that they name. Left out are: what a
 /// .gitignore or .git/info/exclude of the repository ignores by git's own rules, though git may track it;
 /// what `exclude` matches; folders with code of others, such as third_party; .git; symbolic links; files
-/// above `largest`. A path that is named is read anyway: a file unless it is above `largest`, a folder with
-/// the rules of the folders above it only where these do not ignore all of it, a link as what it leads to. A
-/// glob '!..' of `exclude` takes a folder with code of others in. A globs' folder that is not above a path is
-/// replaced by that path. Throws UserError for a path that does not exist or cannot be read; what cannot be
-/// read below a path is counted.
+/// larger than `largest`. A path that is named is read anyway. A named file is read unless it is larger than
+/// `largest`. A named link is read as its target. For a named folder the rules of the folders above apply
+/// only if they do not ignore all of it. A glob '!..' of `exclude` includes a folder with code of others. If
+/// the folder of globs is not above a path, that path replaces it. Throws UserError for a path that does not
+/// exist or cannot be read; what cannot be read below a path is counted.
 SourceTree find_sources(const std::vector<std::string>& paths, const TreeOptions& options);
 
-/// All bytes of a file, which need not be UTF-8. Nothing, counted in `skipped`, if it is unreadable, binary
-/// (a byte 0 in its first 8 KiB), or minified (lines of 1000 bytes on average, and 8 KiB of them). Threads
-/// may read at the same time, each with its own `skipped`.
+/// All bytes of a file, which need not be UTF-8. Empty, and counted in `skipped`, if it is unreadable, binary
+/// (a byte 0 in its first 8 KiB), or minified (8 KiB or more, in lines of 1000 bytes on average). Threads may
+/// read at the same time, each with its own `skipped`.
 std::optional<std::string> read_source(const SourceFile& file, SkippedFiles& skipped);
 
 }  // namespace shadefit::lint

@@ -18,7 +18,7 @@ constexpr double svg_width = 720, svg_height = 240, svg_left = 112, svg_right = 
 constexpr int steps = 240;
 constexpr double svg_room = 1.05;  // above the largest error
 
-/// The error at `steps` + 1 even places. Where the form or the target has no value, it is not finite.
+/// The error at `steps` + 1 evenly spaced places. It is not finite if the form or the target has no value.
 using ErrorValues = std::vector<double>;
 
 ErrorValues values_along(const ReadStudy& study, const std::vector<double>& parameters) {
@@ -46,7 +46,7 @@ class Frame {
   double limit_;
 };
 
-/// A line for each stretch without a gap.
+/// A line for each part without a gap.
 std::string polylines(const ErrorValues& values, const Frame& frame, double limit, std::size_t number) {
   std::string lines, points;
   for (int i = 0; i <= steps + 1; ++i) {

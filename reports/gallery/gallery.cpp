@@ -25,7 +25,7 @@ std::string repositories(const std::vector<std::string>& places) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Of a form that is exact only rounding is left.
+/// The error of an exact form is only rounding.
 constexpr double rounding_alone = 1e-14;
 
 /// The largest error of a contender, if there is one.
@@ -66,7 +66,7 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
   return row;
 }
 
-/// The same rows for the page: what matters first, titles in words.
+/// The same rows for the page: the important columns first, with titles in words.
 Table table_of_page(const Table& rows) {
   const std::vector<std::pair<std::string, std::size_t>> columns{{"Constants", 0},
                                                                  {"Form", 1},

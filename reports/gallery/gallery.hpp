@@ -17,7 +17,7 @@ struct GalleryEntry {
   std::vector<StudyComparison> comparisons;
 };
 
-/// A study as the gallery shows it: all that its page and its rows in the tables need.
+/// All that the gallery needs of a study for its page and its rows in the tables.
 struct JudgedStudy {
   std::string id;
   bool is_published;                    ///< whether it has published sets
@@ -28,8 +28,8 @@ struct JudgedStudy {
 JudgedStudy judged_study(const GalleryEntry& entry);
 
 /// A row for each published set: `id,form,source,used_in,verdict,error,published,instructions,best,ratio,
-/// best_instructions,best_form,least,loses`. `best` keeps the properties of the published set; `least` is of
-/// a fit with a smaller error that loses some.
+/// best_instructions,best_form,least,loses`. `best` keeps the properties of the published set. `least` is the
+/// error of a fit with a smaller error that loses some of them.
 Table gallery_table(const std::vector<JudgedStudy>& studies);
 
 /// index.html, a page NAME.html for each study, and gallery.csv with the same rows.

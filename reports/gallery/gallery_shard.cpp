@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// null, a text, a whole number, or [text of a number, digits]. The number has the digits that are shown, so
-/// the file too has the same bytes on every machine.
+/// null, a text, a whole number, or [text of a number, digits]. Numbers have the digits that are shown, so
+/// the file has the same bytes on every machine.
 Json cell_json(const Cell& cell) {
   if (const auto* words = std::get_if<std::string>(&cell)) return *words;
   if (const auto* whole = std::get_if<long>(&cell)) return *whole;

@@ -16,7 +16,7 @@ long grey_of(double linear) {
   return std::isfinite(linear) ? std::lround(srgb_code(linear)) : 0;
 }
 
-/// A rectangle for each stretch of one grey.
+/// A rectangle for each part of the same grey.
 std::string ramp(const std::vector<double>& values, double top, const std::string& name) {
   const double step = ramp_width / static_cast<double>(values.size());
   std::string svg = fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>\n",
@@ -44,7 +44,7 @@ std::string grey_ramps_svg(const StudyComparison& comparison,
   double top = 0;
   for (const StudyContender* contender : contenders) {
     const SampledCurve curve = sample_curve(formulas_of(comparison, *contender), contender->values);
-    // The target stands between the two, so that each meets it.
+    // The target is between the two, so that it touches both.
     ramps += ramp(curve.form, top, top == 0 ? "published" : "better");
     top += ramp_height;
     if (contender == contenders.front()) {

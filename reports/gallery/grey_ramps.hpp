@@ -7,9 +7,9 @@
 
 namespace shadefit {
 
-/// An SVG with the target of one variable and each contender as a ramp of greys, one above the other: the
+/// An SVG with the target of one variable and each contender as ramps of grey, one above the other. The
 /// values are linear and shown in 8-bit sRGB. Empty unless the target lies in [0, 1] and the first contender
-/// moves it by a code or more: less is not seen.
+/// differs from it by a code or more: a smaller difference is not visible.
 std::string grey_ramps_svg(const StudyComparison& comparison,
                            const std::vector<const StudyContender*>& contenders);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double map_size = 300, map_gap = 90, map_left = 90, map_top = 32, map_bottom = 34;
 
-/// The errors by the place in x, then in y; of rows these are the values that occur.
+/// The errors by x, then by y. With measured rows these are the values that occur.
 using ErrorMap = std::map<double, std::map<double, double>>;
 
 ErrorMap error_map(const StudyComparison& comparison, const StudyContender& contender) {
@@ -36,7 +36,7 @@ double largest_error_in(const ErrorMap& errors) {
   return largest;
 }
 
-/// Cells of one size, from the lower left on. A grid of 49 x 49 places is thinned to every second one.
+/// Cells of equal size, starting at the lower left. A grid of 49 x 49 places is thinned to every second one.
 std::string cells(const ErrorMap& errors, double limit, double left) {
   constexpr std::size_t most_in_a_row = 36;
   const std::size_t step = errors.size() > most_in_a_row ? 2 : 1;
@@ -50,7 +50,7 @@ std::string cells(const ErrorMap& errors, double limit, double left) {
     std::size_t j = 0;
     for (const auto& [y, error] : column) {
       const double share = std::abs(error) / limit;
-      if (i % step == 0 && j % step == 0 && share >= 0.005)  // fainter cells are not seen
+      if (i % step == 0 && j % step == 0 && share >= 0.005)  // fainter cells are not visible
         svg += fmt::format(
             "<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill-opacity=\"{:.2f}\"/>\n",
             error > 0 ? "over" : "under", left + width * static_cast<double>(i / step),

@@ -8,7 +8,7 @@
 namespace shadefit {
 namespace {
 
-/// Colours by role, for light and for dark; tables scroll on a narrow screen.
+/// Colours by role, for light and dark mode. Tables scroll on a narrow screen.
 constexpr std::string_view style = R"(
 :root { color-scheme: light dark; --text: #1c1c1c; --back: #ffffff; --soft: #5a5a5a; --line: #d6d6d6; --link: #0b57b0;
   --good: #1a6b34; --part: #8a3a9e; --bad: #b3261e; --one: #b3261e; --two: #0b57b0; }
@@ -40,7 +40,7 @@ svg { width: 100%; max-width: 45rem; height: auto; } svg text { font: 12px syste
 .key-1 { color: var(--one); } .key-2 { color: var(--two); }
 )";
 
-/// Search, sort and copy. Everything is readable without it.
+/// Search, sort and copy. Everything is readable without this.
 constexpr std::string_view script = R"(
 for (const table of document.querySelectorAll('table.sortable')) {
   const body = table.tBodies[0];
@@ -93,7 +93,7 @@ for (const code of document.querySelectorAll('.code')) {
 }
 )";
 
-/// The class of a text that begins with a verdict, else nothing.
+/// The class of a text that begins with a verdict; otherwise empty.
 std::string_view class_of_verdict(std::string_view words) {
   if (words.starts_with("confirmed") || words.starts_with("rounding")) return "confirmed";
   if (words.starts_with("other-objective") || words.starts_with("undecidable")) return "partly";
@@ -112,7 +112,7 @@ std::vector<bool> columns_with_numbers(const Table& table) {
   return has_numbers;
 }
 
-/// ` class="..."` of a cell with these words, or nothing. Long words get a wide column.
+/// ` class="..."` of a cell with these words; otherwise empty. Long texts get a wide column.
 std::string class_of_cell(std::string_view words, bool in_a_column_of_numbers) {
   constexpr std::size_t most_in_a_narrow_column = 24;
   if (words.size() > most_in_a_narrow_column)

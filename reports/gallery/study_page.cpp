@@ -26,7 +26,7 @@ std::string facts(const std::vector<std::string>& lines) {
   return out + "</ul>\n";
 }
 
-/// The contenders of the picture: the published set that the file has first, and what is better at its cost.
+/// The contenders of the picture: the first published set of the file, and what is better at its cost.
 std::vector<const StudyContender*> shown(const StudyComparison& comparison) {
   if (comparison.contenders.empty()) return {};
   const StudyContender* published = first_published(comparison);
@@ -43,7 +43,7 @@ std::string words_of(const StudyContender& contender) {
              : fmt::format("better at no more instructions: {}, {}", contender.form, contender.origin);
 }
 
-/// ", g = 0.5": the given constants of a comparison behind a heading.
+/// ", g = 0.5": the given constants of a comparison, to follow a heading.
 std::string behind(const StudyComparison& comparison) {
   const std::string given = given_text(comparison.study);
   return html_text(given.empty() ? given : ", " + given);
@@ -91,7 +91,7 @@ std::string evidence_in_words(const ContenderInFormat& in_format) {
   return "";
 }
 
-/// The rows of one contender: its constants in float and in half, and how large its errors are there.
+/// The rows of one contender: its constants in float and in half, and its errors there.
 void append_formats(const StudyContender& contender, Table& table) {
   constexpr int digits = 4;  // the proven bounds are as wide
   for (const ContenderInFormat& in_format : contender.formats) {
@@ -123,7 +123,7 @@ std::string formats(const StudyComparison& comparison) {
       has_search ? " The search keeps exact ends; other properties may be lost." : "");
 }
 
-/// The name of a function for an id: letters, digits and '_'.
+/// An id as the name of a function: letters, digits and '_'.
 std::string function_name(std::string id) {
   std::replace(id.begin(), id.end(), '-', '_');
   return id;

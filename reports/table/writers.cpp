@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "fit/least_squares/status.hpp"
 #include "fit/formula/parse_formula.hpp"
+#include "fit/least_squares/status.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/io/utf8.hpp"

@@ -14,14 +14,14 @@
 namespace shadefit::device {
 namespace {
 
-/// The lights of a pixel in a pass. The most are those of a device that is a thousand times as fast as a CPU.
+/// Lights per pixel in a pass. The most are for a device that is a thousand times as fast as a CPU.
 constexpr std::uint32_t fewest_lights = 16, most_lights = 1U << 14;
 
-/// Seconds. With the fewest lights a pass takes at most about this long: a slow device gets fewer pixels, so
+/// In seconds: about the longest time of a pass with the fewest lights. A slow device gets fewer pixels, so
 /// that it can have many lights.
 constexpr double first_pass = 0.002;
 
-/// A pass has enough lights if the same without lights takes at most this share of it.
+/// A pass has enough lights if the same pass without lights takes at most this share of its time.
 constexpr double empty_share = 0.05;
 
 /// The pixels of all materials that are not black.
@@ -37,7 +37,7 @@ std::vector<ShaderPixel> pixels_of(const shade::Workload& workload, const scene:
   return all;
 }
 
-/// A share of the tiles, spread evenly; at least one.
+/// A share of the tiles, spread evenly, but at least one tile.
 std::vector<ShaderPixel> thinned(const std::vector<ShaderPixel>& pixels, double share) {
   const std::size_t tiles = pixels.size() / shade::tile_pixels;
   const auto kept =
@@ -53,7 +53,7 @@ std::vector<ShaderPixel> thinned(const std::vector<ShaderPixel>& pixels, double 
 /// The passes of all shaders over the same pixels, timed.
 class Passes {
  public:
-  /// `least` is how long a pass has to take, in seconds; 0 for tests, where the first lights are enough.
+  /// `least` is the least time of a pass in seconds. Tests pass 0: then the fewest lights are enough.
   Passes(SceneDevice& device, const std::vector<SceneShader>& shaders, std::vector<ShaderPixel> pixels,
          double least)
       : device_(device), shaders_(shaders) {
@@ -68,7 +68,7 @@ class Passes {
     for (;; lights_ *= 2) {
       const std::vector<double> all = least_seconds(lights_);
       const double slowest = slowest_of(all);
-      // A quarter of what is allowed, so that twice the lights are allowed too.
+      // A quarter of the limit, so that a dispatch with twice the lights is still below it.
       const double share = std::min(1.0, longest_dispatch / 4 / slowest);
       at_once_ =
           std::max(threads_per_group, static_cast<std::uint32_t>(share * static_cast<double>(pixels_)));
@@ -80,7 +80,7 @@ class Passes {
   std::size_t pixels() const { return pixels_; }
   std::uint32_t lights() const { return lights_; }
 
-  /// The seconds of each pass, and last those of one without lights: medians of interleaved rounds.
+  /// The seconds of each pass, and last those of a pass without lights: medians of interleaved rounds.
   std::vector<double> medians(int rounds, const std::function<void(double)>& between) {
     std::vector<std::vector<double>> all(programs_.size() + 1);
     for (int round = 0; round < rounds; ++round) {
@@ -106,7 +106,7 @@ class Passes {
     return all;
   }
 
-  /// Of a few passes the quickest: what other programs do is not the device's time.
+  /// The quickest of a few passes: time that other programs take is not the device's.
   std::vector<double> least_seconds(std::uint32_t lights) {
     std::vector<double> least = all_seconds(lights);
     for (int more = 0; more < 2; ++more)

@@ -11,12 +11,12 @@ namespace shadefit::device {
 /// The largest pass of a scene: its workload, or a sphere of its picture.
 PassSize largest_pass(const scene::Scene& scene, const scene::Plan& plan);
 
-/// The ways of `shade::measure`, of the same samples: pow with every term, the published constants with every
-/// term, the published lobe in the plan's code, and the code of the plan.
+/// Measures the same ways as `shade::measure`, on the same samples: pow with every term, the published
+/// constants with every term, the published lobe in the plan's code, and the code of the plan.
 ///
-/// A thread shades a pixel: it reads its inputs, adds up its lights and writes their sum. A time is that of a
-/// light more: of a pass with many lights, less that of a pass with none, each the median of interleaved
-/// rounds. A dispatch takes about 50 ms at most.
+/// A thread shades one pixel: it reads its inputs, adds up its lights and writes their sum. The time is that
+/// of one more light: the time of a pass with many lights, less that of a pass with none, divided by the
+/// lights. Both are medians of interleaved rounds. A dispatch takes about 50 ms at most.
 shade::DeviceMeasurement measure_scene(
     SceneDevice& device, const scene::Scene& scene, const scene::Plan& plan,
     const shade::ReferenceWay& reference, const bench::TimingPlan& timing,

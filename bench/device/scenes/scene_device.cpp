@@ -10,7 +10,7 @@
 namespace shadefit::device {
 namespace {
 
-/// The choice with room for a pass.
+/// The choice, with buffers that are large enough for a pass.
 DeviceChoice with_room(DeviceChoice choice, const PassSize& most) {
   choice.words = planes_of_pixel * most.pixels + words_of_material * most.materials;
   return choice;

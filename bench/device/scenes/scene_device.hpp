@@ -18,9 +18,9 @@ struct ShaderPixel {
   std::uint32_t material;  ///< among those of the pass
 };
 
-/// The pixels of a block of one light, all of a material. A roughness is computed from the block's alpha in
-/// double and rounded to float: this moves its power by up to 4e-7 of itself, and that of a gloss g by 1/(1 -
-/// g) times that.
+/// The pixels of a block: one light, one material. A roughness is computed from the block's alpha in double
+/// and rounded to float. This changes its power by up to 4e-7, relative; for a gloss g, by 1/(1 - g) times
+/// that.
 std::vector<ShaderPixel> pixels_of(const shade::Block<float>& block, PowerSource source,
                                    const scene::Conventions& conventions);
 
@@ -31,7 +31,8 @@ struct PassSize {
 
 class SceneDevice {
  public:
-  /// A device whose buffers have room for a pass; `choice.words` is not used. Throws as `VulkanDevice`.
+  /// A device with buffers that are large enough for the largest pass. `choice.words` is ignored. Throws as
+  /// `VulkanDevice` does.
   SceneDevice(DeviceChoice choice, const PassSize& most);
 
   VulkanDevice& device() { return device_; }
@@ -42,11 +43,11 @@ class SceneDevice {
   void put_pixels(std::span<const ShaderPixel> pixels);
   void put_materials(std::span<const ShaderMaterial> materials);
 
-  /// Shades all pixels under so many lights each, in dispatches of at most `at_once` pixels, and returns
-  /// their seconds. 0: of a number that grows while they are short.
+  /// Shades all pixels under `lights` lights each, in dispatches of at most `at_once` pixels, and returns
+  /// their seconds. If `at_once` is 0, the dispatches grow as long as they are short.
   double pass(const Program& program, std::uint32_t lights, std::uint32_t at_once = 0);
 
-  /// A plane of the output.
+  /// Channel i of the output, one float for each pixel.
   std::span<const std::uint32_t> channel(std::size_t i);
 
   /// A way that shades each block in a pass of its own. This device must outlive it.

@@ -37,7 +37,7 @@ scene::Plan in_float(scene::Plan plan) {
   return plan;
 }
 
-/// The functions that decode a power, as the code of a plan in which every material has a lobe.
+/// The functions that decode a power, from the code of a plan in which every material has a lobe.
 std::vector<ShaderFunction> decoding_functions(const scene::Scene& scene) {
   scene::Plan plan;
   plan.shading.lobe.kind = scene::LobeKind::constant;
@@ -50,8 +50,8 @@ std::vector<ShaderFunction> decoding_functions(const scene::Scene& scene) {
   return functions;
 }
 
-/// The functions have the names of a plan's. `scene_sharpness` and `scene_normalisation` are for a power of
-/// the pixel.
+/// The functions have the same names as a plan's. `scene_sharpness` and `scene_normalisation` serve a power
+/// that a texture gives per pixel.
 template <class Forms>
 SceneShader full_shader(const scene::Scene& scene) {
   SceneShader shader{.functions = decoding_functions(scene), .materials = {}};
@@ -80,7 +80,7 @@ const ShaderFunction* find(const SceneShader& shader, std::string_view name) {
   return found == shader.functions.end() ? nullptr : &*found;
 }
 
-/// The exponent of a pixel, and what a way without a plan prepares of it.
+/// Code that decodes a pixel's exponent, and prepares sharpness and normalisation if there is no plan.
 std::string decoding_lines(const SceneShader& shader) {
   std::string lines = fmt::format("  if (source == {}u) exponent = stored;\n",
                                   static_cast<std::uint32_t>(PowerSource::power));
@@ -100,7 +100,7 @@ std::string decoding_lines(const SceneShader& shader) {
   return lines;
 }
 
-/// The call of `scene_light`: its arguments have the names of the variables of the shader.
+/// The call of `scene_light`. Its parameters have the names of the shader's variables.
 std::string light_of(const SceneShader& shader) {
   const ShaderFunction* const light = find(shader, "scene_light");
   return light == nullptr ? "0.0" : fmt::format("scene_light({})", fmt::join(light->arguments, ", "));

@@ -17,7 +17,7 @@ Places places_of(const bench::Grid& grid) {
   return places;
 }
 
-/// The other way round. A code is a whole number in any format.
+/// The inverse of `places_of`. A code is a whole number in any format.
 bench::Grid grid_at(const Places& places, forms::Arguments arguments) {
   const bool has_codes = arguments == forms::Arguments::cosine_and_code;
   bench::Grid grid;

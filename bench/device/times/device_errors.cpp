@@ -13,7 +13,7 @@
 namespace shadefit::device {
 namespace {
 
-/// The places as the precision holds them: so the error is the form's, not that of its argument.
+/// The places, rounded to the precision: so the error is that of the form, not of its argument.
 Places held(Places places, ShaderPrecision precision) {
   if (precision == ShaderPrecision::float16) {
     for (std::vector<float>& axis : places) {
@@ -23,7 +23,7 @@ Places held(Places places, ShaderPrecision precision) {
   return places;
 }
 
-/// The arguments of one place after the other.
+/// All arguments of the first place, then those of the second, and so on.
 std::vector<float> arguments_of(const Places& places) {
   std::vector<float> arguments;
   for (std::size_t i = 0; i < places.front().size(); ++i) {

@@ -9,11 +9,10 @@
 
 namespace shadefit::device {
 
-/// How the device at a place is opened for values of these forms: with buffers that this program reads.
+/// How to open the device at a place for the values of these forms: its buffers are readable from here.
 DeviceChoice choice_for_values(std::size_t place, const DeviceForms& forms);
 
-/// The largest absolute error of each form on a device, in one precision. None of a form whose target has no
-/// truth.
+/// The largest absolute error of each form on a device, in one precision. Empty if the target has no truth.
 std::vector<std::optional<double>> errors_on_device(VulkanDevice& device, const DeviceForms& forms,
                                                     ShaderPrecision precision,
                                                     const std::function<void()>& between);

@@ -9,10 +9,10 @@
 #include "bench/tradeoff/trade.hpp"
 #include "fit/better/better_study.hpp"
 
-/// What is measured on a device: the forms of the catalogue, or of a study.
+/// What is measured on a device: forms of the catalogue or of a study.
 namespace shadefit::device {
 
-/// Floats, of each argument the same number.
+/// The floats of each argument, the same number for all.
 using Places = std::vector<std::vector<float>>;
 
 /// What forms approximate.
@@ -20,26 +20,26 @@ struct DeviceTarget {
   bench::TimedTarget heading;
   std::vector<Range> ranges;  ///< of its arguments
   Places places;              ///< where its forms are compared with it
-  /// The target in double at these places or at others. Empty: the rows have their errors already, those of
-  /// exact arithmetic.
+  /// The target in double at any places. Empty if the rows have their errors already, those of exact
+  /// arithmetic.
   std::function<std::vector<double>(const Places&)> truth;
 };
 
 /// A form with one set of its constants.
 struct DeviceForm {
   std::size_t target;    ///< its place among the targets
-  bench::TimedForm row;  ///< names, and an error that is known already
+  bench::TimedForm row;  ///< names, and an error that is already known
   std::string shape;     ///< forms of one target with the same text here have the same time
   ShaderFunction function;
 };
 
 struct DeviceForms {
   std::vector<DeviceTarget> targets;
-  std::vector<DeviceForm> forms;  ///< those of one shape stand together
+  std::vector<DeviceForm> forms;  ///< those of one shape follow each other
 };
 
-/// The forms of the catalogue for these targets, or for all but those of several lights: sums of one light.
-/// Throws UserError if only such targets are asked for.
+/// The forms of the catalogue for these targets, or for all of them. Forms of several lights are left out:
+/// they are sums of one light. Throws UserError if only such targets are asked for.
 DeviceForms catalogue_forms(const forms::Catalogue& catalogue, const std::vector<std::string>& targets);
 
 /// The forms of a study and its targets. Throws UserError for a form that has no code in GLSL.

@@ -10,7 +10,7 @@
 namespace shadefit::device {
 namespace {
 
-/// Times are repeatable to a few percent: three digits.
+/// Three digits, because times are repeatable to a few percent.
 Cell measured(double value) {
   return Number{value, 3};
 }

@@ -11,14 +11,14 @@
 /// The times of a device in words and tables.
 namespace shadefit::device {
 
-/// The forms that no other beats in time and error, the fastest first. In half those that no form in float
-/// beats.
+/// The forms that no other form beats in both time and error, the fastest first. A form in half is listed
+/// only if no form in float beats it.
 Table device_front_table(const bench::Trade& trade, const std::string& target);
 
-/// One line of a list for each form on the front of a target: what to use for which error.
+/// What to use for which error: a list with one line for each form on the front of a target.
 std::string device_advice(const bench::Trade& trade, const std::string& target);
 
-/// The multiply-add, the copy and the empty dispatch.
+/// The times of a multiply-add, of the copy and of the empty dispatch.
 Table floor_table(const bench::Trade& trade);
 
 /// bench.md and bench.csv. `date` is ISO 8601.

@@ -19,7 +19,7 @@ class Measured {
   Measured(const Programme& programme, std::vector<bench::Samples> samples)
       : programme_(programme), samples_(std::move(samples)) {}
 
-  /// ns of an element of that work, without what the empty kernel takes.
+  /// ns per element of that work, less the time of the empty kernel.
   Rounds step(std::size_t slot) const {
     Rounds ns = samples_.at(slot).real;
     const double idle = bench::spread_of(samples_.at(Programme::empty).real).median;
@@ -41,11 +41,11 @@ Rounds without(Rounds a, const Rounds& b, double times = 1) {
   return a;
 }
 
-/// The chain alone and the multiply-adds of a precision.
+/// The dispatches of the chain alone and of the multiply-adds, in one precision.
 struct Floor {
   Slots alone{}, polynomial{};
 
-  /// A multiply-add, in a chain of that kind.
+  /// The time of a multiply-add in a chain of that kind.
   Rounds multiply_add(const Measured& measured, std::size_t chain) const {
     Rounds ns = without(measured.step(polynomial.at(chain)), measured.step(alone.at(chain)));
     for (double& x : ns) x /= forms::MultiplyAdds::count;
@@ -56,8 +56,8 @@ struct Floor {
     return {multiply_add(measured, 0), multiply_add(measured, 1)};
   }
 
-  /// An evaluation of a function of so many arguments. The additional multiply-adds of a chain that waits
-  /// for itself run beside the first.
+  /// The time of an evaluation of a function with so many arguments. In a dependent chain the multiply-adds
+  /// of the other arguments run in parallel with the first, so only the chain itself is subtracted.
   Rounds evaluation(const Measured& measured, const Slots& slots, std::size_t chain,
                     std::size_t arguments) const {
     const Rounds ns = without(measured.step(slots.at(chain)), measured.step(alone.at(chain)));
@@ -66,7 +66,7 @@ struct Floor {
   }
 };
 
-/// The functions of a precision among the work: the floor, and each form by its place.
+/// The dispatches of one precision: the floor, and each form by its index.
 struct InPrecision {
   ShaderPrecision precision;
   Floor floor;
@@ -95,7 +95,7 @@ InPrecision add_all(Programme& programme, const DeviceForms& forms, ShaderPrecis
 
 using ByChain = std::array<double, chains.size()>;
 
-/// A row with times. `mads` has the float's multiply-add by chain.
+/// A row with times. `mads` has the time of a multiply-add in float for each chain.
 bench::TimedForm timed_row(bench::TimedForm row, const std::array<Rounds, chains.size()>& times,
                            const ByChain& mads, bool is_half) {
   row.real = times[0];
@@ -122,7 +122,7 @@ ByChain medians(const std::array<Rounds, chains.size()>& times) {
   return {bench::spread_of(times[0]).median, bench::spread_of(times[1]).median};
 }
 
-/// What has no form: the copy, the empty dispatch, and a multiply-add in each precision.
+/// The rows without a form: the copy, the empty dispatch, and a multiply-add in each precision.
 std::vector<bench::TimedForm> floor_rows(const Measured& measured, const std::vector<InPrecision>& all,
                                          const ByChain& mads) {
   std::vector<bench::TimedForm> rows{
@@ -138,13 +138,13 @@ std::vector<bench::TimedForm> floor_rows(const Measured& measured, const std::ve
   return rows;
 }
 
-/// The form at a place of the list, in a precision.
+/// The row of form i in one precision.
 bench::TimedForm form_row(const DeviceForm& form, std::size_t i, const InPrecision& one,
                           const Measured& measured, const ByChain& mads) {
   const Slots& slots = one.forms.at(i);
   const std::size_t arguments = form.function.arguments.size();
   bench::TimedForm row = form.row;
-  // An error that is known without the device is that of exact arithmetic: float is close to it, half is not.
+  // An error that is known without a device is that of exact arithmetic: float is close to it, half is not.
   if (one.errors.at(i) || one.is_half()) row.max_abs_error = one.errors[i];
   row.elements = measured.elements(slots[0]);
   row.cpu = measured.samples(slots[0]).cpu;

@@ -16,15 +16,15 @@ namespace {
 
 constexpr auto factor_bits = std::bit_cast<std::uint32_t>(chain_factor);
 
-/// Enough for every place in which a device can run a thread: a large GPU runs 270 000 at once. A CPU runs a
-/// few dozen, and with fewer threads the turns are more and their loop is warm.
+/// Enough threads to fill the device: a large GPU runs 270 000 at once, a CPU a few dozen. On the CPU fewer
+/// threads mean more turns, so that the loop is warm.
 std::uint32_t threads_of(const DeviceInfo& info) {
   return is_the_cpu(info) ? 1U << 13 : 1U << 18;
 }
 
 }  // namespace
 
-/// A shader on the device with what a dispatch of it does, timed by the device.
+/// A shader on the device and the work of its dispatches. The clock is the device's.
 struct Programme::Timed {
   VulkanDevice* device;
   double* clock;
@@ -70,8 +70,8 @@ Programme::Timed Programme::timed(const std::string& shader, ShaderPrecision pre
 }
 
 void Programme::add(const Timed& shader) {
-  constexpr std::uint32_t most = 1U << 24;  // a device that runs them in a millisecond does not exist
-  shader.run(1, factor_bits);               // some drivers compile a shader when it runs first
+  constexpr std::uint32_t most = 1U << 24;  // no device runs so many in a millisecond
+  shader.run(1, factor_bits);               // some drivers compile a shader at its first run
   const std::uint32_t turns = turns_that_take(
       plan_.timing.seconds, most, [&](std::uint32_t count) { return shader.run(count, factor_bits); });
   work_.push_back(
@@ -81,8 +81,8 @@ void Programme::add(const Timed& shader) {
 void Programme::add_copy() {
   const Timed filling = timed(filling_shader(), ShaderPrecision::float32),
               copying = timed(copying_shader(), ShaderPrecision::float32);
-  // Doubled as turns are, because a slow device must not copy 64 MiB at once; each word is written before it
-  // is read, so that there is memory behind it.
+  // Doubled as the turns are, because a slow device must not copy 64 MiB at once. Each word is written before
+  // it is read, so that there is memory behind it.
   constexpr std::uint32_t first = 1U << 18;
   constexpr double enough = longest_dispatch / 8;
   const std::uint32_t words =

@@ -14,7 +14,7 @@
 namespace shadefit::device {
 namespace {
 
-/// The floats of a grid over the ranges, their ends included: about as many as the catalogue's grid has.
+/// The floats of a grid over the ranges with their ends, about as many as the catalogue's grid has.
 Places grid_over(const std::vector<Range>& ranges) {
   constexpr double most = 16384;
   const auto steps = static_cast<std::size_t>(std::pow(most, 1 / static_cast<double>(ranges.size())) + 0.5);
@@ -45,7 +45,7 @@ std::function<std::vector<double>(const Places&)> in_double(const Symbolic& form
   };
 }
 
-/// Whether GLSL has the function of a formula. An integral has no code at all.
+/// Whether GLSL has the functions of a formula. An integral has no code at all.
 bool has_code(const ShaderFunction& function) {
   if (integral_depth(function.result) > 0) return false;
   try {
@@ -60,7 +60,7 @@ void require_names(const std::vector<std::string>& variables) {
   for (const std::string& name : variables) {
     const auto reason = reason_to_refuse_name(name, Language::glsl);
     if (!reason.empty())
-      throw UserError(fmt::format("--device cannot have the variable '{}' in GLSL: {}", name, reason));
+      throw UserError(fmt::format("--device: GLSL cannot have the variable '{}': {}", name, reason));
   }
 }
 

@@ -24,13 +24,13 @@ std::string emitted(const ShaderFunction& function, ShaderPrecision precision) {
   return shader_code(std::span(&function, 1), Language::glsl, precision, std::array<std::string, 0>());
 }
 
-/// The type of the numbers of the chain: that of the function's own.
+/// The type of the chain's numbers: that of the function.
 std::string_view type_of(ShaderPrecision precision) {
   return precision == ShaderPrecision::float16 ? "mediump float" : "float";
 }
 
-/// The thread's place in a range: one of 1024, in the middle of its share, in an order that differs from
-/// argument to argument.
+/// The thread's point in a range: the middle of one of 1024 equal parts. Each argument visits them in another
+/// order.
 std::string place_in(const Range& range, std::size_t argument) {
   constexpr int places = 1024;
   constexpr std::array steps{397, 631, 829, 1021};  // odd: each visits all places
@@ -65,7 +65,7 @@ std::string timing_shader(const ShaderFunction& function, std::span<const Range>
 
 namespace {
 
-/// A shader that does something with each of the first words of the buffers.
+/// A shader that runs a statement for each of the first words of the buffers.
 std::string words_shader(std::string_view with_word_i) {
   return head() + fmt::format(
                       "\nvoid main() {{\n"

@@ -7,13 +7,13 @@
 
 #include "reports/code/shader_code.hpp"
 
-/// Compute shaders in GLSL that measure the time of a function, and what stands beside it.
+/// Compute shaders in GLSL that measure the time of a function, and the times that are subtracted from it.
 namespace shadefit::device {
 
 /// How the evaluations of a thread depend on one another.
 enum class Chain {
-  dependent,    ///< each waits for the result of the one before: the time from input to result
-  independent,  ///< four at a time do not wait for each other: the time that a stream of them takes
+  dependent,    ///< each waits for the result of the one before: the latency
+  independent,  ///< four at a time do not wait for each other: the throughput
 };
 
 /// The evaluations of a thread in one turn of its loop.
@@ -28,19 +28,19 @@ struct Range {
   double from, to;
 };
 
-/// Evaluates a function, in the text that `emit` writes, `evaluations_a_turn` times a turn. Each of its
-/// arguments is b + t r: b is the thread's own place in the range of the argument, t a factor that the
-/// compiler does not know, r the result of an evaluation before. So no evaluation can be left out, and little
-/// memory is written: one word a thread. With no turns it is the empty kernel.
+/// Evaluates a function, in the text that `emit` writes, `evaluations_a_turn` times per turn. Each argument
+/// is b + t r: b is the thread's own point in the range of the argument, t a factor that the compiler does
+/// not know, r the result of an earlier evaluation. So the compiler cannot leave out an evaluation, and
+/// little memory is written: one word per thread. With no turns it is the empty kernel.
 std::string timing_shader(const ShaderFunction& function, std::span<const Range> ranges,
                           ShaderPrecision precision, Chain chain);
 
-/// Copies words from the input to the output. The push words are the number of words and that of threads.
+/// Copies words from the input to the output. The push words are the number of words and of threads.
 std::string copying_shader();
-/// Writes to each word of both buffers, so that there is memory behind them. The same push words.
+/// Writes each word of both buffers, so that there is memory behind them. The same push words.
 std::string filling_shader();
 
-/// The function that returns its argument: a chain of it takes the time that the chain itself takes.
+/// The function that returns its argument: it gives the time of the chain itself.
 ShaderFunction chain_alone();
 
 /// `forms::MultiplyAdds`: each multiply-add waits for the one before.

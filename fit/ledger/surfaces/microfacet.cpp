@@ -10,10 +10,10 @@
 
 #include "fit/errors/effect.hpp"
 #include "fit/errors/one_code.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/integrals/microfacet_integrals.hpp"
 #include "fit/ledger/topics.hpp"
 #include "fit/scalars/in_50_digits.hpp"
-#include "fit/formula/parse_formula.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/format.hpp"
 #include "fit/support/sweep.hpp"

@@ -287,8 +287,8 @@ TEST(StudyBoxes, AreReadAsTheyAreCut) {
   EXPECT_EQ(visited("..."), "its boxes end before they cover the ranges");
   EXPECT_EQ(visited("...1."), "its boxes end before they cover the ranges");
   EXPECT_EQ(visited("....."), "its boxes go on after the last one");
-  EXPECT_EQ(visited("3...."), "its boxes have a sign that is no cut: '3'");
-  EXPECT_EQ(visited("0...."), "its boxes have a sign that is no cut: '0'");
+  EXPECT_EQ(visited("3...."), "its boxes have an unknown sign: '3'");
+  EXPECT_EQ(visited("0...."), "its boxes have an unknown sign: '0'");
   EXPECT_EQ(visited(std::string(1200, '1').c_str()), "its boxes cut one between neighbouring doubles");
   EXPECT_EQ(visit_boxes(ranges, "....", [](const StudyBox&) { return std::string("no"); }), "no");
 }

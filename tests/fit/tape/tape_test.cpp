@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "fit/formula/parse_formula.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/scalars/half.hpp"
 #include "fit/scalars/multiprecision.hpp"
-#include "fit/formula/parse_formula.hpp"
 #include "fit/tape/batch.hpp"
 #include "tests/any_expression.hpp"
 #include "tests/intervals.hpp"

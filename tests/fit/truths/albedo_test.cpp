@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "fit/scalars/in_50_digits.hpp"
 #include "fit/formula/parse_formula.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/tape/tape_program.hpp"
 #include "fit/truths/albedos.hpp"
 #include "fit/truths/graded_rule.hpp"

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "fit/scalars/in_50_digits.hpp"
 #include "fit/formula/parse_formula.hpp"
+#include "fit/scalars/in_50_digits.hpp"
 #include "fit/truths/truths.hpp"
 
 namespace shadefit {
