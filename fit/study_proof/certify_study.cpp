@@ -103,7 +103,7 @@ class LargestStudyError {
 
   void add(const StudyBox& box) {
     const BoxBound found = error_.bound_on(box, lower_);
-    if (found.hope > lower_) raise(found.place);
+    if (found.bound > lower_) raise(found.place);
     open_.push({found.bound, boxes_.size()});
     boxes_.push_back({box, found});
   }

@@ -121,7 +121,7 @@ std::size_t EnclosedError::widest(const StudyBox& box) const {
 BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
   const Interval value = value_for(numbers_on(box));
   const double natural = largest_magnitude_in(value);
-  BoxBound result{natural, widest(box), place_in(box, ranges_), natural};
+  BoxBound result{natural, widest(box), place_in(box, ranges_)};
   if (natural <= enough || !is_bounded(value) || jumps_.may_happen(value_, 1)) return result;
 
   const std::vector<Interval> slopes = slopes_for(numbers_on(box));
@@ -162,7 +162,6 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
   const bool is_top = largest_magnitude_in(top) >= largest_magnitude_in(bottom);
   result.place = place_in(is_top ? high : low, ranges_);
   result.bound = std::fmin(natural, std::fmax(upper_end(top), -lower_end(bottom)));
-  result.hope = result.bound;
   return result;
 }
 

@@ -20,7 +20,6 @@ struct BoxBound {
   double bound = 0;           ///< infinite if none was found
   std::size_t axis = 0;       ///< the variable at which to cut the box for a better bound
   std::vector<double> place;  ///< where |error| may be large
-  double hope = 0;            ///< evaluate there only if this is above the largest value so far
 };
 
 /// The weighted error of a study, relative if the study says so, on boxes and at places. Search and check
