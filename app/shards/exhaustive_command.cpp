@@ -4,7 +4,11 @@
 #include <array>
 #include <bit>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "app/options/bench_options.hpp"
 #include "app/shards/halves_command.hpp"
@@ -12,6 +16,7 @@
 #include "app/terminal/interrupt.hpp"
 #include "bench/device/form_sweep.hpp"
 #include "bench/device/probe.hpp"
+#include "bench/exhaustive/shared_truth.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "bench/forms/catalogue.hpp"
 #include "bench/timing/machine.hpp"
@@ -41,16 +46,30 @@ bench::SweepIdentity identity_of(const SweptForm& chosen, const BenchOptions& op
           options.range};
 }
 
+/// A graphics device, and how wrong its functions are.
+struct MeasuredDevice {
+  std::shared_ptr<device::SweptDevice> device;
+  GpuModel model;
+};
+
+/// What the options name, measured for forms with such a function; none for a CPU.
+std::optional<MeasuredDevice> measured_device(const BenchOptions& options, forms::Function function,
+                                              const Checkpoint& checkpoint) {
+  if (!options.device) return std::nullopt;
+  auto made = std::make_shared<device::SweptDevice>(device::VulkanDevice({.place = *options.device}));
+  const GpuModel model = device::model_for(function, made->vulkan, checkpoint);
+  return MeasuredDevice{std::move(made), model};
+}
+
 /// The form on a graphics device in the place of this processor.
 void put_on_device(bench::FloatSubject& subject, bench::SweepIdentity& identity, const SweptForm& chosen,
-                   std::size_t place, const GpuModel& model) {
-  const device::FormSweep sweep(device::VulkanDevice({.place = place}),
-                                device::form_function(*chosen.target, *chosen.form, *chosen.constants),
-                                model);
+                   const MeasuredDevice& on) {
+  const device::FormSweep sweep(
+      on.device, device::form_function(*chosen.target, *chosen.form, *chosen.constants), on.model);
   sweep.take_over(subject);
   identity.width = "vulkan";
   identity.device = sweep.device();
-  identity.bound_from = device::numbers_of(model);
+  identity.bound_from = device::numbers_of(on.model);
 }
 
 /// The saved state, which must belong to this sweep; empty if there is none.
@@ -119,92 +138,120 @@ double share_of(const Sweep& sweep) {
   return all.size() == 0 ? 1 : static_cast<double>(sweep.next - all.from) / static_cast<double>(all.size());
 }
 
-/// Sweeps the remaining floats. Saves the state now and then, and when a signal ends the sweep.
-void sweep_and_keep(Sweep& sweep, const bench::FloatSubject& subject, const fs::path& path,
-                    const Checkpoint& checkpoint, const Progress& progress) {
-  // Seconds of work that a killed process may lose.
-  constexpr double longest_unkept = 10;
-  const double start = bench::now().real, share_before = share_of(sweep);
-  double kept = start;
-  const auto between = [&] {
-    const double now = bench::now().real, share = share_of(sweep);
-    if (now - kept > longest_unkept) {
-      bench::keep_state(path, sweep);
-      kept = now;
-    }
-    progress(progress_line("exhaustive", share, (now - start) * share / (share - share_before)));
-    if (!sweep.is_done()) checkpoint();
-  };
-  checkpoint();
-  bench::go_on(sweep, subject, bench::this_machine().threads, between);
+/// A sweep with its file.
+struct KeptSweep {
+  SweptForm form;
+  fs::path path;
+  Sweep sweep;
+  bench::FloatSubject subject;
+
+  void keep() const { bench::keep_state(path, sweep); }
+  std::string shown() const { return printable(path.string()); }
+};
+
+/// A new sweep, or the saved one.
+KeptSweep opened(const BenchOptions& options, const forms::Catalogue& catalogue, const SweptForm& chosen,
+                 const std::optional<MeasuredDevice>& on, const std::string& version) {
+  KeptSweep kept{chosen, {}, {}, subject_of(catalogue, chosen)};
+  bench::SweepIdentity identity = identity_of(chosen, options, version);
+  if (on) put_on_device(kept.subject, identity, chosen, *on);
+  kept.path = without_detours(options.out) / (options.shard ? shard_file : bench::file_of(identity));
+  kept.sweep = bench::begin_sweep(identity, options.shard.value_or(Shard{}));
+  if (const std::optional<Sweep> before = state_at(kept.path, kept.sweep)) {
+    kept.sweep = *before;
+  } else {
+    kept.keep();  // detects a full disk now, not after a minute
+  }
+  return kept;
 }
 
-/// Sweeps one form, or goes on with it, and keeps its result. On a device `model` says how wrong that is.
-Outcome sweep_form(const BenchOptions& options, const forms::Catalogue& catalogue, const SweptForm& chosen,
-                   const GpuModel& model, const std::string& version, const Checkpoint& checkpoint,
-                   const Progress& progress, Sweep& sweep) {
-  bench::FloatSubject subject = subject_of(catalogue, chosen);
-  bench::SweepIdentity identity = identity_of(chosen, options, version);
-  if (options.device) put_on_device(subject, identity, chosen, *options.device, model);
-  const fs::path path =
-      without_detours(options.out) / (options.shard ? shard_file : bench::file_of(identity));
-  const std::string shown = printable(path.string());
-
-  sweep = bench::begin_sweep(identity, options.shard.value_or(Shard{}));
-  const std::optional<Sweep> before = state_at(path, sweep);
-  if (before) sweep = *before;
-  if (!sweep.is_done()) {
-    // This detects a full disk now, not after a minute.
-    if (!before) bench::keep_state(path, sweep);
-    try {
-      sweep_and_keep(sweep, subject, path, checkpoint, progress);
-    } catch (const Interrupted& interrupted) {
-      bench::keep_state(path, sweep);
-      return {128 + interrupted.signal, "",
-              fmt::format("shadefit: interrupted at {:.1f} %: the same command goes on from '{}'\n",
-                          100 * share_of(sweep), shown)};
-    }
+/// Sweeps the remaining floats of forms of one target. Saves the states now and then, and at the end; so too
+/// when a signal ends the sweeps, which is the outcome then.
+std::optional<Outcome> sweep_and_keep(std::vector<KeptSweep>& all, const Checkpoint& checkpoint,
+                                      const Progress& progress) {
+  std::vector<bench::RunningSweep> running;
+  for (KeptSweep& kept : all) {
+    if (!kept.sweep.is_done()) running.push_back({&kept.sweep, &kept.subject});
   }
-  if (!before || !before->is_done()) bench::keep_state(path, sweep);
+  if (running.empty()) return std::nullopt;
+  // Seconds of work that a killed process may lose.
+  constexpr double longest_unkept = 10;
+  const auto keep_all = [&] {
+    for (const KeptSweep& kept : all) kept.keep();
+  };
+  const auto share = [&] { return share_of(*running.front().sweep); };
+  const double start = bench::now().real, share_before = share();
+  double kept_at = start;
+  const auto between = [&] {
+    const double now = bench::now().real;
+    if (now - kept_at > longest_unkept) {
+      keep_all();
+      kept_at = now;
+    }
+    progress(progress_line("exhaustive", share(), (now - start) * share() / (share() - share_before)));
+    if (share() < 1) checkpoint();
+  };
+  try {
+    checkpoint();
+    bench::go_on_together(running, bench::this_machine().threads, between);
+  } catch (const Interrupted& interrupted) {
+    keep_all();
+    return Outcome{128 + interrupted.signal, "",
+                   fmt::format("shadefit: interrupted at {:.1f} %: the same command goes on from '{}'\n",
+                               100 * share(), all.front().shown())};
+  }
+  keep_all();
+  return std::nullopt;
+}
+
+Outcome sweep_one(const BenchOptions& options, const forms::Catalogue& catalogue, const std::string& version,
+                  const Checkpoint& checkpoint, const Progress& progress) {
+  const SweptForm chosen = chosen_by(catalogue, options);
+  const auto on = measured_device(options, chosen.form->function, checkpoint);
+  std::vector<KeptSweep> all{opened(options, catalogue, chosen, on, version)};
+  if (auto interrupted = sweep_and_keep(all, checkpoint, progress)) return *interrupted;
+  const Sweep& sweep = all.front().sweep;
   const std::string text =
       options.format == FindingFormat::json
           ? bench::state_text(sweep)
-          : result_text(sweep, chosen, options.terminal) + fmt::format("\nResult: {}\n", shown);
+          : result_text(sweep, chosen, options.terminal) + fmt::format("\nResult: {}\n", all.front().shown());
   return {sweep.found.beyond == 0 ? 0 : 1, text, ""};
 }
 
-/// What is known of the device before forms with such a function run on it; nothing of a CPU.
-GpuModel measured_model(const BenchOptions& options, forms::Function function, const Checkpoint& checkpoint) {
-  if (!options.device) return usual_gpu;
-  device::VulkanDevice vulkan({.place = *options.device});
-  return device::model_for(function, vulkan, checkpoint);
-}
-
-/// Every form of one cosine with every set of its constants, one after the other.
+/// Every form of one cosine with every set of its constants. Those of one target go together.
 Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue, const std::string& version,
                   const Checkpoint& checkpoint, const Progress& progress) {
   if (options.shard || options.constants)
     throw UserError(fmt::format("--exhaustive 'all' does not apply with {}: it takes every set of every form",
                                 options.shard ? "--shard" : "--constants"));
   constexpr const char* file = "errors.csv";
-  const GpuModel model = measured_model(options, forms::Function::pow, checkpoint);
+  const auto on = measured_device(options, forms::Function::pow, checkpoint);
   Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
               {}};
   std::uint64_t beyond = 0;
-  for (SweptForm form : all_of_one_cosine(catalogue)) {
-    form.exp2_degree = options.exp2_degree;
-    form.width = options.width.value_or(form.width);
-    Sweep sweep;
-    const Outcome outcome = sweep_form(options, catalogue, form, model, version, checkpoint, progress, sweep);
-    if (!sweep.is_done()) return outcome;
-    const bench::FloatErrors& found = sweep.found;
-    beyond += found.beyond;
-    table.rows.push_back({std::string(form.form->id), form.constants->id, static_cast<long>(found.count()),
-                          Number{static_cast<double>(found.max_abs_error), 6},
-                          hex_text(std::bit_cast<float>(found.max_abs_error_at)),
-                          static_cast<long>(found.max_ulps),
-                          hex_text(std::bit_cast<float>(found.max_ulps_at)), static_cast<long>(found.nans),
-                          static_cast<long>(found.beyond)});
+  const std::vector<SweptForm> forms = all_of_one_cosine(catalogue);
+  for (std::size_t i = 0; i < forms.size();) {
+    std::vector<KeptSweep> together;
+    for (const forms::Target* target = forms[i].target; i < forms.size() && forms[i].target == target; ++i) {
+      SweptForm form = forms[i];
+      form.exp2_degree = options.exp2_degree;
+      form.width = options.width.value_or(form.width);
+      together.push_back(opened(options, catalogue, form, on, version));
+    }
+    std::vector<bench::FloatSubject*> subjects;
+    for (KeptSweep& kept : together) subjects.push_back(&kept.subject);
+    bench::share_truth(subjects, bench::this_machine().threads);
+    if (auto interrupted = sweep_and_keep(together, checkpoint, progress)) return *interrupted;
+    for (const auto& [form, path, sweep, subject] : together) {
+      const bench::FloatErrors& found = sweep.found;
+      beyond += found.beyond;
+      table.rows.push_back({std::string(form.form->id), form.constants->id, static_cast<long>(found.count()),
+                            Number{static_cast<double>(found.max_abs_error), 6},
+                            hex_text(std::bit_cast<float>(found.max_abs_error_at)),
+                            static_cast<long>(found.max_ulps),
+                            hex_text(std::bit_cast<float>(found.max_ulps_at)), static_cast<long>(found.nans),
+                            static_cast<long>(found.beyond)});
+    }
   }
   write_files(options.out, {{file, write_csv(table, Precision::report)}});
   return {beyond == 0 ? 0 : 1,
@@ -220,11 +267,8 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
   require_directory(options.out);
   if (options.half) return halves_command(options, checkpoint, progress);
   const forms::Catalogue catalogue = forms::catalogue();
-  if (*options.exhaustive == "all") return sweep_all(options, catalogue, version, checkpoint, progress);
-  const SweptForm chosen = chosen_by(catalogue, options);
-  const GpuModel model = measured_model(options, chosen.form->function, checkpoint);
-  Sweep sweep;
-  return sweep_form(options, catalogue, chosen, model, version, checkpoint, progress, sweep);
+  const auto sweep = *options.exhaustive == "all" ? sweep_all : sweep_one;
+  return sweep(options, catalogue, version, checkpoint, progress);
 }
 
 }  // namespace shadefit

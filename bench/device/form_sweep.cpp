@@ -12,49 +12,48 @@
 namespace shadefit::device {
 
 struct FormSweep::Parts {
-  Parts(VulkanDevice made, const FormFunction& form, const GpuModel& model)
-      : vulkan(std::move(made)),
-        evaluator(vulkan, compiler, form.function, ShaderLanguage::glsl, Arguments::patterns),
+  Parts(std::shared_ptr<SweptDevice> shared, const FormFunction& form, const GpuModel& model)
+      : device(std::move(shared)),
+        evaluator(device->vulkan, compiler, form.function, ShaderLanguage::glsl, Arguments::patterns),
         in_double(form.function),
         panels(unit_panels()),
         bounds(bounds_on(panels, form.function, model)) {}
 
   /// Computes the results for a stretch.
   void prepare(const bench::Stretch& stretch) {
-    first = stretch.from;
-    results.resize(stretch.size());
+    device->first = stretch.from;
+    device->results.resize(stretch.size());
     evaluator.over_patterns(
         stretch.from, stretch.to, [&](std::uint32_t from, std::span<const std::uint32_t> some) {
-          std::copy(some.begin(), some.end(), results.begin() + static_cast<std::ptrdiff_t>(from - first));
+          std::copy(some.begin(), some.end(), device->results.begin() + (from - stretch.from));
         });
   }
 
   void form(const float* in, float* out, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i)
-      out[i] = std::bit_cast<float>(results[std::bit_cast<std::uint32_t>(in[i]) - first]);
+      out[i] = std::bit_cast<float>(device->results[std::bit_cast<std::uint32_t>(in[i]) - device->first]);
   }
 
   void bound(const float* in, double* middle, double* radius, std::size_t count) const {
     const std::vector<double> cosines(in, in + count);
     const std::array arguments{cosines.data()};
     in_double(arguments, middle, count);
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto next = std::upper_bound(panels.begin(), panels.end(), std::bit_cast<std::uint32_t>(in[i]));
+    auto next = std::upper_bound(panels.begin(), panels.end(), std::bit_cast<std::uint32_t>(in[0]));
+    for (std::size_t i = 0; i < count; ++i) {  // the floats rise
+      while (next != panels.end() && *next <= std::bit_cast<std::uint32_t>(in[i])) ++next;
       radius[i] = bounds[static_cast<std::size_t>(next - panels.begin()) - 1];
     }
   }
 
-  VulkanDevice vulkan;
+  std::shared_ptr<SweptDevice> device;
   ShaderCompiler compiler;
   Evaluator evaluator;
   FormInDouble in_double;
   std::vector<std::uint32_t> panels;
   std::vector<double> bounds;
-  std::uint32_t first = 0;
-  std::vector<std::uint32_t> results;
 };
 
-FormSweep::FormSweep(VulkanDevice device, const FormFunction& form, const GpuModel& model)
+FormSweep::FormSweep(std::shared_ptr<SweptDevice> device, const FormFunction& form, const GpuModel& model)
     : parts_(std::make_shared<Parts>(std::move(device), form, model)) {}
 
 void FormSweep::take_over(bench::FloatSubject& subject) const {
@@ -68,7 +67,7 @@ void FormSweep::take_over(bench::FloatSubject& subject) const {
 }
 
 std::string FormSweep::device() const {
-  return parts_->vulkan.info().name + ", " + parts_->vulkan.info().driver;
+  return parts_->device->vulkan.info().name + ", " + parts_->device->vulkan.info().driver;
 }
 
 std::vector<double> numbers_of(const GpuModel& model) {

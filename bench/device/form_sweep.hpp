@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,10 +14,18 @@
 /// Evaluates a form at every float on a device.
 namespace shadefit::device {
 
+/// A device, and the results of the form that ran last on it.
+struct SweptDevice {
+  VulkanDevice vulkan;
+  std::uint32_t first = 0;  ///< the bit pattern that the first result belongs to
+  std::vector<std::uint32_t> results = {};
+};
+
 /// A form on a device, with the error bound that follows from the errors of the device's functions.
 class FormSweep {
  public:
-  FormSweep(VulkanDevice device, const FormFunction& form, const GpuModel& model);
+  /// Several forms may share a device, if each is prepared and looked at before the next.
+  FormSweep(std::shared_ptr<SweptDevice> device, const FormFunction& form, const GpuModel& model);
 
   /// Replaces the form of a subject, and adds the bound. The subject's floats lie in [0, 1].
   void take_over(bench::FloatSubject& subject) const;

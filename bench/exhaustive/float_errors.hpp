@@ -61,8 +61,8 @@ struct FloatErrors {
 /// Adds the errors on another stretch.
 void include(FloatErrors& into, const FloatErrors& more);
 
-/// The form and its reference. Both take `count` floats, a multiple of 64, and are called by several threads
-/// at once.
+/// The form and its reference. Both take `count` floats, a multiple of 64, in rising order, and are called by
+/// several threads at once.
 struct FloatSubject {
   std::function<void(const float* in, float* out, std::size_t count)> form;
   std::function<void(const float* in, double* out, std::size_t count)> truth;

@@ -33,16 +33,30 @@ Sweep begin_sweep(const SweepIdentity& identity, const Shard& shard) {
   return {identity, shard, stretch_of(shard, identity.whole).from, {}};
 }
 
-void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
-           std::uint32_t batch) {
-  const std::uint32_t end = sweep.stretch().to;
-  while (sweep.next < end) {
-    const auto to =
-        static_cast<std::uint32_t>(std::min<std::uint64_t>(end, std::uint64_t{sweep.next} + batch));
-    include(sweep.found, errors_on(subject, Stretch{sweep.next, to}, threads));
-    sweep.next = to;
+void go_on_together(std::span<const RunningSweep> all, unsigned threads, const std::function<void()>& between,
+                    std::uint32_t batch) {
+  const std::uint32_t end = all.front().sweep->stretch().to;
+  for (;;) {
+    // The sweeps that are behind catch up first.
+    std::uint32_t from = end, to = end;
+    for (const RunningSweep& one : all) from = std::min(from, one.sweep->next);
+    if (from == end) return;
+    for (const RunningSweep& one : all)
+      if (one.sweep->next > from) to = std::min(to, one.sweep->next);
+    to = static_cast<std::uint32_t>(std::min<std::uint64_t>(to, std::uint64_t{from} + batch));
+    for (const RunningSweep& one : all) {
+      if (one.sweep->next != from) continue;
+      include(one.sweep->found, errors_on(*one.subject, Stretch{from, to}, threads));
+      one.sweep->next = to;
+    }
     between();
   }
+}
+
+void go_on(Sweep& sweep, const FloatSubject& subject, unsigned threads, const std::function<void()>& between,
+           std::uint32_t batch) {
+  const RunningSweep running{&sweep, &subject};
+  go_on_together(std::span(&running, 1), threads, between, batch);
 }
 
 WorkIdentity identity_in_words(const SweepIdentity& identity) {

@@ -240,6 +240,26 @@ TEST(ExhaustiveCommand, AFileOfAnotherSweepIsRefusedAndLeftAlone) {
   EXPECT_EQ(snapshot(directory.path()), before);
 }
 
+// The forms of a target share their truth there; the results are those of each alone.
+TEST(ExhaustiveCommand, AllIsEachFormWithEachSet) {
+  const TemporaryDirectory directory;
+  const auto state_in = [&](const char* folder, std::vector<std::string> form) {
+    form.insert(form.begin(), {"--range", few, "--out", directory / folder, "--exhaustive"});
+    EXPECT_EQ(bench(form).exit_code, 0);
+    return snapshot(directory / folder);
+  };
+  const auto all = state_in("all", {"all"});
+  state_in("each", {"schlick"});
+  state_in("each", {"fresnel-quadratic", "--constants", "minimax-absolute"});
+  for (const auto& [name, bytes] : state_in("each", {"hg-pow"})) EXPECT_EQ(all.at(name), bytes) << name;
+  EXPECT_GT(all.size(), 60U);
+  const std::string errors = all.at("errors.csv");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(errors.begin(), errors.end(), '\n')), all.size());
+  EXPECT_EQ(
+      bench({"--exhaustive", "all", "--constants", "mine", "--out", directory / "all"}).err,
+      "shadefit: --exhaustive 'all' does not apply with --constants: it takes every set of every form\n");
+}
+
 TEST(ExhaustiveCommand, AStateThatWasChangedOrCutOffIsRefusedAndLeftAlone) {
   const TemporaryDirectory directory;
   const std::vector<std::string> command{"--exhaustive",           "schlick", "--range", few, "--out",

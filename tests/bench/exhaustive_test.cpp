@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/exhaustive/float_errors.hpp"
+#include "bench/exhaustive/shared_truth.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "bench/exhaustive/sweep.hpp"
 #include "fit/support/user_error.hpp"
@@ -189,6 +190,32 @@ TEST(Sweep, IsTheSameInOneGoInShardsAndResumed) {
   }
   EXPECT_EQ(stops, 10);
   EXPECT_EQ(state_text(sweep), whole);
+}
+
+// With the truth computed once for both, and where one of them was stopped earlier than the other.
+TEST(Sweep, SeveralTogetherAreTheSameAsEachAlone) {
+  FloatSubject right = schlick_with_faults();
+  right.form = [](const float* in, float* out, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) out[i] = std::pow(1 - in[i], 5.0F);
+  };
+  Sweep alone = begin_sweep(identity(), {});
+  go_on(alone, right, 1, [] {});
+  std::size_t truths = 0;
+  FloatSubject faulty = schlick_with_faults();
+  faulty.truth = [&truths, truth = faulty.truth](const float* in, double* out, std::size_t count) {
+    truths += count;
+    truth(in, out, count);
+  };
+  Sweep one = begin_sweep(identity(), {}), other = one;
+  EXPECT_THROW(go_on(
+                   one, schlick_with_faults(), 1, [] { throw 7; }, 1500),
+               int);
+  share_truth(std::vector{&faulty, &right}, 1);
+  go_on_together(
+      std::vector<RunningSweep>{{&one, &faulty}, {&other, &right}}, 2, [] {}, 1000);
+  EXPECT_EQ(state_text(one), state_text(done()));
+  EXPECT_EQ(state_text(other), state_text(alone));
+  EXPECT_LT(truths, 3 * identity().whole.size() / 2) << "not once for each";
 }
 
 TEST(Sweep, MergingRefusesWhatIsMissingDoubledForeignOrUnfinished) {

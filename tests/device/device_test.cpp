@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -165,7 +166,7 @@ TEST_F(Device, FindsAWrongDigit) {
 TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
   const Chosen chosen("lobe-squarings");
   const FormFunction form = form_function(*chosen.target, *chosen.form, chosen.form->constants.front());
-  const FormSweep sweep(VulkanDevice({}), form, usual_gpu);
+  const FormSweep sweep(std::make_shared<SweptDevice>(VulkanDevice({})), form, usual_gpu);
   bench::FloatSubject subject;
   subject.truth = [](const float* in, double* out, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) out[i] = std::pow(static_cast<double>(in[i]), 16);
