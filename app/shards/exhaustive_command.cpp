@@ -253,7 +253,9 @@ Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue
                             static_cast<long>(found.beyond)});
     }
   }
-  write_files(options.out, {{file, write_csv(table, Precision::report)}});
+  Table in_file = table;
+  if (on) append_column(in_file, "device", device::name_with_driver(on->device->vulkan.info()));
+  write_files(options.out, {{file, write_csv(in_file, Precision::report)}});
   return {beyond == 0 ? 0 : 1,
           write_console(table, Precision::report, options.terminal) +
               fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file).string())),

@@ -55,10 +55,11 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
                           static_cast<long>(found.nans), static_cast<long>(found.beyond.size())});
     beyond += places_text(form, found.beyond);
   }
-  std::string text = fmt::format("on {}, {}\n{}{}", vulkan.info().name, vulkan.info().driver,
+  std::string text = fmt::format("on {}\n{}{}", device::name_with_driver(vulkan.info()),
                                  write_console(table, Precision::report, options.terminal), beyond);
   if (is_all) {
     constexpr const char* file = "errors-half.csv";
+    append_column(table, "device", device::name_with_driver(vulkan.info()));
     write_files(options.out, {{file, write_csv(table, Precision::report)}});
     text += fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file).string()));
   }

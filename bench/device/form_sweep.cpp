@@ -67,7 +67,7 @@ void FormSweep::take_over(bench::FloatSubject& subject) const {
 }
 
 std::string FormSweep::device() const {
-  return parts_->device->vulkan.info().name + ", " + parts_->device->vulkan.info().driver;
+  return name_with_driver(parts_->device->vulkan.info());
 }
 
 std::vector<double> numbers_of(const GpuModel& model) {

@@ -26,6 +26,10 @@ struct DeviceInfo {
   bool operator==(const DeviceInfo&) const = default;
 };
 
+inline std::string name_with_driver(const DeviceInfo& info) {
+  return info.name + ", " + info.driver;
+}
+
 /// The devices that can run compute shaders, in the order of the Vulkan loader. May be empty.
 std::vector<DeviceInfo> vulkan_devices();
 

@@ -166,7 +166,8 @@ TEST_F(Device, FindsAWrongDigit) {
 TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
   const Chosen chosen("lobe-squarings");
   const FormFunction form = form_function(*chosen.target, *chosen.form, chosen.form->constants.front());
-  const FormSweep sweep(std::make_shared<SweptDevice>(VulkanDevice({})), form, usual_gpu);
+  const auto device = std::make_shared<SweptDevice>(VulkanDevice({.is_watched = true}));
+  const FormSweep sweep(device, form, usual_gpu);
   bench::FloatSubject subject;
   subject.truth = [](const float* in, double* out, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) out[i] = std::pow(static_cast<double>(in[i]), 16);
@@ -187,6 +188,8 @@ TEST_F(Device, SweepsFloatsAndNotesThoseBeyondTheBound) {
   EXPECT_GT(none.beyond, 100U);
   EXPECT_TRUE(std::is_sorted(none.beyond_at.begin(), none.beyond_at.end()));
   EXPECT_LT(none.beyond_at.back(), stretch.to);
+  for (const std::string& message : device->vulkan.messages())
+    ADD_FAILURE() << "validation layer: " << message;
 }
 
 TEST_F(Device, RefusesADeviceThatIsNotThere) {

@@ -142,7 +142,7 @@ shade::DeviceMeasurement measure_scene(SceneDevice& device, const scene::Scene& 
                                          planned_shader(scene, shade::with_published_lobe(plan)),
                                          planned_shader(scene, plan)};
   shade::DeviceMeasurement measured;
-  measured.name = fmt::format("{}, {}", device.device().info().name, device.device().info().driver);
+  measured.name = name_with_driver(device.device().info());
   measured.clock = name_of_clock(device.device().info());
   measured.ways = {{.name = "reference", .form = "pow"},
                    {.name = "published", .form = shade::published_form()},
