@@ -88,6 +88,18 @@ bool are_assigned_in_turn(std::string_view text, const std::vector<Literal>& lit
   return lefts.size() > 1 && follow_each_other(differences_of(std::move(lefts)));
 }
 
+/// Whether this text between two numbers is that of a list of lists: a comma, signs and brackets, or the
+/// constructor of the next row.
+bool are_next_in_list(std::string_view rest) {
+  const std::size_t end = rest.find_last_not_of(" \t\r\n+-");
+  const bool has_constructor = end != std::string_view::npos && rest[end] == '(';
+  const auto is_of_list = [&](char c) {
+    return is_blank(c) || std::string_view(",+-()[]{}").find(c) != std::string_view::npos ||
+           (has_constructor && (is_of_name(c) || c == '<' || c == '>'));
+  };
+  return std::count(rest.begin(), rest.end(), ',') == 1 && std::all_of(rest.begin(), rest.end(), is_of_list);
+}
+
 }  // namespace
 
 bool is_whole_list(std::string_view text, const std::vector<Literal>& literals, std::size_t first,
@@ -115,14 +127,8 @@ bool is_column(std::string_view text, const std::vector<Literal>& literals,
   if (places.size() < least_numbers || places[1] < places[0] + 2) return false;
   for (std::size_t i = 1; i < places.size(); ++i)
     if (places[i] != places[i - 1] + places[1] - places[0]) return false;
-  for (std::size_t i = places.front(); i < places.back(); ++i) {
-    const std::string_view rest = between(text, literals[i], literals[i + 1]);
-    const auto is_of_list = [](char c) {
-      return is_blank(c) || std::string_view(",+-()[]{}").find(c) != std::string_view::npos;
-    };
-    if (std::count(rest.begin(), rest.end(), ',') != 1 || !std::all_of(rest.begin(), rest.end(), is_of_list))
-      return false;
-  }
+  for (std::size_t i = places.front(); i < places.back(); ++i)
+    if (!are_next_in_list(between(text, literals[i], literals[i + 1]))) return false;
   return true;
 }
 

@@ -75,6 +75,10 @@ TEST(Sites, AColumnOfAMatrixIsInOrder) {
             Words{"luma-709 right"});
   EXPECT_EQ(graded("{{0.4124, 0.2126, 0.0193}, {0.3576, 0.7152, 0.1192}, {0.1805, 0.0722, 0.9505}}"),
             Words{"luma-709 right"});
+  EXPECT_EQ(graded("mat3x3<f32>(vec3<f32>(0.2126, -.09991, .615), vec3<f32>(0.7152, -.33609,-.55861),\n"
+                   "vec3<f32>(0.0722, .426, -.05639));"),
+            Words{"luma-709 right"});
+  EXPECT_EQ(graded("k = {0.2126, a - 0.09991, 0.615, 0.7152, a - 0.33609, 0.55861, 0.0722};"), Words{});
   // Another distance, another order, and no list.
   EXPECT_EQ(graded("mat3(0.2126, -0.09991, 0.615, -0.33609, 0.7152, -0.55861, 0.0722, 0.436, -0.05639);"),
             Words{});
