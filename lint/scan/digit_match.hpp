@@ -32,7 +32,7 @@ bool is_rounded(const Digits& found, const Digits& published);
 bool is_cut(const Digits& found, const Digits& published);
 
 /// Whether two neighbours are swapped, or the other one of two digits is doubled: 578 for 587, 229 for 299.
-/// These are the slips of a person who knows the number; a number of three digits has two to four of them.
+/// These are the slips of a person who knows the number; a number of three digits has at most two of them.
 bool is_usual_slip(const Digits& found, const Digits& published);
 
 /// Whether one edit turns the published number, rounded or cut off to five digits or more, into the digits.
