@@ -99,10 +99,36 @@ double number_of(const Digits& digits) {
   return value;
 }
 
-bool is_shortened(const Digits& found, const Digits& published) {
+bool is_rounded(const Digits& found, const Digits& published) {
   const std::size_t count = found.text.size();
-  return 0 < count && count < published.text.size() &&
-         (found == rounded_to(published, count) || found == cut_to(published, count));
+  return 0 < count && count < published.text.size() && found == rounded_to(published, count);
+}
+
+bool is_cut(const Digits& found, const Digits& published) {
+  const std::size_t count = found.text.size();
+  return 0 < count && count < published.text.size() && found == cut_to(published, count);
+}
+
+bool is_shortened(const Digits& found, const Digits& published) {
+  return is_rounded(found, published) || is_cut(found, published);
+}
+
+bool is_usual_slip(const Digits& found, const Digits& published) {
+  const std::string &a = found.text, &b = published.text;
+  if (a.size() != b.size() || found.exponent != published.exponent) return false;
+  const auto first = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin()).first - a.begin());
+  if (first == a.size()) return false;
+  const bool is_swapped = first + 1 < a.size() && a[first] == b[first + 1] && a[first + 1] == b[first] &&
+                          a.substr(first + 2) == b.substr(first + 2);
+  if (is_swapped) return true;
+  if (a.substr(first + 1) != b.substr(first + 1)) return false;
+  // The digit that differs is one of a double in the published number, and makes another double in the found
+  // one.
+  const auto is_double = [&](const std::string& text, std::size_t begin) {
+    return begin + 1 < text.size() && text[begin] == text[begin + 1];
+  };
+  return (is_double(b, first) && first > 0 && is_double(a, first - 1)) ||
+         (first > 0 && is_double(b, first - 1) && is_double(a, first));
 }
 
 bool is_rounded_and_edited(const Digits& found, const Digits& published) {

@@ -28,6 +28,12 @@ std::optional<DigitMatch> match_digits(const Digits& found, const Digits& publis
 
 /// Whether the digits are the first ones of the published number, rounded or cut off.
 bool is_shortened(const Digits& found, const Digits& published);
+bool is_rounded(const Digits& found, const Digits& published);
+bool is_cut(const Digits& found, const Digits& published);
+
+/// Whether two neighbours are swapped, or the other one of two digits is doubled: 578 for 587, 229 for 299.
+/// These are the slips of a person who knows the number; a number of three digits has at most two of them.
+bool is_usual_slip(const Digits& found, const Digits& published);
 
 /// Whether one edit turns the published number, rounded or cut off to five digits or more, into the digits.
 bool is_rounded_and_edited(const Digits& found, const Digits& published);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lint/scan/characters.hpp"
+#include "lint/scan/lists.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -85,28 +86,48 @@ class SiteBits {
     return literal;
   }
 
-  bool is_next_to(std::size_t literal, bool before, std::string_view brackets) const {
-    const Literal& one = literals_[literal];
-    const std::string_view rest =
-        before ? text_.substr(0, one.offset) : text_.substr(one.offset + one.length);
-    const std::string_view blanks = before ? " \t\r\n+-" : " \t\r\n";
-    const std::size_t at = before ? rest.find_last_not_of(blanks) : rest.find_first_not_of(blanks);
-    return at != std::string_view::npos && brackets.find(rest[at]) != std::string_view::npos;
+  /// Whether nothing stands between the numbers but their factors.
+  bool are_neighbours() const {
+    for (std::size_t i = 1; i < site_.numbers.size(); ++i)
+      if (product_begin(site_.numbers[i].literal) != site_.numbers[i - 1].literal + 1) return false;
+    return true;
   }
 
-  /// The bits of one order in n!, if all n constants are in the published order, with nothing between them
-  /// but their factors. Three more bits if they are a whole list, (a, b, c): a row of numbers at a random
+  /// The bits of one order in n!, if all n constants are in the published order: next to each other, or as a
+  /// column of a matrix. Three more bits if they are a whole list, (a, b, c): a row of numbers at a random
   /// place is not one.
   double bits_of_order() const {
     const std::size_t count = set_.constants.size();
     if (site_.numbers.size() != count) return 0;
+    std::vector<std::size_t> places;
     for (std::size_t i = 0; i < count; ++i) {
       if (site_.numbers[i].constant != i) return 0;
-      if (i > 0 && product_begin(site_.numbers[i].literal) != site_.numbers[i - 1].literal + 1) return 0;
+      places.push_back(site_.numbers[i].literal);
     }
     constexpr double bits_of_a_list = 3;
-    const bool is_list = is_next_to(product_begin(first()), true, "([{") && is_next_to(last(), false, ")]}");
-    return std::lgamma(static_cast<double>(count) + 1) / std::log(2.0) + (is_list ? bits_of_a_list : 0);
+    const double bits = std::lgamma(static_cast<double>(count) + 1) / std::log(2.0);
+    if (!are_neighbours()) return is_column(text_, literals_, places) ? bits : 0;
+    if (!is_whole_list(text_, literals_, product_begin(first()), last())) return bits;
+    return bits + bits_of_a_list + bits_of_decimals();
+  }
+
+  /// The bits of a list that is rounded to the same number of decimals, as 0.212, 0.715, 0.072. One choice
+  /// between rounding and cutting holds for all, and a zero behind the point is a digit too.
+  double bits_of_decimals() const {
+    constexpr std::size_t least_numbers = 3;
+    const auto are_all = [&](bool (*is_short)(const Digits&, const Digits&)) {
+      return std::all_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
+        return number.match == DigitMatch::rounded && !number.variant &&
+               is_short(digits_at(number.literal), digits_of(set_.constants[number.constant].printed));
+      });
+    };
+    if (site_.numbers.size() < least_numbers || !(are_all(is_rounded) || are_all(is_cut)) ||
+        !have_same_decimals(text_, literals_, first(), last()))
+      return 0;
+    double bits = static_cast<double>(site_.numbers.size()) - 1;
+    for (const SiteNumber& number : site_.numbers)
+      bits += std::log2(10) * std::max(0, -digits_at(number.literal).exponent);
+    return bits;
   }
 
   /// The bits of finding all words of the id in the lines of the numbers, as in cosineLobe.sharpness = 2.133.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lint/scan/functions.hpp"
+#include "lint/scan/lists.hpp"
 #include "lint/scan/site_bits.hpp"
 #include "lint/scan/site_choice.hpp"
 
@@ -85,10 +86,13 @@ class SiteFinder {
     numbers_.clear();
     drop_comments(site);
     add_companions(site);
+    add_short(site);
     site.bits = bits_of(text_, literals_, sets_[set_], site);
     if (site.bits >= telling_bits && add_rounded_and_edited(site))
       site.bits = bits_of(text_, literals_, sets_[set_], site);
-    if (site.bits >= least_bits) sites_.push_back(std::move(site));
+    if (site.bits < least_bits) return;
+    if (site.bits < telling_bits) add_two_slips(site);
+    sites_.push_back(std::move(site));
   }
 
   std::vector<Site> take() { return std::move(sites_); }
@@ -202,6 +206,68 @@ class SiteFinder {
     std::sort(site.numbers.begin(), site.numbers.end(),
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
     return site.numbers.size() > count;
+  }
+
+  std::vector<std::size_t> missing_of(const Site& site) const {
+    std::vector<std::size_t> missing;
+    for (std::size_t c = 0; c < sets_[site.set].constants.size(); ++c)
+      if (!has_constant(site, c)) missing.push_back(c);
+    return missing;
+  }
+
+  /// Adds the constant that a list has rounded to too few digits to be looked for alone: 0.072 beside 0.212
+  /// and 0.715.
+  void add_short(Site& site) const {
+    const std::vector<std::size_t> missing = missing_of(site);
+    if (missing.size() != 1) return;
+    const std::size_t constant = missing.front();
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    const Digits published = digits_of(sets_[site.set].constants[constant].printed);
+    for (std::size_t i = first - std::min<std::size_t>(first, 1); i < std::min(literals_.size(), last + 2);
+         ++i) {
+      const std::size_t begin = std::min(first, i), end = std::max(last, i);
+      if (literals_[i].significant >= least_digits_alone || is_taken(site, i) ||
+          end - begin != site.numbers.size() ||
+          literals_[i].is_in_comment != literals_[first].is_in_comment || !keeps_order(site, constant, i) ||
+          !is_shortened(digits_at(i), published) || !have_same_decimals(text_, literals_, begin, end) ||
+          !is_whole_list(text_, literals_, begin, end))
+        continue;
+      insert(site, {i, constant, DigitMatch::rounded});
+      return;
+    }
+  }
+
+  /// Adds the two missing constants of three digits as the nearest numbers with a usual slip: 0.229 for 0.299
+  /// and 0.144 for 0.114. They are no evidence: only the expression can show that they belong to the site.
+  void add_two_slips(Site& site) {
+    constexpr std::size_t most_literals = 6;
+    std::vector<std::size_t> missing = missing_of(site);
+    std::erase_if(missing, [&](std::size_t c) { return sets_[site.set].constants[c].is_common; });
+    if (missing.size() != 2) return;
+    Site whole = site;
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    for (const std::size_t constant : missing) {
+      const Digits published = digits_of(sets_[site.set].constants[constant].printed);
+      if (published.text.size() != least_digits_alone) return;
+      const auto distance = [&](std::size_t i) { return i < first ? first - i : i - std::min(i, last); };
+      std::optional<std::size_t> nearest;
+      for (std::size_t i = first - std::min(first, most_literals);
+           i < std::min(literals_.size(), last + most_literals + 1); ++i) {
+        if (is_taken(whole, i) || literals_[i].is_in_comment != literals_[first].is_in_comment ||
+            !are_in_one_function(i, first) || !is_usual_slip(digits_at(i), published))
+          continue;
+        if (!nearest || distance(i) < distance(*nearest)) nearest = i;
+      }
+      if (!nearest) return;
+      insert(whole, {*nearest, constant, DigitMatch::edited});
+    }
+    site = std::move(whole);
+  }
+
+  static void insert(Site& site, const SiteNumber& number) {
+    const auto behind = std::find_if(site.numbers.begin(), site.numbers.end(),
+                                     [&](const SiteNumber& other) { return other.literal > number.literal; });
+    site.numbers.insert(behind, number);
   }
 
   /// Whether the site's constants stay in the published order with this constant at this literal.

@@ -30,6 +30,24 @@ TEST(DigitMatch, EachKindHasTwoSides) {
   EXPECT_EQ(match("0.55", "0.055"), std::nullopt);  // two digits are everywhere
 }
 
+TEST(DigitMatch, AUsualSlipIsASwapOrTheOtherDigitDoubled) {
+  const auto is_slip = [](std::string_view found, std::string_view published) {
+    return is_usual_slip(digits_of(found), digits_of(published));
+  };
+  EXPECT_TRUE(is_slip("0.578", "0.587"));
+  EXPECT_TRUE(is_slip("0.857", "0.587"));
+  EXPECT_TRUE(is_slip("0.229", "0.299"));
+  EXPECT_TRUE(is_slip("0.144", "0.114"));
+  EXPECT_TRUE(is_slip("0.1224", "0.1124"));
+  EXPECT_FALSE(is_slip("0.587", "0.587"));
+  EXPECT_FALSE(is_slip("5.78", "0.587"));
+  EXPECT_FALSE(is_slip("0.557", "0.587"));  // no digit was double
+  EXPECT_FALSE(is_slip("0.289", "0.299"));  // none is
+  EXPECT_FALSE(is_slip("0.999", "0.299"));  // three
+  EXPECT_FALSE(is_slip("0.110", "0.114"));
+  EXPECT_FALSE(is_slip("0.1114", "0.114"));  // longer
+}
+
 TEST(DigitMatch, AnEditIsOneDigit) {
   EXPECT_EQ(match("6.98216", "6.98316"), DigitMatch::edited);   // replaced
   EXPECT_EQ(match("6.8316", "6.98316"), DigitMatch::edited);    // lost

@@ -45,6 +45,62 @@ TEST(Sites, AWholeListTellsMore) {
   EXPECT_EQ(graded("int a[] = {5, 0.2126, 0.7125, 0.0722, 9};"), Words{});
 }
 
+TEST(Sites, NumbersAssignedInTurnAreAList) {
+  const auto lines = [](const std::string& a, const std::string& b, const std::string& c) {
+    return graded("float " + a + " = 0.2126;\nfloat " + b + " = 0.7125;\nfloat " + c + " = 0.0722;\n");
+  };
+  const Words typo{"luma-709 typo"};
+  EXPECT_EQ(lines("weightR", "weightG", "weightB"), typo);
+  EXPECT_EQ(lines("RED_WEIGHT", "GREEN_WEIGHT", "BLUE_WEIGHT"), typo);
+  EXPECT_EQ(lines("k1", "k2", "k3"), typo);
+  EXPECT_EQ(graded("w.x = 0.2126, w.y = 0.7125, w.z = 0.0722;"), typo);
+  EXPECT_EQ(lines("k1", "k3", "k2"), Words{});
+  EXPECT_EQ(lines("near", "weight", "bias"), Words{});
+  EXPECT_EQ(graded("w.x = 0.2126; f(); w.y = 0.7125; w.z = 0.0722;"), Words{});
+}
+
+TEST(Sites, AListMayBeRoundedToTheSameDecimals) {
+  const Words truncated{"luma-709 truncated"};
+  EXPECT_EQ(graded("const vec3 w = vec3(0.212, 0.715, 0.072);"), truncated);
+  EXPECT_EQ(graded("const vec3 w = vec3(0.213, 0.715, 0.072);"), truncated);
+  EXPECT_EQ(graded("W_A = 0.212;\nW_B = 0.715;\nW_C = 0.072;"), truncated);
+  EXPECT_EQ(graded("const vec3 w = vec3(0.212, 0.715, 0.07);"), Words{});   // other decimals
+  EXPECT_EQ(graded("const vec3 w = vec3(0.212, 0.715, 0.073);"), Words{});  // another number
+  EXPECT_EQ(graded("const vec3 w = vec3(0.072, 0.715, 0.212);"), Words{});  // another order
+  EXPECT_EQ(graded("float a = 0.212 + 0.715 + 0.072;"), Words{});           // no list
+}
+
+TEST(Sites, AColumnOfAMatrixIsInOrder) {
+  EXPECT_EQ(graded("mat3(0.2126, -0.09991, 0.615,\n 0.7152, -0.33609, -0.55861,\n 0.0722, 0.436, -0.05639);"),
+            Words{"luma-709 right"});
+  EXPECT_EQ(graded("{{0.4124, 0.2126, 0.0193}, {0.3576, 0.7152, 0.1192}, {0.1805, 0.0722, 0.9505}}"),
+            Words{"luma-709 right"});
+  EXPECT_EQ(graded("mat3x3<f32>(vec3<f32>(0.2126, -.09991, .615), vec3<f32>(0.7152, -.33609,-.55861),\n"
+                   "vec3<f32>(0.0722, .426, -.05639));"),
+            Words{"luma-709 right"});
+  EXPECT_EQ(graded("k = {0.2126, a - 0.09991, 0.615, 0.7152, a - 0.33609, 0.55861, 0.0722};"), Words{});
+  // Another distance, another order, and no list.
+  EXPECT_EQ(graded("mat3(0.2126, -0.09991, 0.615, -0.33609, 0.7152, -0.55861, 0.0722, 0.436, -0.05639);"),
+            Words{});
+  EXPECT_EQ(graded("mat3(0.7152, -0.09991, 0.615, 0.2126, -0.33609, -0.55861, 0.0722, 0.436, -0.05639);"),
+            Words{});
+  EXPECT_EQ(graded("x = 0.2126 - 0.09991 * 0.615 * 0.7152 - 0.33609 - 0.55861 * 0.0722;"), Words{});
+}
+
+TEST(Sites, TwoNumbersMayHaveAUsualSlipInTheForm) {
+  const auto sum = [](const std::string& r, const std::string& g, const std::string& b) {
+    return graded("float f() { return " + r + " * c.r + " + g + " * c.g + " + b + " * c.b; }");
+  };
+  const Words wrong{"luma-601 wrong"};
+  EXPECT_EQ(sum("0.229", "0.587", "0.144"), wrong);
+  EXPECT_EQ(sum("0.299", "0.578", "0.141"), wrong);
+  EXPECT_EQ(sum("0.144", "0.587", "0.229"), wrong);  // from blue to red
+  EXPECT_EQ(sum("0.259", "0.587", "0.174"), Words{});
+  EXPECT_EQ(sum("0.229", "0.578", "0.144"), Words{});  // nothing is right
+  EXPECT_EQ(graded("vec3 w = vec3(0.229, 0.587, 0.144);"), Words{});
+  EXPECT_EQ(graded("float f() { return 0.229 * a + 0.587 * b * (c + 0.144); }"), Words{});
+}
+
 TEST(Sites, AConstantThatComesAgainBeginsTheNextSite) {
   const std::string row = "{0.0245786, 0.000090537, 0.983729, 0.4329510, 0.238081},\n";
   EXPECT_EQ(graded(row + row), (Words{"aces-hill right", "aces-hill right"}));
