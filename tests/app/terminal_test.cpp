@@ -166,8 +166,8 @@ TEST(Help, EveryExampleRuns) {
       std::vector<std::string> words = words_of_line(line);
       words.erase(words.begin());
       EXPECT_EQ(words.front(), command);
-      // That takes half a minute, so the test only starts it.
-      const bool is_long = command == "stress";
+      // These take half a minute and more, so the test only starts them. .ci/run makes the whole gallery.
+      const bool is_long = command == "stress" || line == "  shadefit run --html --out gallery";
       const Checkpoint checkpoint = is_long ? Checkpoint([] { throw Interrupted{SIGINT}; }) : keep_going;
       const Outcome outcome = run_command_line(words, checkpoint);
       EXPECT_EQ(outcome.exit_code, is_long ? 128 + SIGINT : 0) << line << "\n" << outcome.err;
