@@ -240,7 +240,7 @@ Outcome sweep_all(const BenchOptions& options, const forms::Catalogue& catalogue
     }
     std::vector<bench::FloatSubject*> subjects;
     for (KeptSweep& kept : together) subjects.push_back(&kept.subject);
-    bench::share_truth(subjects, bench::this_machine().threads);
+    bench::share_truth(subjects);
     if (auto interrupted = sweep_and_keep(together, checkpoint, progress)) return *interrupted;
     for (const auto& [form, path, sweep, subject] : together) {
       const bench::FloatErrors& found = sweep.found;

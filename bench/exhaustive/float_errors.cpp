@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <numeric>
 #include <tuple>
 #include <vector>
+
+#include "fit/support/parallel.hpp"
 
 namespace shadefit::bench {
 
@@ -110,15 +111,15 @@ FloatErrors errors_on(const FloatSubject& subject, const Stretch& stretch, unsig
   const auto end_of = [&](std::uint64_t part) {
     return stretch.from + static_cast<std::uint32_t>(stretch.size() * part / parts);
   };
-  std::vector<std::future<FloatErrors>> others;
-  for (std::uint64_t part = 1; part < parts; ++part) {
-    others.push_back(std::async(std::launch::async, [&subject, from = end_of(part), to = end_of(part + 1)] {
-      return errors_on(subject, Stretch{from, to});
-    }));
-  }
-  FloatErrors found = errors_on(subject, Stretch{stretch.from, end_of(1)});
-  for (auto& other : others) include(found, other.get());
-  return found;
+  std::vector<FloatErrors> found(parts);
+  for_each_in_parallel(parts,
+                       [&](std::size_t part, const Checkpoint&) {
+                         found[part] = errors_on(subject, Stretch{end_of(part), end_of(part + 1)});
+                       },
+                       {.threads = threads});
+  FloatErrors all;
+  for (const FloatErrors& part : found) include(all, part);
+  return all;
 }
 
 }  // namespace shadefit::bench

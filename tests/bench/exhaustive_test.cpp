@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <filesystem>
@@ -200,7 +201,7 @@ TEST(Sweep, SeveralTogetherAreTheSameAsEachAlone) {
   };
   Sweep alone = begin_sweep(identity(), {});
   go_on(alone, right, 1, [] {});
-  std::size_t truths = 0;
+  std::atomic<std::size_t> truths = 0;
   FloatSubject faulty = schlick_with_faults();
   faulty.truth = [&truths, truth = faulty.truth](const float* in, double* out, std::size_t count) {
     truths += count;
@@ -210,7 +211,7 @@ TEST(Sweep, SeveralTogetherAreTheSameAsEachAlone) {
   EXPECT_THROW(go_on(
                    one, schlick_with_faults(), 1, [] { throw 7; }, 1500),
                int);
-  share_truth(std::vector{&faulty, &right}, 1);
+  share_truth(std::vector{&faulty, &right});
   go_on_together(
       std::vector<RunningSweep>{{&one, &faulty}, {&other, &right}}, 2, [] {}, 1000);
   EXPECT_EQ(state_text(one), state_text(done()));
