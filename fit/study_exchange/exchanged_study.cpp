@@ -63,7 +63,8 @@ void require_possible(const ReadStudy& study, const Constraints& constraints) {
   const std::string text = option;
   if (study.rows) throw UserError(text + " does not go with --table: a row has no range");
   if (study.axes.size() > 1)
-    throw UserError(text + " goes with one variable: --over '" + study.axes[1].variable + "' is a second");
+    throw UserError(text + " needs a study of one variable: this one also has '" + study.axes[1].variable +
+                    "'");
   const StudyAxis& axis = study.axes.front();
   for (const double x : constraints.exact_at) {
     if (x != axis.lower && x != axis.upper)

@@ -71,9 +71,9 @@ std::vector<File> device_bench_files(const bench::Trade& trade, const std::vecto
                                      const std::string& date) {
   std::string text = fmt::format(
       "# Run time against error on a device\n\n"
-      "{}, driver {}, on {}; {}; clock: {}. Each form is the GLSL that `emit` writes, in a compute shader. A time is that\n"
-      "of one evaluation in a long row of them, on the whole device: the median of {} rounds, each of which visits every form\n"
-      "once; `spread` is the interquartile range. `MADs`: in the time of a multiply-add in float, four streams a thread;\n"
+      "{}, driver {}, on {}; {}; clock: {}. Each form is the GLSL that `emit` writes, in a compute shader. A time is\n"
+      "the mean of a long row of evaluations on the whole device, and of such means the median of {} rounds. Each round visits\n"
+      "every form once; `spread` is the interquartile range. `MADs`: in the time of a multiply-add in float, four streams a thread;\n"
       "`MADs in a chain`: the same where each evaluation waits for the one before. The loop's own time is subtracted.\n"
       "Errors are the largest of this device, on a grid, against the target in double.\n\n"
       "{}# What to use when\n\n",

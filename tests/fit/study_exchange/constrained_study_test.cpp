@@ -178,7 +178,7 @@ TEST(ConstrainedStudy, RefusesWhatCannotBe) {
             "the form cannot satisfy the constraints: the form cannot be exact at x = 0");
   const Study plane{.target = "x y", .form = "a + b x", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
   EXPECT_EQ(refusal(plane, {.monotone = Course::rises}),
-            "--monotone goes with one variable: --over 'y' is a second");
+            "--monotone needs a study of one variable: this one also has 'y'");
 }
 
 }  // namespace

@@ -128,9 +128,10 @@ TEST(MinimaxSurface, SaysWhereItHasNoAnswer) {
     return "none";
   };
   const Study plane{.target = "x y", .form = "a + b x", .over = square};
-  EXPECT_EQ(refusal(plane, {.exact_at = {0}}), "--exact-at goes with one variable: --over 'y' is a second");
+  EXPECT_EQ(refusal(plane, {.exact_at = {0}}),
+            "--exact-at needs a study of one variable: this one also has 'y'");
   EXPECT_EQ(refusal(plane, {.one_sided = Side::above}),
-            "--one-sided goes with one variable: --over 'y' is a second");
+            "--one-sided needs a study of one variable: this one also has 'y'");
 }
 
 // Chebyshev: x^15 by a polynomial of degree 14 on [-1, 1] has the level 2^-14.
