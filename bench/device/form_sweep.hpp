@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/device/form_functions.hpp"
@@ -16,6 +17,8 @@ namespace shadefit::device {
 
 /// A device, and the results of the form that ran last on it.
 struct SweptDevice {
+  explicit SweptDevice(VulkanDevice made) : vulkan(std::move(made)) {}
+
   VulkanDevice vulkan;
   std::uint32_t first = 0;  ///< the bit pattern that the first result belongs to
   std::vector<std::uint32_t> results = {};
