@@ -26,7 +26,7 @@ std::size_t size_of(const Symbolic& formula, const SizeOfName& size_of_name, std
   return size;
 }
 
-/// The place of a name among the arguments; their number if it is none of them.
+/// The index of a name among the arguments. For any other name it is the number of arguments.
 std::size_t place_of(const std::string& name, const Definition& definition) {
   const auto& all = definition.arguments;
   return static_cast<std::size_t>(std::find(all.begin(), all.end(), name) - all.begin());
@@ -41,7 +41,7 @@ std::size_t size_of(const Symbolic& formula) {
 std::size_t size_of(const Definition& definition, std::span<const Symbolic> given) {
   std::vector<std::size_t> sizes;
   for (const Symbolic& argument : given) sizes.push_back(size_of(argument));
-  sizes.push_back(1);  // of a name that is no argument
+  sizes.push_back(1);  // any other name counts as one
   return size_of(definition.formula,
                  [&](const std::string& name) { return sizes[place_of(name, definition)]; });
 }

@@ -44,7 +44,7 @@ class Magnitude {
   double operator()(const std::vector<double>& at) {
     difference_.run(at);
     const double value = std::abs(difference_.output(0));
-    // NaN means that there is no value, as for x log(x) at 0. An infinite error counts.
+    // The form or the target may have no value: x log(x) is NaN at 0. Such a place does not count.
     return std::isnan(value) ? 0 : value;
   }
 

@@ -20,7 +20,7 @@ std::string place_of(const ReadStudy& study, const StudyNodes& nodes, std::size_
   return place;
 }
 
-/// The first node where a formula's value does not pass, as text. Empty if there is none.
+/// The first node where a formula's value fails the check, as text. Empty if all values pass.
 template <class Passes>
 std::string first_place(const ReadStudy& study, const Symbolic& formula, const StudyNodes& nodes,
                         const Passes& passes) {

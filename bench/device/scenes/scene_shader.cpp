@@ -80,7 +80,7 @@ const ShaderFunction* find(const SceneShader& shader, std::string_view name) {
   return found == shader.functions.end() ? nullptr : &*found;
 }
 
-/// Code that decodes a pixel's exponent, and prepares sharpness and normalisation if there is no plan.
+/// Code that decodes the exponent of a pixel. Without a plan it also computes sharpness and normalisation.
 std::string decoding_lines(const SceneShader& shader) {
   std::string lines = fmt::format("  if (source == {}u) exponent = stored;\n",
                                   static_cast<std::uint32_t>(PowerSource::power));
