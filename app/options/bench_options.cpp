@@ -109,6 +109,14 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
                            "measure on a graphics device (default: the CPU)")
                      ->excludes(width)
                      ->excludes(degree);
+  bench
+      .add_flag(
+          "--all-devices", options.all_devices,
+          "with --exhaustive all: on every graphics device at once, each with its directory DIR/vulkan-N")
+      ->needs(exhaustive)
+      ->excludes(device)
+      ->excludes(width)
+      ->excludes(degree);
   bench.add_flag("--list-devices", options.list_devices, "list the graphics devices of this machine");
   bench.add_flag("--probe", options.probe, "measure the errors of the device's exp2, log2 and others")
       ->needs(device)

@@ -38,7 +38,8 @@ struct BenchOptions {
   bench::Stretch range = bench::unit_floats;
   /// The place of a Vulkan device among `device::vulkan_devices`, in the place of the CPU.
   std::optional<std::size_t> device = {};
-  bool half = false;  ///< with `exhaustive` on a device: every half, in place of every float
+  bool all_devices = false;  ///< with `exhaustive` all: every Vulkan device
+  bool half = false;         ///< with `exhaustive` on a device: every half, in place of every float
   bool list_devices = false;
   bool probe = false;  ///< measure the functions of the device
   Terminal terminal = {};

@@ -59,8 +59,8 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
                                  write_console(table, Precision::report, options.terminal), beyond);
   if (is_all) {
     constexpr const char* file = "errors-half.csv";
-    append_column(table, "device", device::name_with_driver(vulkan.info()));
-    write_files(options.out, {{file, write_csv(table, Precision::report)}});
+    const Table in_file = with_column(table, "device", device::name_with_driver(vulkan.info()));
+    write_files(options.out, {{file, write_csv(in_file, Precision::report)}});
     text += fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file).string()));
   }
   return {beyond.empty() ? 0 : 1, text, ""};

@@ -74,11 +74,6 @@ std::string words_of(const SweptForm& form) {
                      form.constants->numbers.empty() ? "" : form.constants->id);
 }
 
-void append_column(Table& table, const std::string& header, const std::string& text) {
-  table.columns.push_back(header);
-  for (auto& row : table.rows) row.emplace_back(text);
-}
-
 std::vector<float> in_float(const std::vector<double>& numbers) {
   std::vector<float> floats;
   for (const double number : numbers) floats.push_back(static_cast<float>(number));

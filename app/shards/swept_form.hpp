@@ -6,7 +6,6 @@
 #include "app/options/bench_options.hpp"
 #include "bench/exhaustive/float_errors.hpp"
 #include "bench/forms/catalogue.hpp"
-#include "reports/table/table.hpp"
 
 /// The form that `bench --exhaustive` names.
 namespace shadefit {
@@ -28,9 +27,6 @@ SweptForm chosen_by(const forms::Catalogue& catalogue, const BenchOptions& optio
 
 /// The form with its constants in words: "sg, published-sg-offset-mean".
 std::string words_of(const SweptForm& form);
-
-/// Adds a column with one text to a table.
-void append_column(Table& table, const std::string& header, const std::string& text);
 
 std::vector<float> in_float(const std::vector<double>& numbers);
 

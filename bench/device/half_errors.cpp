@@ -75,7 +75,11 @@ HalfErrors errors_in_half(VulkanDevice& device, const ShaderFunction& function, 
     const auto result = static_cast<double>(std::bit_cast<float>(results[i]));
     double real = 0;
     in_double(std::array{&c}, &real, 1);
-    if (std::isfinite(bounds[i]) && !(std::abs(result - real) <= bounds[i])) found.beyond.push_back(c);
+    if (!std::isfinite(bounds[i])) {
+      ++found.unbounded;
+    } else if (!(std::abs(result - real) <= bounds[i])) {
+      found.beyond.push_back(c);
+    }
     ++found.count;
     if (std::isnan(result)) {
       ++found.nans;

@@ -38,6 +38,12 @@ Table with_digits(Table table, int most) {
   return table;
 }
 
+Table with_column(Table table, const std::string& column, const std::string& text) {
+  table.columns.push_back(column);
+  for (auto& row : table.rows) row.emplace_back(text);
+  return table;
+}
+
 Cell word(std::string_view text) {
   return std::string(text);
 }

@@ -120,6 +120,13 @@ TruthOfCosines in_double(const ShaderFunction& function) {
   };
 }
 
+/// The halves whose log2 has no bound, because a device may take a subnormal half as 0. pow(0, p) is 0.
+std::size_t without_bound(std::string_view form) {
+  constexpr std::size_t subnormals = 1023;
+  if (form == "lobe-pow") return subnormals;
+  return form == "lobe-exp2-log2" ? subnormals + 1 : 0;
+}
+
 // Every half in [0, 1] through every form of one cosine.
 TEST_F(Device, RunsEveryHalfWithinTheBound) {
   const forms::Catalogue catalogue = forms::catalogue();
@@ -132,6 +139,7 @@ TEST_F(Device, RunsEveryHalfWithinTheBound) {
     }
     const HalfErrors found = errors_in_half(vulkan(), form.function, truth, usual_gpu);
     EXPECT_EQ(found.count, 15361U);
+    EXPECT_EQ(found.unbounded, without_bound(form.form)) << form.form << " " << form.constants;
     EXPECT_GT(found.max_abs_error, 0x1p-13) << form.form << " is better than rounded to half";
     EXPECT_EQ(found.beyond.size(), 0U)
         << form.form << " " << form.constants << " at " << (found.beyond.empty() ? 0 : found.beyond.front());

@@ -16,7 +16,8 @@ TEST(NoDevice, IsOneLineAndNothingIsWritten) {
   const std::vector<std::vector<std::string>> commands{
       {"bench", "--list-devices"},
       {"bench", "--device", "vulkan", "--probe"},
-      {"bench", "--exhaustive", "schlick", "--device", "vulkan", "--out", directory.path().string()}};
+      {"bench", "--exhaustive", "schlick", "--device", "vulkan", "--out", directory.path().string()},
+      {"bench", "--exhaustive", "all", "--all-devices", "--out", directory.path().string()}};
   for (const auto& command : commands) {
     const Finished finished =
         run_process(command, [] { ::setenv("VK_ICD_FILENAMES", "/there/is/no/driver.json", 1); });
@@ -35,6 +36,13 @@ TEST(NoDevice, WhatDoesNotApplyToADeviceIsRefused) {
     EXPECT_EQ(finished.exit_code, 2);
     EXPECT_NE(finished.err.find(option), std::string::npos) << finished.err;
   }
+}
+
+TEST(NoDevice, AllDevicesSweepAllForms) {
+  const Finished finished = run_process({"bench", "--exhaustive", "schlick", "--all-devices"}, [] {});
+  EXPECT_EQ(finished.exit_code, 2);
+  EXPECT_EQ(finished.err,
+            "shadefit: --all-devices does not apply with --exhaustive 'schlick': it must be all\n");
 }
 
 }  // namespace
