@@ -69,17 +69,17 @@ std::vector<Cell> row_of(const GalleryEntry& entry, const StudyComparison& compa
 /// The same rows for the page: the important columns first, with titles in words.
 Table table_of_page(const Table& rows) {
   const std::vector<std::pair<std::string, std::size_t>> columns{{"Constants", 0},
-                                                                 {"Form", 1},
+                                                                 {"Used in", 3},
                                                                  {"Verdict", 4},
                                                                  {"Error as published", 6},
                                                                  {"Best at the same cost", 8},
                                                                  {"Times better", 9},
                                                                  {"Instructions", 7},
                                                                  {"Of the best", 10},
+                                                                 {"Form", 1},
                                                                  {"Least error", 12},
                                                                  {"which loses", 13},
                                                                  {"Error", 5},
-                                                                 {"Used in", 3},
                                                                  {"Source", 2}};
   Table table;
   for (const auto& column : columns) table.columns.push_back(column.first);
@@ -104,9 +104,13 @@ std::string index_page(const Table& rows, const std::vector<JudgedStudy>& all) {
           "<h1>Published constants of shading, judged and improved</h1>\n"
           "<p>{} published sets of constants in {} studies. Each was compared with the best fits of its form and of others, computed again by shadefit. "
           "{} have a better set at no more instructions.</p>\n"
-          "<p>The error is the largest one over the stated range, sampled. <b>Verdict</b> says which fit has the printed digits: that of the study "
-          "(confirmed; rounding: but for one unit in a last digit), another one (other-objective; undecidable: by chance, perhaps), or none (refuted). The best set has the least largest error among fits that keep the properties of the published one: "
-          "exact ends, rising or falling, not negative, at most 1, as far as its target has them; each is proven by interval arithmetic, or its page says that it is sampled. Its rms error is at most doubled. <b>Least error</b> is that of a fit which loses some.</p>\n"
+          "<p>The error is the largest one over the stated range, sampled. The verdict says which fit has the printed digits:</p>\n"
+          "<ul class=\"facts\"><li><b>confirmed</b>: the fit of the study; <b>rounding</b>: the same, but for one unit in a last digit</li>"
+          "<li><b>other-objective</b>: another fit, which is named; <b>undecidable</b>: another fit, perhaps by chance</li>"
+          "<li><b>refuted</b>: none of the fits that were tried</li></ul>\n"
+          "<p>The best set has the least largest error among the fits that keep the properties of the published set: exact ends, rising or falling, not negative, at most 1. "
+          "A property counts where the target has it. Each is proven by interval arithmetic, or its page says that it is sampled. The rms error is at most doubled. "
+          "<b>Least error</b> is that of a fit that loses some of these properties.</p>\n"
           "<p><label>Search <input type=\"search\" autocomplete=\"off\"></label> <span id=\"shown\" class=\"soft\" role=\"status\">{} shown</span></p>\n{}",
           rows.rows.size(), studies, improved, rows.rows.size(), html_table(table_of_page(rows), true)) +
       (others.empty() ? "" : "<p>Without a published set:" + others + "</p>\n");

@@ -78,9 +78,8 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
     lines.push_back("Its largest error, proven: " + proof_text(*best->proof));
   if (best != nullptr) lines.push_back("Its properties: " + text_with_proofs(best->properties));
   if (least != nullptr && least != best)
-    lines.push_back(fmt::format("Smaller yet, without {}: {}",
-                                to_text(lost_properties(published.properties, least->properties)),
-                                words(*least)));
+    lines.push_back(fmt::format("Smaller yet: {}; it loses: {}", words(*least),
+                                to_text(lost_properties(published.properties, least->properties))));
   if (least == nullptr) lines.emplace_back("No fit here is better at no more instructions");
 }
 

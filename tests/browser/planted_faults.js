@@ -26,7 +26,7 @@ const FAULTS = [
   [INDEX, ' : rising ? x - y : y - x', ' : rising ? x - y : x - y', /column 4, descending, by mouse: wrong order/],
   [INDEX, 'isNaN(x) && isNaN(y)', 'true', /wrong order/],
   [INDEX, "setAttribute('aria-sort', 'none')", "removeAttribute('x')", /aria-sort is/],
-  [INDEX, '<button type="button">Form', '<button type="button" tabindex="-1">Form', /column 2: Tab does not reach/],
+  [INDEX, '<button type="button">Used in', '<button type="button" tabindex="-1">Used in', /column 2: Tab does not reach/],
   [INDEX, 'words.every', 'words.some', /search .* shows/],
   [INDEX, 'if (!row.hidden) ++shown', '++shown', /search .* says/],
   [INDEX, 'href="acos-linear.html"', 'href="acos-linea.html"', /dead link|has no link to/],
