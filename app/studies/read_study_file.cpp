@@ -216,7 +216,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (over == nullptr) reader.fail(whole, "a study needs [over]");
   if (target == nullptr) reader.fail(whole, "a study needs [target]");
   read_over(reader, *over, file.study);
-  reader.require_keys(*target, {"formula", "table", "recompute"});
+  reader.require_keys(*target, {"formula", "table", "recompute", "encoded"});
   file.table = reader.optional(*target, "table");
   if (file.table.empty()) file.study.target = reader.required(*target, "formula");
   if (!file.table.empty() && target->contains("formula"))
@@ -224,6 +224,10 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (target->contains("recompute")) file.recompute = reader.required(*target, "recompute");
   if (file.table.empty() && file.recompute)
     reader.fail(*target, "'recompute' goes with a table: it is the formula of its values");
+  if (const toml::node* encoded = target->get("encoded")) {
+    if (!encoded->is_boolean()) reader.fail(*encoded, "the key 'encoded' must be true or false");
+    file.is_encoded = encoded->as_boolean()->get();
+  }
   if (const toml::table* given = part("given")) {
     for (const auto& [constant, node] : reader.in_order(*given))
       file.given.push_back(reader.parsed(*node, [&, &key = constant, &value = node] {

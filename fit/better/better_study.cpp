@@ -199,6 +199,11 @@ ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& c
   return read_formulas(study);
 }
 
+double codes_of(const StudyComparison& comparison, const StudyContender& contender) {
+  constexpr double most = 255;
+  return comparison.is_encoded ? most * contender.effect.absolute.magnitude : contender.effect.srgb_codes;
+}
+
 const StudyContender* first_published(const StudyComparison& comparison) {
   const StudyContender* first = nullptr;
   for (const StudyContender& contender : comparison.contenders) {
@@ -220,7 +225,8 @@ const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
 }
 
 StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint) {
-  StudyComparison comparison{.study = study, .error = error_of(study), .variables = {}};
+  StudyComparison comparison{
+      .study = study, .error = error_of(study), .variables = {}, .is_encoded = file.is_encoded};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
   for (const StudyForm& form : file.forms) {
     append_published(comparison, file, form, checkpoint);

@@ -53,6 +53,7 @@ struct StudyContender {
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
   std::vector<JudgedError> claims = {};          ///< what the source says of its errors
   std::optional<ProvenError> proof = {};         ///< only by `prove_contenders`
+  std::string unproven = {};                     ///< by `prove_contenders`: why there is no proof
   std::optional<double> bound = {};              ///< proven too, but maybe far above the largest error
   std::vector<ContenderInFormat> formats = {};   ///< only by `round_contenders`
   /// The published contenders, by their places in the list, that have a larger error at no fewer
@@ -68,12 +69,17 @@ struct StudyComparison {
   /// weight. Of measured rows it is the largest residual.
   std::string_view error;
   std::vector<std::string> variables;
+  bool is_encoded = false;  ///< as in `StudyFile`
   std::vector<StudyContender> contenders = {};
   std::vector<std::string> left_out = {};  ///< fits that did not converge: form, objective and reason
 };
 
 /// The formulas of a comparison, with the form of a contender.
 ReadStudy formulas_of(const StudyComparison& comparison, const StudyContender& contender);
+
+/// The largest change of the target in codes of 8 bits: of an encoded target 255 times the change, of a
+/// linear one the change of its sRGB code.
+double codes_of(const StudyComparison& comparison, const StudyContender& contender);
 
 /// The published contender that the file of the study has first; null without any.
 const StudyContender* first_published(const StudyComparison& comparison);

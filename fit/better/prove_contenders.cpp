@@ -1,5 +1,7 @@
 #include "fit/better/prove_contenders.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "fit/better/prove_properties.hpp"
@@ -20,23 +22,32 @@ void prove(StudyContender& contender, const StudySubject& subject, const Checkpo
   try {
     const auto [certificate, is_reached] = certify_study(subject, width, checkpoint, most);
     contender.bound = certificate.upper;
-    if (is_reached) contender.proof = {certificate.lower, certificate.upper, count_boxes(certificate)};
-  } catch (const CheckFailed&) {  // no finite bound
+    if (is_reached) {
+      contender.proof = {certificate.lower, certificate.upper, count_boxes(certificate)};
+    } else {
+      contender.unproven = fmt::format("a proof needs more than {} boxes", most);
+    }
+  } catch (const CheckFailed&) {
+    contender.unproven = "a proof finds no finite bound";
   }
 }
 
 }  // namespace
 
 void prove_contenders(StudyComparison& comparison, const Checkpoint& checkpoint) {
-  if (comparison.study.rows) return;
   const StudyContender* first = first_published(comparison);
   if (first == nullptr) return;
   const StudyContender* best = better_at_the_same_cost(comparison, *first);
   for (StudyContender& contender : comparison.contenders) {
     if (&contender != first && &contender != best) continue;
     checkpoint();
+    if (comparison.study.rows) {
+      contender.unproven = "the error is known at the rows alone";
+      continue;
+    }
     const StudySubject subject = subject_of(comparison.study, contender);
-    if (fault_of(subject).empty()) prove(contender, subject, checkpoint);
+    contender.unproven = fault_of(subject);
+    if (contender.unproven.empty()) prove(contender, subject, checkpoint);
   }
 }
 

@@ -34,6 +34,21 @@ void append_ends(const StudyAxis& axis, const SampledCurve& curve, double larges
   add(curve.form.size() - 1, axis.upper);
 }
 
+/// In several variables: at all places of an end of one of them.
+void append_edges(const std::vector<StudyAxis>& axes, const SampledCurve& curve, double largest,
+                  std::vector<StudyProperty>& properties) {
+  const double last_place = exact_slack * largest;
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    for (const double end : {axes[k].lower, axes[k].upper}) {
+      bool is_exact = true;
+      for (std::size_t i = 0; i < curve.form.size(); ++i)
+        is_exact = is_exact &&
+                   (curve.places[i][k] != end || std::abs(curve.form[i] - curve.target[i]) <= last_place);
+      if (is_exact) properties.push_back({"exact at " + axes[k].variable + " = " + to_text(end), {}});
+    }
+  }
+}
+
 /// Properties after each other, each with what a function adds to it.
 template <class Added>
 std::string listed(const std::vector<StudyProperty>& properties, const Added& added) {
@@ -62,6 +77,7 @@ std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCu
     if (never_rises(curve.target, slack) && never_rises(curve.form, slack))
       properties.push_back({"falls", {.monotone = Course::falls}});
   }
+  if (study.axes.size() > 1 && !study.rows) append_edges(study.axes, curve, largest, properties);
   if (are_all(curve.target, 0, HUGE_VAL) && are_all(curve.form, -slack, HUGE_VAL))
     properties.push_back({"not negative", {.at_least = 0}});
   if (are_all(curve.target, -HUGE_VAL, 1) && are_all(curve.form, -HUGE_VAL, 1 + slack))

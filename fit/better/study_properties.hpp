@@ -12,7 +12,7 @@ namespace shadefit {
 /// A property that a form shares with its target.
 struct StudyProperty {
   std::string words;        ///< "exact at x = 0", "rises", "falls", "not negative", "at most 1"
-  Constraints constraints;  ///< under which a fit has it
+  Constraints constraints;  ///< under which a fit has it; none if there are no such
   bool is_proven = false;   ///< by `prove_properties`, on the whole range; else it is sampled
 };
 
@@ -21,7 +21,8 @@ double size_of(const SampledCurve& curve);
 
 /// The properties of a curve that its target has too, sampled at its places. In one variable: that it is
 /// exact at an end (to the last place of a float, 2^-24 of the largest target), and that it never falls or
-/// never rises. Always: that it is not negative, and at most 1.
+/// never rises. In several: that it is exact at an end of one of them, which no fit can be asked for and is
+/// not proven. Always: that it is not negative, and at most 1.
 std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCurve& curve);
 
 /// Those of `wanted` that `found` lacks.

@@ -96,9 +96,10 @@ void Contacts::find_tangents() {
 
 Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
   constexpr int most_newton_steps = 60;
-  // Where a parameter alone is the value, it falls by the rounding of 1 in each step and never becomes 0; two
-  // steps are enough, before squares of it underflow.
+  // Where a power of a parameter is the value, it falls in each step and never becomes 0.
   constexpr double nothing = 1e-30;
+  // A step is relative to the parameters of the start: one that is relative to the last ones changes no sign.
+  const MinimaxParameters scale = parameters;
   double first = 0;
   for (int i = 0; i < most_newton_steps; ++i) {
     const Contact c = contact(Touch::exact, place);
@@ -106,7 +107,7 @@ Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
     if (i > 0 && std::abs(c.value) < nothing * first) return CanBe::exact;
     double square = 0;
     for (std::size_t j = 0; j < problem_.size; ++j) {
-      const double scaled = c.gradient[j] * parameters[j];
+      const double scaled = c.gradient[j] * scale[j];
       square += scaled * scaled;
     }
     WideParameters wide{};
@@ -119,9 +120,9 @@ Contacts::CanBe Contacts::can_be_exact(const SearchPlace& place) {
     const double step = -c.value / square;
     double largest = 0;
     for (std::size_t j = 0; j < problem_.size; ++j) {
-      const double relative = step * c.gradient[j] * parameters[j];
+      const double relative = step * c.gradient[j] * scale[j];
       largest = std::max(largest, std::abs(relative));
-      parameters[j] *= 1 + relative;
+      parameters[j] += relative * scale[j];
     }
     if (largest < 1e-10) return CanBe::exact;
   }

@@ -58,6 +58,8 @@ struct StudyFile {
   std::string id, title, about;
   Study study;             ///< its form is empty: it is one of `forms`
   std::string table = {};  ///< the file of measured rows, beside the file of the study; empty: a formula
+  bool is_encoded =
+      false;  ///< whether the target is a signal for a display, as sRGB is, and not linear light
   std::optional<std::string> recompute = {};  ///< the formula that gave the values of the table
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyForm> forms;                                              ///< the first is the usual one

@@ -61,7 +61,10 @@ std::string ramps(const StudyComparison& comparison, const std::vector<const Stu
   const std::string svg = grey_ramps_svg(comparison, contenders);
   if (svg.empty()) return "";
   return "<h2>As greys</h2>\n" + svg +
-         "<p class=\"soft\">Left to right over the range. Values are linear, shown in 8-bit sRGB.</p>\n";
+         fmt::format("<p class=\"soft\">Left to right over the range. {}</p>\n",
+                     comparison.is_encoded
+                         ? "Values are a signal for a display: 255 times a value is its code."
+                         : "Values are linear, shown in 8-bit sRGB.");
 }
 
 /// The error of one variable as curves, of two as maps.

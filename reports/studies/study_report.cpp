@@ -49,12 +49,14 @@ std::string trials_text(const StudyJudgement& judgement) {
 }
 
 /// "0.018 (as a linear grey 4.6 codes of 8-bit sRGB, 37 ulps of half)": the largest of each, sampled.
-std::string effect_text(const StudyContender& contender) {
+std::string effect_text(const StudyComparison& comparison, const StudyContender& contender) {
   const Effect& effect = contender.effect;
   const auto three = [](double value) { return text(Number{value, 3}, Precision::report); };
-  const std::string codes = contender.is_shown
-                                ? "as a linear grey " + three(effect.srgb_codes) + " codes of 8-bit sRGB, "
-                                : std::string();
+  std::string codes;
+  if (contender.is_shown)
+    codes =
+        fmt::format("{}{} codes of 8{}, ", comparison.is_encoded ? "" : "as a linear grey ",
+                    three(codes_of(comparison, contender)), comparison.is_encoded ? " bits" : "-bit sRGB");
   return fmt::format("{} ({}{} ulps of half)", three(effect.absolute.magnitude), codes,
                      three(effect.half_ulps));
 }
@@ -69,18 +71,22 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
                    std::vector<std::string>& lines) {
   const StudyContender* best = better_at_the_same_cost(comparison, published);
   const StudyContender* least = least_error_at_the_same_cost(comparison, published);
-  const auto words = [](const StudyContender& contender) {
-    return fmt::format("{}, {}: {}", contender.form, contender.origin, effect_text(contender));
+  const auto words = [&](const StudyContender& contender) {
+    return fmt::format("{}, {}: {}", contender.form, contender.origin, effect_text(comparison, contender));
   };
   if (best != nullptr)
     lines.push_back("Better at no more instructions, with these properties: " + words(*best));
   if (best != nullptr && best->proof)
     lines.push_back("Its largest error, proven: " + proof_text(*best->proof));
+  if (best != nullptr && !best->unproven.empty())
+    lines.push_back("Its largest error, sampled: " + best->unproven);
   if (best != nullptr) lines.push_back("Its properties: " + text_with_proofs(best->properties));
   if (least != nullptr && least != best)
     lines.push_back(fmt::format("Smaller yet: {}; it loses: {}", words(*least),
                                 to_text(lost_properties(published.properties, least->properties))));
-  if (least == nullptr) lines.emplace_back("No fit here is better at no more instructions");
+  if (best == nullptr)
+    lines.push_back(fmt::format("No fit here is better at no more instructions{}",
+                                least == nullptr ? "" : " and keeps these properties"));
 }
 
 }  // namespace
@@ -118,8 +124,9 @@ std::vector<std::string> published_lines(const PublishedSet& set,
     lines.push_back(fmt::format("Verdict: {}", verdict_text(*contender->judgement)));
     if (contender->judgement->tried > 1) lines.push_back(trials_text(*contender->judgement));
     lines.push_back("Properties of the target that it keeps: " + text_with_proofs(contender->properties));
-    lines.push_back("Largest change of the target: " + effect_text(*contender));
+    lines.push_back("Largest change of the target: " + effect_text(comparison, *contender));
     if (contender->proof) lines.push_back("Largest error, proven: " + proof_text(*contender->proof));
+    if (!contender->unproven.empty()) lines.push_back("Largest error, sampled: " + contender->unproven);
     append_better(comparison, *contender, lines);
     for (const JudgedError& judged : contender->claims)
       lines.push_back(fmt::format("{}: stated {}, computed {}: {}", words_of(judged.claim.error),
