@@ -81,12 +81,12 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
   if (best != nullptr && !best->unproven.empty())
     lines.push_back("Its largest error, sampled: " + best->unproven);
   if (best != nullptr) lines.push_back("Its properties: " + text_with_proofs(best->properties));
-  if (least != nullptr && least != best)
-    lines.push_back(fmt::format("Smaller yet: {}; it loses: {}", words(*least),
-                                to_text(lost_properties(published.properties, least->properties))));
   if (best == nullptr)
     lines.push_back(fmt::format("No fit here is better at no more instructions{}",
                                 least == nullptr ? "" : " and keeps these properties"));
+  if (least != nullptr && least != best)
+    lines.push_back(fmt::format("Smaller yet: {}; it loses: {}", words(*least),
+                                to_text(lost_properties(published.properties, least->properties))));
 }
 
 }  // namespace

@@ -328,6 +328,19 @@ TEST_F(StudyFolder, TakesMeasuredRows) {
                  "study '" + path("line.toml") + "', line 5: a target is a formula or a table, not both");
 }
 
+TEST_F(StudyFolder, ATargetMayBeASignal) {
+  const auto codes = [&](const std::string& encoded) {
+    write("line.toml", replaced(good, "[target]\n", "[target]\n" + encoded));
+    return run_command_line({"explain", path("line.toml")}).out;
+  };
+  EXPECT_NE(codes("").find("as a linear grey "), std::string::npos) << codes("");
+  EXPECT_NE(codes("encoded = true\n").find(" codes of 8 bits, "), std::string::npos);
+  EXPECT_EQ(codes("encoded = false\n"), codes(""));
+  write("line.toml", replaced(good, "[target]\n", "[target]\nencoded = \"yes\"\n"));
+  expect_refusal({"fit", path("line.toml")},
+                 "study '" + path("line.toml") + "', line 6: the key 'encoded' must be true or false");
+}
+
 TEST_F(StudyFolder, RecomputesRowsOfATable) {
   const std::string table = replaced(replaced(good, "x = \"0:1\"", "x = \"\""), "norm = \"minimax\"\n", "");
   const auto with = [&](const std::string& target) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -185,6 +186,13 @@ TEST(Gallery, ShowsGreysWhereTheyAreSeen) {
   const std::string page = judged_study(entry).page;
   EXPECT_NE(page.find("As greys"), std::string::npos);
   EXPECT_NE(page.find("fill=\"rgb(255,255,255)\""), std::string::npos) << "the target at 1";
+  // The largest change is 0.2, at 1/2: the sRGB code of 0.45 is 178.7, that of 0.25 is 136.96.
+  EXPECT_NE(page.find("of the target: 0.2 (as a linear grey "), std::string::npos);
+  entry.file.is_encoded = true;
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  const std::string encoded = judged_study(entry).page;
+  EXPECT_NE(encoded.find("of the target: 0.2 (51 codes of 8 bits, "), std::string::npos) << "0.2 of 255";
+  EXPECT_NE(encoded.find("255 times a value is its code"), std::string::npos);
   entry.file.study.target = "x^2 + 3";
   entry.comparisons = {compare_study(entry.file, entry.file.study)};
   EXPECT_EQ(judged_study(entry).page.find("As greys"), std::string::npos);
@@ -210,6 +218,39 @@ TEST(Gallery, HasAMapOfTwoVariables) {
       svg.find("class=\"over\" x=\"90.0\" y=\"320.0\" width=\"12.0\" height=\"12.0\" fill-opacity=\"0.33\""),
       std::string::npos)
       << "the lower left cell";
+}
+
+/// x + y - a x y is x + y where x or y is 0, and at no other edge of the square.
+TEST(Gallery, ExactEdgesAreKept) {
+  GalleryEntry entry = parabola();
+  entry.file.study.target = "x + y - x^2 y^2";
+  entry.file.study.over = {{"x", "0", "1"}, {"y", "0", "1"}};
+  entry.file.forms = {{"bilinear", "x + y - a x y"}, {"moved", "x + y - a"}};
+  entry.file.published = {{.form = "bilinear", .values = {{"a", "0.3"}}, .source = "Doe 2020"}};
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  const StudyComparison& comparison = entry.comparisons.front();
+  const StudyContender& published = *first_published(comparison);
+  EXPECT_EQ(to_text(published.properties), "exact at x = 0, exact at y = 0, not negative");
+  for (const StudyContender& contender : comparison.contenders) {
+    if (contender.form != "moved") continue;
+    EXPECT_EQ(to_text(lost_properties(published.properties, contender.properties)),
+              "exact at x = 0, exact at y = 0, not negative");
+  }
+  const StudyContender* best = better_at_the_same_cost(comparison, published);
+  ASSERT_NE(best, nullptr);
+  EXPECT_EQ(best->form, "bilinear");
+}
+
+/// Rows have no values between them.
+TEST(Gallery, SaysWhyALargestErrorIsNotProven) {
+  GalleryEntry entry = parabola();
+  entry.file.study.over = {{"x", "", ""}};
+  entry.file.study.rows = std::make_shared<const MeasuredRows>(
+      MeasuredRows{.file = "rows.csv", .places = {{0, 0.5, 1}}, .value = {0, 0.25, 1}, .sigma = {}});
+  entry.comparisons = {compare_study(entry.file, entry.file.study)};
+  prove_contenders(entry.comparisons.front());
+  EXPECT_NE(judged_study(entry).page.find("Largest error, sampled: the error is known at the rows alone"),
+            std::string::npos);
 }
 
 /// A gain of less than 1 % is not called better.

@@ -157,6 +157,17 @@ TEST(ConstrainedStudy, IsMonotoneUnderMinimax) {
   EXPECT_LT(*rising.level, fit_of(step, rises).max_abs_error.magnitude);
 }
 
+// The best quotient without the constraint is negative at 0, so that the way to the exact value crosses 0.
+TEST(ConstrainedStudy, BecomesExactAcrossAChangeOfSign) {
+  const Study signal = study_of("pow((3424/4096 + 2413/128*x)/(1 + 2392/128*x), 2523/32)",
+                                "(a + x (b + x (d + g x)))/(h + x (l + x (m + x)))");
+  EXPECT_LT(fit_of(signal, {}).parameters[0], 0);
+  const StudyFit fit = fit_of(signal, {.exact_at = {0}});
+  ASSERT_EQ(fit.status, Status::converged) << fit.why;
+  // the signal of black in SMPTE ST 2084, (3424/4096)^(2523/32); h is the fifth by name
+  EXPECT_NEAR(fit.parameters[0] / fit.parameters[4], 7.309559025783966e-07, 1e-16);
+}
+
 TEST(ConstrainedStudy, RefusesWhatCannotBe) {
   // At x = 1 the target is 0, which is below every exponential.
   const StudyFit below = fit_of(study_of("(1 - x)^5", "exp2((a x + b) x)"), {.one_sided = Side::below});
