@@ -11,6 +11,7 @@
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/linear_optimum.hpp"
 #include "fit/study/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
@@ -182,6 +183,31 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
   return fit;
 }
 
+/// The optimum of a form that is linear in all parameters, by one rule after the other.
+StudyFit settle_linear(const Rules& rules, std::size_t first) {
+  StudyFit fit;
+  fit.status = Status::not_converged;
+  long double best = HUGE_VALL;
+  for (std::size_t rule = first; rule < rules.last(); ++rule) {
+    const auto wide = rules.sampled<long double>(rule + 1);
+    const auto coarse = linear_optimum(rules.sampled<long double>(rule)), fine = linear_optimum(wide);
+    if (!coarse || !fine) continue;
+    const VectorOf<long double> step =
+        (coarse->parameters - fine->parameters).cwiseAbs() + fine->last_step.cwiseAbs();
+    const std::vector<double> parameters(fine->parameters.begin(), fine->parameters.end());
+    const MatrixOf<double> hessian = fine->sizes.cwiseAbs2().cast<double>().asDiagonal();
+    const auto size = relative_size(step, parameters, hessian, static_cast<double>(wide.target_norm()));
+    if (!(size < best)) continue;
+    best = size;
+    fit.parameters = parameters;
+    fit.digits = correct_digits(size);
+    fit.rms_error = static_cast<double>(std::sqrt(fine->square));
+    if (fit.digits >= least_study_digits) fit.status = Status::converged;
+    if (size <= settled) break;
+  }
+  return fit;
+}
+
 /// The candidates whose square is the best one: other parameters may reach the optimum too.
 std::vector<StudyCandidate> best_of(const std::vector<StudyCandidate>& candidates, double target_norm) {
   constexpr double equal = 1e-9;
@@ -311,6 +337,10 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
     fit.parameters = chosen.parameters;
     fit.status = Status::degenerate;
     fit.why = "the curve stays the same while " + flat + " change together";
+  }
+  if (fit.status != Status::converged && searched.is_linear) {
+    const StudyFit linear = settle_linear(rules, search_rule(study));
+    if (linear.status == Status::converged) fit = linear;
   }
   fit.names = study.parameters;
   fit.starts = searched.starts;

@@ -69,6 +69,7 @@ class SampledStudy {
   SampledStudy(const StudyError& error, const StudyNodes& nodes);
 
   std::size_t size() const { return weights_.size(); }
+  std::size_t parameter_count() const { return count_; }
   /// sqrt(weight) of each node.
   const VectorOf<T>& roots() const { return roots_; }
 
