@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <optional>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "app/shards/every_form.hpp"
 #include "app/shards/halves_command.hpp"
 #include "app/shards/kept_sweep.hpp"
+#include "app/shards/ulps_table.hpp"
 #include "bench/exhaustive/state_file.hpp"
 #include "bench/forms/catalogue.hpp"
 #include "fit/support/hex_float.hpp"
@@ -54,18 +54,7 @@ std::string result_text(const Sweep& sweep, const SweptForm& chosen, const Termi
                       found.max_abs_error, place_text(found.max_abs_error_at), found.max_ulps,
                       place_text(found.max_ulps_at), found.nans, found.above_one, found.below_zero,
                       device_text(sweep));
-  Table table{{"ulps", "floats", "share"}, {}};
-  std::size_t last = found.ulps.size();
-  while (last > 1 && found.ulps[last - 1] == 0) --last;
-  for (std::size_t i = 0; i < last; ++i) {
-    const std::uint64_t low = i == 0 ? 0 : std::uint64_t{1} << (i - 1), high = (std::uint64_t{1} << i) - 1;
-    table.rows.push_back({low >= high ? fmt::to_string(low) : fmt::format("{} .. {}", low, high),
-                          static_cast<long>(found.ulps[i]),
-                          Number{static_cast<double>(found.ulps[i]) /
-                                     static_cast<double>(std::max<std::uint64_t>(found.count(), 1)),
-                                 4}});
-  }
-  return text + write_console(table, Precision::report, terminal);
+  return text + write_console(ulps_table(found.ulps, found.count(), "floats"), Precision::report, terminal);
 }
 
 Outcome sweep_one(const BenchOptions& options, const forms::Catalogue& catalogue, const std::string& version,

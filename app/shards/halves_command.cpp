@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/shards/swept_form.hpp"
+#include "app/shards/ulps_table.hpp"
 #include "bench/device/form_functions.hpp"
 #include "bench/device/half_errors.hpp"
 #include "bench/device/probe.hpp"
@@ -28,6 +29,19 @@ std::string places_text(const SweptForm& form, const std::vector<double>& places
   return text;
 }
 
+std::vector<Cell> row_of(const SweptForm& form, const device::HalfErrors& found) {
+  return {std::string(form.form->id),
+          form.constants->id,
+          static_cast<long>(found.count),
+          Number{found.max_abs_error, 6},
+          hex_text(found.max_abs_error_at),
+          static_cast<long>(found.max_ulps),
+          hex_text(found.max_ulps_at),
+          static_cast<long>(found.nans),
+          static_cast<long>(found.beyond.size()),
+          static_cast<long>(found.unbounded)};
+}
+
 }  // namespace
 
 Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
@@ -38,9 +52,10 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
   device::VulkanDevice vulkan({.place = *options.device});
   const GpuModel model =
       device::model_for(is_all ? forms::Function::pow : swept.front().form->function, vulkan, checkpoint);
-  Table table{{"form", "constants", "halves", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
+  Table table{{"form", "constants", "halves", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond",
+               "without bound"},
               {}};
-  std::string beyond;
+  std::string beyond, histogram;
   const double start = bench::now().real;
   for (const SweptForm& form : swept) {
     checkpoint();
@@ -49,20 +64,19 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
     const device::FormFunction on_device = device::form_function(*form.target, *form.form, *form.constants);
     const device::HalfErrors found =
         device::errors_in_half(vulkan, on_device.function, subject_of(catalogue, form).truth, model);
-    table.rows.push_back({std::string(form.form->id), form.constants->id, static_cast<long>(found.count),
-                          Number{found.max_abs_error, 6}, hex_text(found.max_abs_error_at),
-                          static_cast<long>(found.max_ulps), hex_text(found.max_ulps_at),
-                          static_cast<long>(found.nans), static_cast<long>(found.beyond.size())});
+    table.rows.push_back(row_of(form, found));
     beyond += places_text(form, found.beyond);
+    if (!is_all)
+      histogram = "\n" + write_console(ulps_table(found.ulps, found.count, "halves"), Precision::report,
+                                       options.terminal);
   }
-  std::string text = fmt::format("on {}\n{}{}", device::name_with_driver(vulkan.info()),
-                                 write_console(table, Precision::report, options.terminal), beyond);
-  if (is_all) {
-    constexpr const char* file = "errors-half.csv";
-    const Table in_file = with_column(table, "device", device::name_with_driver(vulkan.info()));
-    write_files(options.out, {{file, write_csv(in_file, Precision::report)}});
-    text += fmt::format("\nResult: {}\n", printable((without_detours(options.out) / file).string()));
-  }
+  const std::string name = device::name_with_driver(vulkan.info());
+  constexpr const char* file = "errors-half.csv";
+  write_files(options.out, {{file, write_csv(with_column(table, "device", name), Precision::report)}});
+  const std::string path = (without_detours(options.out) / file).string();
+  const std::string text = fmt::format("on {}\n{}{}{}\nResult: {}\n", name,
+                                       write_console(table, Precision::report, options.terminal), beyond,
+                                       histogram, printable(path));
   return {beyond.empty() ? 0 : 1, text, ""};
 }
 

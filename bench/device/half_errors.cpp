@@ -87,6 +87,7 @@ HalfErrors errors_in_half(VulkanDevice& device, const ShaderFunction& function, 
     }
     const double error = std::abs(result - exact[i]);
     const auto ulps = static_cast<std::uint32_t>(std::abs(place_of(result) - place_of(exact[i])));
+    ++found.ulps[static_cast<std::size_t>(std::bit_width(ulps))];
     if (error > found.max_abs_error) {
       found.max_abs_error = error;
       found.max_abs_error_at = c;

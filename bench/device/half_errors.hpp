@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -19,6 +20,7 @@ struct HalfErrors {
   double max_abs_error_at = 0;
   std::uint32_t max_ulps = 0;  ///< halves between the form and the truth rounded to half
   double max_ulps_at = 0;
+  std::array<std::uint64_t, 17> ulps = {};  ///< [0]: none; [i]: 2^(i-1) to 2^i - 1
   std::size_t nans = 0;
   std::size_t unbounded = 0;        ///< where the bound is infinite, as that of log2 at 0
   std::vector<double> beyond = {};  ///< where the form is farther from its real value than its bound

@@ -139,14 +139,16 @@ Symbolic variable(const char* name) {
   return Symbolic::variable(name);
 }
 
-/// Floats of all exponents: all of them, or 1 %.
-std::vector<Patterns> all_normal(Patterns whole, ProbeExtent extent) {
-  if (extent == ProbeExtent::all) return {whole};
+/// The floats of these ranges: all of them, or about 1 % from each.
+std::vector<Patterns> chosen_of(std::span<const Patterns> ranges, ProbeExtent extent) {
+  if (extent == ProbeExtent::all) return {ranges.begin(), ranges.end()};
   constexpr std::uint32_t share = 100, size = 1U << 17;
   std::vector<Patterns> some;
-  for (std::uint64_t from = whole.from; from < whole.to; from += share * size)
-    some.push_back({static_cast<std::uint32_t>(from),
-                    static_cast<std::uint32_t>(std::min<std::uint64_t>(from + size, whole.to))});
+  for (const auto& [first, end] : ranges) {
+    for (std::uint64_t from = first; from < end; from += share * size)
+      some.push_back({static_cast<std::uint32_t>(from),
+                      static_cast<std::uint32_t>(std::min<std::uint64_t>(from + size, end))});
+  }
   return some;
 }
 
@@ -166,18 +168,20 @@ std::vector<std::array<float, 2>> pairs(std::uint64_t seed, std::array<double, 2
   return drawn;
 }
 
-LargestError exp2_on(Bench& bench) {
+LargestError exp2_on(Bench& bench, ProbeExtent extent) {
   const std::array normal{Patterns{0, bits_of(128.0F)}, Patterns{bits_of(-0.0F), bits_of(-126.0F) + 1}};
-  return bench.over(Symbolic::function("exp2", {variable("x")}), normal, Unit::ulp, exact_exp2);
+  return bench.over(Symbolic::function("exp2", {variable("x")}), chosen_of(normal, extent), Unit::ulp,
+                    exact_exp2);
 }
 
 /// The errors outside of [1/2, 2] and inside.
-std::pair<LargestError, LargestError> log2_on(Bench& bench) {
+std::pair<LargestError, LargestError> log2_on(Bench& bench, ProbeExtent extent) {
   const auto log2 = [](double a) { return std::log2(a); };
   const Symbolic function = Symbolic::function("log2", {variable("x")});
   const std::array far{Patterns{least_normal, bits_of(0.5F)}, Patterns{bits_of(2.0F) + 1, infinite}};
   const std::array near{Patterns{bits_of(0.5F), bits_of(2.0F) + 1}};
-  return {bench.over(function, far, Unit::ulp, log2), bench.over(function, near, Unit::one, log2)};
+  return {bench.over(function, chosen_of(far, extent), Unit::ulp, log2),
+          bench.over(function, chosen_of(near, extent), Unit::one, log2)};
 }
 
 /// The result for one set of arguments.
@@ -192,13 +196,14 @@ Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoi
   Bench bench(device, checkpoint);
   const Symbolic x = variable("x"), y = variable("y"), z = variable("z");
   Probe found;
-  found.exp2 = exp2_on(bench);
-  std::tie(found.log2, found.log2_near_one) = log2_on(bench);
-  found.root = bench.over(Symbolic::function("sqrt", {x}), all_normal({least_normal, infinite}, extent),
-                          Unit::ulp, [](double a) { return std::sqrt(a); });
-  found.reciprocal =
-      bench.over(Symbolic::number("1") / x, all_normal({least_normal, bits_of(0x1p126F) + 1}, extent),
-                 Unit::ulp, [](double a) { return 1 / a; });
+  const std::array normal{Patterns{least_normal, infinite}},
+      with_normal_reciprocal{Patterns{least_normal, bits_of(0x1p126F) + 1}};
+  found.exp2 = exp2_on(bench, extent);
+  std::tie(found.log2, found.log2_near_one) = log2_on(bench, extent);
+  found.root = bench.over(Symbolic::function("sqrt", {x}), chosen_of(normal, extent), Unit::ulp,
+                          [](double a) { return std::sqrt(a); });
+  found.reciprocal = bench.over(Symbolic::number("1") / x, chosen_of(with_normal_reciprocal, extent),
+                                Unit::ulp, [](double a) { return 1 / a; });
   found.quotient = bench.at(x / y, pairs(1, {0x1p-60, 0x1p60}, {0x1p-60, 0x1p60}),
                             [](double a, double b) { return a / b; });
   found.power = bench.at(power(x, y), pairs(2, {0x1p-8, 1}, {1, 64}),
@@ -211,20 +216,12 @@ Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoi
   return found;
 }
 
-GpuModel model_of(const Probe& probe) {
-  return {.exp2_ulps = probe.exp2.error,
-          .log2_ulps = probe.log2.error,
-          .log2_near_one = probe.log2_near_one.error,
-          .quotient_ulps = std::max({probe.quotient.error, probe.reciprocal.error, usual_gpu.quotient_ulps}),
-          .root_ulps = std::max(probe.root.error, usual_gpu.root_ulps)};
-}
-
 GpuModel model_for(forms::Function function, VulkanDevice& device, const Checkpoint& checkpoint) {
   Bench bench(device, checkpoint);
   GpuModel model = usual_gpu;
-  if (function != forms::Function::none) model.exp2_ulps = exp2_on(bench).error;
+  if (function != forms::Function::none) model.exp2_ulps = exp2_on(bench, ProbeExtent::all).error;
   if (function == forms::Function::pow) {
-    const auto [far, near] = log2_on(bench);
+    const auto [far, near] = log2_on(bench, ProbeExtent::all);
     model.log2_ulps = far.error;
     model.log2_near_one = near.error;
   }

@@ -22,10 +22,10 @@ struct LargestError {
 /// Errors are |result - truth| divided by the ulp of the truth: 2^(e - 23), where 2^e is the largest power of
 /// two that is not above it.
 struct Probe {
-  LargestError exp2;           ///< in ulps, every float from -126 to 128: all normal results
-  LargestError log2;           ///< in ulps, every normal float outside of [1/2, 2]
-  LargestError log2_near_one;  ///< absolute, every float inside
-  LargestError root;           ///< in ulps, floats of all exponents
+  LargestError exp2;           ///< in ulps, floats from -126 to 128: all normal results
+  LargestError log2;           ///< in ulps, normal floats outside of [1/2, 2]
+  LargestError log2_near_one;  ///< absolute, floats inside
+  LargestError root;           ///< in ulps, normal floats
   LargestError reciprocal;     ///< in ulps, likewise, where the result is normal
   LargestError quotient;       ///< in ulps, random pairs
   LargestError power;          ///< in ulps, random pairs x^y: x in [1/256, 1], y in [1, 64], normal results
@@ -35,17 +35,13 @@ struct Probe {
 };
 
 enum class ProbeExtent {
-  all,     ///< every float, also for the root and the reciprocal
-  sample,  ///< every float for exp2 and log2; 1 % of them for the other functions
+  all,     ///< every float
+  sample,  ///< 1 % of them, of all exponents
 };
 
 /// Measures a device. The truth is that of the C library in double, whose error is below 1e-8 ulps of a
 /// float. `checkpoint` is called several times a second.
 Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoint = keep_going);
-
-/// The error model of a device. Quotients and roots are sampled, so they get at least the errors of
-/// `usual_gpu`.
-GpuModel model_of(const Probe& probe);
 
 /// The error model for forms with this function. Only what they need is measured; the rest is `usual_gpu`.
 GpuModel model_for(forms::Function function, VulkanDevice& device, const Checkpoint& checkpoint = keep_going);

@@ -1,11 +1,14 @@
 #include "bench/device/times/measure_device.hpp"
 
+#include <fmt/format.h>
+
 #include <optional>
 #include <utility>
 
 #include "bench/device/times/device_errors.hpp"
 #include "bench/device/times/programme.hpp"
 #include "bench/forms/forms.hpp"
+#include "fit/support/user_error.hpp"
 
 namespace shadefit::device {
 namespace {
@@ -122,6 +125,15 @@ ByChain medians(const std::array<Rounds, chains.size()>& times) {
   return {bench::spread_of(times[0]).median, bench::spread_of(times[1]).median};
 }
 
+/// All times are divided by that of a multiply-add. A clock that stands still, or is coarse, gives 0.
+void require_above_zero(const ByChain& mads) {
+  for (const double ns : mads) {
+    if (!(ns > 0))
+      throw CheckFailed(
+          fmt::format("the clock of the device is too coarse: a multiply-add takes {:.3g} ns", ns));
+  }
+}
+
 /// The rows without a form: the copy, the empty dispatch, and a multiply-add in each precision.
 std::vector<bench::TimedForm> floor_rows(const Measured& measured, const std::vector<InPrecision>& all,
                                          const ByChain& mads) {
@@ -177,6 +189,7 @@ bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values
   trade.machine.clock = name_of_clock(info);
   for (const DeviceTarget& target : forms.targets) trade.targets.push_back(target.heading);
   const ByChain mads = medians(all.front().floor.multiply_adds(measured));
+  require_above_zero(mads);
   trade.copies = floor_rows(measured, all, mads);
   for (std::size_t i = 0; i < forms.forms.size(); ++i) {
     for (const InPrecision& one : all)

@@ -25,7 +25,8 @@ DeviceChoice choice_for_times(std::size_t place, const DevicePlan& plan);
 /// their number. Each round visits all shaders, and differences are taken within a round. The median time of
 /// the empty kernel, a dispatch of no turns, is subtracted from every dispatch.
 ///
-/// `copies` of the trade has the floors: the copy of a word, the empty dispatch, a multiply-add.
+/// `copies` of the trade has the floors: the copy of a word, the empty dispatch, a multiply-add. Throws
+/// CheckFailed if the median time of a multiply-add is not above 0.
 bench::Trade measure_on_device(VulkanDevice& for_times, VulkanDevice& for_values, const DeviceForms& forms,
                                const DevicePlan& plan, const std::function<void(double)>& between);
 
