@@ -49,46 +49,6 @@ std::optional<KnownSet> core_of(const KnownSet& set) {
   return count_operations(core).total() < least_operations ? std::nullopt : std::optional(std::move(small));
 }
 
-/// The numbers with which choices compare: 0.04045 in u <= 0.04045 ? a : b.
-void append_thresholds(const Symbolic& formula, std::vector<double>& thresholds) {
-  if (formula.kind() == Symbolic::Kind::choice)
-    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
-      if (formula.part(side).kind() == Symbolic::Kind::number)
-        thresholds.push_back(constant<double>(formula.part(side).name()));
-  for (const Symbolic& part : formula.parts()) append_thresholds(part, thresholds);
-}
-
-/// The threshold of a form of one variable, if it is a constant and is missing.
-std::optional<std::size_t> missing_threshold(const KnownSet& set, const std::vector<std::size_t>& missing) {
-  if (set.formula.kind() != Symbolic::Kind::choice || set.axes.size() != 1) return std::nullopt;
-  for (const std::size_t constant : missing)
-    for (const std::size_t side : {std::size_t{0}, std::size_t{1}})
-      if (set.formula.part(side).kind() == Symbolic::Kind::variable &&
-          set.formula.part(side).name() == set.constants[constant].name)
-        return constant;
-  return std::nullopt;
-}
-
-/// The form with another threshold, if the expression has one that is far from the published one. A near one
-/// may join the branches better. All places of CurveComparison may lie above both thresholds.
-ExpressionMatch with_threshold(ExpressionMatch match, const Symbolic& expression, const KnownSet& set,
-                               const std::vector<std::size_t>& missing) {
-  constexpr double far = 2;
-  const auto place = missing_threshold(set, missing);
-  if (!place) return match;
-  std::vector<double> thresholds;
-  append_thresholds(expression, thresholds);
-  const double published = set.constants[*place].value;
-  const KnownAxis& axis = set.axes.front();
-  for (const double threshold : thresholds) {
-    const bool is_inside = axis.lower < threshold && threshold < axis.upper;
-    if (!is_inside || (threshold < far * published && published < far * threshold)) continue;
-    match.constants[*place] = threshold;
-    match.replaced = place;
-  }
-  return match;
-}
-
 /// Compares an expression with a form.
 class ExpressionMatcher {
  public:
@@ -105,7 +65,8 @@ class ExpressionMatcher {
   std::optional<ExpressionMatch> form() const {
     if (comparison_.has({set_.formula, constants_})) return ExpressionMatch{set_.formula, constants_};
     const std::vector<double> published = published_values(set_);
-    if (constants_ == published || !comparison_.has({set_.formula, published})) return std::nullopt;
+    if (constants_ == published || !holds_changed(published) || !comparison_.has({set_.formula, published}))
+      return std::nullopt;
     return ExpressionMatch{.form = set_.formula, .constants = published, .is_published = true};
   }
 
@@ -143,6 +104,15 @@ class ExpressionMatcher {
   }
 
  private:
+  /// Whether the expression has each number that differs from the published one. Otherwise it tells nothing
+  /// about that number.
+  bool holds_changed(const std::vector<double>& published) const {
+    std::vector<double> changed;
+    for (std::size_t i = 0; i < published.size(); ++i)
+      if (constants_[i] != published[i]) changed.push_back(std::abs(constants_[i]));
+    return !parts_.empty() && count_held(parts_.back().numbers, changed) == changed.size();
+  }
+
   const KnownSet& set_;
   const std::vector<double>&constants_, &numbers_;
   std::vector<Part> parts_;
@@ -168,7 +138,7 @@ std::optional<ExpressionMatch> match_expression(const Symbolic& expression, cons
                                                 const std::vector<double>& numbers,
                                                 const std::vector<std::size_t>& missing) {
   const ExpressionMatcher whole(expression, set, constants, numbers);
-  if (auto match = whole.form()) return with_threshold(std::move(*match), expression, set, missing);
+  if (auto match = whole.form()) return match;
   if (missing.empty())
     if (auto match = whole.multiple()) return match;
   if (auto match = whole.replaced(missing)) return match;

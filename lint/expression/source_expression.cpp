@@ -2,41 +2,47 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "fit/formula/parse_formula.hpp"
 #include "lint/expression/rewriter.hpp"
+#include "lint/expression/statements.hpp"
 
 namespace shadefit::lint {
 namespace {
 
-/// The text without comments.
-std::string without_comments(std::string_view text, CommentStyle style) {
-  std::string out;
+/// The position of a word outside of parentheses, or npos.
+std::size_t word_outside(std::string_view text, std::string_view word) {
+  int depth = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_line = (style == CommentStyle::c && text.substr(i, 2) == "//") ||
-                         (style == CommentStyle::hash && text[i] == '#');
-    if (is_line) {
-      i = std::min(text.find('\n', i), text.size());
-    } else if (style == CommentStyle::c && text.substr(i, 2) == "/*") {
-      i = std::min(text.find("*/", i + 2), text.size()) + 1;
-    } else {
-      out += text[i];
-      continue;
-    }
-    out += ' ';
+    if (text[i] == '(' || text[i] == '[') ++depth;
+    if (text[i] == ')' || text[i] == ']') --depth;
+    if (depth == 0 && text.substr(i).starts_with(word)) return i;
   }
-  return out;
+  return std::string_view::npos;
+}
+
+/// Python's "a if x < t else b" as x < t ? a : b.
+std::string with_sign_of_choice(std::string text) {
+  constexpr std::string_view condition = " if ", other = " else ";
+  const std::size_t first = word_outside(text, condition), second = word_outside(text, other);
+  if (first == std::string::npos || second == std::string::npos || second < first) return text;
+  const std::size_t begin = first + condition.size();
+  return "(" + text.substr(begin, second - begin) + ") ? (" + text.substr(0, first) + ") : (" +
+         with_sign_of_choice(text.substr(second + other.size())) + ")";
 }
 
 }  // namespace
-
 bool is_number(const Symbolic& formula) {
   if (formula.kind() == Symbolic::Kind::variable) return false;
   return std::all_of(formula.parts().begin(), formula.parts().end(), is_number);
 }
 
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
-  const auto source = in_formula_notation(without_comments(text, style));
+  std::string plain = without_comments(text, style);
+  if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
+  const auto source = in_formula_notation(plain);
   if (!source) return std::nullopt;
   FormulaNames names;
   for (std::size_t i = 0; i < source->names.size(); ++i) names.variables.push_back("v" + std::to_string(i));

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lint/expression/source_expression.hpp"
+#include "lint/expression/statements.hpp"
 #include "lint/scan/characters.hpp"
 
 namespace shadefit::lint {
@@ -17,11 +18,6 @@ constexpr std::size_t most_bytes_before = 300;
 
 /// A person does not write larger formulas.
 constexpr std::size_t deepest_value = 60;
-
-struct Statement {
-  std::size_t begin = 0, end = 0;
-  std::string_view text;
-};
 
 /// Whether a name and "=" follow: the next declaration of "float a = 2.51, b = 0.03".
 bool begins_declaration(std::string_view text) {
@@ -67,10 +63,8 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
     if (text[i] == ')' || text[i] == ']') --depth;
     if (!ends(i, depth) && !(text[i] == ',' && depth == 0 && begins_declaration(text.substr(i + 1))))
       continue;
-    if (i > first) {
-      statements.push_back({first, i, text.substr(first, i - first)});
-      if (i >= end) ++behind;
-    }
+    statements.push_back({first, i, std::string(text.substr(first, i - first)), text[i]});
+    if (i > first && i >= end) ++behind;
     if (text[i] == '}' && i >= end) break;  // the function ends
     first = i + 1;
     depth = 0;
@@ -78,54 +72,26 @@ std::vector<Statement> statements_of(std::string_view text, std::size_t begin, s
   return statements;
 }
 
-/// Where the block around a place begins, if that is near.
+/// Whether the block whose brace stands there is a branch: "if (x < t) {".
+bool is_branch(std::string_view text, std::size_t brace) {
+  const std::string_view before = text.substr(0, brace);
+  const std::size_t end = before.find_last_of(";{}");
+  const std::string_view head = before.substr(end == std::string_view::npos ? 0 : end + 1);
+  const std::size_t word = head.rfind("if");
+  return word != std::string_view::npos && (word == 0 || !is_of_name(head[word - 1])) &&
+         word + 2 < head.size() && !is_of_name(head[word + 2]);
+}
+
+/// Where the block around a place begins, if that is near. A branch is a part of the block around its `if`.
 std::size_t block_begin(std::string_view text, std::size_t at) {
   const std::size_t least = at - std::min(at, most_bytes_before);
-  const std::size_t brace = text.substr(least, at - least).find_last_of("{}");
+  const std::string_view before = text.substr(least, at - least);
+  std::size_t brace = before.find_last_of("{}");
+  while (brace != std::string_view::npos && brace > 0 && before[brace] == '{' && is_branch(before, brace))
+    brace = before.find_last_of("{}", brace - 1);
   if (brace != std::string_view::npos) return least + brace + 1;
   const std::size_t line = text.find('\n', least);
   return least == 0 ? 0 : std::min(line, at);
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-/// "float3 a = x * 2": the name a, the operator (0, or that of *=) and the right side. "return x": no name.
-struct Assignment {
-  std::string name;
-  char operation = '\0';
-  std::string_view right;
-};
-
-/// The last name of "const float3 a", of "let a: f32" the one before the colon.
-std::string assigned_name(std::string_view left) {
-  left = trimmed(left.substr(0, left.find(':')));
-  std::size_t first = left.size();
-  while (first > 0 && (is_of_name(left[first - 1]) || left[first - 1] == '.')) --first;
-  return std::string(left.substr(first));
-}
-
-std::optional<Assignment> assignment_of(std::string_view statement) {
-  statement = trimmed(statement);
-  constexpr std::string_view word = "return";
-  if (statement.starts_with(word) && statement.size() > word.size() && !is_of_name(statement[word.size()]))
-    return Assignment{"", '\0', statement.substr(word.size())};
-  for (std::size_t i = 1; i + 1 < statement.size(); ++i) {
-    if (statement[i] == '(') break;
-    if (statement[i] != '=') continue;
-    if (statement[i + 1] == '=' || std::string_view("=<>!").find(statement[i - 1]) != std::string_view::npos)
-      return std::nullopt;
-    const bool is_compound = std::string_view("+-*/").find(statement[i - 1]) != std::string_view::npos;
-    const std::size_t sign = is_compound ? i - 1 : i - (statement[i - 1] == ':' ? 1 : 0);
-    std::string name = assigned_name(statement.substr(0, sign));
-    if (name.empty()) return std::nullopt;
-    return Assignment{std::move(name), is_compound ? statement[i - 1] : '\0', statement.substr(i + 1)};
-  }
-  // The last expression of a function in Rust.
-  return Assignment{"", '\0', statement};
 }
 
 Symbolic combined(char operation, const Symbolic& a, const Symbolic& b) {
@@ -176,7 +142,8 @@ std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::s
 
 std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
                                     CommentStyle style) {
-  const std::vector<Statement> statements = statements_of(text, block_begin(text, begin), end, style);
+  const std::vector<Statement> statements =
+      with_choices(statements_of(text, block_begin(text, begin), end, style), style);
   std::vector<Symbolic> values = values_of(statements, begin, end, style, false);
   if (statements.empty() || statements.front().end > begin) return values;
   // The form may be one of x, after x = 1 - y (the values so far), or one of y, after t = y y (these values).

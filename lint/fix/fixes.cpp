@@ -1,5 +1,6 @@
 #include "lint/fix/fixes.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "lint/scan/characters.hpp"
@@ -13,6 +14,14 @@ bool is_fixed(const LintedSite& site, FixScope scope) {
   if (site.is_pinned) return true;
   if (site.ignored || site.is_in_comment || !site.slip.empty() || scope == FixScope::pins) return false;
   return site.grade == Grade::wrong || (scope == FixScope::typo && site.grade == Grade::typo);
+}
+
+/// Whether a number stays: one that has only fewer digits than published, beside one that is worse. If the
+/// site is wrong, the other one is why.
+bool stays_short(const LintedSite& site, const LintedNumber& number) {
+  return !site.is_pinned && number.grade == Grade::truncated &&
+         std::any_of(site.numbers.begin(), site.numbers.end(),
+                     [](const LintedNumber& other) { return other.grade > Grade::truncated; });
 }
 
 /// Whether a factor such as "\times 10^{-13}" follows: the published number may include it.
@@ -35,7 +44,7 @@ std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view
   for (const LintedSite& site : sites) {
     if (!is_fixed(site, scope)) continue;
     for (const LintedNumber& number : site.numbers) {
-      if (number.grade == Grade::right || !number.is_by_digits) continue;
+      if (number.grade == Grade::right || !number.is_by_digits || stays_short(site, number)) continue;
       // `v.0` is a member, whatever its digits.
       if (number.offset > 0 && is_of_name(text[number.offset - 1])) continue;
       if (is_before_factor(text, number.offset + number.text.size())) continue;

@@ -75,7 +75,11 @@ class Search {
     const Place place{absolute.string(), shown_name(given, current_)};
     const fs::file_status status = fs::status(absolute, error);
     if (!fs::is_directory(status)) {
-      read_part(place.path(), 0, 0);  // Refused here: a gate must not pass for what it could not read.
+      // Refused here: a gate must not pass for what it could not read.
+      read_part(place.path(), 0, 0);
+      if (const auto size = fs::file_size(place.path(), error); !error && size > options_.largest)
+        throw UserError(fmt::format("cannot read '{}': it has {} bytes, more than {}", place.path().string(),
+                                    size, options_.largest));
       add_named_file(place);
       return;
     }

@@ -46,6 +46,11 @@ TEST(LintCorpus, EachPlaceHasTheGradeThatIsNoted) {
   }
   std::cout << fmt::format("{} places: {} found, {} with their grade; {} traps: {} reported\n", sites, found,
                            graded, traps, false_alarms);
+  const auto percent = [](std::size_t part, std::size_t all) {
+    return 100 * static_cast<double>(part) / static_cast<double>(all);
+  };
+  std::cout << fmt::format("precision {:.1f} %, recall {:.1f} %\n", percent(found, found + false_alarms),
+                           percent(found, sites));
   // What the project wants of its corpus.
   EXPECT_GE(sites, 60u);
   EXPECT_GE(traps, 40u);

@@ -189,6 +189,81 @@ TEST(MatchExpression, ABranchMayHaveTheSlip) {
   EXPECT_EQ(grade("offset(pow(x, 1.0 / 2.4) * 1.055, 0.055)"), "right");
 }
 
+/// "ID GRADE" of the only site of a text.
+std::string verdict(const std::string& text, SourceLanguage language) {
+  static const KnownConstants known = all_known();
+  const auto sites = lint_source("a", text, language, known, {});
+  return sites.size() == 1 ? sites.front().id + " " + std::string(name(sites.front().grade)) : "none";
+}
+
+/// Functions that decode and encode sRGB with an `if`; T is the threshold.
+struct WithIf {
+  SourceLanguage language;
+  std::string decoder, encoder;
+};
+
+const std::vector<WithIf>& all_with_if() {
+  using enum SourceLanguage;
+  static const std::vector<WithIf> all{
+      {glsl, "float f(float x) { if (x <= T) return x/12.92; return pow((x + 0.055)/1.055, 2.4); }",
+       "float f(float x) { if (x <= T) return x*12.92; return pow(x, 1.0/2.4)*1.055 - 0.055; }"},
+      {c_family,
+       "float f(float x) {\n  // dark\n  if (x <= T) {\n    return x/12.92f; // line\n  } else {\n"
+       "    return pow((x + 0.055f)/1.055f, 2.4f);\n  }\n}",
+       "float f(float x)\n{\n  if (x < T)\n  {\n    return 12.92f*x;\n  }\n"
+       "  return 1.055f*pow(x, 1.0f/2.4f) - 0.055f;\n}"},
+      {javascript, "function f(x) {\n if(x > T) x = Math.pow((x + 0.055)/1.055, 2.4)\n else x /= 12.92\n}",
+       "function f(x) {\n let y = 12.92*x;\n if(x > T) y = 1.055*Math.pow(x, 1/2.4) - 0.055;\n}"},
+      {hlsl,
+       "float f(float x) { if (x < T) return x*0.0773993808; return pow(x*0.9478672986 + 0.0521327014, 2.4); }",
+       "float f(float x) { if (x < T) return x*12.92; else return pow(x, 0.41666667)*1.055 - 0.055; }"},
+      {python, "def f(x):\n  if x <= T:\n    return x/12.92\n  return ((x + 0.055)/1.055)**2.4\n",
+       "def f(x):\n  return 12.92*x if x <= T else 1.055*x**(1/2.4) - 0.055\n"},
+      {rust,
+       "fn f(x: f32) -> f32 {\n  if x <= T {\n    x/12.92\n  } else {\n    ((x + 0.055)/1.055).powf(2.4)\n  }\n}",
+       "fn f(x: f32) -> f32 { let y = if x <= T { x*12.92 } else { 1.055*x.powf(1.0/2.4) - 0.055 }; y }"},
+      {go,
+       "func f(x float64) float64 {\n\tif x <= T {\n\t\treturn x/12.92\n\t}\n\treturn math.Pow((x+0.055)/1.055, 2.4)\n}",
+       "func f(x float64) float64 {\n\tif x <= 0 {\n\t\treturn 0\n\t} else if x <= T {\n\t\treturn x*12.92\n\t} else {\n"
+       "\t\treturn 1.055*math.Pow(x, 1/2.4) - 0.055\n\t}\n}"}};
+  return all;
+}
+
+std::string with_threshold(std::string text, const std::string& threshold) {
+  return text.replace(text.find('T'), 1, threshold);
+}
+
+TEST(MatchExpression, AnIfMayHaveTheWrongThreshold) {
+  for (const WithIf& one : all_with_if()) {
+    const auto decoder = [&](const std::string& t) {
+      return verdict(with_threshold(one.decoder, t), one.language);
+    };
+    const auto encoder = [&](const std::string& t) {
+      return verdict(with_threshold(one.encoder, t), one.language);
+    };
+    EXPECT_EQ(decoder("0.04045"), "srgb-decode-standard right") << one.decoder;
+    EXPECT_EQ(decoder("0.4045"), "srgb-decode-standard wrong") << one.decoder;
+    EXPECT_EQ(decoder("0.0031308"), "srgb-decode-standard wrong") << one.decoder;
+    EXPECT_EQ(encoder("0.31308"), "srgb-encode-standard wrong") << one.encoder;
+    EXPECT_EQ(encoder("0.04045"), "srgb-encode-standard wrong") << one.encoder;
+    EXPECT_EQ(encoder("0.0031308"), "srgb-encode-standard right") << one.encoder;
+    // Here both sets have most of the numbers.
+    EXPECT_TRUE(encoder("0.04045 / 12.92").ends_with(" right")) << one.encoder;
+  }
+}
+
+TEST(MatchExpression, AnIfWithMoreThanTwoValuesIsNotRead) {
+  // The numbers alone decide: 0.4045 is a typo of 0.04045.
+  EXPECT_EQ(verdict("float f(float x) { float y; if (x <= 0.4045) { y = x/12.92; n += 1; } else {\n"
+                    "y = pow((x + 0.055)/1.055, 2.4); } return y; }",
+                    SourceLanguage::glsl),
+            "srgb-decode-standard wrong");
+  EXPECT_EQ(verdict("float f(float x) { if (x <= 0.04045) { if (x < 0.0) return 0.0; else return x/12.92; }\n"
+                    "return pow((x + 0.055)/1.055, 2.4); }",
+                    SourceLanguage::glsl),
+            "srgb-decode-standard right");
+}
+
 TEST(MatchExpression, AMaskMayHaveTheWrongThreshold) {
   const auto grade = [](const std::string& threshold) {
     const auto sites = lint_formula(

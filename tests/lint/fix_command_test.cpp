@@ -69,6 +69,21 @@ TEST(LintFix, TheExitCodeCountsWhatIsLeft) {
   EXPECT_EQ(outcome.out, "lint passed: nothing found in 1 file\n");
 }
 
+TEST(LintFix, LeavesShortNumbersBesideWrongOnes) {
+  const TemporaryDirectory folder;
+  const std::string text = "float w(float c) { return exp2f((-5.5547f * c - 6.8316f) * c); }\n";
+  const std::string file = folder.file("a.c", text);
+  EXPECT_EQ(lint_fixing(file, "wrong").err, "shadefit: rewrote 1 number in 1 file\n");
+  EXPECT_EQ(read_file(file), replaced(text, "6.8316", "6.98316"));
+  // Only the expression shows what 6.83 is, so it stays too.
+  const std::string other = "float w(float c) { return exp2f((-5.5547f * c - 6.83f) * c); }\n";
+  folder.file("a.c", other);
+  const Outcome outcome = lint_fixing(file, "wrong");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(read_file(file), other);
+}
+
 TEST(LintFix, KeepsEveryOtherByte) {
   const std::string start = "\xEF\xBB\xBF// \xFF\xFE caf\xE9\r\n\r\n\tfloat a = ";
   const std::string end = "F; /* shadefit: acos-linear.a */ \r\n// no end of line \xC3";

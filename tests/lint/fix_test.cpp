@@ -75,6 +75,15 @@ TEST(Fixes, TakeTheirScope) {
   EXPECT_EQ(fixed(FixScope::typo), "1.1 2.222 3.333 4.444");
 }
 
+TEST(Fixes, LeaveShortNumbersBesideWorseOnes) {
+  const std::string text = "1.1 2.2";
+  LintedSite site = site_with(Grade::wrong, "1.1", 0, "1.111");
+  site.numbers.front().grade = Grade::truncated;
+  EXPECT_EQ(fixes_of({site}, text, FixScope::wrong).size(), 1U) << "it is why the site is wrong";
+  site.numbers.push_back({"b", "2.222", "2.2", Grade::typo, 4, true});
+  EXPECT_EQ(fixed_text(text, fixes_of({site}, text, FixScope::wrong)), "1.1 2.222");
+}
+
 TEST(Fixes, LeaveAloneWhatIsNotSure) {
   const std::string text = "3.3 * 10^-2";
   const LintedSite site = site_with(Grade::wrong, "3.3", 0, "3.333");

@@ -204,6 +204,9 @@ TEST(LintGate, BadInputIsOneLine) {
   expect_refusal({"lint", "pipe.glsl"}, "cannot read 'pipe.glsl': it is not a regular file");
   expect_refusal({"lint", ".", "--baseline", "pipe.glsl"},
                  "cannot read 'pipe.glsl': it is not a regular file");
+  folder.file("huge.glsl", "");
+  fs::resize_file("huge.glsl", (std::uintmax_t{4} << 20) + 1);
+  expect_refusal({"lint", "huge.glsl"}, "cannot read 'huge.glsl': it has 4194305 bytes, more than 4194304");
   EXPECT_EQ(run_command_line({"lint", "."}).exit_code, 0) << "below a folder it is only counted";
   folder.file("a.json", "{}");
   expect_refusal({"lint", ".", "--baseline", "a.json"},

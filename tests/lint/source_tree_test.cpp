@@ -160,7 +160,8 @@ TEST_F(SourceTreeTest, WaitsForNoPipeAndReadsNothingThatIsTooLarge) {
   EXPECT_EQ(tree.skipped.messages, (Names{"'huge.h' has 1099511627776 bytes, more than 4194304",
                                           "cannot read 'pipe.h': it is not a regular file",
                                           "cannot read 'socket.h': it is not a regular file"}));
-  EXPECT_EQ(found({"huge.h"}), Names{}) << "not even if it is named";
+  EXPECT_EQ(refusal([&] { find_sources({"huge.h"}, {}); }),
+            "cannot read 'huge.h': it has 1099511627776 bytes, more than 4194304");
   for (const std::string name : {"pipe.h", "socket.h", "/dev/null"})
     EXPECT_EQ(refusal([&] { find_sources({name}, {}); }),
               "cannot read '" + name + "': it is not a regular file");

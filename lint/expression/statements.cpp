@@ -1,0 +1,66 @@
+#include "lint/expression/statements.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lint/scan/characters.hpp"
+
+namespace shadefit::lint {
+namespace {
+
+/// The last name of "const float3 a", of "let a: f32" the one before the colon.
+std::string assigned_name(std::string_view left) {
+  left = trimmed(left.substr(0, left.find(':')));
+  std::size_t first = left.size();
+  while (first > 0 && (is_of_name(left[first - 1]) || left[first - 1] == '.')) --first;
+  return std::string(left.substr(first));
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string without_comments(std::string_view text, CommentStyle style) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_line = (style == CommentStyle::c && text.substr(i, 2) == "//") ||
+                         (style == CommentStyle::hash && text[i] == '#');
+    if (is_line) {
+      i = std::min(text.find('\n', i), text.size());
+    } else if (style == CommentStyle::c && text.substr(i, 2) == "/*") {
+      i = std::min(text.find("*/", i + 2), text.size()) + 1;
+    } else {
+      out += text[i];
+      continue;
+    }
+    out += ' ';
+  }
+  return out;
+}
+
+std::optional<Assignment> assignment_of(std::string_view statement) {
+  statement = trimmed(statement);
+  constexpr std::string_view word = "return";
+  if (statement.starts_with(word) && statement.size() > word.size() && !is_of_name(statement[word.size()]))
+    return Assignment{"", '\0', std::string(statement.substr(word.size()))};
+  for (std::size_t i = 1; i + 1 < statement.size(); ++i) {
+    if (statement[i] == '(') break;
+    if (statement[i] != '=') continue;
+    if (statement[i + 1] == '=' || std::string_view("=<>!").find(statement[i - 1]) != std::string_view::npos)
+      return std::nullopt;
+    const bool is_compound = std::string_view("+-*/").find(statement[i - 1]) != std::string_view::npos;
+    const std::size_t sign = is_compound ? i - 1 : i - (statement[i - 1] == ':' ? 1 : 0);
+    std::string name = assigned_name(statement.substr(0, sign));
+    if (name.empty()) return std::nullopt;
+    return Assignment{std::move(name), is_compound ? statement[i - 1] : '\0',
+                      std::string(statement.substr(i + 1))};
+  }
+  // The last expression of a function in Rust.
+  return Assignment{"", '\0', std::string(statement)};
+}
+
+}  // namespace shadefit::lint
