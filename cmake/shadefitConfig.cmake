@@ -2,7 +2,6 @@
 #
 #   approx  shadefit::approx, formulas and records: headers that need the standard library alone
 #   fit     shadefit::fit, how constants are found: needs Eigen 3.4, the headers of Boost 1.74 and of Ceres 2.1
-#           (fit/proof/interval.hpp, which nothing else includes, needs MPFI too)
 #
 # Both have one include directory: #include "approx/fresnel.hpp", #include "fit/fit.hpp". Without COMPONENTS, approx is
 # available, and fit if it and all its dependencies are found; check shadefit_fit_FOUND or TARGET shadefit::fit.

@@ -84,7 +84,8 @@ Outcome better_command(const FitOptions& options, const Checkpoint& checkpoint, 
   if (const auto study = chosen_study(options))
     return better_study_command(*study, options, checkpoint, progress);
   if (options.id.empty())
-    throw UserError("better needs a form, a constant or a study, see 'shadefit list', or --form");
+    throw UserError(
+        "better needs a form, a constant, a study or --form (see 'shadefit list' and 'shadefit help better')");
   if (options.plot) require_picture(*options.plot);
   const NamedFit named = find_fit(options.id);
   const std::vector<Setting> settings = settings_to_compare(named, options);

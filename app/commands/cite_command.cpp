@@ -1,14 +1,36 @@
+#include <algorithm>
+
 #include "app/commands/commands.hpp"
+#include "app/studies/find_study.hpp"
 #include "fit/support/known.hpp"
 #include "reports/rows/citation.hpp"
 
 namespace shadefit {
+namespace {
+
+/// The sources of the published sets, each once.
+std::vector<std::string> sources_in(const StudyFile& study) {
+  std::vector<std::string> sources;
+  for (const PublishedSet& set : study.published) {
+    if (std::find(sources.begin(), sources.end(), set.source) == sources.end()) sources.push_back(set.source);
+  }
+  return sources;
+}
+
+}  // namespace
 
 Outcome cite_command(const CiteOptions& options) {
   std::string out = bibtex_of_shadefit(SHADEFIT_VERSION);
   if (!options.id) return {0, out, ""};
-  require_known(*options.id, cited_ids(), "claim, constant or family");
+  std::vector<std::string> known = cited_ids();
+  const bool is_built_in = std::find(known.begin(), known.end(), *options.id) != known.end();
   for (const Source& source : sources_of(*options.id)) out += "\n" + bibtex(source);
+  if (is_built_in) return {0, out, ""};
+  const auto folders = study_folders(options.studies);
+  const auto study = find_study(*options.id, folders);
+  for (const auto& path : study_files(folders)) known.push_back(path.stem().string());
+  if (!study) require_known(*options.id, known, "claim, constant, family or study");
+  for (const std::string& source : sources_in(*study)) out += "\n" + bibtex_of_text(source);
   return {0, out, ""};
 }
 

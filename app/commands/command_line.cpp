@@ -10,6 +10,7 @@
 #include <iterator>
 #include <new>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -57,6 +58,16 @@ Outcome usage_error(const std::string& message, const std::vector<std::string>& 
   const std::string of =
       arguments.empty() || arguments.front().starts_with('-') ? "" : " " + arguments.front();
   return {2, "", fmt::format("shadefit: {} (see 'shadefit help{}')\n", one_line(message), of)};
+}
+
+/// An error that begins with an option points there too, unless it names another command to see.
+Outcome user_error(const UserError& error, const std::vector<std::string>& arguments) {
+  const std::string_view message = error.what();
+  const bool is_of_option = message.starts_with("--") || message.starts_with("'--");
+  const bool points_elsewhere = message.find("see 'shadefit ") != std::string_view::npos;
+  const bool has_command = !arguments.empty() && !arguments.front().starts_with('-');
+  if (is_of_option && has_command && !points_elsewhere) return usage_error(error.what(), arguments);
+  return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
 }
 
 /// Requires values of options, because CLI11 takes the next option as a value; and none of flags, because
@@ -169,7 +180,7 @@ Outcome prepare_command_line(const std::vector<std::string>& arguments, const Ch
     const Watched work = watch(checkpoint, progress, arguments.empty() ? "" : arguments.front());
     return parse_and_run(arguments, work.checkpoint, work.progress, terminal);
   } catch (const UserError& error) {
-    return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
+    return user_error(error, arguments);
   } catch (const CheckFailed& error) {
     return {1, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
   } catch (const Interrupted& interrupted) {

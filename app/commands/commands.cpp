@@ -183,12 +183,13 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
   return {0, write_console(list, Precision::report, options.terminal), ""};
 }
 
-Outcome explain_command(const ExplainOptions& options) {
+Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,
+                        const Progress& progress) {
   const auto claims = claim_ids();
   const bool is_claim = std::find(claims.begin(), claims.end(), claim_of(options.id)) != claims.end();
   if (!is_claim) {
     if (const auto study = find_study(options.id, study_folders(options.studies)))
-      return explain_study_command(*study, options);
+      return explain_study_command(*study, options, checkpoint, progress);
   }
   const std::string claim = claim_of(options.id);
   require_known(claim, claim_ids(), "claim");

@@ -16,7 +16,8 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
                         const Progress& progress);
 Outcome verify_command(const VerifyOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, const Progress& progress);
-Outcome explain_command(const ExplainOptions& options);
+Outcome explain_command(const ExplainOptions& options, const Checkpoint& checkpoint,
+                        const Progress& progress);
 Outcome cite_command(const CiteOptions& options);
 Outcome stress_command(const StressOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 Outcome check_command(const CheckOptions& options, const Checkpoint& checkpoint, const Progress& progress);

@@ -140,10 +140,13 @@ void declare_commands(CLI::App& app, Call& call) {
   add_command<ExplainOptions>(app, call, "explain",
                               "one claim: what it says, who says it, what is computed, and why",
                               "  shadefit explain sg-offset-mean\n  shadefit explain half-banding --json\n",
-                              declare_explain, explain_command);
-  add_command<CiteOptions>(app, call, "cite", "BibTeX of shadefit, and of the source of a constant",
-                           "  shadefit cite\n  shadefit cite fresnel-quadratic\n", declare_cite,
-                           cite_command);
+                              declare_explain, [&](const ExplainOptions& options) {
+                                return explain_command(options, call.checkpoint, call.progress);
+                              });
+  add_command<CiteOptions>(app, call, "cite",
+                           "BibTeX of shadefit, and of the sources of a constant or a study",
+                           "  shadefit cite\n  shadefit cite fresnel-quadratic\n  shadefit cite agx-septic\n",
+                           declare_cite, cite_command);
   add_command<BenchOptions>(
       app, call, "bench", "run time against error of every form, on this machine",
       "  shadefit bench --quick --only schlick --no-plots\n"

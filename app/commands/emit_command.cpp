@@ -226,7 +226,7 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
     return check_generated_file(*options.check, options.format, checkpoint);
   }
   if (options.fit.id.empty() && !options.fit.study.form)
-    throw UserError("emit needs the id of a form, see 'shadefit list', or --form");
+    throw UserError("emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
   if (!options.language) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl, msl, cuda or opencl");
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const auto study = chosen_study(options.fit);

@@ -154,7 +154,8 @@ void require_feasible(const Refit& refit) {
 Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   if (const auto study = chosen_study(options)) return study_command(*study, options, checkpoint, progress);
   if (options.id.empty())
-    throw UserError("fit needs a family, a published constant or a study (see 'shadefit list'), or --form");
+    throw UserError(
+        "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
   if (options.plot) require_picture(*options.plot);
   const auto [family_found, published] = find_fit(options.id);
   const FittableFamily& family = *family_found;

@@ -90,7 +90,7 @@ Outcome certify_command(const CertifyOptions& options, const Checkpoint& checkpo
     return certify_study_command(*study, options, checkpoint, progress);
   if (options.fit.id.empty())
     throw UserError(
-        "certify needs a family, a published constant or a study (see 'shadefit list'), or --form");
+        "certify needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help certify')");
   refuse_options_of_fits(options.fit.metric);
   const NamedFit named = find_fit(options.fit.id);
   const FittableFamily& family = *named.family;

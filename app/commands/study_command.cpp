@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/commands/commands.hpp"
 #include "app/commands/study_commands.hpp"
 #include "app/output/picture_file.hpp"
@@ -61,12 +63,28 @@ std::vector<JudgedSet> judged_sets(const StudyFile& file, const StudyObjective& 
   return sets;
 }
 
+/// The fits for a terminal. If the columns of the constants leave no room for the largest error and the
+/// verdict, they are one column that can be folded.
+Table table_for(const std::vector<FittedStudy>& studies, const Terminal& terminal) {
+  constexpr std::size_t rest = 32;
+  Table table = study_table(studies);
+  const std::size_t first = studies.front().asked().given.size(), count = studies.front().fit.names.size();
+  std::size_t taken = rest;
+  for (std::size_t i = first; i < first + count; ++i) {
+    std::size_t widest = table.columns[i].size();
+    for (const auto& row : table.rows) widest = std::max(widest, text(row[i], Precision::report).size());
+    taken += widest + 2;
+  }
+  if (terminal.width == 0 || taken <= terminal.width || count < 2) return table;
+  return with_columns_as_one(table, first, count, "constants", Precision::report);
+}
+
 std::string console_text(const StudyFile& file, const std::vector<FittedStudy>& studies,
                          const Terminal& terminal) {
   const StudyFit& first = studies.front().fit;
   std::string text = file.id.empty() ? "" : file.id + ": ";
   text += study_headline(studies.front()) + "\n" +
-          write_console(study_table(studies), Precision::report, terminal);
+          write_console(table_for(studies, terminal), Precision::report, terminal);
   for (const FittedStudy& study : studies) text += level_text(study);
   text += uncertainty_block(studies, terminal);
   if (first.status != Status::converged) return text;
@@ -101,9 +119,13 @@ struct StudyExtras {
 };
 
 StudyExtras extras_of(const std::vector<FittedStudy>& studies, const FitOptions& options,
-                      const Checkpoint& checkpoint) {
+                      const Checkpoint& checkpoint, const Progress& progress) {
   StudyExtras extras;
+  const char* what = options.certify ? "certify" : options.round ? "round" : "sensitivity";
+  const bool is_any = options.certify || options.round || options.sensitivity;
+  const Checkpoint next = stepping(checkpoint, progress, what, is_any ? studies.size() : 0);
   for (const FittedStudy& study : studies) {
+    next();
     const bool is_answer = study.fit.status == Status::converged;
     const StudyObjective& objective = study.objective;
     extras.proofs.emplace_back();
@@ -148,7 +170,7 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
   const int code = err.empty() ? 0 : 1;
   std::function<void()> put;
   if (options.plot) put = draw_picture(study_figure(studies), *options.plot, options.force, checkpoint);
-  const auto [proofs, rounded, sensitivities] = extras_of(studies, options, checkpoint);
+  const auto [proofs, rounded, sensitivities] = extras_of(studies, options, checkpoint, progress);
   if (options.json) {
     auto json = study_json(studies);
     for (std::size_t i = 0; i < studies.size(); ++i) {

@@ -21,7 +21,8 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
                                         const Checkpoint& next);
 
 /// The published sets of a study against the fits of its forms, one for each combination of given constants.
-std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint);
+std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
+                                            const Progress& progress = unwatched);
 
 Outcome study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
                       const Progress& progress);
@@ -36,7 +37,8 @@ struct VerifiedCertificate {
 };
 /// `text` is the certificate in `file`.
 VerifiedCertificate verify_study(const std::string& text, const std::string& file, const ShareDone& done);
-Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options);
+Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,
+                              const Checkpoint& checkpoint, const Progress& progress);
 /// The pages of a study, or of all studies in the folders.
 Outcome gallery_command(const RunOptions& options, const Checkpoint& checkpoint, const Progress& progress);
 

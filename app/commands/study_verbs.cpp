@@ -61,17 +61,22 @@ std::string recomputed_text(const StudyFile& file, const Checkpoint& checkpoint)
                                 result.wrong.size() == 1 ? "differs" : "differ"));
 }
 
-std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint) {
+std::vector<StudyComparison> comparisons_of(const StudyFile& file, const Checkpoint& checkpoint,
+                                            const Progress& progress) {
+  const std::vector<Study> studies = combinations(file.study, file.given);
+  std::size_t steps = 0;
+  for (const Study& study : studies) steps += steps_to_compare(file, study);
+  // `stepping` counts its calls: one copy counts those of all studies.
+  const Checkpoint next = stepping(checkpoint, progress, "compare", steps);
   std::vector<StudyComparison> comparisons;
-  for (const Study& study : combinations(file.study, file.given))
-    comparisons.push_back(compare_study(file, study, checkpoint));
+  for (const Study& study : studies) comparisons.push_back(compare_study(file, study, checkpoint, next));
   return comparisons;
 }
 
 Outcome better_study_command(const StudyFile& file, const FitOptions& options, const Checkpoint& checkpoint,
-                             const Progress&) {
+                             const Progress& progress) {
   if (options.plot) require_picture(*options.plot);
-  const auto comparisons = comparisons_of(file, checkpoint);
+  const auto comparisons = comparisons_of(file, checkpoint, progress);
   if (options.plot && comparisons.size() > 1)
     throw UserError(fmt::format("--plot '{}' draws one target, and these are {}: give one value by --given",
                                 *options.plot, comparisons.size()));
@@ -93,8 +98,9 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
   return {0, fmt::format("{}", fmt::join(parts, "\n")), "", put};
 }
 
-Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options) {
-  const auto comparisons = comparisons_of(file, keep_going);
+Outcome explain_study_command(const StudyFile& file, const ExplainOptions& options,
+                              const Checkpoint& checkpoint, const Progress& progress) {
+  const auto comparisons = comparisons_of(file, checkpoint, progress);
   if (!options.json) return {0, study_explanation(file, comparisons, options.terminal), ""};
   nlohmann::ordered_json json{{"schema", 1}, {"id", file.id}, {"title", file.title}};
   for (const StudyComparison& comparison : comparisons)

@@ -107,10 +107,9 @@ void add_study(CLI::App& command, FitOptions& options) {
   add_value(command, "--form", study.form, parse_text, "FORMULA",
             "a formula of your own to fit to --target: every name that is not a variable or a constant is a "
             "parameter");
-  add_value(
-      command, "--table", study.table, parse_text, "FILE",
-      "measured rows to fit --form to, in the place of a --target: comma-separated values with a header; "
-      "columns named as the variables of --over, value, and, if known, the standard deviation sigma");
+  add_value(command, "--table", study.table, parse_text, "FILE",
+            "measured rows to fit --form to, instead of a --target: comma-separated values with a header; "
+            "columns named as the variables of --over, value, and, if known, the standard deviation sigma");
   add_values(command, "--over", study.over, parse_over, "NAME=A:B[:DENSITY]",
              "a variable of --form and its range, for example x=0:1; DENSITY, a formula, says how much each "
              "place counts (default: 1); with --table only NAME; up to three times");
@@ -275,8 +274,10 @@ void declare_explain(CLI::App& explain, ExplainOptions& options) {
 }
 
 void declare_cite(CLI::App& cite, CiteOptions& options) {
-  cite.add_option("id", options.id, "also the source of this claim, constant or family (see 'shadefit list')")
+  cite.add_option("id", options.id,
+                  "also the sources of this claim, constant, family or study (see 'shadefit list')")
       ->type_name("CITED");
+  add_studies(cite, options.studies);
 }
 
 void declare_stress(CLI::App& stress, StressOptions& options) {

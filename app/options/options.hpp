@@ -118,7 +118,8 @@ struct ExplainOptions {
 };
 
 struct CiteOptions {
-  std::optional<std::string> id = {};  ///< also the sources of this claim, constant or family
+  std::optional<std::string> id = {};  ///< also the sources of this claim, constant, family or study
+  StudyFolders studies = {};
 };
 
 struct CheckOptions {

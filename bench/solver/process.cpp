@@ -19,6 +19,7 @@
 #include <utility>
 #include <vector>
 
+#include "approx/fresnel.hpp"
 #include "bench/solver/benchmarks.hpp"
 
 namespace shadefit::bench {
@@ -113,12 +114,13 @@ void measure_start(benchmark::State& state) {
 void write_sources(const std::filesystem::path& folder) {
   constexpr int folders = 100, files_in_each = 100;
   constexpr std::size_t bytes = 15'000;
+  const std::string a(fresnel_published[2].printed), b(fresnel_published[3].printed);
   std::minstd_rand numbers(1);
   for (int i = 0; i < folders * files_in_each; ++i) {
     const std::filesystem::path inner = folder / std::to_string(i / files_in_each);
     std::filesystem::create_directories(inner);
     std::string text;
-    if (i % 100 == 0) text = "float f(float c) { return exp2((-5.55473 * c - 6.98316) * c); }\n";
+    if (i % 100 == 0) text = "float f(float c) { return exp2((" + a + " * c + " + b + ") * c); }\n";
     while (text.size() < bytes) {
       const auto number = [&] { return std::to_string(numbers() % 100'000); };
       text += "  color[" + number() + "] = mix(first.rgb, second[index], 0." + number() + ") * " + number() +

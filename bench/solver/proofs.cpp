@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "approx/fresnel.hpp"
 #include "bench/solver/benchmarks.hpp"
 #include "fit/fit.hpp"
 #include "fit/proof/certificate.hpp"
@@ -13,7 +14,11 @@ namespace shadefit::bench {
 namespace {
 
 Subject published_pair() {
-  return {.family = "fresnel-quadratic", .parameters = {{"a", "-5.55473"}, {"b", "-6.98316"}}};
+  Subject pair{.family = "fresnel-quadratic", .parameters = {}};
+  for (const Published& published : fresnel_published) {
+    if (published.family == pair.family) pair.parameters.emplace_back(published.parameter, published.printed);
+  }
+  return pair;
 }
 
 /// Bounds with this relative width. The counter `boxes` is the size of the proof.

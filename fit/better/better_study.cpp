@@ -79,11 +79,12 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
 }
 
 void append_published(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
-                      const Checkpoint& checkpoint) {
+                      const Checkpoint& checkpoint, const Checkpoint& next) {
   const Study study = with_form(comparison.study, form);
   const ReadStudy read = read_study(study);
   for (const PublishedSet& set : file.published) {
     if (set.form != form.id || !is_for(set, study)) continue;
+    next();
     const std::vector<std::string> printed = values_of(set, read.parameters);
     std::vector<double> values;
     for (const std::string& text : printed) values.push_back(constant<double>(text));
@@ -121,10 +122,12 @@ void append_fit(StudyComparison& comparison, const StudyFile& file, const StudyF
 }
 
 void append_fits(StudyComparison& comparison, const StudyFile& file, const StudyForm& form,
-                 const Checkpoint& checkpoint) {
+                 const Checkpoint& checkpoint, const Checkpoint& next) {
   const Study study = with_form(comparison.study, form);
-  for (const StudyObjective& objective : objectives_of(file, study))
+  for (const StudyObjective& objective : objectives_of(file, study)) {
+    next();
     append_fit(comparison, file, form, objective, checkpoint);
+  }
 }
 
 /// Whether a contender stands before another: by its error, and of equal errors the one of fewer
@@ -224,14 +227,26 @@ const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
   return best_at_the_same_cost(comparison, published, true);
 }
 
-StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint) {
+std::size_t steps_to_compare(const StudyFile& file, const Study& study) {
+  std::size_t steps = 1;
+  for (const StudyForm& form : file.forms) {
+    const Study with = with_form(study, form);
+    steps += objectives_of(file, with).size();
+    for (const PublishedSet& set : file.published) steps += set.form == form.id && is_for(set, with) ? 1 : 0;
+  }
+  return steps;
+}
+
+StudyComparison compare_study(const StudyFile& file, const Study& study, const Checkpoint& checkpoint,
+                              const Checkpoint& next) {
   StudyComparison comparison{
       .study = study, .error = error_of(study), .variables = {}, .is_encoded = file.is_encoded};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
   for (const StudyForm& form : file.forms) {
-    append_published(comparison, file, form, checkpoint);
-    append_fits(comparison, file, form, checkpoint);
+    append_published(comparison, file, form, checkpoint, next);
+    append_fits(comparison, file, form, checkpoint, next);
   }
+  next();
   for (const KeepingFit& fit : keeping_fits(comparison, file)) {
     try {
       append_fit(comparison, file, *fit.form, fit.objective, checkpoint);

@@ -95,9 +95,13 @@ const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
 
 /// Compares the published sets of a study with the fits of each of its forms: least squares, minimax, and
 /// what the file asks for. Where the best of these loses a property of a published
-/// set, its form is fitted under constraints that keep them. Throws UserError for a study that cannot be
-/// read.
+/// set, its form is fitted under constraints that keep them. Calls `next` before each of its
+/// `steps_to_compare`. Throws UserError for a study that cannot be read.
 StudyComparison compare_study(const StudyFile& file, const Study& study,
-                              const Checkpoint& checkpoint = keep_going);
+                              const Checkpoint& checkpoint = keep_going, const Checkpoint& next = keep_going);
+
+/// The number of published sets and of fits that `compare_study` computes. All fits that are to keep
+/// properties are one step, because their number is known only then.
+std::size_t steps_to_compare(const StudyFile& file, const Study& study);
 
 }  // namespace shadefit

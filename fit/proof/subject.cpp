@@ -29,7 +29,7 @@ std::string fault_of_surface(const Surface& surface) {
 
 std::string fault_of(const Subject& subject) {
   const FittableFamily* family = find_family(subject.family);
-  if (family == nullptr) return "'" + subject.family + "' is no family";
+  if (family == nullptr) return "'" + subject.family + "' is not a family";
   const std::vector<std::string> known(family->parameters.begin(), family->parameters.end());
   if (std::string fault = fault_of_constants(subject.parameters, known, subject.family); !fault.empty())
     return fault;

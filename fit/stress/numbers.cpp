@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "approx/lobe.hpp"
+#include "approx/scalar.hpp"
 #include "fit/ledger/formats.hpp"
 
 namespace shadefit {
@@ -76,7 +78,8 @@ std::vector<double> exponents(const BinaryFormat& format) {
   for (double decade = 1e-3; decade <= 1e9; decade *= 10) {
     for (const double times : {1.0, 5.0}) all.push_back(decade * times);
   }
-  for (const double more : {0.775, 3.7, 15.0, 1024.0, 2048.0, 65504.0, 1e9}) all.push_back(more);
+  const auto offset = constant<double>(sg_offset_published[0].printed);
+  for (const double more : {offset, 3.7, 15.0, 1024.0, 2048.0, 65504.0, 1e9}) all.push_back(more);
   return with_neighbours(format, all, 1e-3, std::min(1e9, largest(format)), 0);
 }
 

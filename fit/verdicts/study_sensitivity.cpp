@@ -18,7 +18,7 @@ void require_plain(const StudyObjective& objective) {
     throw UserError("--sensitivity does not go with a constraint: rounded constants do not meet it");
 }
 
-FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit) {
+FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit, const Checkpoint& checkpoint) {
   const ReadStudy study = read_study(asked.study);
   FittedConstants constants{fit.names, fit.parameters, std::vector<bool>(fit.names.size(), false), {}, {}};
   if (asked.norm == Norm::minimax) {
@@ -30,10 +30,10 @@ FittedConstants constants_of(const StudyObjective& asked, const StudyFit& fit) {
       return rms_error(study, error, parameters);
     };
   }
-  constants.profile = [asked, names = fit.names, objective = constants.objective](std::size_t i,
-                                                                                  double value) {
+  constants.profile = [asked, names = fit.names, objective = constants.objective, checkpoint](std::size_t i,
+                                                                                              double value) {
     if (names.size() == 1) return objective({value});
-    const StudyFit again = fit_study(holding(asked, names[i], value));
+    const StudyFit again = fit_study(holding(asked, names[i], value), checkpoint);
     // If the held constant alone causes the largest error, the others are free: any of them is the best.
     const bool is_answer = again.status == Status::converged ||
                            (asked.norm == Norm::minimax && again.status == Status::degenerate);
@@ -75,12 +75,12 @@ std::vector<StudyObjective> others_of(const StudyObjective& asked) {
 StudySensitivity sensitivity_of(const StudyObjective& objective, const StudyFit& fit,
                                 const Checkpoint& checkpoint) {
   require_plain(objective);
-  StudySensitivity result{sensitivity_of(constants_of(objective, fit), checkpoint)};
+  StudySensitivity result{sensitivity_of(constants_of(objective, fit, checkpoint), checkpoint)};
   if (objective.study.over.size() > 1) return result;
   result.others.push_back({objective.words, fit});
   for (const StudyObjective& other : others_of(objective)) {
     checkpoint();
-    result.others.push_back({other.words, fit_study(other)});
+    result.others.push_back({other.words, fit_study(other, checkpoint)});
   }
   return result;
 }

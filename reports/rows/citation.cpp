@@ -28,11 +28,60 @@ std::string first_letters(std::string_view text, int count) {
   return letters;
 }
 
+/// All letters and digits of a text, in lower case.
+std::string letters_and_digits(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (std::isalnum(letter) != 0) out += static_cast<char>(std::tolower(letter));
+  }
+  return out;
+}
+
 /// BibTeX separates authors by "and".
 std::string with_and(std::string_view authors) {
   std::string out(authors);
   for (std::size_t i = 0; (i = out.find(", ", i)) != std::string::npos;) out.replace(i, 2, " and ");
   return out;
+}
+
+/// The text, with the letters that LaTeX would read as commands escaped.
+std::string escaped(std::string_view text) {
+  constexpr std::string_view special = "&%$#_{}";
+  std::string out;
+  for (const char c : text) {
+    if (special.find(c) != std::string_view::npos) out += '\\';
+    out += c == '^' ? "\\^{}" : std::string(1, c);
+  }
+  return out;
+}
+
+/// "Kulla, Conty 2017, Revisiting ..": a name has at most two words, so that "pbrt-v4 of August 2020" and
+/// "Eberly, as cited by Lagarde 2014" stay parts of a title.
+struct NamedWork {
+  std::string author, year, title;
+};
+
+bool are_names(const std::string& authors) {
+  for (std::size_t from = 0; from <= authors.size();) {
+    const std::size_t end = std::min(authors.find(" and ", from), authors.size());
+    const std::string name = authors.substr(from, end - from);
+    if (name.empty() || std::count(name.begin(), name.end(), ' ') > 1) return false;
+    from = end + 5;
+  }
+  return true;
+}
+
+NamedWork named_work(std::string_view text) {
+  const auto is_digit = [](char c) { return '0' <= c && c <= '9'; };
+  for (std::size_t at = text.find(", "); at != std::string_view::npos; at = text.find(", ", at + 1)) {
+    if (at < 6 || text[at - 5] != ' ') continue;
+    const std::string_view year = text.substr(at - 4, 4);
+    const std::string author = with_and(text.substr(0, at - 5));
+    if (std::all_of(year.begin(), year.end(), is_digit) && are_names(author))
+      return {author, std::string(year), std::string(text.substr(at + 2))};
+  }
+  return {"", "", std::string(text)};
 }
 
 }  // namespace
@@ -64,6 +113,18 @@ std::string bibtex(const Source& source) {
                   with_and(source.author), source.title, source.year);
   if (!is_address(source.place)) out += fmt::format("  howpublished = {{{}}},\n", source.place);
   if (!address.empty()) out += fmt::format("  url = {{{}}},\n", address);
+  return out + "}\n";
+}
+
+std::string bibtex_of_text(std::string_view source) {
+  const auto [author, year, title] = named_work(source);
+  // Titles of code often begin with the same words.
+  const std::string key =
+      author.empty() ? letters_and_digits(title) : first_letters(author, 1) + year + first_letters(title, 2);
+  std::string out = fmt::format("@misc{{{},\n", key);
+  if (!author.empty()) out += fmt::format("  author = {{{}}},\n", escaped(author));
+  out += fmt::format("  title = {{{{{}}}}},\n", escaped(title));
+  if (!year.empty()) out += fmt::format("  year = {{{}}},\n", year);
   return out + "}\n";
 }
 

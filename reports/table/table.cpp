@@ -44,6 +44,25 @@ Table with_column(Table table, const std::string& column, const std::string& tex
   return table;
 }
 
+Table with_columns_as_one(const Table& table, std::size_t first, std::size_t count, const std::string& title,
+                          Precision precision) {
+  Table result = table;
+  const auto replace = [&](auto& cells, auto cell) {
+    const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(first);
+    cells.insert(cells.erase(begin, begin + static_cast<std::ptrdiff_t>(count)), cell);
+  };
+  replace(result.columns, title);
+  for (auto& row : result.rows) {
+    std::string parts;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const std::string value = text(row[i], precision);
+      if (!value.empty()) parts += (parts.empty() ? "" : ", ") + table.columns[i] + " = " + value;
+    }
+    replace(row, parts.empty() ? Cell() : Cell(parts));
+  }
+  return result;
+}
+
 Cell word(std::string_view text) {
   return std::string(text);
 }

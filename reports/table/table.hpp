@@ -43,6 +43,10 @@ Table with_digits(Table table, int most);
 /// The table with one more column, of the same text in each row.
 Table with_column(Table table, const std::string& column, const std::string& text);
 
+/// The table with `count` columns from `first` on as one column of texts: "a = 1, b = 2".
+Table with_columns_as_one(const Table& table, std::size_t first, std::size_t count, const std::string& title,
+                          Precision precision);
+
 /// 10 digits: a converged parameter, or an error that was computed without cancellation.
 Number converged(double value);
 

@@ -191,6 +191,12 @@ std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows
   return columns;
 }
 
+/// What a reader came for: the constants and the largest error.
+bool is_dropped_last(const std::string& title) {
+  return title == "constants" || title == "largest residual" ||
+         (title.starts_with("max ") && title.ends_with(" error"));
+}
+
 /// The next column to drop; `columns.end()` if all must stay.
 std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& columns) {
   constexpr std::array<std::string_view, 6> details{"digits", "status",    "at c",
@@ -200,10 +206,13 @@ std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& colu
                                     [&](const ConsoleColumn& column) { return column.title == title; });
     if (found != columns.end() && found != columns.begin()) return found;
   }
+  auto last_one = columns.end();
   for (auto last = columns.end(); last != columns.begin() && --last != columns.begin();) {
-    if (last->title != "verdict") return last;
+    if (last->title == "verdict") continue;
+    if (!is_dropped_last(last->title)) return last;
+    if (last_one == columns.end()) last_one = last;
   }
-  return columns.end();
+  return last_one;
 }
 
 /// Drops and narrows columns until all fit, as far as possible. Returns the titles of the dropped ones.

@@ -110,8 +110,9 @@ TEST(BenchCommand, ComparesWithAnOlderRun) {
 
 TEST(BenchCommand, RefusesComparisonsThatCannotBe) {
   const TemporaryDirectory directory;
-  EXPECT_EQ(refusal({"--format", "junit"}),
-            "shadefit: --format 'junit' needs --compare: without it bench checks nothing\n");
+  EXPECT_EQ(
+      refusal({"--format", "junit"}),
+      "shadefit: --format 'junit' needs --compare: without it bench checks nothing (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--fail-above", "10%"}),
             "shadefit: --fail-above requires --compare (see 'shadefit help bench')\n");
   for (const char* share : {"10", "0%", "-1%", "%"})
@@ -124,7 +125,8 @@ TEST(BenchCommand, RefusesComparisonsThatCannotBe) {
       "old.json", R"({"benchmarks": [{"aggregate_name": "median", "run_name": "a", "real_time": 1}]})");
   EXPECT_EQ(refusal({"--compare", other, "--quick", "--only", "schlick", "--width", "scalar", "--out",
                      directory / "out"}),
-            "shadefit: --compare '" + other + "' has no form of this run with its reference\n");
+            "shadefit: --compare '" + other +
+                "' has no form of this run with its reference (see 'shadefit help bench')\n");
   EXPECT_FALSE(std::filesystem::exists(directory / "out"));
 }
 
@@ -163,12 +165,14 @@ TEST(BenchCommand, RefusesStudiesWithoutCode) {
 
 TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(refusal({"--only", "schlik"}), "shadefit: unknown target 'schlik': did you mean 'schlick'?\n");
-  EXPECT_EQ(refusal({"--width", "neon"}),
-            "shadefit: --width 'neon' is unknown: it must be one of scalar, sse2, avx2, avx512\n");
+  EXPECT_EQ(
+      refusal({"--width", "neon"}),
+      "shadefit: --width 'neon' is unknown: it must be one of scalar, sse2, avx2, avx512 (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--shard", "1/2"}),
             "shadefit: --shard requires --exhaustive (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--out", "--json"}),
-            "shadefit: --out '--json' looks like an option: name a value (a path may begin with './')\n");
+            "shadefit: --out '--json' looks like an option: name a value (a path may begin with './')"
+            " (see 'shadefit help bench')\n");
   EXPECT_EQ(
       refusal({"--device", "cuda"}),
       "shadefit: --device 'cuda' is not a device: it must be vulkan or vulkan:N, see 'shadefit bench --list-devices'\n");
@@ -179,12 +183,12 @@ TEST(BenchCommand, RefusesWhatItDoesNotKnow) {
             "shadefit: --half requires --device (see 'shadefit help bench')\n");
   EXPECT_EQ(refusal({"--device", "vulkan", "--only", "phong-64", "--out", directory / "out"}),
             "shadefit: --device has no form for --only 'phong-64': sums of several lights are not measured "
-            "there, phong-1 is one light\n");
+            "there, phong-1 is one light (see 'shadefit help bench')\n");
   const auto here = forms::widths_here();
   if (here.back() != forms::Width::avx512) {
     EXPECT_EQ(refusal({"--width", "avx512"}),
               "shadefit: --width 'avx512' is not of this machine: its widest registers are " +
-                  std::string(forms::name(here.back())) + "\n");
+                  std::string(forms::name(here.back())) + " (see 'shadefit help bench')\n");
   }
 }
 
@@ -196,27 +200,31 @@ TEST(ExhaustiveCommand, RefusesWhatItDoesNotKnow) {
   };
   EXPECT_EQ(refused({"--exhaustive", "schlik"}),
             "shadefit: unknown form of one cosine 'schlik': did you mean 'schlick'?\n");
-  EXPECT_EQ(
-      refused({"--exhaustive", "phong-sg"}),
-      "shadefit: --exhaustive 'phong-sg' is not a form of one cosine: it reads a normal of each element\n");
+  EXPECT_EQ(refused({"--exhaustive", "phong-sg"}),
+            "shadefit: --exhaustive 'phong-sg' is not a form of one cosine: it reads a normal of each element"
+            " (see 'shadefit help bench')\n");
   EXPECT_EQ(
       refused({"--exhaustive", "gloss-sg"}),
-      "shadefit: --exhaustive 'gloss-sg' is not a form of one cosine: it reads a gloss too of each element\n");
+      "shadefit: --exhaustive 'gloss-sg' is not a form of one cosine: it reads a gloss too of each element"
+      " (see 'shadefit help bench')\n");
   EXPECT_EQ(refused({"--exhaustive", "fresnel-fourth", "--constants", "mine"}).substr(0, 63),
             "shadefit: --constants 'mine' is not a set of fresnel-fourth: it");
-  EXPECT_EQ(refused({"--exhaustive", "schlick", "--exp2-degree", "3"}),
-            "shadefit: --exp2-degree '3' is not compiled for schlick: it must be one of 0\n");
+  EXPECT_EQ(
+      refused({"--exhaustive", "schlick", "--exp2-degree", "3"}),
+      "shadefit: --exp2-degree '3' is not compiled for schlick: it must be one of 0 (see 'shadefit help bench')\n");
   EXPECT_EQ(refused({"--exhaustive", "schlick", "--quick"}),
             "shadefit: --exhaustive excludes --quick (see 'shadefit help bench')\n");
   for (const char* shard : {"3/2", "0/4", "a/b"}) {
-    EXPECT_EQ(refused({"--exhaustive", "schlick", "--shard", shard}),
-              "shadefit: --shard '" + std::string(shard) +
-                  "' is not a part of a whole: it must be i/n with 1 <= i <= n\n");
+    EXPECT_EQ(
+        refused({"--exhaustive", "schlick", "--shard", shard}),
+        "shadefit: --shard '" + std::string(shard) +
+            "' is not a part of a whole: it must be i/n with 1 <= i <= n (see 'shadefit help bench')\n");
   }
   for (const char* range : {"1:1", "0:0x3f800002", "a:b", "5", "2:1"}) {
-    EXPECT_EQ(refused({"--exhaustive", "schlick", "--range", range}),
-              "shadefit: --range '" + std::string(range) +
-                  "' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001\n");
+    EXPECT_EQ(
+        refused({"--exhaustive", "schlick", "--range", range}),
+        "shadefit: --range '" + std::string(range) +
+            "' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001 (see 'shadefit help bench')\n");
   }
   EXPECT_TRUE(snapshot(directory.path()).empty()) << "nothing was written";
 }
@@ -255,9 +263,9 @@ TEST(ExhaustiveCommand, AllIsEachFormWithEachSet) {
   EXPECT_GT(all.size(), 60U);
   const std::string errors = all.at("errors.csv");
   EXPECT_EQ(static_cast<std::size_t>(std::count(errors.begin(), errors.end(), '\n')), all.size());
-  EXPECT_EQ(
-      bench({"--exhaustive", "all", "--constants", "mine", "--out", directory / "all"}).err,
-      "shadefit: --exhaustive 'all' does not apply with --constants: it takes every set of every form\n");
+  EXPECT_EQ(bench({"--exhaustive", "all", "--constants", "mine", "--out", directory / "all"}).err,
+            "shadefit: --exhaustive 'all' does not apply with --constants: it takes every set of every form"
+            " (see 'shadefit help bench')\n");
 }
 
 TEST(ExhaustiveCommand, AStateThatWasChangedOrCutOffIsRefusedAndLeftAlone) {

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "app/commands/command_line.hpp"
+#include "app/studies/find_study.hpp"
 #include "reports/io/files.hpp"
 
 namespace shadefit {
@@ -24,13 +27,37 @@ TEST(Cite, AnIdAddsItsSources) {
   EXPECT_NE(outcome.out.find("\n@misc{lagarde2012sphericalgaussian,\n"), std::string::npos) << outcome.out;
 }
 
+TEST(Cite, AStudyAddsTheSourcesOfItsPublishedSets) {
+  const Outcome outcome = run_command_line({"cite", "agx-septic"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(
+      outcome.out.ends_with("\n@misc{wrensch2023minimalagx,\n  author = {Wrensch},\n"
+                            "  title = {{Minimal AgX implementation, iolite-engine.com}},\n"
+                            "  year = {2023},\n}\n"))
+      << outcome.out;
+}
+
+TEST(Cite, EachStudyHasSourcesWithKeysOfTheirOwn) {
+  for (const auto& path : study_files(study_folders({}))) {
+    const Outcome outcome = run_command_line({"cite", path.stem().string()});
+    EXPECT_EQ(outcome.exit_code, 0) << path << outcome.err;
+    std::set<std::string> keys;
+    std::size_t at = outcome.out.find("\n@misc");
+    EXPECT_NE(at, std::string::npos) << path;
+    for (; at != std::string::npos; at = outcome.out.find("\n@misc", at + 1)) {
+      const std::string key = outcome.out.substr(at, outcome.out.find(',', at) - at);
+      EXPECT_TRUE(keys.insert(key).second) << path << key;
+    }
+  }
+}
+
 TEST(Cite, AnUnknownIdIsRefused) {
   const Outcome outcome = run_command_line({"cite", "fresnel-quadratic-x"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(
       outcome.err,
-      "shadefit: unknown claim, constant or family 'fresnel-quadratic-x': did you mean 'fresnel-quadratic-a'?\n");
+      "shadefit: unknown claim, constant, family or study 'fresnel-quadratic-x': did you mean 'fresnel-quadratic-a'?\n");
 }
 
 }  // namespace

@@ -10,12 +10,21 @@
 
 namespace shadefit::testing {
 
+/// The line of an error. One that begins with an option points to the help of the command, unless it already
+/// says what to see.
+inline std::string line_of_error(const std::vector<std::string>& arguments, const std::string& line) {
+  const bool is_of_option = line.starts_with("--") || line.starts_with("'--");
+  if (!is_of_option || arguments.front().starts_with('-') || line.find("see 'shadefit ") != std::string::npos)
+    return "shadefit: " + line + "\n";
+  return "shadefit: " + line + " (see 'shadefit help " + arguments.front() + "')\n";
+}
+
 /// The command refuses an error of the user: exit 2, that one line, nothing on standard output.
 inline void expect_refusal(const std::vector<std::string>& arguments, const std::string& line) {
   const Outcome outcome = run_command_line(arguments);
   EXPECT_EQ(outcome.exit_code, 2) << line;
   EXPECT_EQ(outcome.out, "") << line;
-  EXPECT_EQ(outcome.err, "shadefit: " + line + "\n");
+  EXPECT_EQ(outcome.err, line_of_error(arguments, line));
 }
 
 /// What a command prints with --json; the command has to succeed.

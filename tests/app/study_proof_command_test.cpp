@@ -141,7 +141,7 @@ TEST(CertifyStudy, RefusesBadInput) {
     return with(with(acos_linear, {"--parameters", "a=1,b=2"}), more);
   };
   expect_refusal({"certify"},
-                 "certify needs a family, a published constant or a study (see 'shadefit list'), or --form");
+                 "certify needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help certify')");
   expect_refusal({"certify", "--form", "a x", "--over", "x=0:1"},
                  "--form needs a --target, the formula to approximate, or a --table of measured rows");
   expect_refusal({"certify", "--target", "x", "--form", "a x"},

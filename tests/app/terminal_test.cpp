@@ -105,6 +105,33 @@ TEST(Terminal, VerdictsAreColouredThereAlone) {
             std::string::npos);
 }
 
+TEST(Terminal, TheConstantsAndTheLargestErrorStay) {
+  const std::string fit = on_terminal({"fit", "agx-septic"}, 80);
+  EXPECT_LE(widest(fit), 80U) << fit;
+  for (const char* shown : {"constants", "a = ", "p = ", "max abs error", "verdict"})
+    EXPECT_NE(fit.find(shown), std::string::npos) << shown << "\n" << fit;
+  const std::string better = on_terminal({"better", "pq-patry"}, 80);
+  EXPECT_LE(widest(better), 80U) << better;
+  const std::string titles = better.substr(better.find("\nrow "), 80);
+  for (const char* shown : {"constants", "max abs error", "verdict"})
+    EXPECT_NE(titles.find(shown), std::string::npos) << shown << "\n" << better;
+}
+
+TEST(Console, DropsTheConstantsAndTheLargestErrorLast) {
+  const Table table{{"row", "constants", "max abs error", "at x", "cost"},
+                    {{1L, word("a = 1"), Number{0.125, 3}, Number{1, 3}, 7L}}};
+  EXPECT_TRUE(write_console(table, Precision::report, {.width = 30})
+                  .starts_with("row  constants  max abs error\n  1  a = 1              0.125\n"));
+  EXPECT_TRUE(
+      write_console(table, Precision::report, {.width = 20}).starts_with("row  constants\n  1  a = 1\n"));
+}
+
+TEST(Console, ColumnsAsOne) {
+  const Table table{{"k", "a", "b", "error"}, {{1L, Number{2, 3}, Cell(), 4L}, {5L, Cell(), Cell(), 8L}}};
+  EXPECT_EQ(write_csv(with_columns_as_one(table, 1, 2, "constants", Precision::report), Precision::report),
+            "k,constants,error\n1,a = 2,4\n5,,8\n");
+}
+
 TEST(Console, FoldsTextsAndDropsColumnsInOrder) {
   const Table table{{"name", "words", "digits", "value", "verdict", "more"},
                     {{word("first"), word("one two three four five"), 14L, Number{0.125, 3}, word("refuted"),

@@ -1,7 +1,10 @@
+cmake_minimum_required(VERSION 3.25)
+
 # Installs parts of a build into a fresh prefix and uses them as a stranger would: configures, builds and runs the
 # consumer's project there. Run as a script with
 #   BUILD     the build folder whose PARTS are installed, none: nothing is
 #   SOURCE    instead of BUILD: sources to configure for the component approx alone
+#   COMPILED  the sources of the library fit, relative to the project
 #   CONSUMER  the consumer's project; WORK a folder of this test's own; OPTIONS further arguments of its configuration
 set(prefix ${WORK}/prefix)
 file(REMOVE_RECURSE ${WORK})
@@ -27,6 +30,21 @@ foreach(program IN ITEMS consumer own_form)
     run(${WORK}/build/${program})
   endif()
 endforeach()
+
+# Each installed header whose definitions are in a file of its own has them in the library.
+if(fit IN_LIST PARTS)
+  set(sources ${CMAKE_CURRENT_LIST_DIR}/../..)
+  file(GLOB_RECURSE headers RELATIVE ${prefix}/include/shadefit ${prefix}/include/shadefit/fit/*.hpp)
+  if(headers STREQUAL "")
+    message(FATAL_ERROR "the component fit installed no header")
+  endif()
+  foreach(header IN LISTS headers)
+    string(REGEX REPLACE "hpp$" "cpp" source ${header})
+    if(EXISTS ${sources}/${source} AND NOT source IN_LIST COMPILED)
+      message(FATAL_ERROR "${header} is installed, and the library has no ${source}")
+    endif()
+  endforeach()
+endif()
 
 # The command comes alone: a part installs its own files and no other's.
 if(PARTS STREQUAL "command")

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "tests/docs/markdown.hpp"
 #include "tests/temporary_directory.hpp"
@@ -109,6 +110,20 @@ TEST(Docs, EveryCommandDoesWhatItsPageShows) {
   EXPECT_GE(run, 40U);
 }
 
+TEST(Docs, EveryCommandInTheTextSucceeds) {
+  const Checkout checkout;
+  std::map<std::string, Printed> done;  // several pages name the same command
+  for (const std::string& page : pages()) {
+    for (const Example& example : testing::read_inline_examples(testing::lines_of(read(root / page)))) {
+      auto found = done.find(example.command);
+      if (found == done.end()) found = done.emplace(example.command, checkout.run(example.command)).first;
+      const std::string wrong = complaint(page, example, found->second);
+      EXPECT_TRUE(wrong.empty()) << wrong;
+    }
+  }
+  EXPECT_GE(done.size(), 20U);
+}
+
 TEST(Docs, EveryLinkLeadsSomewhere) {
   std::size_t links = 0;
   std::vector<std::string> with_links = pages();
@@ -152,6 +167,16 @@ TEST(DocsExamples, ABrokenOneIsToldWithItsPlace) {
       "p.md:4: shadefit fit x   # exit 2\n  expected exit code 2, got 1\n  printed:\n    unknown 'x'\n");
   EXPECT_EQ(examples[2].line, 10U);
   EXPECT_EQ(complaint("p.md", examples[1], {0, {"anything: the page shows no output"}}), "");
+  EXPECT_NE(complaint("p.md", examples[1], {1, {}}), "");
+}
+
+TEST(DocsExamples, ThoseInTheTextAreCommandsWithArguments) {
+  const auto examples = testing::read_inline_examples(testing::lines_of(
+      "`./run` and `./run list`, not `./running`\n\n```sh\n./run `./run x`\n```\n| a | `./run check` |\n"));
+  ASSERT_EQ(examples.size(), 2U);
+  EXPECT_EQ(examples[0].command, "./run list");
+  EXPECT_EQ(examples[1].command, "./run check");
+  EXPECT_EQ(examples[1].line, 6U);
   EXPECT_NE(complaint("p.md", examples[1], {1, {}}), "");
 }
 

@@ -107,6 +107,20 @@ inline std::vector<Example> read_examples(const std::vector<std::string>& page) 
   return examples;
 }
 
+/// The commands of a page in backticks in its text: "./run" with arguments. Their output is not shown.
+inline std::vector<Example> read_inline_examples(std::vector<std::string> page) {
+  for (const CodeBlock& block : read_code_blocks(page))
+    std::fill_n(page.begin() + static_cast<std::ptrdiff_t>(block.first_line) - 1, block.lines.size(), "");
+  std::vector<Example> examples;
+  for (std::size_t i = 0; i < page.size(); ++i) {
+    std::istringstream in(page[i]);
+    bool is_code = false;
+    for (std::string part; std::getline(in, part, '`'); is_code = !is_code)
+      if (is_code && part.starts_with("./run ")) examples.push_back({i + 1, part, 0, "", std::nullopt});
+  }
+  return examples;
+}
+
 /// Whether the shown lines match the printed ones. "..." at the end of a line stands for the rest of it,
 /// alone on a line for any number of lines. Spaces at the end of a line do not count.
 inline bool stands_for(const std::vector<std::string>& shown, const std::vector<std::string>& printed,

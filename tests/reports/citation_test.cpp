@@ -34,6 +34,17 @@ TEST(Citation, BibtexHasThePlaceUnlessItIsTheAddress) {
             "  url = {https://host.org/2012/post},\n}\n");
 }
 
+TEST(Citation, ATextHasItsAuthorsAndYearFirstOrIsATitle) {
+  EXPECT_EQ(bibtex_of_text("Le Saec, Schlick 1993, An algorithm: k = 1.55 g - 0.55 g^3"),
+            "@misc{le1993analgorithm,\n  author = {Le Saec and Schlick},\n"
+            "  title = {{An algorithm: k = 1.55 g - 0.55 g\\^{}3}},\n  year = {1993},\n}\n");
+  EXPECT_EQ(
+      bibtex_of_text("Eberly, as cited by Lagarde 2014, Inverse functions"),
+      "@misc{eberlyascitedbylagarde2014inversefunctions,\n  title = {{Eberly, as cited by Lagarde 2014, Inverse functions}},\n}\n");
+  EXPECT_EQ(bibtex_of_text("MaterialX, 2024: mx_albedo"),
+            "@misc{materialx2024mxalbedo,\n  title = {{MaterialX, 2024: mx\\_albedo}},\n}\n");
+}
+
 TEST(Citation, EachIdHasSourcesAndEachSourceAKeyOfItsOwn) {
   std::map<std::string, std::string> title_of;
   for (const std::string& id : cited_ids()) {

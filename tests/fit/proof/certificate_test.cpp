@@ -113,7 +113,7 @@ TEST(Certificate, AFalseOneIsRefused) {
                  "parameter 'b' of fresnel-quadratic is missing");
   expect_refusal([](Certificate& c) { c.subject.parameters[0].first = "A"; },
                  "parameter 'A' is unknown: fresnel-quadratic has none of that name");
-  expect_refusal([](Certificate& c) { c.subject.family = "fresnel"; }, "'fresnel' is no family");
+  expect_refusal([](Certificate& c) { c.subject.family = "fresnel"; }, "'fresnel' is not a family");
   expect_refusal([](Certificate& c) { c.form = "exp2(a c)"; }, "the form 'exp2(a c)' is not the family's");
   expect_refusal([](Certificate& c) { c.target = "(1 - c)^4"; },
                  "the target '(1 - c)^4' is not the family's");
