@@ -82,7 +82,7 @@ void require_values(const CLI::App& command, const std::vector<std::string>& arg
       throw UserError(fmt::format("'{}': {} takes no value", arguments[i], name));
     if (i + 1 == arguments.size()) break;
     const bool takes_value = option->get_items_expected_min() > 0;
-    if (takes_value && is_open && looks_like_an_option(arguments[i + 1]))
+    if (takes_value && is_open && looks_like_an_option(*option, arguments[i + 1]))
       throw UserError(fmt::format("{} '{}' looks like an option: name a value (a path may begin with './')",
                                   name, arguments[i + 1]));
   }

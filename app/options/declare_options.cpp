@@ -117,6 +117,9 @@ void add_study(CLI::App& command, FitOptions& options) {
              "a constant of --form and --target: values separated by commas, or A:B:STEP; one fit for each");
   add_values(command, "--let", study.definitions, parse_let, "NAME(X)=FORMULA",
              "a function or a value for the other formulas, for example 'f(x)=x^2' or 'k=3'");
+  add_value(command, "--params", study.parameters, parse_names, "NAME,..",
+            "the parameters of --form, so that a mistyped name is not one (default: every name that is not a "
+            "variable or a constant)");
   add_values(command, "--start", study.starts, parse_held, "NAME=VALUE",
              "one more start of the search: a value of a parameter of --form");
 }

@@ -108,8 +108,9 @@ double parse_relative_width(const std::string& option, const std::string& text);
 /// "vulkan" or "vulkan:N": the place of a graphics device.
 std::size_t parse_device(const std::string& option, const std::string& text);
 
-/// Whether a text looks like an option: it begins with '-' and is not a number.
-bool looks_like_an_option(const std::string& text);
+/// Whether a text looks like an option in the place of a value: it begins with '-' and is not a number. A
+/// formula may begin with a sign, but not with two.
+bool looks_like_an_option(const CLI::Option& of, const std::string& text);
 
 /// The words of a parsed command: its options with their values as given. Leaves out the options `without`
 /// and options with default values.

@@ -84,4 +84,11 @@ StudyDefinition parse_let(const std::string& option, const std::string& text) {
   return {trimmed(head.substr(0, open)), parts_of(list, ',', list.size() + 1), formula};
 }
 
+std::vector<std::string> parse_names(const std::string& option, const std::string& text) {
+  const std::vector<std::string> names = parts_of(text, ',', text.size() + 1);
+  if (std::any_of(names.begin(), names.end(), [](const std::string& name) { return name.empty(); }))
+    throw UserError(fmt::format("{} '{}' is not a list of names separated by commas", option, text));
+  return names;
+}
+
 }  // namespace shadefit

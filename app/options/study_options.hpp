@@ -18,6 +18,7 @@ struct StudyOptions {
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyDefinition> definitions = {};
   std::vector<Held> starts = {};
+  std::vector<std::string> parameters = {};  ///< empty: every name that is nothing else
 };
 
 /// "NAME=A:B" or "NAME=A:B:DENSITY", or "NAME" for a column of a table. A and B are formulas of numbers;
@@ -30,5 +31,8 @@ std::pair<std::string, std::vector<std::string>> parse_given(const std::string& 
 
 /// "NAME = FORMULA" or "NAME(A, B) = FORMULA".
 StudyDefinition parse_let(const std::string& option, const std::string& text);
+
+/// "a,b": names by commas.
+std::vector<std::string> parse_names(const std::string& option, const std::string& text);
 
 }  // namespace shadefit

@@ -31,6 +31,7 @@ void require_family_options(const FitOptions& options) {
                        : !study.given.empty()                ? "--given"
                        : !study.definitions.empty()          ? "--let"
                        : !study.starts.empty()               ? "--start"
+                       : !study.parameters.empty()           ? "--params"
                        : options.metric.constraints.monotone ? "--monotone"
                                                              : nullptr;
   if (option != nullptr)
@@ -91,6 +92,20 @@ void change_metric(StudyFile& file, const FitOptions& options) {
   if (asked.monotone) file.constraints.monotone = asked.monotone;
 }
 
+/// A part of the file may not fit the options: then the fault is one of the file, since no option gave the
+/// part.
+void require_fitting_parts(const StudyFile& file, const FitOptions& options) {
+  const StudyForm& form = file.forms.front();
+  try {
+    Study study = combinations(file.study, file.given).front();
+    study.form = form.formula;
+    read_formulas(study);
+  } catch (const StudyFault& fault) {
+    if (options.id.empty() || options.present.contains(fault.part.option)) throw;
+    throw UserError(fmt::format("study '{}'{}", options.id, fault_in(file, fault, form.id)));
+  }
+}
+
 }  // namespace
 
 std::optional<StudyFile> chosen_study(const FitOptions& options) {
@@ -132,8 +147,10 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
   definitions.insert(definitions.end(), own.definitions.begin(), own.definitions.end());
   file.study.held = options.metric.constraints.held;
   file.study.starts = own.starts;
+  file.study.parameters = own.parameters;
   change_metric(file, options);
   if (!own.table.empty()) load_rows(file, own.table);
+  require_fitting_parts(file, options);
   return file;
 }
 

@@ -35,17 +35,22 @@ std::vector<fs::path> own_folders() {
 /// Reads all formulas of a study, and compares the published sets with the parameters of their forms. What is
 /// refused is refused with the name of the file.
 void require_formulas(const StudyFile& file, const fs::path& path) {
+  const std::string of = "study '" + printable(path.string()) + "'";
+  std::string id;  // of the form that is read
   try {
     Study study = combinations(file.study, file.given).front();
     for (const StudyForm& form : file.forms) {
+      id = form.id;
       study.form = form.formula;
       const ReadStudy read = read_formulas(study);
       for (const PublishedSet& set : file.published)
         if (set.form == form.id) values_of(set, read.parameters);
     }
     if (file.recompute) read_recompute(study, *file.recompute);
+  } catch (const StudyFault& fault) {
+    throw UserError(of + fault_in(file, fault, id));
   } catch (const UserError& error) {
-    throw UserError("study '" + printable(path.string()) + "': " + error.what());
+    throw UserError(of + ": " + error.what());
   }
 }
 
@@ -60,6 +65,15 @@ std::vector<std::string> ids_in(const std::vector<fs::path>& files) {
 }
 
 }  // namespace
+
+std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form) {
+  const StudyPart& part = fault.part;
+  const std::string key = part.option.substr(part.option.find_first_not_of('-'));
+  const std::string& name = key == "form" ? form : part.name;
+  const auto line = file.lines.find(name.empty() ? key : key + " " + name);
+  return fmt::format("{}: {}{}", line == file.lines.end() ? "" : fmt::format(", line {}", line->second), key,
+                     fault.rule);
+}
 
 std::vector<fs::path> study_folders(const std::vector<std::string>& given) {
   std::vector<fs::path> folders(given.begin(), given.end());

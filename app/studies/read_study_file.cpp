@@ -101,6 +101,24 @@ void read_metric(const TomlReader& reader, const toml::table& metric, StudyFile&
   });
 }
 
+/// Notes the lines of formulas, by which a fault is found.
+void note_lines(const toml::table& whole, StudyFile& file) {
+  const auto note = [&](const std::string& key, const toml::node* node) {
+    if (node != nullptr) file.lines[key] = static_cast<long>(node->source().begin.line);
+  };
+  for (const char* key : {"over", "given", "let"}) {
+    const toml::table* part = whole[key].as_table();
+    if (part == nullptr) continue;
+    for (const auto& [name, node] : *part) note(fmt::format("{} {}", key, name.str()), &node);
+  }
+  note("over", whole.get("over"));
+  note("target", whole["target"]["formula"].node());
+  note("recompute", whole["target"]["recompute"].node());
+  note("weight", whole["metric"]["weight"].node());
+  for (std::size_t i = 0; i < file.forms.size(); ++i)
+    note("form " + file.forms[i].id, whole["form"][i]["formula"].node());
+}
+
 /// One claim for each error that the table states.
 std::vector<ErrorClaim> read_claims(const TomlReader& reader, const toml::table& table) {
   std::vector<std::string> keys{"says"};
@@ -216,6 +234,8 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (over == nullptr) reader.fail(whole, "a study needs [over]");
   if (target == nullptr) reader.fail(whole, "a study needs [target]");
   read_over(reader, *over, file.study);
+  if (file.study.over.empty())
+    reader.fail(*over, "[over] needs a variable and its range, for example x = \"0:1\"");
   reader.require_keys(*target, {"formula", "table", "recompute", "encoded"});
   file.table = reader.optional(*target, "table");
   if (file.table.empty()) file.study.target = reader.required(*target, "formula");
@@ -237,6 +257,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (const toml::table* let = part("let")) read_definitions(reader, *let, file.study);
   read_forms(reader, whole, file);
   if (const toml::table* metric = part("metric")) read_metric(reader, *metric, file);
+  note_lines(whole, file);
   for (const toml::node* node : reader.list(whole, "published"))
     file.published.push_back(read_published(reader, reader.table(*node, "published"), file.forms));
   return file;

@@ -96,6 +96,17 @@ std::string FormulaText::number() {
   return decimal;
 }
 
+std::vector<std::string> names_in(std::string_view text) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t start = i++;
+    if (!begins_name(text[start])) continue;
+    while (i < text.size() && (begins_name(text[i]) || is_digit(text[i]))) ++i;
+    names.emplace_back(text.substr(start, i - start));
+  }
+  return names;
+}
+
 std::size_t FormulaText::end_of_argument() const {
   std::size_t end = place_;
   for (int open = 0; end < text_.size(); ++end) {

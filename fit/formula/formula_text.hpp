@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// The letters of a formula, read from the left.
 namespace shadefit {
@@ -63,5 +64,8 @@ class FormulaText {
   std::string_view text_;
   std::size_t place_ = 0;
 };
+
+/// All names in a text, those of functions, suffixes and exponents too.
+std::vector<std::string> names_in(std::string_view text);
 
 }  // namespace shadefit

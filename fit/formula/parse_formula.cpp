@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -38,6 +39,10 @@ std::string counted(const std::vector<std::size_t>& counts) {
   return text + (counts == std::vector<std::size_t>{1} ? " argument" : " arguments");
 }
 
+std::string did_you_mean(const std::optional<std::string>& name) {
+  return name ? " (did you mean '" + *name + "'?)" : "";
+}
+
 /// Recursive descent: one function for each rule of the grammar.
 class FormulaReader {
  public:
@@ -45,6 +50,7 @@ class FormulaReader {
 
   ReadFormula whole() {
     const Symbolic result = limited(formula());
+    text_.skip(';');
     if (!text_.is_at_end()) text_.fail("an operator or the end");
     require_size(size_of(result));
     return {result, parameters_};
@@ -204,12 +210,88 @@ class FormulaReader {
   }
 
   Operand atom() {
-    if (text_.begins_number()) return Symbolic::number(text_.number());
+    Operand result = bare_atom();
+    refuse_what_follows();
+    return result;
+  }
+
+  Operand bare_atom() {
+    if (text_.begins_number()) return number();
     if (begins_name(text_.peek())) return named();
+    if (skip_cast()) return cast();
     if (!text_.skip('(')) text_.fail("a number, a name or '('");
     Operand inner = any_formula();
     text_.expect(')');
     return inner;
+  }
+
+  /// A number without the suffix of an unsigned integer.
+  Symbolic number() {
+    const std::size_t start = text_.place();
+    const std::string decimal = text_.number();
+    const char suffix = text_.next();
+    const bool has_suffix = (suffix == 'u' || suffix == 'U') && is_digit(text_.at(text_.place() - 1)) &&
+                            std::all_of(decimal.begin(), decimal.end(), is_digit) &&
+                            !begins_name(text_.next(1)) && !is_digit(text_.next(1)) && text_.next(1) != '(';
+    if (has_suffix && !is_declared(std::string_view(&suffix, 1))) {
+      if (names_.takes_parameters)
+        text_.fail("no suffix, or a '*': in a form " + decimal + suffix + " may be " + decimal + "*" + suffix,
+                   start);
+      text_.go_to(text_.place() + 1);
+    }
+    return Symbolic::number(decimal);
+  }
+
+  bool is_declared(std::string_view name) const {
+    return std::find(names_.variables.begin(), names_.variables.end(), name) != names_.variables.end() ||
+           names_.definitions.contains(name) || std::find(bound_.begin(), bound_.end(), name) != bound_.end();
+  }
+
+  /// Moves behind `(float)` and the like. Refuses a cast to anything but a real number.
+  bool skip_cast() {
+    if (text_.peek() != '(') return false;
+    const std::size_t start = text_.place();
+    text_.skip('(');
+    const std::size_t inside = text_.place();
+    const std::string_view type = text_.name();
+    const bool is_in_parentheses = !type.empty() && text_.skip(')');
+    if (is_in_parentheses && !is_declared(type)) {
+      if (is_real_type(type)) return true;
+      if (is_of_vectors(type)) refuse_vector(type, inside);
+      if (type == "int" || type == "uint")
+        text_.fail("a cast to a real number, not to '" + std::string(type) + "' (trunc drops the fraction)",
+                   inside);
+    }
+    text_.go_to(start);
+    return false;
+  }
+
+  /// What is cast, as in C: the next atom, with a sign or another cast before it.
+  Symbolic cast() {
+    if (++depth_ > deepest) text_.fail("no more than " + std::to_string(deepest) + " casts");
+    const bool is_signed = text_.skip_minus();
+    const std::size_t start = text_.place();
+    const Symbolic value = number_of(atom(), start);
+    if (is_signed && text_.peek() == '^') text_.fail("parentheses around the base of the power");
+    --depth_;
+    return is_signed ? -value : value;
+  }
+
+  /// Says by name what shaders write behind a value and formulas do not have.
+  void refuse_what_follows() {
+    if (text_.peek() == '%')
+      text_.fail("an operator or the end, not '%' (it is not part of the language: mod and fmod are)");
+    if (text_.peek() != '.' || !begins_name(text_.next(1))) return;
+    const std::size_t start = text_.place();
+    text_.go_to(start + 1);
+    text_.fail("an operator or the end, not '." + std::string(text_.name()) +
+                   "' (swizzles and members are not part of the language)",
+               start);
+  }
+
+  [[noreturn]] void refuse_vector(std::string_view name, std::size_t start) const {
+    text_.fail("a real number, not '" + std::string(name) + "' (vectors are not part of the language)",
+               start);
   }
 
   Symbolic named() {
@@ -220,26 +302,48 @@ class FormulaReader {
       return Symbolic::variable(name);
     if (const auto found = names_.definitions.find(name); found != names_.definitions.end())
       return use(found->first, found->second);
-    if (name == "pi" || name == "ln2") return Symbolic::constant(name);
-    if (name == "PI" || name == "M_PI") return Symbolic::constant("pi");
-    if (const auto counts = argument_counts(name); !counts.empty()) {
-      const std::vector<Symbolic> given = arguments();
-      if (std::find(counts.begin(), counts.end(), given.size()) == counts.end())
-        text_.fail(counted(counts) + " of '" + std::string(name) + "'", start);
-      return call(name, given);
-    }
+    if (const auto constant = named_constant(name)) return *constant;
+    if (name == "std" && text_.skip("::")) return function_of_std();
+    if (!argument_counts(name).empty()) return call_of(name, start);
     if (name == "integral" && is_before_parenthesis && names_.takes_integrals) return integral_of(start);
     if (const Truth* truth = find_truth(name); truth && is_before_parenthesis && names_.takes_integrals)
       return use(std::string(name), definition_of(*truth));
     if (std::find(bound_.begin(), bound_.end(), name) != bound_.end()) return Symbolic::variable(name);
     if (std::find(past_.begin(), past_.end(), name) != past_.end())
       text_.fail("'" + std::string(name) + "' inside its integral alone", start);
-    if (names_.takes_parameters && !(is_before_parenthesis && name.size() > 1)) {
+    if (is_before_parenthesis && is_of_vectors(name)) refuse_vector(name, start);
+    if (may_be_parameter(name) && !(is_before_parenthesis && name.size() > 1)) {
       if (std::find(parameters_.begin(), parameters_.end(), name) == parameters_.end())
         parameters_.emplace_back(name);
       return Symbolic::variable(name);
     }
     refuse(name, start);
+  }
+
+  bool may_be_parameter(std::string_view name) const {
+    const std::vector<std::string>& only = names_.parameters;
+    return names_.takes_parameters &&
+           (only.empty() || std::find(only.begin(), only.end(), name) != only.end());
+  }
+
+  Symbolic call_of(std::string_view function, std::size_t start) {
+    const std::vector<std::size_t> counts = argument_counts(function);
+    const std::vector<Symbolic> given = arguments();
+    if (std::find(counts.begin(), counts.end(), given.size()) == counts.end())
+      text_.fail(counted(counts) + " of '" + std::string(function) + "'", start);
+    return call(function, given);
+  }
+
+  /// The function behind `std::`.
+  Symbolic function_of_std() {
+    text_.peek();
+    const std::size_t start = text_.place();
+    const std::string_view name = text_.name();
+    if (argument_counts(name).empty())
+      text_.fail("a function after 'std::', not '" + std::string(name) + "'" +
+                     did_you_mean(nearest_name(name, function_names())),
+                 start);
+    return call_of(name, start);
   }
 
   /// integral(body, t, lower, upper). The variable is read first, since the body uses it.
@@ -277,7 +381,7 @@ class FormulaReader {
     };
     const bool is_taken = has(names_.variables) || has(parameters_) || has(bound_) ||
                           names_.definitions.contains(name) || !argument_counts(name).empty() ||
-                          has({"pi", "ln2", "PI", "M_PI", "integral"});
+                          named_constant(name) || name == "integral";
     if (name.empty() || is_taken) text_.fail("a new name for the variable of the integral", start);
     return name;
   }
@@ -318,19 +422,20 @@ class FormulaReader {
     for (const Truth& truth : truths()) {
       if (names_.takes_integrals) known.emplace_back(truth.name);
     }
-    if (names_.takes_parameters) {
+    const bool is_call = text_.at(start + name.size()) == '(';
+    if (names_.takes_parameters && (names_.parameters.empty() || may_be_parameter(name))) {
       const auto nearest = nearest_name(name, known);
       text_.fail("a function before '(', not '" + std::string(name) + "'" +
-                     (nearest ? " (did you mean '" + *nearest + "'?)" : "; a product needs a '*' or a space"),
+                     (nearest ? did_you_mean(nearest) : "; a product needs a '*' or a space"),
                  start);
     }
+    std::vector<std::string> declared = names_.variables;
+    declared.insert(declared.end(), names_.parameters.begin(), names_.parameters.end());
+    for (const auto& [defined, _] : names_.definitions) declared.push_back(defined);
     std::string names;
-    for (const std::string& variable : names_.variables) names += variable + ", ";
-    for (const auto& [defined, _] : names_.definitions) names += defined + ", ";
-    const bool is_call = text_.at(start + name.size()) == '(';
-    const auto nearest = is_call ? nearest_name(name, known) : std::nullopt;
+    for (const std::string& one : declared) names += one + ", ";
     text_.fail("one of " + names + "pi, ln2 and the functions, not '" + std::string(name) + "'" +
-                   (nearest ? " (did you mean '" + *nearest + "'?)" : ""),
+                   did_you_mean(nearest_name(name, is_call ? known : declared)),
                start);
   }
 

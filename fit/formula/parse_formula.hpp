@@ -27,6 +27,7 @@ struct FormulaNames {
   bool takes_parameters = false;
   bool takes_integrals =
       false;  ///< whether `integral(body, t, lower, upper)` is read, and fit/truths/truths.hpp
+  std::vector<std::string> parameters = {};  ///< then no other name is a parameter; empty: any may be
 };
 
 struct ReadFormula {
@@ -44,13 +45,17 @@ struct ReadFormula {
 ///   product    powers by `*` or side by side: "8 pi (a + 2)"
 ///   power      atom, or atom ^ exponent; an exponent is an atom or a signed number; after an operator a sign
 ///              may stand before it
-///   atom       a number (2, .5, 1e-3, 2.4f), pi, ln2, a name, a call, or a formula in parentheses
+///   atom       a number (2, .5, 1e-3, 2.4f), pi, ln2, a name, a call, or a formula in parentheses; a cast
+///   such
+///              as `(float)` may stand before it
 /// `integral(t^2, t, 0, x)` is the integral of t^2 from 0 to x; t is a new name. At most two are inside one
 /// another. A power with a whole exponent is computed by multiplications. Any other is a real power; its base
 /// must not be negative. Calls are those of fit/formula/shader_calls.hpp and of the definitions.
 ///
 /// A text that people read in two ways is refused: "1/2 pi", "a^b^c" and "2 3" need parentheses or a `*`;
-/// "2f" is refused too.
+/// "2f" is refused too. In "2u", u is a variable or a definition if there is one of that name, else the
+/// suffix of an integer; a form, where it may be a parameter too, is refused. A `;` may stand at the end, and
+/// `std::` before a function. Vectors, swizzles and `%` are refused by name.
 ///
 /// Spaces, tabs and ends of lines separate. A name is a letter or underscore, then letters, digits and
 /// underscores. A name directly before a parenthesis is a call if it is a function, else a factor. A formula

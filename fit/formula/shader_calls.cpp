@@ -21,6 +21,15 @@ Symbolic clamped(const Symbolic& x, const Symbolic& low, const Symbolic& high) {
   return min(max(x, low), high);
 }
 
+/// A magnitude with the sign of x. `sign` would do, but C and CUDA have none.
+Symbolic with_sign_of(const Symbolic& x, const Symbolic& magnitude) {
+  return select(less(x, whole(0)), -magnitude, magnitude);
+}
+
+Symbolic truncated(const Symbolic& x) {
+  return with_sign_of(x, floor(abs(x)));
+}
+
 struct Composed {
   std::string_view name;
   std::size_t arguments;
@@ -33,22 +42,23 @@ constexpr std::array composed_functions{
     Composed{"inversesqrt", 1, [](Arguments x) { return whole(1) / sqrt(x[0]); }},
     Composed{"rcp", 1, [](Arguments x) { return whole(1) / x[0]; }},
     Composed{"ceil", 1, [](Arguments x) { return -floor(-x[0]); }},
+    Composed{"trunc", 1, [](Arguments x) { return truncated(x[0]); }},
+    Composed{"round", 1,
+             [](Arguments x) { return with_sign_of(x[0], floor(abs(x[0]) + constant<Symbolic>("0.5"))); }},
     Composed{"fract", 1, [](Arguments x) { return x[0] - floor(x[0]); }},
     Composed{"frac", 1, [](Arguments x) { return x[0] - floor(x[0]); }},
     Composed{"saturate", 1, [](Arguments x) { return clamped(x[0], whole(0), whole(1)); }},
     Composed{"fabs", 1, [](Arguments x) { return abs(x[0]); }},
     Composed{"float", 1, [](Arguments x) { return x[0]; }},
+    Composed{"half", 1, [](Arguments x) { return x[0]; }},
+    Composed{"double", 1, [](Arguments x) { return x[0]; }},
     Composed{"pow", 2, [](Arguments x) { return raised(x[0], x[1]); }},
     Composed{"atan", 2, [](Arguments x) { return atan2(x[0], x[1]); }},
     Composed{"fmin", 2, [](Arguments x) { return min(x[0], x[1]); }},
     Composed{"fmax", 2, [](Arguments x) { return max(x[0], x[1]); }},
     Composed{"step", 2, [](Arguments x) { return select(less(x[1], x[0]), whole(0), whole(1)); }},
     Composed{"mod", 2, [](Arguments x) { return x[0] - x[1] * floor(x[0] / x[1]); }},
-    Composed{"fmod", 2,
-             [](Arguments x) {
-               const Symbolic quotient = x[0] / x[1];
-               return x[0] - x[1] * (signum(quotient) * floor(abs(quotient)));
-             }},
+    Composed{"fmod", 2, [](Arguments x) { return x[0] - x[1] * truncated(x[0] / x[1]); }},
     Composed{"clamp", 3, [](Arguments x) { return clamped(x[0], x[1], x[2]); }},
     Composed{"mix", 3, [](Arguments x) { return x[0] * (whole(1) - x[2]) + x[1] * x[2]; }},
     Composed{"lerp", 3, [](Arguments x) { return x[0] + x[2] * (x[1] - x[0]); }},
@@ -60,6 +70,34 @@ constexpr std::array composed_functions{
                return t * t * (whole(3) - whole(2) * t);
              }},
 };
+
+struct NamedConstant {
+  std::string_view name;
+  Symbolic (*value)();
+};
+
+constexpr std::array named_constants{
+    NamedConstant{"pi", [] { return pi<Symbolic>(); }},
+    NamedConstant{"ln2", [] { return ln2<Symbolic>(); }},
+    NamedConstant{"PI", [] { return pi<Symbolic>(); }},
+    NamedConstant{"M_PI", [] { return pi<Symbolic>(); }},
+    NamedConstant{"M_PI_2", [] { return pi<Symbolic>() / whole(2); }},
+    NamedConstant{"M_PI_4", [] { return pi<Symbolic>() / whole(4); }},
+    NamedConstant{"M_1_PI", [] { return whole(1) / pi<Symbolic>(); }},
+    NamedConstant{"M_2_PI", [] { return whole(2) / pi<Symbolic>(); }},
+    NamedConstant{"M_2_SQRTPI", [] { return whole(2) / sqrt(pi<Symbolic>()); }},
+    NamedConstant{"M_SQRT2", [] { return sqrt(whole(2)); }},
+    NamedConstant{"M_SQRT1_2", [] { return sqrt(constant<Symbolic>("0.5")); }},
+    NamedConstant{"M_E", [] { return exp(whole(1)); }},
+    NamedConstant{"M_LN2", [] { return ln2<Symbolic>(); }},
+    NamedConstant{"M_LN10", [] { return log(whole(10)); }},
+    NamedConstant{"M_LOG2E", [] { return whole(1) / ln2<Symbolic>(); }},
+    NamedConstant{"M_LOG10E", [] { return whole(1) / log(whole(10)); }},
+};
+
+bool is_size(char c) {
+  return '2' <= c && c <= '4';
+}
 
 std::vector<std::size_t> counts_of_exact(std::string_view name) {
   std::vector<std::size_t> counts;
@@ -103,6 +141,29 @@ std::vector<std::string> function_names() {
   for (const auto& f : functions_of_two<double>) names.emplace_back(f.name);
   for (const Composed& f : composed_functions) names.emplace_back(f.name);
   return names;
+}
+
+std::optional<Symbolic> named_constant(std::string_view name) {
+  for (const NamedConstant& constant : named_constants) {
+    if (constant.name == name) return constant.value();
+  }
+  return std::nullopt;
+}
+
+bool is_of_vectors(std::string_view name) {
+  constexpr std::array<std::string_view, 5> functions{"dot", "cross", "normalize", "reflect", "refract"};
+  if (std::find(functions.begin(), functions.end(), name) != functions.end()) return true;
+  if (name.empty() || !is_size(name.back())) return false;
+  name.remove_suffix(1);
+  if (name.size() > 2 && name.back() == 'x' && is_size(name[name.size() - 2])) name.remove_suffix(2);
+  constexpr std::array<std::string_view, 14> types{"vec",    "dvec", "ivec", "uvec",  "bvec",
+                                                   "mat",    "dmat", "half", "float", "int",
+                                                   "double", "uint", "bool", "fixed"};
+  return std::find(types.begin(), types.end(), name) != types.end();
+}
+
+bool is_real_type(std::string_view name) {
+  return name == "float" || name == "half" || name == "double";
 }
 
 std::vector<std::size_t> argument_counts(std::string_view function) {

@@ -3,6 +3,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "fit/formula/definition.hpp"
+#include "fit/formula/formula_text.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/formula/shader_calls.hpp"
 #include "fit/scalars/in_50_digits.hpp"
@@ -13,11 +15,13 @@
 namespace shadefit {
 namespace {
 
-ReadFormula read(const std::string& option, const std::string& text, const FormulaNames& names) {
+/// The label is what stands between the option and the fault: the name of a definition.
+ReadFormula read(const StudyPart& part, const std::string& text, const FormulaNames& names,
+                 const std::string& label = "") {
   try {
     return read_formula(text, names);
   } catch (const std::invalid_argument& error) {
-    throw UserError(option + ": " + error.what());
+    throw StudyFault(part, label + ": " + error.what());
   }
 }
 
@@ -25,55 +29,56 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+std::string quoted(const std::string& text) {
+  return " '" + text + "'";
+}
+
 /// The value of a formula without variables.
-double number_of(const std::string& option, const std::string& text) {
-  const Symbolic formula = read(option, text, {}).formula;
+double number_of(const StudyPart& part, const std::string& text) {
+  const Symbolic formula = read(part, text, {}).formula;
   const auto value = static_cast<double>(in_50_digits(formula));
-  if (!std::isfinite(value)) throw UserError(option + " '" + text + "' is not a finite number");
+  if (!std::isfinite(value)) throw StudyFault(part, quoted(text) + " is not a finite number");
   return value;
 }
 
-void require_name(const std::string& option, const std::string& name) {
+void require_name(const StudyPart& part, const std::string& name, const std::string& label = "") {
   const auto begins = [](char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; };
   const bool is_name =
       !name.empty() && begins(name.front()) &&
       std::all_of(name.begin(), name.end(), [&](char c) { return begins(c) || ('0' <= c && c <= '9'); });
   if (!is_name)
-    throw UserError(option + " '" + name + "' is not a name: a letter, then letters, digits and underscores");
-  constexpr const char* constants[] = {"pi", "ln2", "PI", "M_PI", "integral"};
-  const bool is_taken =
-      !argument_counts(name).empty() || std::any_of(std::begin(constants), std::end(constants),
-                                                    [&](const char* constant) { return name == constant; });
-  if (is_taken) throw UserError(option + " '" + name + "' is already a function or a number");
+    throw StudyFault(part,
+                     label + quoted(name) + " is not a name: a letter, then letters, digits and underscores");
+  if (!argument_counts(name).empty() || named_constant(name) || name == "integral")
+    throw StudyFault(part, label + quoted(name) + " is already a function or a number");
 }
 
 /// A table defines the names `value` and `sigma`.
-void require_free_of_rows(const std::string& option, const std::string& name, const Study& study) {
+void require_free_of_rows(const StudyPart& part, const std::string& name, const Study& study,
+                          const std::string& label = "") {
   if (!study.rows) return;
   const bool is_sigma = name == "sigma" && !study.rows->sigma.empty();
   if (name == "value" || is_sigma)
-    throw UserError(option + " '" + name + "': a --table has this name for its " +
-                    (is_sigma ? "standard deviations" : "measured values"));
+    throw StudyFault(part, label + quoted(name) + ": a table has this name for its " +
+                               (is_sigma ? "standard deviations" : "measured values"));
 }
 
 StudyAxis axis_of_column(const StudyRange& range, const std::vector<double>& values) {
   if (!range.lower.empty())
-    throw UserError("--over '" + range.variable + "=" + range.lower + ":" + range.upper +
-                    "' has a range: with --table the rows give the values, so write --over " +
-                    range.variable);
+    throw StudyFault({"--over", range.variable},
+                     quoted(range.variable + "=" + range.lower + ":" + range.upper) +
+                         " has a range, but the rows of the table give the values: leave it out");
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
   return {range.variable, *least, *most, Symbolic::number("1")};
 }
 
 StudyAxis axis_of_range(const StudyRange& range) {
-  if (range.lower.empty())
-    throw UserError("--over '" + range.variable + "' needs a range: for example --over " + range.variable +
-                    "=0:1");
-  const std::string text = range.variable + "=" + range.lower + ":" + range.upper;
-  const double lower = number_of("--over", range.lower), upper = number_of("--over", range.upper);
-  if (!(lower < upper)) throw UserError("--over '" + text + "' is empty: it must rise");
-  const Symbolic density =
-      read("--over '" + text + "'", range.density, {.variables = {range.variable}}).formula;
+  const StudyPart part{"--over", range.variable};
+  if (range.lower.empty()) throw StudyFault(part, quoted(range.variable) + " needs a range: for example 0:1");
+  const std::string label = quoted(range.variable + "=" + range.lower + ":" + range.upper);
+  const double lower = number_of(part, range.lower), upper = number_of(part, range.upper);
+  if (!(lower < upper)) throw StudyFault(part, label + " is empty: it must rise");
+  const Symbolic density = read(part, range.density, {.variables = {range.variable}}, label).formula;
   return {range.variable, lower, upper, density};
 }
 
@@ -81,44 +86,97 @@ std::vector<StudyAxis> axes_of(const Study& study) {
   if (study.over.empty())
     throw UserError(study.rows ? "--form needs --over, a column of the table: for example --over x"
                                : "--form needs --over, a variable and its range: for example --over x=0:1");
-  if (study.over.size() > most_axes)
-    throw UserError("--over '" + study.over[most_axes].variable + "': a study has at most three variables");
+  if (study.over.size() > most_axes) {
+    const std::string& last = study.over[most_axes].variable;
+    throw StudyFault({"--over", last}, quoted(last) + ": a study has at most three variables");
+  }
   std::vector<StudyAxis> axes;
   std::set<std::string> seen;
   for (const StudyRange& range : study.over) {
-    require_name("--over", range.variable);
-    require_free_of_rows("--over", range.variable, study);
+    const StudyPart part{"--over", range.variable};
+    require_name(part, range.variable);
+    require_free_of_rows(part, range.variable, study);
     if (!seen.insert(range.variable).second)
-      throw UserError("--over '" + range.variable + "' is given a second time");
+      throw StudyFault(part, quoted(range.variable) + " is given a second time");
     axes.push_back(study.rows ? axis_of_column(range, study.rows->places.at(axes.size()))
                               : axis_of_range(range));
   }
   return axes;
 }
 
+/// The definitions that a definition uses, by their places.
+std::vector<std::size_t> used_by(const StudyDefinition& definition, const std::vector<StudyDefinition>& all) {
+  std::vector<std::size_t> used;
+  for (const std::string& name : names_in(definition.formula)) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const StudyDefinition& one) { return one.name == name; });
+    if (found != all.end() && !contains(definition.arguments, name))
+      used.push_back(static_cast<std::size_t>(found - all.begin()));
+  }
+  return used;
+}
+
+/// The names from a definition back to itself, "f, g, f"; empty if it does not use itself.
+std::string ring_of(std::size_t first, const std::vector<StudyDefinition>& all) {
+  std::vector<std::string> way(all.size());  // how each was reached; empty: it was not
+  std::vector<std::size_t> open{first};
+  while (!open.empty()) {
+    const std::size_t one = open.front();
+    open.erase(open.begin());
+    for (const std::size_t used : used_by(all[one], all)) {
+      const std::string before = one == first ? all[first].name : way[one];
+      if (used == first) return before + ", " + all[first].name;
+      if (!way[used].empty()) continue;
+      way[used] = before + ", " + all[used].name;
+      open.push_back(used);
+    }
+  }
+  return "";
+}
+
+/// Refuses a ring by its names. The name that it lacks where it is read is known elsewhere.
+void refuse_ring(const std::vector<StudyDefinition>& all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string ring = ring_of(i, all), &name = all[i].name;
+    if (!ring.empty()) throw StudyFault({"--let", name}, quoted(name) + " is defined by itself: " + ring);
+  }
+}
+
+using Definitions = std::map<std::string, Definition, std::less<>>;
+
+Definition read_definition(const StudyDefinition& definition, const Study& study,
+                           const std::vector<std::string>& variables, const Definitions& before) {
+  const StudyPart part{"--let", definition.name};
+  require_name(part, definition.name);
+  require_free_of_rows(part, definition.name, study);
+  if (contains(variables, definition.name) || before.contains(definition.name))
+    throw StudyFault(part, quoted(definition.name) + " names something else already");
+  FormulaNames names{.variables = variables, .definitions = before, .takes_integrals = true};
+  for (const std::string& argument : definition.arguments) {
+    require_name(part, argument, quoted(definition.name) + ", argument");
+    names.definitions.erase(argument);
+    if (!contains(names.variables, argument)) names.variables.push_back(argument);
+  }
+  return {definition.arguments, read(part, definition.formula, names, quoted(definition.name)).formula};
+}
+
 /// Definitions in the order given; each may use those before it, the variables and the given constants.
-std::map<std::string, Definition, std::less<>> definitions_of(const Study& study,
-                                                              const std::vector<std::string>& variables) {
-  std::map<std::string, Definition, std::less<>> result;
+Definitions definitions_of(const Study& study, const std::vector<std::string>& variables) {
+  Definitions result;
   for (const auto& [name, value] : study.given) {
-    require_name("--given", name);
-    require_free_of_rows("--given", name, study);
-    if (contains(variables, name)) throw UserError("--given '" + name + "' is a variable of --over");
-    result.emplace(name, Definition{{}, read("--given '" + name + "'", value, {}).formula});
+    const StudyPart part{"--given", name};
+    require_name(part, name);
+    require_free_of_rows(part, name, study);
+    if (contains(variables, name)) throw StudyFault(part, quoted(name) + " is a variable already");
+    result.emplace(name, Definition{{}, read(part, value, {}, quoted(name)).formula});
   }
   for (const StudyDefinition& definition : study.definitions) {
-    require_name("--let", definition.name);
-    require_free_of_rows("--let", definition.name, study);
-    if (contains(variables, definition.name) || result.contains(definition.name))
-      throw UserError("--let '" + definition.name + "' names something else already");
-    FormulaNames names{.variables = variables, .definitions = result, .takes_integrals = true};
-    for (const std::string& argument : definition.arguments) {
-      require_name("--let '" + definition.name + "', argument", argument);
-      names.definitions.erase(argument);
-      if (!contains(names.variables, argument)) names.variables.push_back(argument);
+    try {
+      result.emplace(definition.name, read_definition(definition, study, variables, result));
+    } catch (const StudyFault&) {
+      refuse_ring(study.definitions);
+      throw;
     }
-    const Symbolic formula = read("--let '" + definition.name + "'", definition.formula, names).formula;
-    result.emplace(definition.name, Definition{definition.arguments, formula});
   }
   return result;
 }
@@ -134,10 +192,39 @@ FormulaNames names_of(const Study& study, const std::vector<std::string>& variab
   return {.variables = variables, .definitions = definitions_of(study, variables), .takes_integrals = true};
 }
 
+/// A list of parameters is that of the form.
+void require_parameters(const Study& study, const FormulaNames& names) {
+  std::set<std::string> seen;
+  for (const std::string& parameter : study.parameters) {
+    const StudyPart part{"--params"};
+    require_name(part, parameter);
+    require_free_of_rows(part, parameter, study);
+    if (contains(names.variables, parameter) || names.definitions.contains(parameter))
+      throw StudyFault(part, quoted(parameter) + " names something else already");
+    if (!seen.insert(parameter).second) throw StudyFault(part, quoted(parameter) + " is given a second time");
+  }
+}
+
+/// The form with its parameters, in the order of the list if there is one.
+ReadFormula read_form(const Study& study, FormulaNames names) {
+  require_parameters(study, names);
+  names.takes_parameters = true;
+  names.parameters = study.parameters;
+  ReadFormula form = read({"--form"}, study.form, names);
+  for (const std::string& parameter : form.parameters)
+    require_free_of_rows({"--form"}, parameter, study, ": its parameter");
+  for (const std::string& parameter : study.parameters) {
+    if (!contains(form.parameters, parameter))
+      throw StudyFault({"--params"}, quoted(parameter) + ": the form has no such parameter");
+  }
+  if (!study.parameters.empty()) form.parameters = study.parameters;
+  return form;
+}
+
 void require_enough_rows(const ReadStudy& study) {
   const std::size_t rows = study.rows->value.size(), parameters = study.parameters.size();
   if (rows < parameters)
-    throw UserError("'" + study.rows->file + "' has fewer rows than --form has parameters: " +
+    throw UserError("'" + study.rows->file + "' has fewer rows than the form has parameters: " +
                     std::to_string(rows) + " and " + std::to_string(parameters));
 }
 
@@ -168,18 +255,14 @@ ReadStudy read_formulas(const Study& study) {
   const std::vector<std::string> variables = variables_of(axes);
   const FormulaNames names = names_of(study, variables);
   const Symbolic target =
-      study.rows ? Symbolic::variable("value") : read("--target", study.target, names).formula;
-  FormulaNames of_form = names;
-  of_form.takes_parameters = true;
-  const ReadFormula form = read("--form", study.form, of_form);
-  for (const std::string& parameter : form.parameters)
-    require_free_of_rows("--form: its parameter", parameter, study);
+      study.rows ? Symbolic::variable("value") : read({"--target"}, study.target, names).formula;
+  const ReadFormula form = read_form(study, names);
   const Symbolic one = Symbolic::number("1");
   ReadStudy result{axes,        target,     form.formula,         one, form.parameters,
                    study.error, study.rows, study.has_only_starts};
   FormulaNames of_weight = names;
   of_weight.variables = node_variables(result);
-  result.weight = read("--weight", study.weight, of_weight).formula;
+  result.weight = read({"--weight"}, study.weight, of_weight).formula;
 
   for (const Held& held : study.held) {
     if (!contains(result.parameters, held.parameter))
@@ -194,25 +277,27 @@ ReadStudy read_formulas(const Study& study) {
       throw UserError("--start '" + start.parameter + "': the form has no such free parameter");
   }
   if (result.parameters.size() > most_study_parameters)
-    throw UserError("--form has " + std::to_string(result.parameters.size()) + " parameters: at most 16");
+    throw StudyFault({"--form"},
+                     " has " + std::to_string(result.parameters.size()) + " parameters: at most 16");
   const bool has_variable = std::any_of(variables.begin(), variables.end(), [&](const std::string& name) {
     return free_variables(target).contains(name) || free_variables(result.form).contains(name);
   });
   if (study.rows) {
     require_enough_rows(result);
   } else if (!has_variable) {
-    throw UserError("--over: neither target nor form contains a variable");
+    throw StudyFault({"--over"}, ": neither target nor form contains a variable");
   }
   return result;
 }
 
 Symbolic read_recompute(const Study& study, const std::string& formula) {
-  return read("recompute", formula, names_of(study, variables_of(axes_of(study)))).formula;
+  return read({"recompute"}, formula, names_of(study, variables_of(axes_of(study)))).formula;
 }
 
 ReadStudy read_study(const Study& study) {
   ReadStudy result = read_formulas(study);
-  if (result.parameters.empty()) throw UserError("--form '" + study.form + "' has no parameter to fit");
+  if (result.parameters.empty())
+    throw StudyFault({"--form"}, quoted(study.form) + " has no parameter to fit");
   return result;
 }
 

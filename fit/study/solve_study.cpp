@@ -205,6 +205,8 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
     if (fit.digits >= least_study_digits) fit.status = Status::converged;
     if (size <= settled) break;
   }
+  if (fit.status != Status::converged)
+    fit.why = "long double does not tell six digits of its parameters, whose columns are nearly dependent";
   return fit;
 }
 
@@ -340,7 +342,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   }
   if (fit.status != Status::converged && searched.is_linear) {
     const StudyFit linear = settle_linear(rules, search_rule(study));
-    if (linear.status == Status::converged) fit = linear;
+    if (!linear.parameters.empty()) fit = linear;
   }
   fit.names = study.parameters;
   fit.starts = searched.starts;

@@ -8,6 +8,7 @@
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/study/measured_rows.hpp"
+#include "fit/support/user_error.hpp"
 
 /// A fit of one's own: a form to a target, over one to three variables. The form is a formula; the target is
 /// a formula too, or the rows of a measurement.
@@ -35,6 +36,7 @@ struct Study {
   std::map<std::string, std::string> given = {};  ///< held constants: formulas of numbers
   std::vector<Held> held = {};                    ///< parameters with given values
   std::vector<Held> starts = {};                  ///< values from which a descent starts too
+  std::vector<std::string> parameters = {};  ///< those of the form; empty: every name that is nothing else
   /// Then no other descent starts, and a fit of rows has no statistics. This tells whether `starts` are near
   /// an optimum.
   bool has_only_starts = false;
@@ -74,6 +76,22 @@ inline constexpr std::size_t most_study_parameters = 16;
 /// The density that a word names: `cosine`, `angle` and `cosine-weighted` for a cosine in [0, 1]. Any other
 /// text is a formula already.
 std::string density_of(const std::string& text, const std::string& variable);
+
+/// A part of a study, by the option that gives it, such as --over. Several of one kind have names: the
+/// variable, the constant or the definition.
+struct StudyPart {
+  std::string option, name = {};
+};
+
+/// What is wrong with a part of a study. `what()` is the option and the rule; who has read the study from a
+/// file says where the part stands instead.
+struct StudyFault : UserError {
+  StudyFault(const StudyPart& of, const std::string& broken_rule)
+      : UserError(of.option + broken_rule), part(of), rule(broken_rule) {}
+
+  StudyPart part;
+  std::string rule;  ///< what follows the option: " 'x=1:0' is empty: it must rise"
+};
 
 /// Reads the formulas of a study. Throws UserError with one line that names the option, its value and the
 /// rule.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,6 +68,8 @@ struct StudyFile {
   bool has_weight = false;  ///< whether a weight is asked for; else measured rows with sigma get 1/sigma
   Constraints constraints = {};
   std::vector<PublishedSet> published = {};
+  /// Where its formulas and ranges stand, by their keys: "target", "over x", "let f"; "form" and the id.
+  std::map<std::string, long> lines = {};
 };
 
 /// Whether a set was published for the given constants of a study.

@@ -136,6 +136,28 @@ TEST(StudyCommand, RefusesBadInput) {
                  "--over 'x=0' is not NAME=A:B or NAME=A:B:DENSITY");
   expect_refusal({"fit", "--target", "x^2", "--form", "a (x + 0 b)", "--over", "x=0:1"},
                  "--form does not depend on its parameter 'b' where it was evaluated");
+  expect_refusal(with(acos_linear, {"--params", "a,,b"}),
+                 "--params 'a,,b' is not a list of names separated by commas");
+  expect_refusal(
+      with(acos_linear, {"--params", "a"}),
+      "--form: formula 'sqrt(1-x) (a + b x)': expected one of x, a, pi, ln2 and the functions, not 'b' "
+      "at place 16");
+  expect_refusal({"fit", "fresnel-quadratic", "--params", "a"},
+                 "--params belongs to --form, a formula of your own, or to a study");
+}
+
+// A formula may begin with a sign, and an option is no formula.
+TEST(StudyCommand, TakesFormulasThatBeginWithASign) {
+  const Outcome outcome = run_command_line({"fit", "--target", "-x^2", "--form", "-a x+b", "--over", "x=0:1",
+                                            "--params", "b, a", "--weight", "-x+2"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("-a x+b ~ -x^2, x in 0:1")) << outcome.out;
+  for (const char* option : {"--target", "--form", "--weight", "--let"})
+    expect_refusal(
+        {"fit", option, "--norm", "minimax"},
+        std::string(option) + " '--norm' looks like an option: name a value (a path may begin with './')");
+  expect_refusal({"fit", "--over", "-x=0:1"},
+                 "--over '-x=0:1' looks like an option: name a value (a path may begin with './')");
 }
 
 std::vector<std::string> line_through(const std::string& file) {

@@ -145,6 +145,8 @@ TEST(StudyFile, RefusesWithTheLine) {
   EXPECT_EQ(refused("values = {", "values = [").substr(0, 50),
             "study 's.toml', line 17: Error while parsing value");
   EXPECT_EQ(refusal_of("schema = 1\nid = \"a\"\n"), "study 's.toml', line 1: a study needs [over]");
+  EXPECT_EQ(refused("x = \"0:1\"\n", ""),
+            "study 's.toml', line 3: [over] needs a variable and its range, for example x = \"0:1\"");
 }
 
 // Each study of the project is read, each fit of it converges, and its id is its name.
@@ -370,11 +372,12 @@ TEST_F(StudyFolder, RecomputesRowsOfATable) {
       expect_refusal({verb, path("line.toml")}, "study '" + path("line.toml") + "'" + rule);
     }
   };
-  refused("table = \"rows.csv\"\nrecompute = \"x^k\"",
-          ": recompute: formula 'x^k': expected one of x, pi, ln2 and the functions, not 'k' at place 3");
+  refused(
+      "table = \"rows.csv\"\nrecompute = \"x^k\"",
+      ", line 7: recompute: formula 'x^k': expected one of x, pi, ln2 and the functions, not 'k' at place 3");
   refused(
       "table = \"rows.csv\"\nrecompute = \"value\"",
-      ": recompute: formula 'value': expected one of x, pi, ln2 and the functions, not 'value' at place 1");
+      ", line 7: recompute: formula 'value': expected one of x, pi, ln2 and the functions, not 'value' at place 1");
   refused("table = \"rows.csv\"\nrecompute = 2",
           ", line 7: 'recompute' must be a text in quotes, so that every digit is kept");
   write("line.toml", replaced(good, "formula = \"x^2\"", "formula = \"x^2\"\nrecompute = \"x^2\""));
@@ -393,17 +396,39 @@ TEST_F(StudyFolder, RefusesBadInput) {
   const auto refused = [&](const std::string& before, const std::string& after, const std::string& line) {
     write("line.toml", replaced(good, before, after));
     for (const char* verb : {"fit", "better", "explain", "certify"})
-      expect_refusal({verb, path("line.toml")}, "study '" + path("line.toml") + "': " + line);
+      expect_refusal({verb, path("line.toml")}, "study '" + path("line.toml") + "'" + line);
   };
-  refused("a = \"-0.125\"", "c = \"-0.125\"", "published values of 'line' lack the parameter 'a'");
+  refused("a = \"-0.125\"", "c = \"-0.125\"", ": published values of 'line' lack the parameter 'a'");
   refused("b = \"1.0\"", "b = \"1.0\", c = \"1\"",
-          "published value 'c' is not a parameter of the form 'line'");
-  refused("\"x^2\"", "\"sqr(x)\"",
-          "--target: formula 'sqr(x)': expected one of x, pi, ln2 and the functions, not 'sqr' (did you mean "
-          "'sqrt'?) at place 1");
+          ": published value 'c' is not a parameter of the form 'line'");
+  refused(
+      "\"x^2\"", "\"sqr(x)\"",
+      ", line 6: target: formula 'sqr(x)': expected one of x, pi, ln2 and the functions, not 'sqr' (did you mean "
+      "'sqrt'?) at place 1");
   refused("\"a x\"", "\"a sine(x)\"",
-          "--form: formula 'a sine(x)': expected a function before '(', not 'sine' (did you mean 'sin'?) at "
-          "place 3");
+          ", line 12: form: formula 'a sine(x)': expected a function before '(', not 'sine' (did you mean "
+          "'sin'?) at place 3");
+  refused("\"0:1\"", "\"1:0\"", ", line 4: over 'x=1:0' is empty: it must rise");
+  refused(
+      "\"0:1\"", "{ range = \"0:1\", density = \"1/y\" }",
+      ", line 4: over 'x=0:1': formula '1/y': expected one of x, pi, ln2 and the functions, not 'y' at place 3");
+  refused("[target]", "[given]\nk = \"1/0.\"\nx = \"2\"\n[target]",
+          ", line 7: given 'x' is a variable already");
+  refused("[target]", "[let]\nf = \"g + 1\"\ng = { of = [\"t\"], is = \"t f\" }\n[target]",
+          ", line 6: let 'f' is defined by itself: f, g, f");
+  refused("norm = \"minimax\"", "norm = \"minimax\"\nweight = \"w\"",
+          ", line 15: weight: formula 'w': expected one of x, pi, ln2 and the functions, not 'w' at place 1");
+  // What options leave of a file: the fault is that of the part that no option gave.
+  write("line.toml", good);
+  expect_refusal(
+      {"fit", path("line.toml"), "--over", "t=0:1"},
+      "study '" + path("line.toml") +
+          "', line 6: target: formula 'x^2': expected one of t, pi, ln2 and the functions, not 'x' at "
+          "place 1");
+  expect_refusal({"fit", path("line.toml"), "--target", "y"},
+                 "--target: formula 'y': expected one of x, pi, ln2 and the functions, not 'y' at place 1");
+  expect_refusal({"fit", path("line.toml"), "--params", "a,b,d"},
+                 "--params 'd': the form has no such parameter");
 }
 
 }  // namespace

@@ -2,13 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "app/studies/find_study.hpp"
 #include "fit/fit.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
 #include "tests/refusal.hpp"
@@ -51,6 +55,14 @@ ShaderFunction of_everything() {
           powers * (functions - (chosen - y)) + more + min(y, k) / max(pi<Symbolic>() * c, y) -
               (y - ln2<Symbolic>() / constant<Symbolic>("-3")),
           {"All of it."}};
+}
+
+/// What formulas have and shading languages have not, or not all of them: by what all have.
+ShaderFunction of_rounding() {
+  constexpr std::array<std::string_view, 2> names{"c", "k"};
+  return {"of_rounding",
+          {"c", "k"},
+          parse_formula("round(4 c) + trunc(-3 c k) fmod(c - 1, k) - mod(c, k)", names)};
 }
 
 /// Everything that CUDA has for half.
@@ -202,6 +214,78 @@ TEST(GeneratedShader, CompilesAsGlslAndHlsl) {
     const std::string type = precision == ShaderPrecision::float32 ? "float" : "min16float";
     directory.file("b.frag", pixel_shader(code_of(of_everything(), Language::hlsl, precision), type));
     EXPECT_TRUE(is_shader(directory / "b.frag", true, directory)) << read_file(directory / "said");
+  }
+}
+
+/// The forms of every study with their published constants, or others in their place, each under a comment
+/// with what the study says.
+std::vector<ShaderFunction> forms_of_studies() {
+  std::vector<ShaderFunction> functions;
+  for (const auto& path : study_files({std::string(SHADEFIT_SOURCE_DIR) + "/studies"})) {
+    const StudyFile file = load_study(path);
+    for (const StudyForm& form : file.forms) {
+      Study study = combinations(file.study, file.given).front();
+      study.form = form.formula;
+      const ReadStudy read = read_formulas(study);
+      ShaderFunction function{file.id + "_" + form.id, {}, read.form, {form.formula, file.study.target}};
+      std::replace(function.name.begin(), function.name.end(), '-', '_');
+      for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
+      std::map<std::string, std::string> constants;
+      for (const std::string& parameter : read.parameters) constants[parameter] = "0.625";
+      for (const PublishedSet& set : file.published) {
+        if (set.form != form.id) continue;
+        function.comment.push_back(set.source);
+        for (const auto& [parameter, value] : set.values) constants[parameter] = value;
+      }
+      function.result = evaluate<Symbolic>(read.form, [&](const std::string& name) {
+        const auto found = constants.find(name);
+        return found == constants.end() ? variable(name.c_str()) : number_of(found->second.c_str());
+      });
+      functions.push_back(function);
+    }
+  }
+  return functions;
+}
+
+/// "f(x, x) + g(x)": a call of each.
+std::string sum_of_calls(const std::vector<ShaderFunction>& functions) {
+  std::string sum;
+  for (const ShaderFunction& function : functions) {
+    sum += (sum.empty() ? "" : " + ") + function.name + "(x";
+    for (std::size_t i = 1; i < function.arguments.size(); ++i) sum += ", x";
+    sum += ")";
+  }
+  return sum;
+}
+
+// In one file of each language, so that each compiler runs once.
+TEST(GeneratedShader, OfEveryStudyCompiles) {
+  const TemporaryDirectory directory;
+  std::vector<ShaderFunction> functions = forms_of_studies();
+  EXPECT_GT(functions.size(), 100u);
+  functions.push_back(of_rounding());
+  const std::string sum = sum_of_calls(functions);
+  const auto code = [&](Language language) {
+    return shader_code(functions, language, ShaderPrecision::float32, {});
+  };
+  directory.file("a.frag",
+                 "#version 450\nprecision highp float;\nlayout(location = 0) in float x;\n"
+                 "layout(location = 0) out float colour;\n" +
+                     code(Language::glsl) + "void main() { colour = " + sum + "; }\n");
+  EXPECT_TRUE(is_shader(directory / "a.frag", false, directory)) << read_file(directory / "said");
+  directory.file("b.frag", code(Language::hlsl) +
+                               "float4 main(float x : TEXCOORD0) : SV_Target {\n  float v = " + sum +
+                               ";\n  return float4(v, v, v, v);\n}\n");
+  EXPECT_TRUE(is_shader(directory / "b.frag", true, directory)) << read_file(directory / "said");
+  const std::string flags = " -fsyntax-only -Wall -Wextra -Wconversion -Werror '";
+  for (const Language language : {Language::c, Language::cpp}) {
+    const bool is_c = language == Language::c;
+    const std::string source =
+        directory.file(is_c ? "a.c" : "a.cpp",
+                       code(language) + "float all(float x);\nfloat all(float x) { return " + sum + "; }\n");
+    for (const std::string& compiler : is_c ? testing::c_compilers() : testing::cpp_compilers())
+      EXPECT_TRUE(runs(compiler + flags + source + "'", directory))
+          << compiler << read_file(directory / "said");
   }
 }
 

@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "approx/fresnel.hpp"
 #include "approx/lobe.hpp"
 #include "approx/normalisation.hpp"
+#include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/multiprecision.hpp"
 #include "tests/any_expression.hpp"
 
@@ -121,6 +123,114 @@ TEST(ParseFormula, ReadsShaderCode) {
       "mean 'sqrt'?) at place 1");
 }
 
+// A line of a shader: casts, C's constants, suffixes and the end of a statement.
+TEST(ParseFormula, ReadsPastedLines) {
+  EXPECT_EQ(value_of("(float)a + (half)b*2"), 4);
+  EXPECT_EQ(value_of("( double ) (a + 1)/2 - (float)-a"), 5) << "a cast binds as in C";
+  EXPECT_EQ(value_of("(float)(half)a^2"), 9);
+  EXPECT_EQ(value_of("half(a) + double(b) + float(1)"), 4.5);
+  EXPECT_EQ(value_of("std::max(a, std::abs(-4.0f))"), 4);
+  EXPECT_EQ(value_of("a < b ? 1 : std::floor(b)"), 0);
+  EXPECT_EQ(value_of("2u*a + 1U ;"), 7);
+  EXPECT_EQ(value_of("a;"), 3);
+  EXPECT_EQ(error_of("a;;"), "formula 'a;;': expected an operator or the end at place 3");
+  EXPECT_EQ(error_of("a; b"), "formula 'a; b': expected an operator or the end at place 4");
+  EXPECT_EQ(error_of("std::sqr(a)"),
+            "formula 'std::sqr(a)': expected a function after 'std::', not 'sqr' (did you mean 'sqrt'?) at "
+            "place 6");
+  EXPECT_EQ(error_of("(int)a"),
+            "formula '(int)a': expected a cast to a real number, not to 'int' (trunc drops the fraction) at "
+            "place 2");
+  EXPECT_EQ(error_of("(float)-a^2"),
+            "formula '(float)-a^2': expected parentheses around the base of the power at place 10");
+  EXPECT_NE(error_of("1.u"), "no error");
+  EXPECT_NE(error_of("1ul"), "no error");
+  std::string casts;
+  for (int i = 0; i < 500; ++i) casts += "(half)";
+  EXPECT_NE(error_of(casts + "a").find("no more than 100 casts"), std::string::npos);
+}
+
+// In one of these a name before u decides, in the other it may be a parameter.
+TEST(ReadFormula, TakesUAsASuffixWhereItIsNoName) {
+  const auto read = [](std::string_view text, const FormulaNames& names) -> std::string {
+    try {
+      return to_text(read_formula(text, names).formula);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(read("2u x", {.variables = {"x"}}), "2 x");
+  EXPECT_EQ(read("2u x", {.variables = {"x", "u"}}), "2 u x");
+  EXPECT_EQ(read("a + 2u x", {.variables = {"x"}, .takes_parameters = true}),
+            "formula 'a + 2u x': expected no suffix, or a '*': in a form 2u may be 2*u at place 5");
+}
+
+TEST(ParseFormula, RefusesVectorsByName) {
+  constexpr const char* vector = "' (vectors are not part of the language) at place ";
+  EXPECT_EQ(error_of("float3(a, a, a)"),
+            "formula 'float3(a, a, a)': expected a real number, not 'float3" + std::string(vector) + "1");
+  EXPECT_EQ(error_of("1 + vec3(a).x"),
+            "formula '1 + vec3(a).x': expected a real number, not 'vec3" + std::string(vector) + "5");
+  EXPECT_EQ(error_of("(half4)a"),
+            "formula '(half4)a': expected a real number, not 'half4" + std::string(vector) + "2");
+  EXPECT_EQ(error_of("dot(a, b)"),
+            "formula 'dot(a, b)': expected a real number, not 'dot" + std::string(vector) + "1");
+  for (const char* text : {"mat3(a)", "float4x4(a)", "mat2x3(a)", "ivec2(a)", "normalize(a)"})
+    EXPECT_NE(error_of(text).find(vector), std::string::npos) << text;
+  EXPECT_EQ(error_of("a.xyz"),
+            "formula 'a.xyz': expected an operator or the end, not '.xyz' (swizzles and members are not part "
+            "of the language) at place 2");
+  EXPECT_NE(error_of("max(a, (b).r)").find("not '.r' (swizzles"), std::string::npos);
+  EXPECT_EQ(error_of("a%2"),
+            "formula 'a%2': expected an operator or the end, not '%' (it is not part of the language: mod "
+            "and fmod are) at place 2");
+  EXPECT_NE(error_of("max(a % 2, b)").find("not '%'"), std::string::npos);
+  try {
+    read_formula("k float3(x)", {.variables = {"x"}, .takes_parameters = true});
+    ADD_FAILURE() << "in a form too";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find(vector), std::string::npos) << error.what();
+  }
+}
+
+// The functions that round, by C's own, in double and in 50 digits.
+TEST(ParseFormula, RoundsAsC) {
+  const Symbolic rounded = parse("round(a)"), truncated = parse("truncf(a)");
+  for (const double x :
+       {-7.0, -2.5, -2.4, -1.5, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.5, 2.5, 2.6, 1e6}) {
+    const auto given = [&](const std::string&) { return x; };
+    EXPECT_EQ(evaluate<double>(rounded, given), std::round(x)) << x;
+    EXPECT_EQ(evaluate<double>(truncated, given), std::trunc(x)) << x;
+    const auto wide = [&](const std::string&) { return Decimal50(x); };
+    EXPECT_EQ(evaluate<Decimal50>(rounded, wide), Decimal50(std::round(x))) << x;
+    EXPECT_EQ(evaluate<Decimal50>(truncated, wide), Decimal50(std::trunc(x))) << x;
+    const auto box = [&](const std::string&) { return Interval(x); };
+    EXPECT_EQ(lower_end(evaluate<Interval>(rounded, box)), std::round(x)) << x;
+    EXPECT_EQ(upper_end(evaluate<Interval>(truncated, box)), std::trunc(x)) << x;
+  }
+  for (const Symbolic& formula : {rounded, truncated})
+    EXPECT_EQ(to_text(parse(to_text(formula))), to_text(formula));
+}
+
+// The constants of math.h.
+TEST(ParseFormula, KnowsTheConstantsOfC) {
+  using Named = std::pair<const char*, double>;
+  for (const auto& [name, value] : std::initializer_list<Named>{{"M_PI", M_PI},
+                                                                {"M_PI_2", M_PI_2},
+                                                                {"M_PI_4", M_PI_4},
+                                                                {"M_1_PI", M_1_PI},
+                                                                {"M_2_PI", M_2_PI},
+                                                                {"M_2_SQRTPI", M_2_SQRTPI},
+                                                                {"M_SQRT2", M_SQRT2},
+                                                                {"M_SQRT1_2", M_SQRT1_2},
+                                                                {"M_E", M_E},
+                                                                {"M_LN2", M_LN2},
+                                                                {"M_LN10", M_LN10},
+                                                                {"M_LOG2E", M_LOG2E},
+                                                                {"M_LOG10E", M_LOG10E}})
+    EXPECT_NEAR(value_of(name) / value, 1, 4e-16) << name;
+}
+
 // In a form every other name is a parameter; definitions are put in.
 TEST(ReadFormula, FindsParametersAndPutsDefinitionsIn) {
   constexpr std::array<std::string_view, 1> t{"t"};
@@ -147,6 +257,32 @@ TEST(ReadFormula, FindsParametersAndPutsDefinitionsIn) {
             "place 1");
   EXPECT_EQ(refusal("f0 (x)"), "none");
   EXPECT_EQ(refusal("g(x, x)"), "formula 'g(x, x)': expected 1 argument of 'g' at place 2");
+}
+
+// With a list of parameters no other name is one.
+TEST(ReadFormula, KeepsToAListOfParameters) {
+  const FormulaNames names{.variables = {"x"}, .takes_parameters = true, .parameters = {"b", "scale"}};
+  const auto refusal = [&](std::string_view text) -> std::string {
+    try {
+      read_formula(text, names);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  EXPECT_EQ(read_formula("scale x + b", names).parameters, (std::vector<std::string>{"scale", "b"}));
+  EXPECT_EQ(refusal("scale x + c"),
+            "formula 'scale x + c': expected one of x, b, scale, pi, ln2 and the functions, not 'c' at place "
+            "11");
+  EXPECT_EQ(refusal("b + scael x"),
+            "formula 'b + scael x': expected one of x, b, scale, pi, ln2 and the functions, not 'scael' (did "
+            "you mean 'scale'?) at place 5");
+  EXPECT_EQ(refusal("b sqr(x)"),
+            "formula 'b sqr(x)': expected one of x, b, scale, pi, ln2 and the functions, not 'sqr' (did you "
+            "mean 'sqrt'?) at place 3");
+  EXPECT_EQ(refusal("scale(x)"),
+            "formula 'scale(x)': expected a function before '(', not 'scale'; a product needs a '*' or a "
+            "space at place 1");
 }
 
 TEST(ParseFormula, BoundsItsDepth) {

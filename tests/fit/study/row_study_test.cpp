@@ -333,28 +333,28 @@ TEST(RowStudy, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal([](Study& s) {
               s.over = {{"x", "0", "1"}};
             }),
-            "--over 'x=0:1' has a range: with --table the rows give the values, so write --over x");
+            "--over 'x=0:1' has a range, but the rows of the table give the values: leave it out");
   EXPECT_EQ(refusal([](Study& s) {
               s.rows = nullptr;
               s.target = "x";
             }),
-            "--over 'x' needs a range: for example --over x=0:1");
+            "--over 'x' needs a range: for example 0:1");
   EXPECT_EQ(refusal([](Study& s) {
               s.over = {{"value", "", ""}};
             }),
-            "--over 'value': a --table has this name for its measured values");
+            "--over 'value': a table has this name for its measured values");
   EXPECT_EQ(refusal([](Study& s) { s.form = "a + sigma x"; }),
-            "--form: its parameter 'sigma': a --table has this name for its standard deviations");
+            "--form: its parameter 'sigma': a table has this name for its standard deviations");
   EXPECT_EQ(refusal([](Study& s) {
               s.given = {{"value", "1"}};
             }),
-            "--given 'value': a --table has this name for its measured values");
+            "--given 'value': a table has this name for its measured values");
   EXPECT_EQ(refusal([](Study& s) {
               s.definitions = {{"sigma", {}, "2"}};
             }),
-            "--let 'sigma': a --table has this name for its standard deviations");
+            "--let 'sigma': a table has this name for its standard deviations");
   EXPECT_EQ(refusal([](Study& s) { s.form = "a + b x + d x^2 + f x^3 + g x^4 + h x^5"; }),
-            "'line.csv' has fewer rows than --form has parameters: 5 and 6");
+            "'line.csv' has fewer rows than the form has parameters: 5 and 6");
   EXPECT_EQ(refusal([](Study& s) { s.weight = "max(x - 1, 0)"; }),
             "--weight must be finite and greater than 0; it is not at line 2 of 'line.csv'");
   EXPECT_EQ(refusal([&](Study& s) {

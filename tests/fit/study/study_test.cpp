@@ -290,6 +290,18 @@ TEST(Study, KnowsWhatAnIntegralIsWorth) {
   EXPECT_LE(digits("integral(abs(t - 0.3) + x t, t, 0, 1)"), 5);
 }
 
+// The list gives their order too, and a held one is not fitted.
+TEST(Study, TakesAListOfParameters) {
+  Study study{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
+  study.parameters = {"b", "a"};
+  EXPECT_EQ(read_study(study).parameters, (std::vector<std::string>{"b", "a"}));
+  const StudyFit fit = solve_study(read_study(study), {});
+  EXPECT_EQ(fit.status, Status::converged);
+  EXPECT_NEAR(fit.parameters.at(1), 1.5651546360146111, 1e-13);
+  study.held = {{"a", 1.5}};
+  EXPECT_EQ(read_study(study).parameters, (std::vector<std::string>{"b"}));
+}
+
 TEST(Study, AnswersBadInputWithOneLine) {
   const Study good{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
   const auto refusal = [&](const std::function<void(Study&)>& change) -> std::string {
@@ -366,11 +378,36 @@ TEST(Study, AnswersBadInputWithOneLine) {
         s.error = Error::relative;
       }),
       "--error 'relative' divides by the target, which is 0 at x = 0.25: leave that place out of --over");
-  EXPECT_EQ(refusal([](Study& s) { s.given = {{"x", "1"}}; }), "--given 'x' is a variable of --over");
+  EXPECT_EQ(refusal([](Study& s) { s.given = {{"x", "1"}}; }), "--given 'x' is a variable already");
   EXPECT_EQ(refusal([](Study& s) {
               s.definitions = {{"g", {}, "h"}, {"h", {}, "g"}};
+            }),
+            "--let 'g' is defined by itself: g, h, g");
+  EXPECT_EQ(
+      refusal([](Study& s) {
+        s.definitions = {{"k", {}, "f(2)"}, {"f", {"x"}, "2g(x)"}, {"g", {"h"}, "h + f(h)"}, {"h", {}, "f"}};
+      }),
+      "--let 'f' is defined by itself: f, g, f");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.definitions = {{"f", {}, "f + 1"}};
+            }),
+            "--let 'f' is defined by itself: f, f");
+  EXPECT_EQ(refusal([](Study& s) {
+              s.definitions = {{"g", {}, "h"}, {"h", {}, "2"}};
             }).substr(0, 22),
-            "--let 'g': formula 'h'");
+            "--let 'g': formula 'h'")
+      << "no ring";
+  EXPECT_EQ(refusal([](Study& s) {
+              s.parameters = {"a", "b", "d"};
+            }),
+            "--params 'd': the form has no such parameter");
+  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"a"}; }),
+            "--form: formula 'sqrt(1-x) (a + b x)': expected one of x, a, pi, ln2 and the functions, not 'b' "
+            "at place 16");
+  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"a", "a"}; }), "--params 'a' is given a second time");
+  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"x"}; }), "--params 'x' names something else already");
+  EXPECT_EQ(refusal([](Study& s) { s.parameters = {"2"}; }),
+            "--params '2' is not a name: a letter, then letters, digits and underscores");
   EXPECT_EQ(refusal([](Study& s) { s.form = std::string(1000000, 'a'); }),
             "--form: the formula is 1000000 characters long: at most 4000");
   EXPECT_EQ(
