@@ -8,10 +8,10 @@
 #include <optional>
 
 #include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/linear_optimum.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study/linear_optimum.hpp"
 #include "fit/study/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
@@ -183,6 +183,14 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
   return fit;
 }
 
+std::optional<LinearOptimum> optimum_of(const SampledStudy<long double>& sampled) {
+  return linear_optimum(sampled.parameter_count(), [&](const auto& parameters, auto& errors, auto& slopes) {
+    sampled.errors(parameters, errors, &slopes);
+    errors = errors.cwiseProduct(sampled.roots()).eval();
+    slopes = (sampled.roots().asDiagonal() * slopes).eval();
+  });
+}
+
 /// The optimum of a form that is linear in all parameters, by one rule after the other.
 StudyFit settle_linear(const Rules& rules, std::size_t first) {
   StudyFit fit;
@@ -190,7 +198,7 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
   long double best = HUGE_VALL;
   for (std::size_t rule = first; rule < rules.last(); ++rule) {
     const auto wide = rules.sampled<long double>(rule + 1);
-    const auto coarse = linear_optimum(rules.sampled<long double>(rule)), fine = linear_optimum(wide);
+    const auto coarse = optimum_of(rules.sampled<long double>(rule)), fine = optimum_of(wide);
     if (!coarse || !fine) continue;
     const VectorOf<long double> step =
         (coarse->parameters - fine->parameters).cwiseAbs() + fine->last_step.cwiseAbs();

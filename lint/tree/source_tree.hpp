@@ -59,9 +59,10 @@ struct TreeOptions {
 /// The source files that the paths name, or that are below the folders that they name. Left out are: what a
 /// .gitignore or .git/info/exclude of the repository ignores by git's own rules, though git may track it;
 /// what `exclude` matches; folders with code of others, such as third_party; .git; symbolic links; files
-/// larger than `largest`. A path that is named is read anyway. A named link is read as its target. For a named folder the rules of the folders above apply
-/// only if they do not ignore all of it. A glob '!..' of `exclude` includes a folder with code of others. If
-/// the folder of globs is not above a path, that path replaces it. Throws UserError for a path that does not
+/// larger than `largest`. A path that is named is read anyway. A named link is read as its target. For a
+/// named folder the rules of the folders above apply only if they do not ignore all of it. A glob '!..' of
+/// `exclude` includes a folder with code of others. If the folder of globs is not above a path, that path
+/// replaces it. Throws UserError for a path that does not
 /// exist, cannot be read, or is a file larger than `largest`; what cannot be read below a path is counted.
 SourceTree find_sources(const std::vector<std::string>& paths, const TreeOptions& options);
 

@@ -1,32 +1,29 @@
-#include "fit/study/linear_optimum.hpp"
+#include "fit/least_squares/linear_optimum.hpp"
 
 #include <Eigen/QR>
-#include <vector>
 
 namespace shadefit {
 
-std::optional<LinearOptimum> linear_optimum(const SampledStudy<long double>& sampled) {
-  using Vector = VectorOf<long double>;
+std::optional<LinearOptimum> linear_optimum(std::size_t parameter_count, const LinearErrors& errors) {
+  using Vector = LinearOptimum::Vector;
+  using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
   constexpr int rounds = 3;  // each takes the rounding of the one before it
   // A column is dependent if the others leave less of it than this share: 64 bits have 1e-19, and the sums
   // over some thousands of nodes lose two digits.
   constexpr long double least_share = 1e-17L;
   LinearOptimum found;
-  std::vector<long double> parameters;
+  std::vector<long double> parameters(parameter_count);
   for (int round = 0; round < rounds; ++round) {
-    Vector errors;
-    MatrixOf<long double> slopes;
-    if (round == 0) parameters.assign(sampled.parameter_count(), 0);
-    sampled.errors(parameters, errors, &slopes);
-    MatrixOf<long double> columns = sampled.roots().asDiagonal() * slopes;
+    Vector here;
+    Matrix columns;
+    errors(parameters, here, columns);
     found.sizes = columns.colwise().norm().transpose();
     columns = columns * found.sizes.cwiseInverse().asDiagonal();
-    Eigen::ColPivHouseholderQR<MatrixOf<long double>> factors(columns);
+    Eigen::ColPivHouseholderQR<Matrix> factors(columns);
     factors.setThreshold(least_share);
     if (!columns.allFinite() || factors.rank() < columns.cols()) return std::nullopt;
-    const Vector weighted = sampled.roots().cwiseProduct(errors);
-    found.square = weighted.squaredNorm();
-    found.last_step = -factors.solve(weighted).cwiseQuotient(found.sizes);
+    found.square = here.squaredNorm();
+    found.last_step = -factors.solve(here).cwiseQuotient(found.sizes);
     for (std::size_t i = 0; i < parameters.size(); ++i)
       parameters[i] += found.last_step[static_cast<Eigen::Index>(i)];
   }
