@@ -390,8 +390,9 @@ TEST(BadInput, Usage) {
   expect_refusal({"help", "fit", "more"}, "unexpected argument 'more'" + see(" help"));
   expect_refusal({"--completion", "tcsh"},
                  "--completion 'tcsh' is unknown: it must be one of bash, zsh, fish, man");
-  expect_refusal({"fit"},
-                 "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
+  expect_refusal(
+      {"fit"},
+      "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
   expect_refusal({"explain"}, "id is required" + see(" explain"));
   expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + see(" run"));
   expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + see(" list"));
