@@ -30,7 +30,7 @@ Outcome cite_command(const CiteOptions& options) {
   const auto study = find_study(*options.id, folders);
   for (const auto& path : study_files(folders)) known.push_back(path.stem().string());
   if (!study) require_known(*options.id, known, "claim, constant, family or study");
-  for (const std::string& source : sources_in(*study)) out += "\n" + bibtex_of_text(source);
+  for (const std::string& entry : bibtex_of_texts(sources_in(*study))) out += "\n" + entry;
   return {0, out, ""};
 }
 

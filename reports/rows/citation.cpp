@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <set>
 
 #include "approx/ledger/catalogue.hpp"
@@ -116,16 +117,23 @@ std::string bibtex(const Source& source) {
   return out + "}\n";
 }
 
-std::string bibtex_of_text(std::string_view source) {
-  const auto [author, year, title] = named_work(source);
-  // Titles of code often begin with the same words.
-  const std::string key =
-      author.empty() ? letters_and_digits(title) : first_letters(author, 1) + year + first_letters(title, 2);
-  std::string out = fmt::format("@misc{{{},\n", key);
-  if (!author.empty()) out += fmt::format("  author = {{{}}},\n", escaped(author));
-  out += fmt::format("  title = {{{{{}}}}},\n", escaped(title));
-  if (!year.empty()) out += fmt::format("  year = {{{}}},\n", year);
-  return out + "}\n";
+std::vector<std::string> bibtex_of_texts(const std::vector<std::string>& sources) {
+  std::map<std::string, int> uses;
+  std::vector<std::string> entries;
+  for (const std::string& source : sources) {
+    const auto [author, year, title] = named_work(source);
+    // Titles of code often begin with the same words.
+    std::string key = author.empty() ? letters_and_digits(title)
+                                     : first_letters(author, 1) + year + first_letters(title, 2);
+    const int before = uses[key]++;
+    if (before > 0) key += static_cast<char>('a' + before);
+    std::string entry = fmt::format("@misc{{{},\n", key);
+    if (!author.empty()) entry += fmt::format("  author = {{{}}},\n", escaped(author));
+    entry += fmt::format("  title = {{{{{}}}}},\n", escaped(title));
+    if (!year.empty()) entry += fmt::format("  year = {{{}}},\n", year);
+    entries.push_back(entry + "}\n");
+  }
+  return entries;
 }
 
 std::string bibtex_of_shadefit(std::string_view version) {

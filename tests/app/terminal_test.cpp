@@ -106,13 +106,19 @@ TEST(Terminal, VerdictsAreColouredThereAlone) {
 }
 
 TEST(Terminal, TheConstantsAndTheLargestErrorStay) {
-  const std::string fit = on_terminal({"fit", "agx-septic"}, 80);
-  EXPECT_LE(widest(fit), 80U) << fit;
+  // The formulas above a table are not folded.
+  const auto table_of = [](const std::vector<std::string>& call) {
+    const std::string text = on_terminal(call, 80);
+    const auto begin = text.find('\n') + 1;
+    return text.substr(begin, text.find("\n(left out for", begin) - begin);
+  };
+  const std::string fit = table_of({"fit", "agx-septic"});
+  EXPECT_LE(widest(fit), 80U);
   for (const char* shown : {"constants", "a = ", "p = ", "max abs error", "verdict"})
     EXPECT_NE(fit.find(shown), std::string::npos) << shown << "\n" << fit;
-  const std::string better = on_terminal({"better", "pq-patry"}, 80);
-  EXPECT_LE(widest(better), 80U) << better;
-  const std::string titles = better.substr(better.find("\nrow "), 80);
+  const std::string better = table_of({"better", "pq-patry"});
+  EXPECT_LE(widest(better), 80U);
+  const std::string titles = better.substr(0, better.find('\n'));
   for (const char* shown : {"constants", "max abs error", "verdict"})
     EXPECT_NE(titles.find(shown), std::string::npos) << shown << "\n" << better;
 }
