@@ -38,6 +38,7 @@ TEST(Citation, ATextHasItsAuthorsAndYearFirstOrIsATitle) {
   const auto entries = bibtex_of_texts({"Le Saec, Schlick 1993, An algorithm: k = 1.55 g - 0.55 g^3",
                                         "Le Saec 1993, An algorithm", "MaterialX, 2024: mx_albedo",
                                         "Eberly, as cited by Lagarde 2014, Inverse functions"});
+  ASSERT_EQ(entries.size(), 4U);
   EXPECT_EQ(entries[0],
             "@misc{le1993analgorithm,\n  author = {Le Saec and Schlick},\n"
             "  title = {{An algorithm: k = 1.55 g - 0.55 g\\^{}3}},\n  year = {1993},\n}\n");
