@@ -205,19 +205,18 @@ void require_parameters(const Study& study, const FormulaNames& names) {
   }
 }
 
-/// The form with its parameters, in the order of the list if there is one.
+/// The form with its parameters; those of a list, if there is one.
 ReadFormula read_form(const Study& study, FormulaNames names) {
   require_parameters(study, names);
   names.takes_parameters = true;
   names.parameters = study.parameters;
-  ReadFormula form = read({"--form"}, study.form, names);
+  const ReadFormula form = read({"--form"}, study.form, names);
   for (const std::string& parameter : form.parameters)
     require_free_of_rows({"--form"}, parameter, study, ": its parameter");
   for (const std::string& parameter : study.parameters) {
     if (!contains(form.parameters, parameter))
       throw StudyFault({"--params"}, quoted(parameter) + ": the form has no such parameter");
   }
-  if (!study.parameters.empty()) form.parameters = study.parameters;
   return form;
 }
 

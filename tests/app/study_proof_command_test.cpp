@@ -86,7 +86,7 @@ TEST(CertifyStudy, WritesACertificateThatHolds) {
   const TemporaryDirectory directory;
   const std::string file = directory / "acos.json";
   const auto made = with(acos_linear, {"--parameters", "a=1.5707963,b=-0.156583", "--weight", "1 + x",
-                                       "--error", "absolute", "--out", file});
+                                       "--error", "absolute", "--params", "b,a", "--out", file});
   const Outcome first = run_command_line(made);
   ASSERT_EQ(first.exit_code, 0) << first.err;
   EXPECT_NE(first.out.find("\nCertificate: " + file + "\n"), std::string::npos);
