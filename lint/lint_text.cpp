@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lint/expression/usual_names.hpp"
+#include "lint/number_table.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/site_reader.hpp"
 
@@ -143,7 +144,12 @@ std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, co
     const KnownSet& set = known.sets[whole.set];
     const Site site = without_arguments(whole, set, text, literals);
     const SiteJudge judge(text, style, literals, set, site);
-    if (auto one = judge.judge(limits)) judged.push_back(std::move(*one));
+    auto one = judge.judge(limits);
+    if (!one) continue;
+    one->is_in_table =
+        set.constants.size() < least_table &&
+        is_in_table(text, style, literals, site.numbers.front().literal, site.numbers.back().literal);
+    judged.push_back(std::move(*one));
   }
   return judged;
 }

@@ -16,6 +16,8 @@ CommentStyle comments_of(SourceLanguage language) {
       return CommentStyle::hash;
     case SourceLanguage::markdown:
       return CommentStyle::none;
+    case SourceLanguage::rust:
+      return CommentStyle::rust;
     default:
       return CommentStyle::c;
   }
@@ -162,6 +164,13 @@ bool leave_unpinned(LintedSite& site, const std::set<std::size_t>& pinned) {
 std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
                                     const KnownConstants& known, const EffectLimits& limits,
                                     const Checkpoint& checkpoint) {
+  SkippedFiles skipped;
+  return lint_source(file, text, language, known, limits, skipped, checkpoint);
+}
+
+std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
+                                    const KnownConstants& known, const EffectLimits& limits,
+                                    SkippedFiles& skipped, const Checkpoint& checkpoint) {
   std::vector<LintedSite> sites;
   std::set<std::size_t> pinned;
   PlaceFinder places(text);
@@ -170,6 +179,10 @@ std::vector<LintedSite> lint_source(const std::string& file, std::string_view te
     sites.push_back(linted(file, text, known.sets, judge_pin(pin, known.sets, limits), places));
   }
   for (const JudgedSite& judged : judge_text(text, comments_of(language), known, limits, checkpoint)) {
+    if (judged.is_in_table) {
+      ++skipped.in_tables;
+      continue;
+    }
     LintedSite site = linted(file, text, known.sets[judged.set], judged, places);
     if (leave_unpinned(site, pinned)) sites.push_back(std::move(site));
   }
@@ -200,7 +213,8 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
           const auto text = read_source(file, found[i].skipped);
           if (!text) continue;
           found[i].bytes = text->size();
-          found[i].sites = lint_source(file.name, *text, file.language, known, limits, checkpoint);
+          found[i].sites =
+              lint_source(file.name, *text, file.language, known, limits, found[i].skipped, checkpoint);
         }
       },
       how);

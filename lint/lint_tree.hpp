@@ -57,7 +57,12 @@ struct LintedTree {
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how = {});
 
-/// The sites of one text; the checkpoint is that of `judge_text`.
+/// The sites of one text; those inside tables of numbers are only counted, in `skipped`. The checkpoint is
+/// that of `judge_text`.
+std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
+                                    const KnownConstants& known, const EffectLimits& limits,
+                                    SkippedFiles& skipped, const Checkpoint& checkpoint = keep_going);
+
 std::vector<LintedSite> lint_source(const std::string& file, std::string_view text, SourceLanguage language,
                                     const KnownConstants& known, const EffectLimits& limits,
                                     const Checkpoint& checkpoint = keep_going);

@@ -27,12 +27,15 @@ std::string_view trimmed(std::string_view text) {
 std::string without_comments(std::string_view text, CommentStyle style) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool is_line = (style == CommentStyle::c && text.substr(i, 2) == "//") ||
-                         (style == CommentStyle::hash && text[i] == '#');
+    const bool is_line = (has_slashes(style) && text.substr(i, 2) == "//") ||
+                         (style == CommentStyle::hash && begins_hash_comment(text, i));
     if (is_line) {
       i = std::min(text.find('\n', i), text.size());
-    } else if (style == CommentStyle::c && text.substr(i, 2) == "/*") {
+    } else if (has_slashes(style) && text.substr(i, 2) == "/*") {
       i = std::min(text.find("*/", i + 2), text.size()) + 1;
+    } else if (text[i] == '\\' && text.substr(i + 1).find_first_not_of('\r') < text.size() &&
+               text[i + 1 + text.substr(i + 1).find_first_not_of('\r')] == '\n') {
+      // The body of a macro goes on in the next line.
     } else {
       out += text[i];
       continue;

@@ -30,7 +30,7 @@ std::optional<Assignment> assignment_of(std::string_view statement);
 /// The text without blanks around.
 std::string_view trimmed(std::string_view text);
 
-/// The text without comments.
+/// The text without comments, and without the backslashes that join its lines.
 std::string without_comments(std::string_view text, CommentStyle style);
 
 /// The statements, with each `if` and what belongs to it as one choice: "if (x < t) return a; return b;" is

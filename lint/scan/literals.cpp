@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include "lint/scan/characters.hpp"
+#include "lint/scan/quotes.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -16,7 +18,8 @@ constexpr bool is_separator(char c) {
 /// Scans a text for numbers.
 class LiteralReader {
  public:
-  LiteralReader(std::string_view text, CommentStyle style) : text_(text), style_(style) {}
+  LiteralReader(std::string_view text, CommentStyle style)
+      : text_(text), style_(style), quotes_(text, style) {}
 
   std::vector<Literal> read() {
     while (at_ < text_.size()) {
@@ -26,7 +29,7 @@ class LiteralReader {
       } else if (is_of_name(c)) {
         word();
       } else {
-        if (style_ != CommentStyle::none) comment();
+        if (style_ != CommentStyle::none) quote_or_comment();
         ++at_;
       }
     }
@@ -45,6 +48,23 @@ class LiteralReader {
     while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
   }
 
+  /// No comment begins inside a quote: in glob("src/*.glsl") there is none. A quote of several lines may hold
+  /// a shader with comments, which end with it.
+  void quote_or_comment() {
+    if (quote_ && at_ >= quote_->end) {
+      const bool is_closing = at_ == quote_->end;
+      quote_.reset();
+      comment_ = '\0';
+      if (is_closing) return;
+    }
+    if (quote_) {
+      if (quote_->has_lines && has_slashes(style_)) comment();
+      return;
+    }
+    if (comment_ == '\0') quote_ = quotes_.at(at_);
+    if (!quote_) comment();
+  }
+
   void comment() {
     const char c = text_[at_];
     if (c == '\n' && comment_ == '/') comment_ = '\0';
@@ -54,7 +74,7 @@ class LiteralReader {
     }
     if (comment_ != '\0') return;
     if (style_ == CommentStyle::hash) {
-      if (c == '#') comment_ = '/';
+      if (begins_hash_comment(text_, at_)) comment_ = '/';
     } else if (c == '/' && peek(1) == '/') {
       // "https://" is not a comment.
       if (at_ == 0 || text_[at_ - 1] != ':') comment_ = '/';
@@ -127,11 +147,22 @@ class LiteralReader {
   std::string_view text_;
   CommentStyle style_;
   std::size_t at_ = 0;
+  QuoteFinder quotes_;
+  std::optional<Quote> quote_;
   char comment_ = '\0';  ///< '/' to the end of the line, '*' to its mark
   std::vector<Literal> literals_;
 };
 
 }  // namespace
+
+bool begins_hash_comment(std::string_view text, std::size_t at) {
+  if (text[at] != '#') return false;
+  std::size_t first = at;
+  while (first > 0 && (text[first - 1] == ' ' || text[first - 1] == '\t')) --first;
+  if (first > 0 && text[first - 1] != '\n') return true;
+  const std::string_view rest = text.substr(at + 1);
+  return !(rest.starts_with("define ") || rest.starts_with("version ") || rest.starts_with("include "));
+}
 
 Digits digits_of(std::string_view number) {
   Digits result;

@@ -11,9 +11,18 @@ namespace shadefit::lint {
 /// How a language writes comments.
 enum class CommentStyle {
   c,     ///< // and /* */
+  rust,  ///< the same, and ' may begin a lifetime
   hash,  ///< #
   none,  ///< a text such as Markdown
 };
+
+/// Whether the style has // and /* */.
+constexpr bool has_slashes(CommentStyle style) {
+  return style == CommentStyle::c || style == CommentStyle::rust;
+}
+
+/// Whether # begins a comment here. In Python # begins one, but #define is a line of a shader.
+bool begins_hash_comment(std::string_view text, std::size_t at);
 
 /// The digits of a decimal number without sign, leading and trailing zeros: "45" and exponent -1 for 0.0450.
 struct Digits {

@@ -32,6 +32,7 @@ void add(SkippedFiles& sum, const SkippedFiles& part) {
   sum.ignored += part.ignored;
   sum.unreadable += part.unreadable;
   sum.links += part.links;
+  sum.in_tables += part.in_tables;
   sum.messages.insert(sum.messages.end(), part.messages.begin(), part.messages.end());
 }
 

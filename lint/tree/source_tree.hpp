@@ -31,6 +31,7 @@ struct SkippedFiles {
   std::size_t ignored = 0;  ///< source files, and folders with everything below
   std::size_t unreadable = 0;
   std::size_t links = 0;              ///< symbolic links
+  std::size_t in_tables = 0;          ///< places inside tables of numbers
   std::vector<std::string> messages;  ///< one for each unreadable place, and for the first that are too large
 };
 

@@ -128,6 +128,8 @@ std::string skipped_words(const lint::SkippedFiles& skipped) {
   add(skipped.too_large, "too large");
   add(skipped.links, skipped.links == 1 ? "link" : "links");
   add(skipped.unreadable, "unreadable");
+  add(skipped.in_tables,
+      skipped.in_tables == 1 ? "place in a table of numbers" : "places in tables of numbers");
   return files.empty() ? "" : "not read: " + files;
 }
 

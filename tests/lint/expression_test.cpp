@@ -176,6 +176,19 @@ TEST(MatchExpression, TellsTheSlip) {
   EXPECT_NE(sites.front().slip.find(" for "), std::string::npos);
 }
 
+TEST(MatchExpression, AMacroIsRead) {
+  const auto grade = [](const std::string& text) {
+    const auto sites = lint_formula(text);
+    return sites.size() == 1 ? std::string(name(sites.front().grade)) : "none";
+  };
+  EXPECT_EQ(grade("#define F(c) exp2f((-5.55473f * c - 6.98316f) * c)\n"), "right");
+  EXPECT_EQ(grade("#define F(c) exp2f((-5.55473f * c + 6.98316f) * c)\n"), "wrong");
+  EXPECT_EQ(grade("#define G 1\n  # define F(c)  (exp2((-5.55473 * (c) + 6.98316) * (c)))\n-1"), "wrong");
+  EXPECT_EQ(grade("#define F(c) \\\n  exp2f((-5.55473f * c \\\r\n  + 6.98316f) * c)\n+ 1"), "wrong");
+  EXPECT_EQ(grade("#define CURVE exp2f((-5.55473f * c + 6.98316f) * c)\n"), "wrong");
+  EXPECT_EQ(grade("#define A -5.55473\n#define B -6.98316\n"), "right");
+}
+
 TEST(MatchExpression, ABranchMayHaveTheSlip) {
   const std::string line = "float f(float x) { if (x <= 0.0031308) return x * 12.92;\nreturn ";
   const auto grade = [&](const std::string& power) {

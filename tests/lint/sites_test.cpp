@@ -70,6 +70,21 @@ TEST(Sites, AListMayBeRoundedToTheSameDecimals) {
   EXPECT_EQ(graded("float a = 0.212 + 0.715 + 0.072;"), Words{});           // no list
 }
 
+TEST(Sites, InATableOfNumbersAreOnlyCounted) {
+  const auto list = [](int count) {
+    std::string text = "const float t[] = {\n";
+    for (int i = 0; i < count; ++i) text += fmt::format("{}.{:02}, -0.0, // {}\n", i, 7 * i + 11, i);
+    return text + "vec3(0.2126f, 0.7125f, 0.0722f), 0.5};";
+  };
+  EXPECT_EQ(graded(list(20)), Words{"luma-709 typo"});
+  EXPECT_EQ(graded(list(70)), Words{});
+  SkippedFiles skipped;
+  lint_source("a.glsl", list(70), SourceLanguage::glsl, the_known(), {}, skipped);
+  EXPECT_EQ(skipped.in_tables, 1U);
+  // A statement behind the table is another list.
+  EXPECT_EQ(graded(list(70) + "\nvec3 w = vec3(0.2126, 0.7125, 0.0722);"), Words{"luma-709 typo"});
+}
+
 TEST(Sites, AColumnOfAMatrixIsInOrder) {
   EXPECT_EQ(graded("mat3(0.2126, -0.09991, 0.615,\n 0.7152, -0.33609, -0.55861,\n 0.0722, 0.436, -0.05639);"),
             Words{"luma-709 right"});
