@@ -110,7 +110,8 @@ TEST(Emit, ANameOfTheLanguageIsRefused) {
 
 TEST(Emit, BadInput) {
   const TemporaryDirectory directory;
-  expect_refusal({"emit"}, "emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
+  expect_refusal({"emit"},
+                 "emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
   expect_refusal({"emit", "fresnel-quadratic"},
                  "emit needs --lang: glsl, hlsl, c, cpp, wgsl, msl, cuda or opencl");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "rust"},

@@ -290,8 +290,9 @@ TEST(RunHtml, TakesSomeStudies) {
             "shadefit: unknown study 'planck-xx': did you mean 'planck-x'?\n");
   EXPECT_EQ(run_command_line({"run", "--shard", "1/2", "--out", out}).err,
             "shadefit: --shard requires --html (see 'shadefit help run')\n");
-  EXPECT_EQ(run_command_line({"run", "--html", "--shard", "2/1", "--out", out}).err,
-            "shadefit: --shard '2/1' is not a part of a whole: it must be i/n with 1 <= i <= n (see 'shadefit help run')\n");
+  EXPECT_EQ(
+      run_command_line({"run", "--html", "--shard", "2/1", "--out", out}).err,
+      "shadefit: --shard '2/1' is not a part of a whole: it must be i/n with 1 <= i <= n (see 'shadefit help run')\n");
   EXPECT_EQ(snapshot(out), files);
 }
 

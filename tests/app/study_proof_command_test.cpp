@@ -140,8 +140,9 @@ TEST(CertifyStudy, RefusesBadInput) {
   const auto given = [](const std::vector<std::string>& more) {
     return with(with(acos_linear, {"--parameters", "a=1,b=2"}), more);
   };
-  expect_refusal({"certify"},
-                 "certify needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help certify')");
+  expect_refusal(
+      {"certify"},
+      "certify needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help certify')");
   expect_refusal({"certify", "--form", "a x", "--over", "x=0:1"},
                  "--form needs a --target, the formula to approximate, or a --table of measured rows");
   expect_refusal({"certify", "--target", "x", "--form", "a x"},
