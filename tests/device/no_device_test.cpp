@@ -41,8 +41,9 @@ TEST(NoDevice, WhatDoesNotApplyToADeviceIsRefused) {
 TEST(NoDevice, AllDevicesSweepAllForms) {
   const Finished finished = run_process({"bench", "--exhaustive", "schlick", "--all-devices"}, [] {});
   EXPECT_EQ(finished.exit_code, 2);
-  EXPECT_EQ(finished.err,
-            "shadefit: --all-devices does not apply with --exhaustive 'schlick': it must be all\n");
+  EXPECT_EQ(
+      finished.err,
+      "shadefit: --all-devices does not apply with --exhaustive 'schlick': it must be all (see 'shadefit help bench')\n");
 }
 
 }  // namespace

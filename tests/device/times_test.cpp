@@ -249,7 +249,9 @@ TEST_P(TimesOnDriver, ADeviceThatIsNotThereIsOneLine) {
   const Outcome outcome =
       run_command_line({"bench", "--device", "vulkan:7", "--only", "lobe", "--out", out}, keep_going);
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.err, "shadefit: --device 'vulkan:7': this machine has 1 device that can compute\n");
+  EXPECT_EQ(
+      outcome.err,
+      "shadefit: --device 'vulkan:7': this machine has 1 device that can compute (see 'shadefit help bench')\n");
   EXPECT_TRUE(testing::snapshot(out).empty());
 }
 
