@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "fit/study/solve_study.hpp"
+#include "fit/study/study.hpp"
+
+/// Forms that are linear in many parameters, whose columns are nearly dependent.
+namespace shadefit {
+namespace {
+
+double binomial(int n, int k) {
+  double result = 1;
+  for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
+  return result;
+}
+
+// x^n less its best polynomial of degree n - 1 on [0, 1] is the shifted Legendre polynomial divided by its
+// first coefficient, binomial(2n, n) (Abramowitz, Stegun 1964, Handbook of Mathematical Functions, 22.2.11
+// and 22.3.8).
+TEST(LinearStudy, APowerLessItsBestPolynomialIsLegendres) {
+  for (const int n : {8, 11}) {
+    Study study{.target = "x^" + std::to_string(n), .form = "p00", .over = {{"x", "0", "1"}}};
+    for (int k = 1; k < n; ++k)
+      study.form += " + p" + std::string(k < 10 ? "0" : "") + std::to_string(k) + " x^" + std::to_string(k);
+    const StudyFit fit = solve_study(read_study(study), {});
+    ASSERT_EQ(fit.status, Status::converged) << n << ": " << fit.why;
+    EXPECT_TRUE(fit.is_global);
+    const double first = binomial(2 * n, n);
+    // Of degree 10 the columns have the condition 1e7 and more, and long double has 19 digits.
+    EXPECT_GE(fit.digits, n == 8 ? 11 : 8);
+    for (int k = 0; k < n; ++k) {
+      const double sign = (n + k) % 2 == 0 ? -1 : 1;
+      const double expected = sign * binomial(n, k) * binomial(n + k, k) / first;
+      EXPECT_NEAR(fit.parameters[static_cast<std::size_t>(k)] / expected, 1, std::pow(10, -fit.digits))
+          << "p" << k << " of " << n;
+    }
+    EXPECT_NEAR(fit.rms_error * first * std::sqrt(2 * n + 1), 1, 1e-6) << n;
+  }
+}
+
+// x + 1 and 2 x + 2 are one column.
+TEST(LinearStudy, DependentColumnsAreNamed) {
+  const Study study{.target = "exp(x)", .form = "a (x + 1) + b (2 x + 2)", .over = {{"x", "0", "1"}}};
+  const StudyFit fit = solve_study(read_study(study), {});
+  EXPECT_EQ(fit.status, Status::degenerate);
+  EXPECT_EQ(fit.why, "the curve stays the same while a, b change together");
+}
+
+}  // namespace
+}  // namespace shadefit
