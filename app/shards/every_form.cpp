@@ -98,7 +98,7 @@ Outcome sweep_every_form(const BenchOptions& options, const forms::Catalogue& ca
     for (KeptSweep& kept : together) subjects.push_back(&kept.subject);
     bench::share_truth(subjects);
     if (auto interrupted = sweep_and_keep(together, checkpoint, progress)) return *interrupted;
-    for (std::size_t i = 0; i < together.size(); ++i) {
+    for (std::size_t i = 0; i < together.size(); ++i) {  // all forms of a place, then those of the next
       add_row(places[i / (end - first)].table, together[i]);
       beyond += together[i].sweep.found.beyond;
     }

@@ -42,7 +42,7 @@ void put_on_device(bench::FloatSubject& subject, bench::SweepIdentity& identity,
   identity.bound_from = device::numbers_of(on.model);
 }
 
-/// The saved state, which must belong to this sweep; empty if there is none.
+/// The saved state; empty if there is none. Throws UserError if it belongs to another sweep.
 std::optional<Sweep> state_at(const fs::path& path, const Sweep& wanted) {
   std::error_code error;
   if (!fs::exists(fs::symlink_status(path, error))) return std::nullopt;

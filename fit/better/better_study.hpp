@@ -53,7 +53,7 @@ struct StudyContender {
   std::optional<StudyJudgement> judgement = {};  ///< of a published set
   std::vector<JudgedError> claims = {};          ///< what the source says of its errors
   std::optional<ProvenError> proof = {};         ///< only by `prove_contenders`
-  std::string unproven = {};                     ///< by `prove_contenders`: why there is no proof
+  std::string unproven = {};                     ///< why there is no proof, set by `prove_contenders`
   std::optional<double> bound = {};              ///< proven too, but maybe far above the largest error
   std::vector<ContenderInFormat> formats = {};   ///< only by `round_contenders`
   /// The published contenders, by their places in the list, that have a larger error at no fewer

@@ -196,9 +196,11 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
   StudyFit fit;
   fit.status = Status::not_converged;
   long double best = HUGE_VALL;
+  auto fine = optimum_of(rules.sampled<long double>(first));
   for (std::size_t rule = first; rule < rules.last(); ++rule) {
+    const auto coarse = fine;
     const auto wide = rules.sampled<long double>(rule + 1);
-    const auto coarse = optimum_of(rules.sampled<long double>(rule)), fine = optimum_of(wide);
+    fine = optimum_of(wide);
     if (!coarse || !fine) continue;
     const VectorOf<long double> step =
         (coarse->parameters - fine->parameters).cwiseAbs() + fine->last_step.cwiseAbs();

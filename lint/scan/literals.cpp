@@ -48,8 +48,8 @@ class LiteralReader {
     while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
   }
 
-  /// No comment begins inside a quote: in glob("src/*.glsl") there is none. A quote of several lines may hold
-  /// a shader with comments, which end with it.
+  /// A quote hides the signs of comments: glob("src/*.glsl") opens no comment. A quote of several lines may
+  /// hold a shader. Its comments end where the quote ends.
   void quote_or_comment() {
     if (quote_ && at_ >= quote_->end) {
       const bool is_closing = at_ == quote_->end;

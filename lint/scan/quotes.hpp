@@ -21,8 +21,8 @@ class QuoteFinder {
  public:
   QuoteFinder(std::string_view text, CommentStyle style) : text_(text), style_(style) {}
 
-  /// The quote that begins at this byte, outside of comments and of other quotes. A quote that does not end
-  /// is none: it may be an apostrophe.
+  /// The quote that begins at this byte, outside of comments and of other quotes. A quote without an end does
+  /// not count: it may be an apostrophe.
   std::optional<Quote> at(std::size_t begin);
 
  private:
