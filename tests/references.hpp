@@ -6,7 +6,7 @@
 
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/multiprecision.hpp"
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 

@@ -138,16 +138,13 @@ void require_known_filters(const ListOptions& options) {
                                 fmt::join(titles, "; ")));
 }
 
-/// A row for each study that is found.
-void add_studies(Table& list, const StudyFolders& folders) {
-  for (const std::filesystem::path& path : study_files(study_folders(folders))) {
-    const StudyFile file = load_study(path);
-    const std::string printed = file.published.empty() ? "-" : printed_text(file.published.front().values);
-    std::vector<Cell> row{file.id, printed, "a study: " + file.title};
-    if (list.columns.size() == 4)
-      row.insert(row.begin() + 2, fmt::format("{} ~ {}", file.study.target, file.forms.front().formula));
-    list.rows.push_back(row);
-  }
+/// A row for a study.
+void add_study(Table& list, const StudyFile& file) {
+  const std::string printed = file.published.empty() ? "-" : printed_text(file.published.front().values);
+  std::vector<Cell> row{file.id, printed, "a study: " + file.title};
+  if (list.columns.size() == 4)
+    row.insert(row.begin() + 2, fmt::format("{} ~ {}", file.study.target, file.forms.front().formula));
+  list.rows.push_back(row);
 }
 
 /// The claim that states the published constant of that id; any other id is returned.
@@ -162,6 +159,12 @@ std::string claim_of(const std::string& id) {
   return id;
 }
 
+/// Keeps the rows whose id contains the text. Throws UserError if none does.
+void keep_only(Table& list, const std::string& text) {
+  std::erase_if(list.rows, [&](const auto& row) { return !holds(std::get<std::string>(row.front()), text); });
+  if (list.rows.empty()) throw UserError(fmt::format("'{}' is in no id: 'shadefit list' has them all", text));
+}
+
 }  // namespace
 
 Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
@@ -173,10 +176,15 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
                                 *options.family));
   const bool is_narrow = !options.json && !options.csv && !options.latex;
   Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
-  if (!with_verdicts && !options.topic && !options.family) {
+  const bool is_file = options.id && options.id->ends_with(".toml");
+  if (is_file) {
+    list.rows.clear();
+    add_study(list, load_study(*options.id));
+  } else if (!with_verdicts && !options.topic && !options.family) {
     add_forms_of_comparison(list);
-    add_studies(list, options.studies);
+    for (const auto& path : study_files(study_folders(options.studies))) add_study(list, load_study(path));
   }
+  if (options.id && !is_file) keep_only(list, *options.id);
   if (options.json) return {0, json_text({{"schema", 1}, {"constants", write_json(list)}}), ""};
   if (options.csv) return {0, write_csv(list, Precision::full), ""};
   if (options.latex) return {0, write_latex(list, Precision::report), ""};

@@ -56,8 +56,8 @@ void declare_merge(CLI::App& merge, MergeOptions& options) {
 
 /// For everything that searches.
 void add_time_limit(CLI::App& app, Call& call) {
-  for (const char* name :
-       {"run", "fit", "better", "certify", "verify", "emit", "scene", "stress", "check", "lint"}) {
+  for (const char* name : {"list", "run", "fit", "better", "certify", "verify", "emit", "scene", "explain",
+                           "bench", "stress", "check", "lint"}) {
     const auto limit = [&call](const std::string& text) {
       call.checkpoint = limited(call.checkpoint, parse_seconds("--time-limit", text));
     };
@@ -79,7 +79,7 @@ void declare_commands(CLI::App& app, Call& call) {
   app.add_option("--completion", "completions of bash, zsh or fish, or the manual page")->group("");
   add_command<ListOptions>(
       app, call, "list", "every constant and claim: id, printed value, source",
-      "  shadefit list --topic fresnel\n  shadefit list --verdict refuted\n  shadefit list --csv\n",
+      "  shadefit list --topic fresnel\n  shadefit list --verdict refuted\n  shadefit list acos\n",
       declare_list, [&](const ListOptions& options) { return list_command(options, call.checkpoint); });
   add_command<RunOptions>(
       app, call, "run", "fit and check everything; write report.md, the tables and the plots",

@@ -8,6 +8,7 @@
 #include "app/options/fit_arguments.hpp"
 #include "app/output/picture_file.hpp"
 #include "app/studies/chosen_study.hpp"
+#include "fit/run/fit_extras.hpp"
 #include "fit/run/results.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/figures/fit_figure.hpp"
@@ -173,8 +174,8 @@ Outcome fit_command(const FitOptions& options, const Checkpoint& checkpoint, con
   require_feasible(refit);
   const FitExtras extras{
       proofs_of(refit, options, checkpoint, progress),
-      options.round ? round_reports(refit, *options.round, !options.exponents,
-                                    stepping(checkpoint, progress, "round", refit.fits.size()), checkpoint)
+      options.round ? round_fits(refit, *options.round, !options.exponents,
+                                 stepping(checkpoint, progress, "round", refit.fits.size()), checkpoint)
                     : std::vector<RoundedFit>{},
       sensitivities_of(refit, options, checkpoint, progress)};
   const std::string err = not_converged_lines(refit) + not_reached_lines(refit, extras.proofs);

@@ -184,7 +184,10 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
   if (file.study.rows && (options.csv || options.latex)) add_uncertainty_columns(table, studies);
   if (options.csv) return {code, write_csv(table, Precision::full), err, put};
   if (options.latex)
-    return {code, write_latex(with_digits(table, options.digits), Precision::report), err, put};
+    return {code,
+            write_latex(with_digits(table, options.digits), Precision::report,
+                        formula_inputs(studies.front().read)),
+            err, put};
   std::string out = console_text(file, studies, options.terminal);
   out += proofs_block(proofs, options.terminal);
   if (options.round) out += study_roundings_text(studies, rounded, options.terminal);

@@ -34,6 +34,16 @@ std::string console_text(const StudyComparison& comparison, const Terminal& term
          left_out_lines(comparison);
 }
 
+/// The variables and parameters of all contenders.
+std::vector<std::string> names_in(const StudyComparison& comparison) {
+  std::vector<std::string> names;
+  for (const StudyContender& contender : comparison.contenders) {
+    const auto inputs = formula_inputs(formulas_of(comparison, contender));
+    names.insert(names.end(), inputs.begin(), inputs.end());
+  }
+  return names;
+}
+
 /// One line for each fit that did not converge.
 std::string failed_lines(const std::vector<StudyComparison>& comparisons) {
   std::string lines;
@@ -92,7 +102,8 @@ Outcome better_study_command(const StudyFile& file, const FitOptions& options, c
   std::vector<std::string> parts;
   for (const StudyComparison& comparison : comparisons) {
     const Table table = study_comparison_table(comparison);
-    parts.push_back(options.latex ? write_latex(with_digits(table, options.digits), Precision::report)
+    parts.push_back(options.latex ? write_latex(with_digits(table, options.digits), Precision::report,
+                                                names_in(comparison))
                                   : console_text(comparison, options.terminal));
   }
   return {0, fmt::format("{}", fmt::join(parts, "\n")), "", put};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "approx/ledger/catalogue.hpp"
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "fit/verdicts/refit.hpp"
 

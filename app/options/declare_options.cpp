@@ -156,6 +156,8 @@ void add_studies(CLI::App& command, StudyFolders& folders) {
 }
 
 void declare_list(CLI::App& list, ListOptions& options) {
+  list.add_option("id", options.id, "only what has this text in its id; or a study's file, NAME.toml")
+      ->type_name("ID");
   add_choice(list, "--verdict", options.verdict, by_name(all_verdicts),
              "only the claims with this verdict (computes them all)");
   add_value(list, "--topic", options.topic, parse_text, "TEXT",

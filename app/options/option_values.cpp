@@ -6,6 +6,7 @@
 
 #include "fit/proof/certificate.hpp"
 #include "fit/proof/enclosure.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/sweep.hpp"
 
 namespace shadefit {

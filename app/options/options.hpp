@@ -23,6 +23,7 @@ namespace shadefit {
 using StudyFolders = std::vector<std::string>;
 
 struct ListOptions {
+  std::optional<std::string> id;      ///< only the rows whose id contains this text; or the file of a study
   std::optional<Verdict> verdict;     ///< only the claims with this one; computes them
   std::optional<std::string> topic;   ///< only topics whose title contains this text
   std::optional<std::string> family;  ///< only the claims on this family

@@ -32,7 +32,7 @@ inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics
 inline constexpr Source walter_2007{"Walter, Marschner, Li, Torrance", 2007,
                                     "Microfacet Models for Refraction through Rough Surfaces",
                                     "Eurographics Symposium on Rendering 2007, pp. 195-206",
-                                    "http://www.cs.cornell.edu/~srm/publications/EGSR07-btdf.html"};
+                                    "https://doi.org/10.2312/EGWR/EGSR07/195-206"};
 
 inline constexpr Source gotanda_2010{
     "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",

@@ -58,7 +58,7 @@ void Effect::show(double before, double after, const Coordinates& at) {
     reaches_visible = true;
     keep_larger(relative, {step / std::abs(before), at});
   }
-  half_ulps = std::max(half_ulps, step / half_ulp(before));
+  half_ulps = std::max(half_ulps, step / ulp_of_half(before));
   srgb_codes = std::max(srgb_codes, std::abs(srgb_code(after) - srgb_code(before)));
 }
 

@@ -55,7 +55,7 @@ struct Effect {
 inline constexpr double visible = 1.0 / 255;
 
 /// The distance from |value| to the next half: 2^(e-10) in [2^e, 2^(e+1)), 2^-24 in the subnormals.
-inline double half_ulp(double value) {
+inline double ulp_of_half(double value) {
   const int exponent = std::max(-14, std::ilogb(std::max(std::abs(value), 0x1p-24)));
   return std::ldexp(1.0, exponent - 10);
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/minimax/exchange.hpp"
+#include "fit/minimax/linear_programme.hpp"
 #include "fit/minimax/minimax.hpp"
 
 /// The places where the curves of a minimax problem are extreme or constrained, at given parameters. The

@@ -11,7 +11,7 @@
 #include "approx/cosine.hpp"
 #include "fit/least_squares/status.hpp"
 #include "fit/minimax/alternation.hpp"
-#include "fit/minimax/exchange.hpp"
+#include "fit/minimax/linear_programme.hpp"
 #include "fit/quadrature/metric.hpp"
 
 /// Minimax: the parameters for which the largest |weight * error| over the domain is least.
@@ -19,9 +19,9 @@
 /// At the optimum of a form with n free parameters the error has its largest magnitude, the level, at n + 1
 /// places at least, usually with alternating signs: the alternation. The exchange starts near least squares.
 /// It finds the extrema of the error and solves the linear programme of the lowest level there
-/// (fit/minimax/exchange.hpp). Its step is Newton's on the equations of the alternation. Then it looks for
-/// the extrema again. A constraint is one more condition of the programme. The result is the best near its
-/// start. It is not proven to be the best of all, and the search is sampled.
+/// (fit/minimax/linear_programme.hpp). Its step is Newton's on the equations of the alternation. Then it
+/// looks for the extrema again. A constraint is one more condition of the programme. The result is the best
+/// near its start. It is not proven to be the best of all, and the search is sampled.
 namespace shadefit {
 
 /// Parameters beyond those of the form are not used.

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "fit/proof/interval.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
-#include "fit/support/sweep.hpp"
 
 namespace shadefit {
 

@@ -1,14 +1,14 @@
 #pragma once
 
 #include <array>
-#include <charconv>
 #include <compare>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "fit/support/decimal.hpp"
 
 /// The metric: a constant is right only under a measure, a norm, an error and a domain. Solver, report and
 /// tests share one object of this file.
@@ -43,12 +43,6 @@ struct Domain {
   double upper = 1;
   auto operator<=>(const Domain&) const = default;
 };
-
-/// A number to its shortest round trip.
-inline std::string to_text(double value) {
-  char text[32];
-  return {std::begin(text), std::to_chars(std::begin(text), std::end(text), value).ptr};
-}
 
 /// "0.25:1", each end to its shortest round trip.
 inline std::string to_text(const Domain& domain) {

@@ -49,8 +49,8 @@ StudyInFormat<Format>::StudyInFormat(const ReadStudy& study, const Checkpoint& c
 
 template <class Format>
 auto StudyInFormat<Format>::places_of(const ReadStudy& study, const Checkpoint& checkpoint)
-    -> std::vector<Place> {
-  std::vector<Place> places;
+    -> std::vector<Sample> {
+  std::vector<Sample> places;
   if (study.rows) {
     for (std::size_t row = 0; row < study.rows->value.size(); ++row) {
       std::vector<double> variables;
@@ -74,7 +74,7 @@ auto StudyInFormat<Format>::places_of(const ReadStudy& study, const Checkpoint& 
 }
 
 template <class Format>
-double StudyInFormat<Format>::error_at(const Place& place, std::span<const double> constants) {
+double StudyInFormat<Format>::error_at(const Sample& place, std::span<const double> constants) {
   inputs_.clear();
   for (const double x : place.variables) inputs_.emplace_back(x);
   for (const double x : constants) inputs_.emplace_back(x);
@@ -88,7 +88,7 @@ ErrorInFormat StudyInFormat<Format>::largest_error(std::span<const double> const
   ErrorInFormat largest;
   std::size_t worst = 0;
   for (std::size_t i = 0; i < order_.size() && largest.magnitude < enough; ++i) {
-    const Place& place = places_[order_[i]];
+    const Sample& place = places_[order_[i]];
     const double error = error_at(place, constants);
     if (i > 0 && error <= largest.magnitude) continue;
     largest = {error, place.variables};
@@ -104,7 +104,7 @@ ErrorInFormat StudyInFormat<Format>::largest_error(std::span<const double> const
 template <class Format>
 double StudyInFormat<Format>::error_from(double x, std::span<const double> constants) {
   const auto place =
-      std::find_if(places_.begin(), places_.end(), [&](const Place& p) { return p.variables.front() >= x; });
+      std::find_if(places_.begin(), places_.end(), [&](const Sample& p) { return p.variables.front() >= x; });
   return place == places_.end() ? 0 : error_at(*place, constants);
 }
 

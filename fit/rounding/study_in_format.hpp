@@ -13,13 +13,13 @@
 /// The form of a study in a format: every constant, number, operation and function rounded to nearest.
 namespace shadefit {
 
-/// The largest error in a format. It is infinite if the form overflows or is not a number at a place.
+/// The largest error in a format. It is infinite if the form overflows or is not a number at a sample.
 struct ErrorInFormat {
   double magnitude = 0;
   std::vector<double> at;  ///< the variables, as numbers of the format
 };
 
-/// The error of a form at every place: at all numbers of the format in the range of the one variable, or at
+/// The error of a form at every sample: at all numbers of the format in the range of the one variable, or at
 /// all rows, with their variables rounded. The target is computed in double, for the variables as they are.
 template <class Format>
 class StudyInFormat {
@@ -38,15 +38,15 @@ class StudyInFormat {
   double error_from(double x, std::span<const double> constants);
 
  private:
-  struct Place {
+  struct Sample {
     std::vector<double> variables;  ///< numbers of the format
     double target, scale;
   };
-  static std::vector<Place> places_of(const ReadStudy& study, const Checkpoint& checkpoint);
-  double error_at(const Place& place, std::span<const double> constants);
+  static std::vector<Sample> places_of(const ReadStudy& study, const Checkpoint& checkpoint);
+  double error_at(const Sample& sample, std::span<const double> constants);
 
-  std::vector<Place> places_;
-  /// Their indices, those with the largest errors of late first: such a place refuses constants at once.
+  std::vector<Sample> places_;
+  /// Their indices, those with the largest errors of late first: such a sample refuses constants at once.
   std::vector<std::size_t> order_;
   TapeProgram<NarrowResult<Format>> form_;
   std::vector<NarrowResult<Format>> inputs_;  ///< working memory
@@ -57,7 +57,7 @@ extern template class StudyInFormat<FloatFormat>;
 
 /// Constants in half with a smaller largest error than those given, found by moves of one constant or
 /// two, by 1, 2, 4 .. 64 steps of the format, until no move helps. A move that makes the error
-/// larger at a place of `kept`, where the form should be exact, is not taken. The given constants must be
+/// larger at a sample of `kept`, where the form should be exact, is not taken. The given constants must be
 /// halves.
 std::vector<double> moved_constants(StudyInFormat<HalfFormat>& study, std::vector<double> constants,
                                     std::span<const double> kept, const Checkpoint& checkpoint = keep_going);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -78,9 +78,9 @@ Projection::Projection(const StudyError& error, const SampledStudy<double>& samp
   columns_.push_back(error_column);
 }
 
-bool Projection::is_at(const Place& place, const double* q) const {
-  const auto is_equal = [&](std::size_t i, double value) { return place.parameters[i] == value; };
-  return place.is_known && std::equal(nonlinear_.begin(), nonlinear_.end(), q, is_equal);
+bool Projection::is_at(const Point& point, const double* q) const {
+  const auto is_equal = [&](std::size_t i, double value) { return point.parameters[i] == value; };
+  return point.is_known && std::equal(nonlinear_.begin(), nonlinear_.end(), q, is_equal);
 }
 
 bool Projection::factorise(std::span<const Eigen::Index> columns) const {

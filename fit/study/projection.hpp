@@ -21,7 +21,7 @@ namespace shadefit {
 /// of nodes.
 ///
 /// After a step the linear parameters follow to first order. R also tells how far they are from their best
-/// then, so one evaluation of the nodes is enough for a place.
+/// then, so one evaluation of the nodes is enough for a point.
 class Projection {
  public:
   using Scalar = double;
@@ -41,25 +41,25 @@ class Projection {
     last_.parameters[*held_] = value;
     forget();
   }
-  /// Forgets the earlier places: a descent from another start begins.
+  /// Forgets the earlier points: a descent from another start begins.
   void forget() const { last_.is_known = accepted_.is_known = false; }
 
-  /// All parameters at the last place, with the best linear ones.
+  /// All parameters at the last point, with the best linear ones.
   const std::vector<double>& parameters() const { return last_.parameters; }
 
   /// Residuals whose sum of squares is that of sqrt(weight) * error, and their derivatives.
   bool operator()(const double* q, double* residuals, double* jacobian) const;
 
  private:
-  struct Place {
+  struct Point {
     bool is_known = false;
     std::vector<double> parameters;  ///< the linear ones are the best there
     ProductMatrix<double> triangle;  ///< R at linear parameters that may be one step before these
   };
 
-  bool is_at(const Place& place, const double* q) const;
+  bool is_at(const Point& point, const double* q) const;
   void move_to(const double* q) const;
-  /// Moves to a place near the accepted one. False if it is not near enough.
+  /// Moves to a point near the accepted one. False if it is not near enough.
   bool follow(const double* q) const;
   /// Computes R. True if that succeeds by Cholesky: then the columns are independent.
   bool factorise(std::span<const Eigen::Index> columns) const;
@@ -73,8 +73,8 @@ class Projection {
   /// Columns of the products: linear parameters, nonlinear ones, the error; and the same without the
   /// nonlinear.
   std::vector<Eigen::Index> columns_, linear_columns_;
-  mutable Place last_;
-  mutable Place accepted_;  ///< where a step was accepted: the derivatives were asked for
+  mutable Point last_;
+  mutable Point accepted_;  ///< where a step was accepted: the derivatives were asked for
 };
 
 }  // namespace shadefit

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "fit/least_squares/least_squares.hpp"
-#include "fit/minimax/exchange.hpp"
+#include "fit/minimax/linear_programme.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"

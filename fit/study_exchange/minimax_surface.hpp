@@ -9,10 +9,10 @@ namespace shadefit {
 /// The minimax fit of a study of two or three variables.
 ///
 /// The exchange minimises the largest |weight * error| on a set of places that grows. A linear programme of
-/// the errors and their derivatives there (fit/minimax/exchange.hpp) gives a step, and the tops of the error
-/// after the step join the set. If the form is linear in its parameters, the level of the programme is a
-/// lower bound for all parameters, by duality. When it meets the largest error, the fit is proven to be the
-/// best, up to the search for tops. A form that is not linear is linearised at each step, and a step that
+/// the errors and their derivatives there (fit/minimax/linear_programme.hpp) gives a step, and the tops of
+/// the error after the step join the set. If the form is linear in its parameters, the level of the programme
+/// is a lower bound for all parameters, by duality. When it meets the largest error, the fit is proven to be
+/// the best, up to the search for tops. A form that is not linear is linearised at each step, and a step that
 /// does not lower the largest error is halved. Source: Remez 1934, "Sur la détermination des polynomes
 /// d'approximation de degré donnée"; in several variables the exchange of one finite set for a larger one is
 /// that of Blankenship, Falk 1976, "Infinitely constrained optimization problems", Journal of Optimization

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "fit/minimax/exchange.hpp"
+#include "fit/minimax/linear_programme.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {

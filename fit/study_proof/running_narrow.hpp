@@ -47,7 +47,7 @@ struct RunningNarrow {
   /// and differ by at most `inherited`; then they are rounded, by a relative error.
   static RunningNarrow rounded(const Interval& value, const Interval& result, const Interval& inherited,
                                const GpuModel* gpu = nullptr, Rounds rounds = Rounds::to_nearest,
-                               double relative = half_ulp) {
+                               double relative = unit_roundoff) {
     const Interval rounding = Interval(largest_magnitude_in(result)) * Interval(relative) +
                               Interval(gpu == nullptr ? half_least : least_normal);
     const bool is_nearest = rounds == Rounds::to_nearest;
@@ -69,7 +69,7 @@ struct RunningNarrow {
   static RunningNarrow of_gpu(const Interval& value, Ends results, const Interval& own,
                               const Interval& inherited, const GpuModel* gpu) {
     const Interval rounding =
-        is_narrow ? Interval(largest_magnitude_in(span_of(results))) * Interval(half_ulp) : Interval(0);
+        is_narrow ? Interval(largest_magnitude_in(span_of(results))) * Interval(unit_roundoff) : Interval(0);
     return enclosed(value, with_flushed(to_format(span_of(results)), gpu),
                     largest_magnitude_in(Interval(inherited + own + rounding + Interval(least_normal))), gpu);
   }
@@ -116,14 +116,14 @@ struct RunningNarrow {
 
   /// The relative error of a GPU's function with a normal result.
   static constexpr double of_function(double ulps) {
-    return is_narrow ? half_ulp + ulps * float_ulp * (1 + half_ulp) : ulps * float_ulp;
+    return is_narrow ? unit_roundoff + ulps * float_ulp * (1 + unit_roundoff) : ulps * float_ulp;
   }
 
   static constexpr bool is_narrow = Format::digits < FloatFormat::digits;
 
  private:
-  static constexpr double half_ulp = power_of_two(-Format::digits);  ///< of a result, relative
-  static constexpr double half_least = least_of<Format> / 2;         ///< of a subnormal one
+  static constexpr double unit_roundoff = power_of_two(-Format::digits);  ///< of a result, relative
+  static constexpr double half_least = least_of<Format> / 2;              ///< of a subnormal one
   static constexpr double least_normal = least_normal_of<Format>;
 
   /// The numbers that results may be rounded to: rounding is monotonic. The results themselves stay included,

@@ -2,10 +2,24 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "approx/scalar.hpp"
 
 namespace shadefit {
+
+std::optional<double> parse_number(std::string_view text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::string to_text(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
 
 std::string decimal(double value, int digits) {
   if (value == 0) return "0";

@@ -1,10 +1,18 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
-/// Numbers in sentences: free of the locale, the same bytes on every compiler.
+/// Numbers as text: free of the locale, the same bytes on every compiler.
 namespace shadefit {
+
+/// A finite number in plain or scientific decimal notation. Empty if the whole text is not such a number, or
+/// the number is beyond double.
+std::optional<double> parse_number(std::string_view text);
+
+/// The shortest text that reads back as `value`.
+std::string to_text(double value);
 
 /// `value` with that many significant digits, without trailing zeros: 0.775, 1.2e-05, -3, nan, inf. Negative
 /// zero is 0.

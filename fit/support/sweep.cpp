@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -52,14 +53,6 @@ void append_range(std::vector<double>& numbers, std::string_view part) {
 }
 
 }  // namespace
-
-std::optional<double> parse_number(std::string_view text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 std::vector<double> parse_sweep(std::string_view text) {
   std::vector<double> numbers;

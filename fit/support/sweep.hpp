@@ -1,15 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
 /// Sweeps of an exponent, as records and users write them.
 namespace shadefit {
-
-/// A finite number in plain or scientific decimal notation. Empty if the whole text is not such a number, or
-/// the number is beyond double. Free of the locale.
-std::optional<double> parse_number(std::string_view text);
 
 /// Numbers and ranges A:B:STEP, by commas: "1:15:1,25,50". A range includes B if a step ends within half a
 /// step of it, and no number beyond B. Its numbers are rounded to 15 digits. Every number must be finite and

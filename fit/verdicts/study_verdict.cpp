@@ -10,7 +10,7 @@
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

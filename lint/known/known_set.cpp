@@ -7,7 +7,7 @@
 
 #include "approx/ledger/catalogue.hpp"
 #include "fit/fit.hpp"
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "lint/known/closed_form.hpp"
 
 namespace shadefit::lint {

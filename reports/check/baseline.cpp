@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "fit/support/bounded_file.hpp"
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/rows/comparisons.hpp"

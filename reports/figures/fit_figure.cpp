@@ -103,6 +103,45 @@ Plot curve_plot(const Fit& fit, const FittableFamily& family, const Table& table
           .panels = {curves, errors}};
 }
 
+/// The curves of a sweep: of the least, the middle and the largest exponent.
+std::vector<const Fit*> drawn_of(std::vector<const Fit*> fits) {
+  std::sort(fits.begin(), fits.end(), [](const Fit* a, const Fit* b) { return *a->exponent < *b->exponent; });
+  if (fits.size() == 2) return fits;
+  return {fits.front(), fits[fits.size() / 2], fits.back()};
+}
+
+/// Over k (1 - c) the lobes of all exponents have nearly the same width. At 8 they are below a thousandth.
+constexpr double farthest_scaled = 8;
+
+/// Appends, for each drawn fit, its target, form and error over k (1 - c).
+void add_curves(Table& table, const std::vector<const Fit*>& drawn, const FittableFamily& family) {
+  const std::size_t before = table.columns.size();
+  table.columns.emplace_back("scaled");
+  for (std::size_t i = 1; i <= drawn.size(); ++i)
+    for (const char* column : {"target", "form", "error"})
+      table.columns.push_back(fmt::format("{}_{}", column, i));
+  for (auto& row : table.rows) row.resize(table.columns.size());
+  for (int step = 0; step <= plot_steps; ++step) {
+    const double scaled = farthest_scaled * step / plot_steps;
+    auto& row = table.rows.emplace_back(before);
+    row.push_back(plotted(scaled));
+    for (const Fit* fit : drawn) {
+      const double from_peak = scaled / *fit->exponent;
+      const Domain& domain = fit->metric.domain;
+      if (1 - from_peak < domain.lower || 1 - from_peak > domain.upper) {
+        row.resize(row.size() + 3);
+        continue;
+      }
+      const CurvePoint point =
+          family.point(setting_of(*fit), fit->parameters, Cosine<double>{1 - from_peak, from_peak});
+      const double error = error_of(*fit, point);
+      for (const double value : {point.target, point.form, error})
+        row.push_back(std::isfinite(value) ? plotted(value) : Cell());
+    }
+  }
+}
+
+/// Rows of one fit each, then rows of one place each.
 Table sweep_table(const std::vector<const Fit*>& fits, const FittableFamily& family) {
   Table table{{"exponent"}, {}};
   for (const std::string_view parameter : family.parameters) table.columns.emplace_back(parameter);
@@ -113,7 +152,26 @@ Table sweep_table(const std::vector<const Fit*>& fits, const FittableFamily& fam
     row.insert(row.end(), {plotted(fit->max_abs_error.magnitude), plotted(fit->rms_error)});
     table.rows.push_back(row);
   }
+  add_curves(table, drawn_of(fits), family);
   return table;
+}
+
+/// Targets and forms above, errors below.
+std::array<Panel, 2> curve_panels(const std::vector<const Fit*>& drawn) {
+  const bool is_relative = drawn.front()->metric.error == Error::relative;
+  Panel curves{.title = "Curves of three exponents", .y_label = "value", .abscissa = "scaled", .curves = {}};
+  if (drawn.size() == 2) curves.title = "Curves of two exponents";
+  Panel errors{.x_label = "k (1 − c)",
+               .y_label = is_relative ? "relative error" : "form − target",
+               .abscissa = "scaled",
+               .curves = {}};
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const std::string label = fmt::format("k = {}", *drawn[i]->exponent);
+    curves.curves.push_back({fmt::format("target_{}", i + 1), "target", Look::target});
+    curves.curves.push_back({fmt::format("form_{}", i + 1), label, parameter_looks.at(i)});
+    errors.curves.push_back({fmt::format("error_{}", i + 1), label, parameter_looks.at(i)});
+  }
+  return {curves, errors};
 }
 
 Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& family) {
@@ -136,11 +194,12 @@ Plot sweep_plot(const std::vector<const Fit*>& fits, const FittableFamily& famil
                      .abscissa = "exponent",
                      .curves = {{"max_abs_error", "largest error", Look::second, false, true},
                                 {"rms_error", "rms error", Look::third, false, true}}};
+  const auto [curves, curve_errors] = curve_panels(drawn_of(fits));
   return {.name = std::string(file_name),
           .about = fmt::format("Fits of {}: {}.", family.info.id, name(fits.front()->metric.norm)),
-          .columns = 1,
+          .columns = 2,
           .panel_height = panel_height,
-          .panels = {parameters, errors}};
+          .panels = {parameters, curves, errors, curve_errors}};
 }
 
 }  // namespace

@@ -16,9 +16,9 @@ namespace {
 constexpr int picture_width = 900;
 /// CSS: 96 pixels an inch. The fonts and lines of a PDF and a PNG are scaled to look as those of the SVG do.
 constexpr double centimetres_a_pixel = 2.54 / 96;
-constexpr int left = 80, right_edge = 22, top = 18, below = 70;
+constexpr int left = 88, right_edge = 22, top = 18, below = 70;
 constexpr int title_height = 22, top_tics_height = 20, legend_height = 22;
-constexpr int between_columns = 76, between_rows = 50;
+constexpr int between_columns = 84, between_rows = 50;
 
 /// Okabe and Ito's palette (jfly.uni-koeln.de/color), on grey for the target. Dashes help where curves meet.
 constexpr std::string_view styles =
@@ -133,7 +133,7 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
       "set border {}\n"
       "set title {} offset 0,-0.4\n"
       "set xlabel '{}'\n"
-      "set label '{}' at graph 0, graph 0.5 center rotate offset char -7.6,0\n",
+      "set label '{}' at graph 0, graph 0.5 center rotate offset char -8.6,0\n",
       panel.top_tics.empty() ? 3 : 7, gnuplot_quoted(panel.title), panel.x_label, panel.y_label);
   if (!panel.top_tics.empty())
     out += fmt::format("set x2tics ({}) out scale 0.5 textcolor '#606060'\n", panel.top_tics);

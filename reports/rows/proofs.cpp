@@ -84,14 +84,6 @@ std::string stationary_text(const FittableFamily& family, const StationaryPoint&
 
 }  // namespace
 
-FitProof prove_fit(const Fit& fit, const Checkpoint& checkpoint) {
-  FitProof proof;
-  if (fit.status == Status::converged)
-    proof.max_abs_error = certify(subject_of(fit), usual_width, checkpoint);
-  proof.stationary = prove_stationary(fit, checkpoint);
-  return proof;
-}
-
 Table proofs_table(const Refit& refit, const std::vector<FitProof>& proofs) {
   const FittableFamily& family = *refit.family;
   Table table;

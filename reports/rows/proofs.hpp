@@ -6,23 +6,12 @@
 #include <string_view>
 #include <vector>
 
-#include "fit/proof/certificate.hpp"
-#include "fit/proof/stationary.hpp"
-#include "fit/verdicts/refit.hpp"
+#include "fit/run/fit_extras.hpp"
 #include "reports/table/table.hpp"
 
 /// The proofs of forms and fits, as rows and as JSON. Bounds are doubles, rounded outward. Their decimals
 /// read back exactly.
 namespace shadefit {
-
-/// The proofs of a fit.
-struct FitProof {
-  std::optional<Certified> max_abs_error;  ///< empty if the fit did not converge
-  StationaryPoint stationary;
-};
-
-/// The proofs of `fit --certify`, with the error to `usual_width`.
-FitProof prove_fit(const Fit& fit, const Checkpoint& checkpoint);
 
 /// One row for each fit.
 Table proofs_table(const Refit& refit, const std::vector<FitProof>& proofs);

@@ -17,18 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The first published value of each parameter; empty if one has none.
-std::vector<double> published_values(const FitReport& report) {
-  std::vector<double> values;
-  for (const std::string_view parameter : find_family(report.fit.family->id)->parameters) {
-    const auto found = std::find_if(report.assessments.begin(), report.assessments.end(),
-                                    [&](const Assessment& a) { return a.published->parameter == parameter; });
-    if (found == report.assessments.end()) return {};
-    values.push_back(constant<double>(found->published->printed));
-  }
-  return values;
-}
-
 Json constants_json(const FittableFamily& family, const RoundedConstants& constants, Error error) {
   Json parameters, decimals, hexes;
   for (std::size_t i = 0; i < family.parameters.size(); ++i) {
@@ -93,30 +81,6 @@ Cell at_most(double bound, int digits) {
   if (!(bound > 0) || !std::isfinite(bound)) return Number{bound, digits};
   const double unit = std::pow(10.0, std::floor(std::log10(bound)) - (digits - 1));
   return Number{std::ceil(bound / unit) * unit, digits};
-}
-
-RoundedFit round_report(const FitReport& report, const NumberFormat& format, const Checkpoint& checkpoint) {
-  if (report.fit.status != Status::converged) return {.reason = "the fit did not converge"};
-  RoundedFit fit{.rounded = round_fit(report.fit, format, published_values(report), checkpoint)};
-  if (!std::isfinite(fit.rounded->best.max_error))
-    throw CheckFailed(fmt::format("{} rounded to {}: no finite bound of its error was proven",
-                                  report.fit.family->id, to_text(format)));
-  return fit;
-}
-
-std::vector<RoundedFit> round_reports(const Refit& refit, const NumberFormat& format, bool is_record,
-                                      const Checkpoint& next, const Checkpoint& checkpoint) {
-  std::vector<RoundedFit> fits;
-  for (const FitReport& report : refit.fits) {
-    next();
-    try {
-      fits.push_back(round_report(report, format, checkpoint));
-    } catch (const UserError& error) {
-      if (!is_record || refit.fits.size() == 1) throw;
-      fits.push_back({.reason = error.what()});
-    }
-  }
-  return fits;
 }
 
 Table rounded_table(const Refit& refit, const std::vector<RoundedFit>& fits) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <variant>
 
 #include "fit/run/results.hpp"
 #include "reports/rows/comparisons.hpp"
@@ -28,7 +30,7 @@ std::string origin(const Contender& contender) {
   return contender.kind == Kind::published ? std::string(contender.published) : contender.origin;
 }
 
-/// "- `fresnel-one-term`, off by 0.03006 in 2 instructions: `exp2(-A c)` (minimax absolute error), off by
+/// "- `fresnel-one-term`, off by 0.03006 in 2 instructions: $2^{-A c}$ (minimax absolute error), off by
 /// 0.02628 in 2."
 std::string sentence(const Contender& published, const Contender* best) {
   const auto error = [](const Contender& c) {
@@ -37,9 +39,33 @@ std::string sentence(const Contender& published, const Contender* best) {
   const std::string what = fmt::format("- `{}`, off by {} in {} instructions: ", published.published,
                                        error(published), published.operations.total());
   if (best == nullptr) return what + "nothing here is better at its cost.\n";
-  const std::string whose = fmt::format("`{}` ({}{})", best->form,
+  const std::string whose = fmt::format("{} ({}{})", mathematics(best->form),
                                         best->kind == Kind::published ? "published as " : "", origin(*best));
   return what + fmt::format("{}, off by {} in {}.\n", whose, error(*best), best->operations.total());
+}
+
+/// "Schlick's formula", "A lobe at k = 5", "Exact dielectric n = 1.5".
+std::string heading_of(const Comparison& comparison) {
+  if (comparison.setting.surface.is_exact()) {
+    std::string name = target_of(comparison);
+    name.front() = 'E';
+    return name;
+  }
+  return comparison.family->has_exponent() ? fmt::format("A lobe at k = {}", comparison.setting.exponent)
+                                           : "Schlick's formula";
+}
+
+/// The target as mathematics. Fresnel's equations are not one line.
+std::string target_line(const Comparison& comparison) {
+  if (comparison.setting.surface.is_exact()) return "";
+  return fmt::format("The target is ${}$.\n\n", to_latex(comparison.family->target()));
+}
+
+/// The table of a comparison, with its forms as mathematics.
+std::string comparison_block(const Comparison& comparison) {
+  Table table = short_comparison_table(comparison);
+  for (auto& row : table.rows) row.front() = mathematics(std::get<std::string>(row.front()));
+  return markdown_block(table);
 }
 
 }  // namespace
@@ -62,8 +88,8 @@ std::string better_section(const std::vector<Comparison>& comparisons) {
       "For other surfaces, exponents, domains and objectives see `shadefit better ID`.\n\n",
       report_comparison.width);
   for (const Comparison& comparison : comparisons) {
-    out += fmt::format("### {}\n\n", target_of(comparison)) +
-           markdown_block(short_comparison_table(comparison)) +
+    out += fmt::format("### {}\n\n", heading_of(comparison)) + target_line(comparison) +
+           comparison_block(comparison) +
            "For each published curve, the best curve that needs no more instructions:\n\n";
     for (const Contender& contender : comparison.contenders) {
       if (contender.kind == Kind::published)

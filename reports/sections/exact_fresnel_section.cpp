@@ -35,15 +35,15 @@ std::string curve_id(const FresnelLink& link) {
 /// The name for people.
 std::string curve_text(const FresnelLink& link) {
   if (link.family == nullptr) return "Schlick's formula";
-  const std::string form = fmt::format("`{}`", to_text(link.family->form()));
+  const std::string form = fmt::format("${}$", to_latex(link.family->form()));
   if (link.status != Status::converged) return fmt::format("{}, refitted: {}", form, name(link.status));
   return fmt::format("{}, {} {}", form,
                      link.published.empty() ? "refitted:" : "published:", parameters_text(link));
 }
 
-/// "`exp2(-A c)` (A = 8.35)"
+/// "$2^{-A c}$ (A = 8.35)"
 std::string published_text(const FresnelLink& link) {
-  return fmt::format("`{}` ({})", to_text(link.family->form()), parameters_text(link));
+  return fmt::format("${}$ ({})", to_latex(link.family->form()), parameters_text(link));
 }
 
 std::string surface_text(const OpticalConstants& surface) {

@@ -59,11 +59,12 @@ std::string normalisation_section(const Results& results) {
       "below the tolerance is printed as 0. The estimated error is a bound: it covers the errors of both "
       "rules, their "
       "difference, and the tail that is cut off.\n\n";
-  Table lobes{{"constant", "lobe", "printed", "source"}, {}};
+  Table lobes{{"constant", "lobe", "printed", "typeset", "source"}, {}};
   for (const Normalisation& record : normalisations) {
     if (!is_checked(results, record)) continue;
     lobes.rows.push_back({std::string(record.id), fmt::format("`{}`", record.lobe),
-                          fmt::format("`{}`", record.printed), linked(record.source)});
+                          fmt::format("`{}`", record.printed), mathematics(std::string(record.printed)),
+                          linked(record.source)});
   }
   return out + markdown_block(lobes) + stand_in_words(results) + microfacet_words(results) +
          markdown_block(normalisation_table(results.normalisations));

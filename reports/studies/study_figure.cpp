@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "fit/study/largest_error.hpp"
 #include "fit/support/user_error.hpp"
@@ -19,19 +21,41 @@ namespace {
 constexpr std::array looks{Look::first, Look::second, Look::third, Look::fourth};
 constexpr int panel_height = 260;
 
-/// A formula at a place of the only variable.
-double value_at(const ReadStudy& study, const Symbolic& formula, const std::vector<double>& parameters,
-                double x) {
-  return evaluate<double>(formula, [&](const std::string& name) {
-    if (name == study.axes.front().variable) return x;
-    std::size_t i = 0;
-    while (study.parameters[i] != name) ++i;
-    return parameters[i];
-  });
-}
+/// Formulas with constants along the first variable; the others are fixed.
+struct Slice {
+  const ReadStudy* study;
+  const std::vector<double>* parameters;
+  std::vector<double> fixed;  ///< the values of the variables after the first
 
-void require_one_variable(const std::string& what, std::size_t variables) {
-  if (variables != 1) throw UserError(fmt::format("--plot draws one variable: {} has {}", what, variables));
+  /// A formula at a value of the first variable, or at a measured row.
+  double at(const Symbolic& formula, double x, std::size_t row = 0) const {
+    return evaluate<double>(formula, [&](const std::string& name) {
+      if (study->rows && name == "value") return study->rows->value[row];
+      if (study->rows && name == "sigma") return study->rows->sigma[row];
+      for (std::size_t i = 0; i < study->axes.size(); ++i) {
+        if (study->axes[i].variable == name) return i == 0 ? x : fixed[i - 1];
+      }
+      const auto found = std::find(study->parameters.begin(), study->parameters.end(), name);
+      return parameters->at(static_cast<std::size_t>(found - study->parameters.begin()));
+    });
+  }
+
+  /// The measured rows that lie on it.
+  std::vector<std::size_t> rows() const {
+    std::vector<std::size_t> found;
+    const auto& places = study->rows->places;
+    for (std::size_t row = 0; row < study->rows->value.size(); ++row) {
+      bool is_on = true;
+      for (std::size_t i = 0; i < fixed.size(); ++i) is_on = is_on && places[i + 1][row] == fixed[i];
+      if (is_on) found.push_back(row);
+    }
+    return found;
+  }
+};
+
+void require_drawable(std::size_t variables) {
+  if (variables > 2)
+    throw UserError(fmt::format("--plot draws one or two variables: the study has {}", variables));
 }
 
 Cell plotted_if_finite(double value) {
@@ -46,6 +70,27 @@ std::vector<double> abscissae(const StudyAxis& axis) {
   return places;
 }
 
+/// Four values of the second variable, from one end to the other; of measured rows, values that they have.
+std::vector<double> drawn_levels(const ReadStudy& study) {
+  const StudyAxis& axis = study.axes.at(1);
+  std::vector<double> levels;
+  if (study.rows) {
+    levels = study.rows->places[1];
+    std::sort(levels.begin(), levels.end());
+    levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
+  }
+  std::vector<double> drawn;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    const double share = static_cast<double>(i) / (looks.size() - 1);
+    if (levels.empty())
+      drawn.push_back(axis.lower + (axis.upper - axis.lower) * share);
+    else
+      drawn.push_back(levels[(levels.size() - 1) * i / (looks.size() - 1)]);
+  }
+  drawn.erase(std::unique(drawn.begin(), drawn.end()), drawn.end());
+  return drawn;
+}
+
 std::string range_of(const StudyAxis& axis) {
   return fmt::format("set xrange [{:.9g}:{:.9g}]\n", axis.lower, axis.upper);
 }
@@ -54,23 +99,72 @@ std::string range_of(const StudyAxis& axis) {
 std::string label_of(const FittedStudy& study) {
   std::vector<std::string> parts;
   for (const auto& [name, value] : study.asked().given) parts.push_back(name + " = " + value);
-  for (std::size_t i = 0; parts.empty() && i < study.fit.names.size(); ++i)
+  const bool is_only = parts.empty();
+  for (std::size_t i = 0; is_only && i < study.fit.names.size(); ++i)
     parts.push_back(study.fit.names[i] + " = " + text(Number{study.fit.parameters[i], 7}, Precision::report));
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// The slices of the figure, at most four, with their labels: of each fit, or of the first at several values
+/// of the second variable.
+std::vector<std::pair<Slice, std::string>> slices_of(const std::vector<FittedStudy>& studies) {
+  std::vector<std::pair<Slice, std::string>> slices;
+  for (const FittedStudy& study : studies) {
+    if (study.fit.status != Status::converged || slices.size() == looks.size()) continue;
+    if (study.read.axes.size() == 1) {
+      slices.push_back({{&study.read, &study.fit.parameters, {}}, label_of(study)});
+      continue;
+    }
+    for (const double level : drawn_levels(study.read)) {
+      const std::string value = text(Number{level, 4}, Precision::report);
+      slices.push_back({{&study.read, &study.fit.parameters, {level}},
+                        fmt::format("{} = {}", study.read.axes[1].variable, value)});
+    }
+    break;
+  }
+  return slices;
+}
+
+/// The columns target, form and error of each slice over the first variable. With measured rows, target and
+/// error are known at the rows only, which follow.
+Table slices_table(const std::vector<std::pair<Slice, std::string>>& slices, const StudyAxis& axis) {
+  Table table{{axis.variable}, {}};
+  for (std::size_t i = 1; i <= slices.size(); ++i)
+    for (const char* column : {"target", "form", "error"})
+      table.columns.push_back(fmt::format("{}_{}", column, i));
+  for (const double x : abscissae(axis)) {
+    std::vector<Cell> row{plotted(x)};
+    for (const auto& [slice, label] : slices) {
+      const double form = slice.at(slice.study->form, x);
+      const double target = slice.study->rows ? NAN : slice.at(slice.study->target, x);
+      for (const double value : {target, form, form - target}) row.push_back(plotted_if_finite(value));
+    }
+    table.rows.push_back(row);
+  }
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const Slice& slice = slices[i].first;
+    if (!slice.study->rows) continue;
+    for (const std::size_t measured : slice.rows()) {
+      const double x = slice.study->rows->places[0][measured], value = slice.study->rows->value[measured];
+      auto& row = table.rows.emplace_back(table.columns.size());
+      row[0] = plotted(x);
+      row[1 + 3 * i] = plotted(value);
+      row[3 + 3 * i] = plotted_if_finite(slice.at(slice.study->form, x) - value);
+    }
+  }
+  return table;
 }
 
 }  // namespace
 
 Figure study_figure(const std::vector<FittedStudy>& studies) {
-  std::vector<const FittedStudy*> shown;
-  for (const FittedStudy& study : studies) {
-    if (study.fit.status == Status::converged && shown.size() < looks.size()) shown.push_back(&study);
-  }
-  require_one_variable("the study", studies.front().read.axes.size());
-  if (shown.empty()) throw UserError("--plot has nothing to draw: no fit converged");
-  const StudyAxis& axis = shown.front()->read.axes.front();
-  Table table{{axis.variable}, {}};
-  Panel curves{.title = gnuplot_unmarked(study_headline(*shown.front())),
+  const ReadStudy& first = studies.front().read;
+  require_drawable(first.axes.size());
+  const auto slices = slices_of(studies);
+  if (slices.empty()) throw UserError("--plot has nothing to draw: no fit converged");
+  const StudyAxis& axis = first.axes.front();
+  const Table table = slices_table(slices, axis);
+  Panel curves{.title = gnuplot_unmarked(study_headline(studies.front())),
                .y_label = "value",
                .settings = range_of(axis),
                .abscissa = axis.variable,
@@ -80,22 +174,14 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
                .settings = range_of(axis),
                .abscissa = axis.variable,
                .curves = {}};
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    for (const char* column : {"target", "form", "error"})
-      table.columns.push_back(fmt::format("{}_{}", column, i + 1));
-    curves.curves.push_back({fmt::format("target_{}", i + 1), "target", Look::target});
-    const std::string label = gnuplot_unmarked(label_of(*shown[i]));
+  const bool is_measured = first.rows != nullptr;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const std::string label = gnuplot_unmarked(slices[i].second);
+    curves.curves.push_back({fmt::format("target_{}", i + 1), is_measured ? "rows" : "target", Look::target,
+                             false, is_measured, !is_measured});
     curves.curves.push_back({fmt::format("form_{}", i + 1), label, looks.at(i)});
-    errors.curves.push_back({fmt::format("error_{}", i + 1), label, looks.at(i)});
-  }
-  for (const double x : abscissae(axis)) {
-    std::vector<Cell> row{plotted(x)};
-    for (const FittedStudy* study : shown) {
-      const double target = value_at(study->read, study->read.target, study->fit.parameters, x);
-      const double form = value_at(study->read, study->read.form, study->fit.parameters, x);
-      for (const double value : {target, form, form - target}) row.push_back(plotted_if_finite(value));
-    }
-    table.rows.push_back(row);
+    errors.curves.push_back(
+        {fmt::format("error_{}", i + 1), label, looks.at(i), false, is_measured, !is_measured});
   }
   errors.settings += "set yrange " + range_around(table, errors.curves) + "\n";
   const Plot plot{.name = "fit",
@@ -107,7 +193,7 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
 }
 
 Figure better_study_figure(const StudyComparison& comparison) {
-  require_one_variable("the study", comparison.variables.size());
+  require_drawable(comparison.variables.size());
   std::vector<const StudyContender*> shown;
   const StudyContender* best = nullptr;
   for (const StudyContender& contender : comparison.contenders) {
@@ -120,11 +206,17 @@ Figure better_study_figure(const StudyComparison& comparison) {
   if (best != nullptr) shown.push_back(best);
   const std::string& variable = comparison.variables.front();
   Table table{{variable}, {}};
-  Panel panel{.title = gnuplot_unmarked(comparison.study.target),
+  const auto& measured = comparison.study.rows;
+  Panel panel{.title = gnuplot_unmarked(measured ? measured->file : comparison.study.target),
               .x_label = gnuplot_unmarked(variable),
               .y_label = curve_in_words(comparison.error),
               .abscissa = variable,
               .curves = {}};
+  // Of two variables: at the value of the second where the first curve has its largest error.
+  std::vector<double> fixed(shown.front()->max_error.at.begin() + 1, shown.front()->max_error.at.end());
+  if (!fixed.empty())
+    panel.title += gnuplot_unmarked(fmt::format("   at {} = {}", comparison.variables[1],
+                                                text(Number{fixed.front(), 4}, Precision::report)));
   std::vector<ReadStudy> read;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     read.push_back(formulas_of(comparison, *shown[i]));
@@ -138,12 +230,20 @@ Figure better_study_figure(const StudyComparison& comparison) {
          looks.at(i)});
   }
   const StudyAxis& axis = read.front().axes.front();
-  for (const double x : abscissae(axis)) {
-    std::vector<Cell> row{plotted(x)};
-    for (std::size_t i = 0; i < shown.size(); ++i)
-      row.push_back(
-          plotted_if_finite(value_at(read[i], weighted_error_of(read[i]).form, shown[i]->values, x)));
-    table.rows.push_back(row);
+  // Measured rows are the only places where the error is known.
+  const bool is_measured = read.front().rows != nullptr;
+  const Slice first{&read.front(), &shown.front()->values, fixed};
+  const auto rows = is_measured ? first.rows() : std::vector<std::size_t>{};
+  std::vector<double> places = is_measured ? std::vector<double>{} : abscissae(axis);
+  for (const std::size_t row : rows) places.push_back(read.front().rows->places[0][row]);
+  for (std::size_t place = 0; place < places.size(); ++place) {
+    std::vector<Cell> cells{plotted(places[place])};
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const Slice slice{&read[i], &shown[i]->values, fixed};
+      cells.push_back(plotted_if_finite(
+          slice.at(weighted_error_of(read[i]).form, places[place], is_measured ? rows[place] : 0)));
+    }
+    table.rows.push_back(cells);
   }
   panel.settings = range_of(axis) + "set yrange " + range_around(table, panel.curves) + "\n";
   const Plot plot{.name = "better",

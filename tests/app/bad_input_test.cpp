@@ -395,7 +395,9 @@ TEST(BadInput, Usage) {
       "fit needs a family, a published constant, a study or --form (see 'shadefit list' and 'shadefit help fit')");
   expect_refusal({"explain"}, "id is required" + see(" explain"));
   expect_refusal({"run", "--outt", "x"}, "unexpected argument '--outt'" + see(" run"));
-  expect_refusal({"list", "everything"}, "unexpected argument 'everything'" + see(" list"));
+  expect_refusal({"list", "nowhere"}, "'nowhere' is in no id: 'shadefit list' has them all");
+  expect_refusal({"list", "missing.toml"}, "cannot read 'missing.toml': there is no such file");
+  expect_refusal({"list", "schlick", "more"}, "unexpected argument 'more'" + see(" list"));
   expect_refusal({"run", "--out"}, "--out needs a value: DIR" + see(" run"));
   expect_refusal({"fit", "sg-offset", "--exponent"}, "--exponent needs a value: K or A:B:STEP" + see(" fit"));
   expect_refusal({"fit", "sg-offset", "--exponent", "5", "--exponent", "6"},

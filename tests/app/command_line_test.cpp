@@ -244,6 +244,18 @@ TEST(ListCommand, NamesEveryClaimOnce) {
   EXPECT_TRUE(std::string(parsed["constants"][0]["source"]).starts_with("Lagarde 2012, Spherical Gaussian"));
 }
 
+TEST(ListCommand, TakesAnIdOrAFile) {
+  const auto ids = [](const std::string& id) {
+    std::vector<std::string> found;
+    const auto list = nlohmann::json::parse(run_command_line({"list", id, "--json"}).out);
+    for (const auto& row : list["constants"]) found.push_back(row["id"]);
+    return found;
+  };
+  EXPECT_EQ(ids("acos-l"), std::vector<std::string>{"acos-linear"});
+  EXPECT_EQ(ids("fresnel-quad"), (std::vector<std::string>{"fresnel-quadratic", "fresnel-quadratic-at-1"}));
+  EXPECT_EQ(ids(SHADEFIT_SOURCE_DIR "/studies/acos-linear.toml"), std::vector<std::string>{"acos-linear"});
+}
+
 TEST(ListCommand, Latex) {
   const Outcome outcome = run_command_line({"list", "--latex"});
   EXPECT_EQ(outcome.exit_code, 0);

@@ -7,7 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/sections/prose.hpp"
 #include "reports/sections/report.hpp"

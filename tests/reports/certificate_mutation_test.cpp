@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "fit/proof/interval_ends.hpp"
+#include "fit/support/decimal.hpp"
 #include "fit/support/hex_float.hpp"
-#include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/files.hpp"

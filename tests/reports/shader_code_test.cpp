@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 #include <string>
@@ -247,14 +248,17 @@ std::vector<ShaderFunction> forms_of_studies() {
   return functions;
 }
 
+/// "f(x, x)"
+std::string call_of(const ShaderFunction& function) {
+  std::string call = function.name + "(x";
+  for (std::size_t i = 1; i < function.arguments.size(); ++i) call += ", x";
+  return call + ")";
+}
+
 /// "f(x, x) + g(x)": a call of each.
 std::string sum_of_calls(const std::vector<ShaderFunction>& functions) {
   std::string sum;
-  for (const ShaderFunction& function : functions) {
-    sum += (sum.empty() ? "" : " + ") + function.name + "(x";
-    for (std::size_t i = 1; i < function.arguments.size(); ++i) sum += ", x";
-    sum += ")";
-  }
+  for (const ShaderFunction& function : functions) sum += (sum.empty() ? "" : " + ") + call_of(function);
   return sum;
 }
 
@@ -392,6 +396,50 @@ TEST(GeneratedCode, ComputesTheBitsThatAreEvaluatedHere) {
     }
   }
   EXPECT_GE(programs, 5);
+}
+
+/// Of the places i/32 that `OfEveryStudy` tries; at the ends some forms are not finite.
+constexpr int places_of_studies = 32;
+
+/// The bits, or "nan": which NaN it is is no business of a formula.
+std::string line_of(const ShaderFunction& function, float x) {
+  const Symbolic generated = as_generated(function.result, ShaderPrecision::float32);
+  const float value = evaluate<float>(generated, [&](const std::string&) { return x; });
+  char line[16];
+  std::snprintf(line, sizeof line, "%08x\n", std::bit_cast<unsigned>(value));
+  return std::isnan(value) ? "nan\n" : line;
+}
+
+// The forms of all studies in one program of C and one of C++, against what is evaluated here.
+TEST(GeneratedCode, OfEveryStudyComputesTheBitsThatAreEvaluatedHere) {
+  const TemporaryDirectory directory;
+  const std::vector<ShaderFunction> functions = forms_of_studies();
+  std::string expected, calls;
+  for (const ShaderFunction& function : functions) {
+    for (int i = 0; i <= places_of_studies; ++i)
+      expected += line_of(function, static_cast<float>(i) / places_of_studies);
+    calls += "  for (int i = 0; i <= steps; ++i) {\n    const float x = (float)i / (float)steps;\n    show(" +
+             call_of(function) + ");\n  }\n";
+  }
+  for (const Language language : {Language::c, Language::cpp}) {
+    const bool is_c = language == Language::c;
+    const std::string source = directory.file(
+        is_c ? "studies.c" : "studies.cpp",
+        "#include <stdio.h>\n#include <string.h>\n" +
+            shader_code(functions, language, ShaderPrecision::float32, {}) +
+            "static void show(float x) {\n  unsigned bits;\n  memcpy(&bits, &x, sizeof bits);\n"
+            "  if (x != x) printf(\"nan\\n\");\n  else printf(\"%08x\\n\", bits);\n}\n"
+            "int main(void) {\n  const int steps = " +
+            std::to_string(places_of_studies) + ";\n" + calls + "  return 0;\n}\n");
+    for (const std::string& compiler : is_c ? testing::c_compilers() : testing::cpp_compilers()) {
+      ASSERT_TRUE(
+          runs(compiler + " -O1 -ffp-contract=off -o '" + directory / "program" + "' '" + source + "' -lm",
+               directory))
+          << compiler << read_file(directory / "said");
+      ASSERT_TRUE(runs("'" + directory / "program" + "'", directory));
+      EXPECT_EQ(read_file(directory / "said"), expected) << compiler;
+    }
+  }
 }
 
 }  // namespace

@@ -98,9 +98,19 @@ TEST(Writers, LatexMathematics) {
   EXPECT_EQ(written("c^k ~ exp((k+x)(c-1))"),
             "$c^{k} \\approx e^{\\left(k + x\\right) \\left(c - 1\\right)}$");
   EXPECT_EQ(written("cosine, k = 6.22 to 10.2"), "cosine, k = 6.22 to 10.2") << "words stay words";
+  EXPECT_EQ(written("at c"), "at $c$");
+  EXPECT_EQ(written("at least"), "at least");
   EXPECT_EQ(written("x = "), "x = ");
   EXPECT_EQ(written("norm-phong"), "norm-phong");
   EXPECT_EQ(written(""), "");
+}
+
+TEST(Writers, LatexNamesOfAStudy) {
+  const Table table{{"k0", "note"}, {{1L, std::string("k0 r^2")}}};
+  const std::vector<std::string> names{"k0", "r"};
+  EXPECT_NE(write_latex(table, Precision::report, names).find("$k_{0}$ & note"), std::string::npos);
+  EXPECT_NE(write_latex(table, Precision::report, names).find("$k_{0} r^{2}$"), std::string::npos);
+  EXPECT_NE(write_latex(table, Precision::report).find("k0 r\\textasciicircum{}2"), std::string::npos);
 }
 
 TEST(Writers, LatexExponents) {
@@ -250,12 +260,12 @@ TEST(Report, NamesTheMetricAndTheVerdictOfEachPublishedValue) {
        "6/ln 2 = 8.656170245",
        "| cosine          |          0.75 |         0.75 |      0.203125 |     0.203125 |", "5.55437",
        "boksajak/brdf", "## Normalisation",
-       "is itself off by up to 0.0357 in reflectance on glass (n = 1.5).\nThe published `exp2((a c + b) c)` (a = "
+       "is itself off by up to 0.0357 in reflectance on glass (n = 1.5).\nThe published $2^{\\left(a c + b\\right) c}$ (a = "
        "-5.55473, b = -6.98316) differs from Schlick's formula by at most 0.00362: 9.9 times less than Schlick's "
        "formula differs from the exact reflectance.\nThe published curve closest to the exact reflectance of that glass is "
-       "`exp2(-A c)` (A = 8.35), off by 0.00706.\n",
+       "$2^{-A c}$ (A = 8.35), off by 0.00706.\n",
        "## Exact Fresnel", "aluminium at 652.25 nm, n = 1.5724, k = 7.7354, f0 = 0.9054:",
-       "`exp2((a c + b) c)`, refitted: a = -3103.676224, b = -19.75309694",
+       "$2^{\\left(a c + b\\right) c}$, refitted: a = -3103.676224, b = -19.75309694",
        "Under the angle measure the best value is the printed one at k = 6.6",
        // one id, one verdict: the ledger's, which includes the integrals
        "| norm-blinn-phong-cheap | (a+8)/(8 pi)                     | 8 of 8 within 0.1      | conditional "}) {

@@ -23,9 +23,10 @@
 namespace shadefit {
 namespace {
 
-/// A kernel as a function of the place; `sharpness` is in units of the exponent, so that all are of order 1.
-using Place = LobeRule::Place;
-using Kernel = std::function<double(const Place& place, double sharpness)>;
+/// A kernel as a function of the direction; `sharpness` is in units of the exponent, so that all are of
+/// order 1.
+using LobeAngle = LobeRule::LobeAngle;
+using Kernel = std::function<double(const LobeAngle& direction, double sharpness)>;
 
 struct LobeCandidate {
   std::string_view name;
@@ -65,7 +66,7 @@ class HeatValues {
   HeatValues(const LobeRule& rule, double largest_sharpness) : exponent_(rule.exponent()) {
     const int last = last_term(time_of(largest_sharpness, exponent_));
     std::vector<double> cosines, before, current;
-    for (const auto& node : rule.nodes()) cosines.push_back(1 - node.place.one_minus_cos);
+    for (const auto& node : rule.nodes()) cosines.push_back(1 - node.direction.one_minus_cos);
     before.assign(cosines.size(), 1.0);
     current = cosines;
     polynomials_ = {before, current};
@@ -99,8 +100,8 @@ class HeatValues {
 Kernel heat_kernel(double exponent, double sharpness) {
   std::vector<double> weights = heat_weights(time_of(sharpness, exponent));
   const double peak = sum_of(weights);
-  return [weights = std::move(weights), peak](const Place& place, double) {
-    return legendre_series(1 - place.one_minus_cos, std::span<const double>(weights)) / peak;
+  return [weights = std::move(weights), peak](const LobeAngle& direction, double) {
+    return legendre_series(1 - direction.one_minus_cos, std::span<const double>(weights)) / peak;
   };
 }
 
@@ -113,7 +114,7 @@ LobeCandidate fit_candidate(const LobeRule& rule, std::string_view name, const K
       [&](double sharpness) {
         std::vector<double> values;
         values.reserve(rule.nodes().size());
-        for (const auto& node : rule.nodes()) values.push_back(kernel(node.place, sharpness));
+        for (const auto& node : rule.nodes()) values.push_back(kernel(node.direction, sharpness));
         return values;
       },
       least_sharpness, largest_sharpness);
@@ -125,22 +126,22 @@ constexpr std::string_view printed_gauss = "the printed Gauss-Weierstrass";
 constexpr std::string_view heat = "Gauss-Weierstrass on the sphere";
 
 /// The squared quantity of the printed Gaussian: the angle, or the chord from the axis to the direction.
-double abscissa(std::string_view reading, const Place& place) {
-  if (reading == "angle") return place.angle;
-  if (reading == "chord") return std::sqrt(2 * place.one_minus_cos);
+double abscissa(std::string_view reading, const LobeAngle& direction) {
+  if (reading == "angle") return direction.angle;
+  if (reading == "chord") return std::sqrt(2 * direction.one_minus_cos);
   throw std::invalid_argument(fmt::format("x is read as angle or chord, not as {}", reading));
 }
 
 /// The formula of a kernel of the record; not for the heat kernel, which is a series.
 Kernel kernel_of(std::string_view name, double k, std::string_view reading) {
   if (name == spherical_gaussian)
-    return [=](const Place& p, double s) { return gaussian_lobe_near_peak(p.one_minus_cos, k * s, 0.0); };
+    return [=](const LobeAngle& p, double s) { return gaussian_lobe_near_peak(p.one_minus_cos, k * s, 0.0); };
   if (name == printed_gauss)
-    return [=](const Place& p, double s) { return line_gaussian(abscissa(reading, p), 1 / (k * s)); };
+    return [=](const LobeAngle& p, double s) { return line_gaussian(abscissa(reading, p), 1 / (k * s)); };
   if (name == "the printed Abel-Poisson")
-    return [=](const Place& p, double s) { return poisson_of_circle_lobe(p.one_minus_cos, k * s); };
+    return [=](const LobeAngle& p, double s) { return poisson_of_circle_lobe(p.one_minus_cos, k * s); };
   if (name == "Abel-Poisson on the sphere")
-    return [=](const Place& p, double s) { return poisson_of_sphere_lobe(p.one_minus_cos, k * s); };
+    return [=](const LobeAngle& p, double s) { return poisson_of_sphere_lobe(p.one_minus_cos, k * s); };
   throw std::invalid_argument(fmt::format("no kernel is called {}", name));
 }
 
@@ -169,8 +170,8 @@ constexpr double agreement_of_rules = 1e-6;
 
 bool rules_agree(const LobeRule& rule, const std::vector<LobeCandidate>& all) {
   return std::all_of(all.begin(), all.end(), [&](const LobeCandidate& c) {
-    const double other =
-        rule.square_by_other_rule([&](const Place& place) { return c.kernel(place, c.parameter); });
+    const double other = rule.square_by_other_rule(
+        [&](const LobeAngle& direction) { return c.kernel(direction, c.parameter); });
     return std::abs(other - c.square()) <= agreement_of_rules * other;
   });
 }
@@ -266,10 +267,10 @@ Effect effect_of(const LobeCandidate& candidate, double exponent) {
   constexpr int steps = 1000;
   Effect effect;
   for (int i = 0; i <= steps; ++i) {
-    const Place place = LobeRule::place_at(i * pi<double>() / (2 * steps));
-    effect.show(power_lobe_near_peak(place.one_minus_cos, exponent),
-                candidate.kernel(place, candidate.parameter),
-                at_cosine({1 - place.one_minus_cos, place.one_minus_cos}));
+    const LobeAngle direction = LobeRule::direction_at(i * pi<double>() / (2 * steps));
+    effect.show(power_lobe_near_peak(direction.one_minus_cos, exponent),
+                candidate.kernel(direction, candidate.parameter),
+                at_cosine({1 - direction.one_minus_cos, direction.one_minus_cos}));
   }
   return effect;
 }

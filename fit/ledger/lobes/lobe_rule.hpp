@@ -19,12 +19,12 @@ namespace shadefit {
 /// tails are smooth on each of the others.
 class LobeRule {
  public:
-  struct Place {
+  struct LobeAngle {
     double angle;
     double one_minus_cos;
   };
   struct Node {
-    Place place;
+    LobeAngle direction;
     double weight;
     double target;  ///< c^k
   };
@@ -35,8 +35,9 @@ class LobeRule {
     edges_.push_back(end);
     for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
       visit_gauss_rule<double>(22, [&](double position, double weight) {
-        const Place place = place_at(edges_[i] + position * (edges_[i + 1] - edges_[i]));
-        nodes_.push_back({place, weight * (edges_[i + 1] - edges_[i]) * std::sin(place.angle), lobe(place)});
+        const LobeAngle direction = direction_at(edges_[i] + position * (edges_[i + 1] - edges_[i]));
+        nodes_.push_back(
+            {direction, weight * (edges_[i + 1] - edges_[i]) * std::sin(direction.angle), lobe(direction)});
       });
     }
   }
@@ -45,13 +46,15 @@ class LobeRule {
   const std::vector<Node>& nodes() const { return nodes_; }
 
   /// An angle, with 1 - c free of cancellation.
-  static Place place_at(double angle) {
+  static LobeAngle direction_at(double angle) {
     const double s = std::sin(angle / 2);
     return {angle, 2 * s * s};
   }
 
   /// c^k.
-  double lobe(const Place& place) const { return power_lobe_near_peak(place.one_minus_cos, exponent_); }
+  double lobe(const LobeAngle& direction) const {
+    return power_lobe_near_peak(direction.one_minus_cos, exponent_);
+  }
 
   /// The integral of (kernel - c^k)^2 over the cosine, from the kernel's values at the nodes.
   double square(const std::vector<double>& values) const {
@@ -63,15 +66,15 @@ class LobeRule {
     return sum;
   }
 
-  /// The same by the other rule, from the kernel as a function of the place; relative tolerance 1e-9.
+  /// The same by the other rule, from the kernel as a function of the direction; relative tolerance 1e-9.
   template <class Kernel>
   double square_by_other_rule(const Kernel& kernel) const {
     double sum = 0;
     for (std::size_t i = 0; i + 1 < edges_.size(); ++i) {
       sum += gauss_kronrod(
                  [&](double angle) {
-                   const Place place = place_at(angle);
-                   const double error = kernel(place) - lobe(place);
+                   const LobeAngle direction = direction_at(angle);
+                   const double error = kernel(direction) - lobe(direction);
                    return error * error * std::sin(angle);
                  },
                  edges_[i], edges_[i + 1], 1e-9, 1e-10 * sum)

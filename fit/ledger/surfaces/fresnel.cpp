@@ -288,7 +288,7 @@ HalfExcess excess_in_half(int steps) {
                            static_cast<double>(static_cast<float>(top));
       if (above <= 0) continue;
       ++excess.pairs;
-      excess.ulps = std::max(excess.ulps, above / half_ulp(static_cast<double>(static_cast<float>(top))));
+      excess.ulps = std::max(excess.ulps, above / ulp_of_half(static_cast<double>(static_cast<float>(top))));
     }
   }
   return excess;

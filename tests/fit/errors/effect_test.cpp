@@ -13,13 +13,13 @@ namespace shadefit {
 namespace {
 
 TEST(HalfUlp, AtPowersOfTwoAndInTheSubnormals) {
-  EXPECT_EQ(half_ulp(1), 0x1p-10);
-  EXPECT_EQ(half_ulp(1.999), 0x1p-10);
-  EXPECT_EQ(half_ulp(0.999), 0x1p-11);
-  EXPECT_EQ(half_ulp(-1), 0x1p-10);
-  EXPECT_EQ(half_ulp(0x1p-14), 0x1p-24);
-  EXPECT_EQ(half_ulp(0x1p-15), 0x1p-24);
-  EXPECT_EQ(half_ulp(0), 0x1p-24);
+  EXPECT_EQ(ulp_of_half(1), 0x1p-10);
+  EXPECT_EQ(ulp_of_half(1.999), 0x1p-10);
+  EXPECT_EQ(ulp_of_half(0.999), 0x1p-11);
+  EXPECT_EQ(ulp_of_half(-1), 0x1p-10);
+  EXPECT_EQ(ulp_of_half(0x1p-14), 0x1p-24);
+  EXPECT_EQ(ulp_of_half(0x1p-15), 0x1p-24);
+  EXPECT_EQ(ulp_of_half(0), 0x1p-24);
 }
 
 Effect effect(std::vector<double> from, std::vector<double> to) {

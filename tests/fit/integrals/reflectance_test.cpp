@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/accuracy.hpp"

@@ -124,16 +124,5 @@ TEST(Finding, EffectOfAFactor) {
       std::string::npos);
 }
 
-TEST(Decimal, SaysAsManyDigitsAsAreMeant) {
-  EXPECT_EQ(decimal(0.775, 10), "0.775");
-  EXPECT_EQ(decimal(-0.0, 3), "0");
-  EXPECT_EQ(decimal(1.25e-7, 2), "1.2e-07");
-  EXPECT_EQ(decimal(2048, 6), "2048");
-  EXPECT_EQ(counted(1, "step"), "1 step");
-  EXPECT_EQ(counted(2, "step"), "2 steps");
-  EXPECT_EQ(enumerated(std::array{"a", "b", "c"}), "a, b and c");
-  EXPECT_EQ(enumerated(std::array{"a"}), "a");
-}
-
 }  // namespace
 }  // namespace shadefit

@@ -11,7 +11,7 @@
 #include "fit/fit.hpp"
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/scalars/multiprecision.hpp"
-#include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "reports/io/csv.hpp"
 #include "reports/io/files.hpp"
 #include "tests/accuracy.hpp"

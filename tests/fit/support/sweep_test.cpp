@@ -1,4 +1,5 @@
 #include "fit/support/sweep.hpp"
+#include "fit/support/decimal.hpp"
 #include "tests/refusal.hpp"
 
 #include <gtest/gtest.h>
@@ -22,14 +23,6 @@ TEST(Sweep, IncludesItsEndWithinHalfAStep) {
   EXPECT_EQ(parse_sweep("0.1:1:0.1"), (Numbers{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1}))
       << "as decimals mean them";
   EXPECT_EQ(parse_sweep("1e308:1.7e308:1e308"), (Numbers{1e308, 1.7e308}));
-}
-
-TEST(Sweep, NumbersAreFiniteDecimals) {
-  EXPECT_EQ(parse_number("0.1"), 0.1);
-  EXPECT_EQ(parse_number("-3e-2"), -0.03);
-  for (const char* text : {"", "x", "1x", " 1", "nan", "NaN", "inf", "-inf", "1e400", "0x10", "1,5"}) {
-    EXPECT_FALSE(parse_number(text).has_value()) << text;
-  }
 }
 
 void expect_refusal(const char* text, const char* message) {

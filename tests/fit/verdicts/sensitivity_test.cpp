@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "fit/support/decimal.hpp"
-#include "fit/support/sweep.hpp"
 
 namespace shadefit {
 namespace {

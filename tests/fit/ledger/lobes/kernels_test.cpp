@@ -52,7 +52,7 @@ TEST(LobeRule, FitsTheSphericalGaussianAsItsFamilyDoes) {
     const auto values = [&](double sharpness) {
       std::vector<double> v;
       for (const auto& node : rule.nodes())
-        v.push_back(gaussian_lobe_near_peak(node.place.one_minus_cos, k * sharpness, 0.0));
+        v.push_back(gaussian_lobe_near_peak(node.direction.one_minus_cos, k * sharpness, 0.0));
       return v;
     };
     const KernelFit fit = fit_kernel(rule, values, 0.25, 8);
@@ -60,8 +60,8 @@ TEST(LobeRule, FitsTheSphericalGaussianAsItsFamilyDoes) {
     // half the digits of the sharpness k + x; all of the error, less those that form - target cancels
     EXPECT_NEAR(k * fit.parameter, k + expected.parameters[0], 1e-6 * k) << k;
     EXPECT_NEAR(fit.rms / expected.rms_error, 1, 1e-9) << k;
-    const auto kernel = [&](const LobeRule::Place& place) {
-      return gaussian_lobe_near_peak(place.one_minus_cos, k * fit.parameter, 0.0);
+    const auto kernel = [&](const LobeRule::LobeAngle& direction) {
+      return gaussian_lobe_near_peak(direction.one_minus_cos, k * fit.parameter, 0.0);
     };
     EXPECT_NEAR(rule.square_by_other_rule(kernel) / (fit.rms * fit.rms), 1, 1e-8) << k;
   }

@@ -1,4 +1,4 @@
-#include "fit/minimax/exchange.hpp"
+#include "fit/minimax/linear_programme.hpp"
 
 #include <algorithm>
 #include <cmath>
