@@ -15,7 +15,8 @@ struct KnownConstant {
   std::string name;     ///< of a parameter of the form
   std::string printed;  ///< the digits as published
   double value = 0;
-  bool is_common = false;  ///< pi/2, 5/12: see lint/known/closed_form.hpp
+  bool is_common = false;   ///< pi/2, 5/12: see lint/known/closed_form.hpp
+  bool is_of_form = false;  ///< a number in the text of the form: its name is its digits
 };
 
 /// A variable of a form and its range.
@@ -43,8 +44,7 @@ struct KnownSet {
   std::vector<KnownVariant> variants = {};
 };
 
-/// The sets of all studies, and those of the built-in families. Sets that were published for one value of a
-/// given constant are left out: their digits are computed, not typed.
+/// The sets of all studies, and those of the built-in families.
 std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies);
 
 /// The constants of a set as published.
