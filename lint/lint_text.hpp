@@ -19,7 +19,15 @@ struct KnownConstants {
   std::vector<KnownSet> sets;
   DigitIndex index;
 
-  explicit KnownConstants(std::vector<KnownSet> known) : sets(std::move(known)), index(sets) {}
+  /// Of these sets and their multiples.
+  explicit KnownConstants(std::vector<KnownSet> known)
+      : sets(with_multiples(std::move(known))), index(sets) {}
+
+ private:
+  static std::vector<KnownSet> with_multiples(std::vector<KnownSet> sets) {
+    for (KnownSet& multiple : multiples_of(sets)) sets.push_back(std::move(multiple));
+    return sets;
+  }
 };
 
 /// A number of a site.

@@ -98,6 +98,7 @@ LintedSite linted(const std::string& file, std::string_view text, const KnownSet
                   .end = places.at(last.offset + last.length),
                   .id = set.id,
                   .form = set.form,
+                  .times = set.times,
                   .source = set.source,
                   .numbers = {},
                   .grade = judged.graded.grade,

@@ -54,7 +54,7 @@ PinTargets targets_of(std::string_view name, const std::vector<KnownSet>& sets) 
   PinTargets targets;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     studies.insert(sets[i].id);
-    if (sets[i].id != parts->study) continue;
+    if (sets[i].id != parts->study || !sets[i].times.empty()) continue;
     forms.insert(sets[i].form);
     if (!parts->form.empty() && sets[i].form != parts->form) continue;
     for (std::size_t j = 0; j < sets[i].constants.size(); ++j) {
