@@ -158,7 +158,9 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   const lint::KnownConstants known = known_constants(options.studies);
   progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
-  lint::LintedTree linted = lint_tree(sources, known, limits, {.checkpoint = checkpoint});
+  const Checkpoint next = stepping(checkpoint, progress, "lint", lint::count_pieces(sources));
+  lint::LintedTree linted =
+      lint_tree(sources, known, limits, {.before_each = next, .checkpoint = checkpoint});
   progress("");
   if (!options.fix && !options.diff) return report_of(linted, shown, options.format);
   const std::vector<FixedFile> files = fixed_files(linted, options.fix.value_or(lint::FixScope::pins));
