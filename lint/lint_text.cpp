@@ -41,14 +41,25 @@ class SiteJudge {
     judged.is_in_comment =
         std::all_of(site_.numbers.begin(), site_.numbers.end(),
                     [&](const SiteNumber& number) { return literals_[number.literal].is_in_comment; });
-    // A comment without a formula may wrap a number or mention an older one.
-    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right) return std::nullopt;
+    // A comment without a formula may wrap a number or mention an older one, unless it has the whole set.
+    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right && !is_whole_set())
+      return std::nullopt;
     for (const SiteNumber& number : site_.numbers)
       if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
     return judged;
   }
 
  private:
+  /// Whether all constants are there with as many digits as published, right or wrong.
+  bool is_whole_set() const {
+    return site_.numbers.size() == set_.constants.size() &&
+           std::all_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
+             return number.match <= DigitMatch::float32 ||
+                    digits_of(text_, literals_[number.literal]).text.size() ==
+                        digits_of(set_.constants[number.constant].printed).text.size();
+           });
+  }
+
   std::vector<JudgedNumber> judged_numbers() const {
     std::vector<JudgedNumber> numbers;
     for (const SiteNumber& number : site_.numbers) {
