@@ -32,6 +32,15 @@ bool begins_with_hash(std::string_view line) {
   return line.starts_with('#');
 }
 
+/// A declaration up to its name: "let k" of "let k: f32", all of "const std::size_t k".
+std::string_view without_type(std::string_view declaration) {
+  for (std::size_t at = declaration.find(':'); at < declaration.size(); at = declaration.find(':', at + 1)) {
+    if (!declaration.substr(at).starts_with("::")) return declaration.substr(0, at);
+    ++at;
+  }
+  return declaration;
+}
+
 /// A number that has a name.
 struct NamedNumber {
   std::string_view name;
@@ -64,11 +73,8 @@ std::optional<NamedNumber> definition_of(std::string_view text, CommentStyle sty
   const bool is_assigned = begin > 0 && text[begin - 1] == '=';
   if (is_assigned) --begin;
   skip_before();
-  // "let k: f32 = .." has a type behind the name.
   const std::size_t line = start_of_line(text, begin);
-  std::size_t name_end = begin;
-  if (is_assigned && text.substr(line, begin - line).find(':') != std::string_view::npos)
-    name_end = text.find(':', line);
+  std::size_t name_end = is_assigned ? line + without_type(text.substr(line, begin - line)).size() : begin;
   while (name_end > line && is_blank_in_line(text[name_end - 1])) --name_end;
   std::size_t name_begin = name_end;
   while (name_begin > line && is_of_name(text[name_begin - 1])) --name_begin;

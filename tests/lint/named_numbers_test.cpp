@@ -25,6 +25,8 @@ TEST(NamedNumbers, StandWhereTheirNamesStood) {
   EXPECT_EQ(replaced("static const float K = -0.5;\nx = K*K;"),
             "static const float K =;\nx = (-0.5)*(-0.5);");
   EXPECT_EQ(replaced("constexpr float K = 0.5;\nx = K;"), "constexpr float K =;\nx = 0.5;");
+  EXPECT_EQ(replaced("const std::float32_t K = 0.5;\nx = std::pow(K, K);"),
+            "const std::float32_t K =;\nx = std::pow(0.5, 0.5);");
   EXPECT_EQ(replaced("const K: f32 = 0.5;\nx = K;"), "const K: f32 =;\nx = 0.5;");
   EXPECT_EQ(replaced("K = 0.5\nx = K", CommentStyle::hash), "K =\nx = 0.5");
 }
