@@ -7,6 +7,7 @@
 #include "lint/expression/usual_names.hpp"
 #include "lint/number_table.hpp"
 #include "lint/scan/characters.hpp"
+#include "lint/scan/named_numbers.hpp"
 #include "lint/site_reader.hpp"
 
 namespace shadefit::lint {
@@ -35,18 +36,30 @@ class SiteJudge {
     if (found.is_published)
       for (JudgedNumber& number : judged.numbers) number.grade = Grade::right;
     judged.slip = found.slip;
+    judged.is_read = is_read;
     judged.is_in_other_units = is_in_other_units(site_);
     judged.is_in_comment =
         std::all_of(site_.numbers.begin(), site_.numbers.end(),
                     [&](const SiteNumber& number) { return literals_[number.literal].is_in_comment; });
-    // A comment without a formula may wrap a number or mention an older one.
-    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right) return std::nullopt;
+    // A comment without a formula may wrap a number or mention an older one, unless it has the whole set.
+    if (judged.is_in_comment && !is_read && judged.graded.grade != Grade::right && !is_whole_set())
+      return std::nullopt;
     for (const SiteNumber& number : site_.numbers)
       if (number.variant) judged.replaced = set_.variants[*number.variant].replaced;
     return judged;
   }
 
  private:
+  /// Whether all constants are there with as many digits as published, right or wrong.
+  bool is_whole_set() const {
+    return site_.numbers.size() == set_.constants.size() &&
+           std::all_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
+             return number.match <= DigitMatch::float32 ||
+                    digits_of(text_, literals_[number.literal]).text.size() ==
+                        digits_of(set_.constants[number.constant].printed).text.size();
+           });
+  }
+
   std::vector<JudgedNumber> judged_numbers() const {
     std::vector<JudgedNumber> numbers;
     for (const SiteNumber& number : site_.numbers) {
@@ -129,11 +142,9 @@ Site without_arguments(Site site, const KnownSet& set, std::string_view text,
   return site;
 }
 
-}  // namespace
-
-std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
-                                   const EffectLimits& limits, const Checkpoint& checkpoint) {
-  const std::vector<Literal> literals = literals_of(text, style);
+std::vector<JudgedSite> judge_literals(std::string_view text, CommentStyle style,
+                                       const std::vector<Literal>& literals, const KnownConstants& known,
+                                       const EffectLimits& limits, const Checkpoint& checkpoint) {
   const auto reading = [&](const Site& site) {
     checkpoint();
     return SiteReader(text, style, literals, known.sets[site.set], site).reading();
@@ -152,6 +163,62 @@ std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, co
     judged.push_back(std::move(*one));
   }
   return judged;
+}
+
+bool has_number(const JudgedSite& site, const JudgedNumber& number) {
+  return std::any_of(site.numbers.begin(), site.numbers.end(),
+                     [&](const JudgedNumber& other) { return other.offset == number.offset; });
+}
+
+/// Whether one site has all numbers of another.
+bool covers(const JudgedSite& site, const JudgedSite& other) {
+  return std::all_of(other.numbers.begin(), other.numbers.end(),
+                     [&](const JudgedNumber& number) { return has_number(site, number); });
+}
+
+/// The site with the places in the original text.
+JudgedSite in_original(JudgedSite site, const TextWithNumbers& with_numbers) {
+  for (JudgedNumber& number : site.numbers) number.offset = with_numbers.original(number.offset);
+  std::sort(site.numbers.begin(), site.numbers.end(),
+            [](const JudgedNumber& a, const JudgedNumber& b) { return a.offset < b.offset; });
+  return site;
+}
+
+}  // namespace
+
+std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
+                                   const EffectLimits& limits, const Checkpoint& checkpoint) {
+  const std::vector<Literal> literals = literals_of(text, style);
+  std::vector<JudgedSite> sites = judge_literals(text, style, literals, known, limits, checkpoint);
+  // Half of all numbers of three digits are near a constant.
+  constexpr std::size_t least_digits = 4;
+  const auto is_telling = [&](const Literal& literal) {
+    const std::vector<NumberMatch> matches = known.index.find(digits_of(text, literal));
+    return std::any_of(matches.begin(), matches.end(), [&](const NumberMatch& match) {
+      return match.match == DigitMatch::same || literal.significant >= least_digits;
+    });
+  };
+  const auto with_numbers = with_named_numbers(text, style, literals, is_telling);
+  if (!with_numbers) return sites;
+  const std::string& other = with_numbers->text();
+  for (JudgedSite& one : judge_literals(other, style, literals_of(other, style), known, limits, checkpoint)) {
+    const bool has_names =
+        std::any_of(one.numbers.begin(), one.numbers.end(),
+                    [&](const JudgedNumber& number) { return with_numbers->is_named(number.offset); });
+    if (!one.is_read || !has_names) continue;
+    JudgedSite site = in_original(std::move(one), *with_numbers);
+    // The formula tells more than the definitions alone. Its next copy tells nothing new.
+    const bool is_copy = std::any_of(sites.begin(), sites.end(), [&](const JudgedSite& before) {
+      return before.is_read && before.set == site.set && covers(before, site);
+    });
+    if (is_copy) continue;
+    std::erase_if(sites, [&](const JudgedSite& before) { return covers(site, before); });
+    sites.push_back(std::move(site));
+  }
+  std::stable_sort(sites.begin(), sites.end(), [](const JudgedSite& a, const JudgedSite& b) {
+    return a.numbers.front().offset < b.numbers.front().offset;
+  });
+  return sites;
 }
 
 }  // namespace shadefit::lint

@@ -19,7 +19,15 @@ struct KnownConstants {
   std::vector<KnownSet> sets;
   DigitIndex index;
 
-  explicit KnownConstants(std::vector<KnownSet> known) : sets(std::move(known)), index(sets) {}
+  /// Of these sets and their multiples.
+  explicit KnownConstants(std::vector<KnownSet> known)
+      : sets(with_multiples(std::move(known))), index(sets) {}
+
+ private:
+  static std::vector<KnownSet> with_multiples(std::vector<KnownSet> sets) {
+    for (KnownSet& multiple : multiples_of(sets)) sets.push_back(std::move(multiple));
+    return sets;
+  }
 };
 
 /// A number of a site.
@@ -36,6 +44,7 @@ struct JudgedSite {
   GradedSite graded;
   std::string slip = {};       ///< of the expression: see ExpressionMatch
   std::string replaced = {};   ///< why the source replaced a value that is found here
+  bool is_read = false;        ///< whether an expression is the form, perhaps with a slip
   bool is_in_comment = false;  ///< whether all numbers are
   bool is_in_other_units = false;
   bool is_in_table = false;  ///< the set is a small part of a table of numbers

@@ -23,6 +23,9 @@ CommentStyle comments_of(SourceLanguage language) {
   }
 }
 
+/// Most files take microseconds.
+constexpr std::size_t files_of_a_piece = 32;
+
 /// Finds lines and columns of a text, in rising order.
 class PlaceFinder {
  public:
@@ -98,6 +101,7 @@ LintedSite linted(const std::string& file, std::string_view text, const KnownSet
                   .end = places.at(last.offset + last.length),
                   .id = set.id,
                   .form = set.form,
+                  .times = set.times,
                   .source = set.source,
                   .numbers = {},
                   .grade = judged.graded.grade,
@@ -192,6 +196,10 @@ std::vector<LintedSite> lint_source(const std::string& file, std::string_view te
   return sites;
 }
 
+std::size_t count_pieces(const SourceTree& tree) {
+  return (tree.files.size() + files_of_a_piece - 1) / files_of_a_piece;
+}
+
 LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const EffectLimits& limits,
                      const InParallel& how) {
   struct OfFile {
@@ -199,12 +207,9 @@ LintedTree lint_tree(const SourceTree& tree, const KnownConstants& known, const 
     std::optional<std::uintmax_t> bytes;
     SkippedFiles skipped;
   };
-  // A piece of work has many files, because most files take microseconds.
-  constexpr std::size_t files_of_a_piece = 32;
-  const std::size_t pieces = (tree.files.size() + files_of_a_piece - 1) / files_of_a_piece;
   std::vector<OfFile> found(tree.files.size());
   for_each_in_parallel(
-      pieces,
+      count_pieces(tree),
       [&](std::size_t piece, const Checkpoint& checkpoint) {
         const std::size_t first = piece * files_of_a_piece;
         for (std::size_t i = first; i < std::min(first + files_of_a_piece, tree.files.size()); ++i) {

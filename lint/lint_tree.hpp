@@ -32,6 +32,7 @@ struct LintedSite {
   std::string file;
   TextPlace begin, end;  ///< of its first number, and after its last
   std::string id, form;  ///< of the set
+  std::string times;     ///< the factor of a multiple
   std::string source;
   std::vector<LintedNumber> numbers;
   Grade grade = Grade::right;
@@ -50,6 +51,9 @@ struct LintedTree {
   std::uintmax_t bytes = 0;
   SkippedFiles skipped;
 };
+
+/// How many pieces of work a tree is: `before_each` of `lint_tree` is called once for each.
+std::size_t count_pieces(const SourceTree& tree);
 
 /// Reads and judges each file, on all cores. A site with a comment "shadefit: ignore REASON" in its line or
 /// in the line above keeps its grade and gets the reason. A pinned number is judged by its pin alone: the

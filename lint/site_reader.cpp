@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "lint/expression/comment_text.hpp"
 #include "lint/expression/source_expression.hpp"
 #include "lint/grade/grade.hpp"
 
@@ -28,6 +29,15 @@ std::vector<std::size_t> missing_constants(const KnownSet& set, const Site& site
     if (!is_there) missing.push_back(i);
   }
   return missing;
+}
+
+std::vector<Symbolic> expressions_in(std::string_view text, std::size_t begin, std::size_t end,
+                                     CommentStyle style) {
+  std::vector<Symbolic> found;
+  for (const std::string_view one : expressions_around(text, begin, end))
+    if (auto expression = read_expression(one, style)) found.push_back(std::move(*expression));
+  for (Symbolic& value : values_around(text, begin, end, style)) found.push_back(std::move(value));
+  return found;
 }
 
 }  // namespace
@@ -63,10 +73,8 @@ std::optional<ExpressionMatch> SiteReader::read() const {
   return core ? core : slip_of_branch();
 }
 
-/// Not in a comment, which may have only half of its formula.
 bool SiteReader::believes_slips() const {
-  return !literals_[site_.numbers.front().literal].is_in_comment && site_.numbers.size() > 1 &&
-         site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
+  return site_.numbers.size() > 1 && site_.bits + count_operations(set_.formula).total() >= bits_for_a_slip;
 }
 
 Reading SiteReader::reading() const {
@@ -88,11 +96,11 @@ bool SiteReader::lacks_constants() const {
 /// The values that are computed around the numbers: first in one statement, then in several.
 std::vector<Symbolic> SiteReader::expressions(const Literal& first, const Literal& last) const {
   const std::size_t begin = first.offset, end = last.offset + last.length;
-  std::vector<Symbolic> found;
-  for (const std::string_view one : expressions_around(text_, begin, end))
-    if (auto expression = read_expression(one, style_)) found.push_back(std::move(*expression));
-  for (Symbolic& value : values_around(text_, begin, end, style_)) found.push_back(std::move(value));
-  return found;
+  if (!first.is_in_comment) return expressions_in(text_, begin, end, style_);
+  constexpr std::size_t most_bytes_around = 700;
+  const std::size_t start = begin - std::min(begin, most_bytes_around);
+  const std::string program = comment_as_program(text_.substr(start, end - start + most_bytes_around));
+  return expressions_in(program, begin - start, end - start, CommentStyle::none);
 }
 
 /// The constants of one branch, and the text around them. Empty if the form is not a choice, or if the branch

@@ -44,7 +44,7 @@ std::string help_text(CLI::App& app, CLI::App& of) {
   for (CLI::Option* option : of.get_options()) {
     const std::string &type = option->get_type_name(), by_default = option->get_default_str();
     const bool is_default_shown = !by_default.empty() && !type.empty();
-    option->option_text(option->get_positional() || option->get_items_expected_min() == 0 ? " " : type);
+    option->option_text(option->get_positional() || option->get_items_expected_max() == 0 ? " " : type);
     option->description(
         fold(option->get_description() + (is_default_shown ? " (default: " + by_default + ")" : ""), room));
   }

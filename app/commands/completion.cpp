@@ -54,7 +54,7 @@ bool is_path(const std::string& type) {
 }
 
 bool takes_value(const CLI::Option& option) {
-  return option.get_items_expected_min() > 0;
+  return option.get_items_expected_max() > 0;
 }
 
 /// A branch of a bash or zsh case statement: the completions after `word` of a command.

@@ -136,9 +136,19 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
              "only files of this language; may be repeated");
   add_values(lint, "--studies", options.studies, parse_text, "DIR",
              "also guard the constants of the studies in this folder; may be repeated");
-  add_choice(
-      lint, "--fix", options.fix, by_name(lint::fix_scopes),
-      "write the published digits: of pinned numbers; also of what is a typo or wrong; or wrong alone");
+  const auto scope = [](const std::string& option, const std::string& text) {
+    std::vector<std::string_view> words;
+    for (const lint::FixScope one : lint::fix_scopes) {
+      if (text == name(one) || text.empty()) return one;  // the first one without a value
+      words.push_back(name(one));
+    }
+    throw UserError(
+        fmt::format("{} '{}' is unknown: it must be one of {}", option, text, fmt::join(words, ", ")));
+  };
+  add_value(lint, "--fix", options.fix, scope, "pins|typo|wrong",
+            "write the published digits: of pinned numbers (also without a value); also of what is a typo or "
+            "wrong; or wrong alone")
+      ->expected(0, 1);
   lint.add_flag("--diff", options.diff,
                 "print what --fix would change (alone: --fix pins), and write nothing");
   lint.add_flag("--all", options.all, "also print the constants that are right");
@@ -158,7 +168,9 @@ Outcome lint_command(const LintOptions& given, const Checkpoint& checkpoint, con
   const lint::KnownConstants known = known_constants(options.studies);
   progress("reading the source tree");
   const lint::SourceTree sources = lint::find_sources(options.paths, tree);
-  lint::LintedTree linted = lint_tree(sources, known, limits, {.checkpoint = checkpoint});
+  const Checkpoint next = stepping(checkpoint, progress, "lint", lint::count_pieces(sources));
+  lint::LintedTree linted =
+      lint_tree(sources, known, limits, {.before_each = next, .checkpoint = checkpoint});
   progress("");
   if (!options.fix && !options.diff) return report_of(linted, shown, options.format);
   const std::vector<FixedFile> files = fixed_files(linted, options.fix.value_or(lint::FixScope::pins));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -177,6 +178,8 @@ void register_process() {
     benchmark::RegisterBenchmark("process/lint/ripgrep", measure_lint, true)
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond);
+  else
+    std::fputs("process/lint/ripgrep is left out: rg is not installed\n", stderr);
   benchmark::RegisterBenchmark("process/version", measure_start)
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond);

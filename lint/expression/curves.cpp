@@ -63,7 +63,7 @@ void append_thresholds(const Symbolic& formula, const KnownSet& set, const std::
     thresholds.push_back(evaluate<double>(formula.part(1 - side), [&](const std::string& name) {
       const auto found = std::find_if(set.constants.begin(), set.constants.end(),
                                       [&](const KnownConstant& constant) { return constant.name == name; });
-      return found == set.constants.end() ? std::nan("") : found->value;
+      return found == set.constants.end() ? std::nan("") : found->value / set.factor;
     }));
   }
 }
@@ -208,10 +208,18 @@ bool CurveComparison::has_other(const Curve& curve, const std::vector<Curve>& al
   });
 }
 
-bool CurveComparison::is_there(const Sampled& sampled, const Values& values, std::size_t count) {
-  return largest(values) > 0 &&
-         std::any_of(sampled.curves.begin(), sampled.curves.end(),
-                     [&](const Values& other) { return are_same(other, values, count, same_curve); });
+bool CurveComparison::is_there(const Sampled& sampled, const Values& values, std::size_t count) const {
+  const auto has = [&](const Values& wanted) {
+    return std::any_of(sampled.curves.begin(), sampled.curves.end(),
+                       [&](const Values& other) { return are_same(other, wanted, count, same_curve); });
+  };
+  if (!(largest(values) > 0)) return false;
+  if (has(values)) return true;
+  if (set_.times.empty()) return false;
+  // A sum of multiples is a multiple too.
+  Values multiple = values;
+  for (double& value : multiple) value *= set_.factor;
+  return has(multiple);
 }
 
 void CurveComparison::sample(const std::vector<Part>& parts, const std::vector<std::vector<double>>& places,
@@ -236,7 +244,7 @@ CurveComparison::Values CurveComparison::values_of(const Curve& curve,
   for (const KnownAxis& axis : set_.axes) names.push_back(axis.variable);
   for (std::size_t i = 0; i < set_.constants.size(); ++i) {
     names.push_back(set_.constants[i].name);
-    for (std::vector<double>& place : places) place.push_back(curve.constants[i]);
+    for (std::vector<double>& place : places) place.push_back(curve.constants[i] / set_.factor);
   }
   return values_at(curve.form, names, places);
 }

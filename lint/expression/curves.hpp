@@ -64,7 +64,8 @@ class CurveComparison {
     std::vector<Values> curves;
   };
 
-  static bool is_there(const Sampled& sampled, const Values& values, std::size_t count);
+  /// Also for the curve times the factor of the set.
+  bool is_there(const Sampled& sampled, const Values& values, std::size_t count) const;
 
   /// `held`: the variable that has a number's value at all these places.
   void sample(const std::vector<Part>& parts, const std::vector<std::vector<double>>& places,

@@ -34,6 +34,7 @@ Grade grade_of(const KnownSet& set, const SiteNumber& number) {
     case DigitMatch::same:
     case DigitMatch::longer:
     case DigitMatch::float32:
+    case DigitMatch::enough:
       return Grade::right;
     case DigitMatch::rounded:
       return Grade::truncated;

@@ -15,7 +15,9 @@ std::vector<double> values_on_grid(const KnownSet& set, const Symbolic& form,
   std::vector<std::string> inputs;
   for (const KnownAxis& axis : set.axes) inputs.push_back(axis.variable);
   for (const KnownConstant& constant : set.constants) inputs.push_back(constant.name);
-  TapeProgram<double> program(tape_of(form, inputs), constants);
+  std::vector<double> published = constants;
+  for (double& value : published) value /= set.factor;
+  TapeProgram<double> program(tape_of(form, inputs), published);
   std::vector<double> values, place(set.axes.size());
   const auto visit = [&](const auto& self, std::size_t axis) -> void {
     if (axis == set.axes.size()) {

@@ -9,6 +9,7 @@
 #include "fit/fit.hpp"
 #include "fit/support/decimal.hpp"
 #include "lint/known/closed_form.hpp"
+#include "lint/known/form_numbers.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -33,6 +34,7 @@ KnownConstant constant_of(std::string_view name, std::string_view printed) {
 KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet& published) {
   KnownSet set{file.id, published.form, published.source, axes_of(read), read.form, {}};
   for (const auto& [name, printed] : published.values) set.constants.push_back(constant_of(name, printed));
+  name_form_numbers(set);
   for (const MistypedCopy& copy : published.variants)
     for (const auto& [name, printed] : copy.values)
       set.variants.push_back({place_of(set.constants, name), printed, copy.replaced, false});
@@ -40,9 +42,13 @@ KnownSet set_of(const StudyFile& file, const ReadStudy& read, const PublishedSet
 }
 
 void append_sets(const StudyFile& file, std::vector<KnownSet>& sets) {
-  Study study = combinations(file.study, file.given).front();
+  const std::vector<Study> studies = combinations(file.study, file.given);
   for (const PublishedSet& published : file.published) {
-    if (!published.given.empty()) continue;
+    // Without the given constants of a set, the study does not have its form.
+    const auto given = std::find_if(studies.begin(), studies.end(),
+                                    [&](const Study& one) { return is_for(published, one); });
+    if (given == studies.end()) continue;
+    Study study = *given;
     const auto form = std::find_if(file.forms.begin(), file.forms.end(),
                                    [&](const StudyForm& one) { return one.id == published.form; });
     study.form = form->formula;

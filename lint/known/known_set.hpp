@@ -15,7 +15,9 @@ struct KnownConstant {
   std::string name;     ///< of a parameter of the form
   std::string printed;  ///< the digits as published
   double value = 0;
-  bool is_common = false;  ///< pi/2, 5/12: see lint/known/closed_form.hpp
+  bool is_common = false;         ///< pi/2, 5/12: see lint/known/closed_form.hpp
+  bool is_of_form = false;        ///< a number in the text of the form: its name is its digits
+  std::size_t enough_digits = 0;  ///< of a multiple: as many as the published number has
 };
 
 /// A variable of a form and its range.
@@ -41,13 +43,20 @@ struct KnownSet {
   Symbolic formula;  ///< of the variables and the constants
   std::vector<KnownConstant> constants;
   std::vector<KnownVariant> variants = {};
+  /// The published constants times a factor, in another unit: "ln 2" and its value. The formula is one of
+  /// the published constants.
+  std::string times = {};
+  double factor = 1;
 };
 
-/// The sets of all studies, and those of the built-in families. Sets that were published for one value of a
-/// given constant are left out: their digits are computed, not typed.
+/// The sets of all studies, and those of the built-in families.
 std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies);
 
-/// The constants of a set as published.
+/// The sets with all their constants times one of the factors that programs fold into them, such as ln 2 for
+/// exp in place of exp2. Sets of one constant are left out: a single number is in no unit.
+std::vector<KnownSet> multiples_of(const std::vector<KnownSet>& sets);
+
+/// The constants of a set as published, or times its factor.
 std::vector<double> published_values(const KnownSet& set);
 
 /// The effect of this form and these constants, in the order of the set, instead of the published ones: over

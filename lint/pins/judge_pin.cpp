@@ -54,10 +54,11 @@ PinTargets targets_of(std::string_view name, const std::vector<KnownSet>& sets) 
   PinTargets targets;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     studies.insert(sets[i].id);
-    if (sets[i].id != parts->study) continue;
+    if (sets[i].id != parts->study || !sets[i].times.empty()) continue;
     forms.insert(sets[i].form);
     if (!parts->form.empty() && sets[i].form != parts->form) continue;
     for (std::size_t j = 0; j < sets[i].constants.size(); ++j) {
+      if (sets[i].constants[j].is_of_form) continue;  // it has no name
       constants.insert(sets[i].constants[j].name);
       if (sets[i].constants[j].name != parts->constant) continue;
       targets.found.push_back({i, j});

@@ -24,6 +24,17 @@ double mantissa_of(const Digits& digits) {
 
 constexpr std::size_t least_digits = 3;
 
+/// The fewest digits of a number that may be a multiple.
+constexpr std::size_t digits_of_multiple = 6;
+
+/// The first six digits, as a number.
+std::size_t first_digits(const std::string& text) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < digits_of_multiple; ++i)
+    first = 10 * first + static_cast<std::size_t>(text[i] - '0');
+  return first;
+}
+
 /// Adds a match, unless a closer one is there.
 void append(const NumberMatch& match, std::vector<NumberMatch>& matches) {
   for (NumberMatch& other : matches) {
@@ -39,6 +50,10 @@ void append(const NumberMatch& match, std::vector<NumberMatch>& matches) {
 DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
   for (std::size_t s = 0; s < sets.size(); ++s) {
     for (std::size_t c = 0; c < sets[s].constants.size(); ++c) {
+      if (!sets[s].times.empty()) {
+        add_multiple(sets[s].constants[c], {s, c});
+        continue;
+      }
       const Digits digits = digits_of(sets[s].constants[c].printed);
       if (digits.text.size() >= least_digits) {
         entries_.push_back({digits, mantissa_of(digits), {s, c}, sets[s].constants[c].is_common});
@@ -63,6 +78,19 @@ DigitIndex::DigitIndex(const std::vector<KnownSet>& sets) {
     }
   }
   std::sort(keys_.begin(), keys_.end());
+  std::sort(multiples_.begin(), multiples_.end(), [](const Multiple& a, const Multiple& b) {
+    return std::tie(a.mantissa, a.place.set, a.place.constant) <
+           std::tie(b.mantissa, b.place.set, b.place.constant);
+  });
+}
+
+void DigitIndex::add_multiple(const KnownConstant& constant, const ConstantPlace& place) {
+  const Digits digits = digits_of(constant.printed);
+  if (digits.text.size() < digits_of_multiple || constant.is_common) return;
+  multiples_.push_back({digits, mantissa_of(digits), place, constant.enough_digits});
+  // Rounding and floats change the sixth digit by one.
+  const std::size_t first = first_digits(digits.text);
+  for (const std::size_t near : {first - 1, first, first + 1}) has_multiple_.set(near % has_multiple_.size());
 }
 
 std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {
@@ -70,7 +98,21 @@ std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {
   if (found.text.size() < least_digits) return matches;
   look_near(found, matches);
   look_edited(found, matches);
+  look_multiple(found, matches);
   return matches;
+}
+
+void DigitIndex::look_multiple(const Digits& found, std::vector<NumberMatch>& matches) const {
+  if (found.text.size() < digits_of_multiple) return;
+  if (!has_multiple_[first_digits(found.text)]) return;
+  // Numbers that agree in six digits are closer than this.
+  constexpr double near = 1.1e-5;
+  const double mantissa = mantissa_of(found);
+  auto entry = std::lower_bound(multiples_.begin(), multiples_.end(), mantissa * (1 - near),
+                                [](const Multiple& one, double value) { return one.mantissa < value; });
+  for (; entry != multiples_.end() && entry->mantissa <= mantissa * (1 + near); ++entry)
+    if (const auto match = match_multiple(found, entry->digits, entry->enough))
+      matches.push_back({entry->place, *match});
 }
 
 void DigitIndex::look_near(const Digits& found, std::vector<NumberMatch>& matches) const {

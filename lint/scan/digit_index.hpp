@@ -32,7 +32,8 @@ class DigitIndex {
  public:
   explicit DigitIndex(const std::vector<KnownSet>& sets);
 
-  /// The constants with at least three digits that match.
+  /// The constants with at least three digits that match. Those of multiples match numbers of six digits
+  /// and more, without an edit: there are ten times as many.
   std::vector<NumberMatch> find(const Digits& found) const;
 
  private:
@@ -44,12 +45,23 @@ class DigitIndex {
     std::optional<std::size_t> variant = {};
   };
 
+  struct Multiple {
+    Digits digits;
+    double mantissa = 0;
+    ConstantPlace place;
+    std::size_t enough = 0;
+  };
+
+  void add_multiple(const KnownConstant& constant, const ConstantPlace& place);
   void look_near(const Digits& found, std::vector<NumberMatch>& matches) const;
   void look_edited(const Digits& found, std::vector<NumberMatch>& matches) const;
+  void look_multiple(const Digits& found, std::vector<NumberMatch>& matches) const;
 
   std::vector<Entry> entries_;                                 ///< by rising mantissa
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;  ///< of shortened texts, sorted; the entry
   std::bitset<1 << 16> has_key_;                               ///< by the last bits of a key
+  std::vector<Multiple> multiples_;                            ///< by rising mantissa
+  std::bitset<1'000'000> has_multiple_;                        ///< by the first six digits
 };
 
 }  // namespace shadefit::lint

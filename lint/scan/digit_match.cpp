@@ -33,9 +33,15 @@ Digits cut_to(const Digits& digits, std::size_t n) {
   return result;
 }
 
+/// Whether the numbers may be equal but for rounding, which may add a leading digit. Most numbers that are
+/// compared differ in this, and the other comparisons are slow.
+bool have_near_exponents(const Digits& found, const Digits& published) {
+  return std::abs(found.exponent - published.exponent) <= 1;
+}
+
 bool is_same_float(const Digits& found, const Digits& published) {
   constexpr std::size_t digits_of_a_float = 7;
-  return found.text.size() >= digits_of_a_float && std::abs(found.exponent - published.exponent) <= 1 &&
+  return found.text.size() >= digits_of_a_float && have_near_exponents(found, published) &&
          static_cast<float>(number_of(found)) == static_cast<float>(number_of(published));
 }
 
@@ -61,7 +67,9 @@ double half_of(double value) {
 /// 6.98316. Three digits would be those of the number itself.
 bool is_print_of_half(const Digits& found, const Digits& published) {
   constexpr std::size_t least_printed = 4, most_printed = 5;
-  if (found.text.size() < least_printed || found.text.size() > most_printed) return false;
+  if (found.text.size() < least_printed || found.text.size() > most_printed ||
+      !have_near_exponents(found, published))
+    return false;
   const double half = half_of(number_of(published));
   constexpr double near = 1e-3;  // half a unit of four digits is less; this settles most numbers
   if (std::abs(number_of(found) - half) > near * half) return false;
@@ -101,12 +109,14 @@ double number_of(const Digits& digits) {
 
 bool is_rounded(const Digits& found, const Digits& published) {
   const std::size_t count = found.text.size();
-  return 0 < count && count < published.text.size() && found == rounded_to(published, count);
+  return 0 < count && count < published.text.size() && have_near_exponents(found, published) &&
+         found == rounded_to(published, count);
 }
 
 bool is_cut(const Digits& found, const Digits& published) {
   const std::size_t count = found.text.size();
-  return 0 < count && count < published.text.size() && found == cut_to(published, count);
+  return 0 < count && count < published.text.size() && have_near_exponents(found, published) &&
+         found == cut_to(published, count);
 }
 
 bool is_shortened(const Digits& found, const Digits& published) {
@@ -134,7 +144,7 @@ bool is_usual_slip(const Digits& found, const Digits& published) {
 bool is_rounded_and_edited(const Digits& found, const Digits& published) {
   constexpr std::size_t least_digits = 5;
   if (found.text.empty()) return false;
-  if (std::abs(found.exponent - published.exponent) > 1) return false;
+  if (!have_near_exponents(found, published)) return false;
   // An edit may insert or leave out a digit.
   for (std::size_t count = found.text.size() - 1; count <= found.text.size() + 1; ++count) {
     if (count < least_digits || count >= published.text.size()) continue;
@@ -156,10 +166,17 @@ std::optional<DigitMatch> match_digits(const Digits& found, const Digits& publis
   constexpr std::size_t least_rounded = 3;
   if (found.text.size() >= least_rounded && is_shortened(found, published)) return DigitMatch::rounded;
   if (is_print_of_half(found, published)) return DigitMatch::rounded;
-  if (std::abs(found.exponent - published.exponent) <= 1 && is_one_edit(found.text, published.text))
+  if (have_near_exponents(found, published) && is_one_edit(found.text, published.text))
     return DigitMatch::edited;
   if (is_same_float(found, published)) return DigitMatch::float32;
   return std::nullopt;
+}
+
+std::optional<DigitMatch> match_multiple(const Digits& found, const Digits& multiple, std::size_t enough) {
+  const auto match = match_digits(found, multiple);
+  if (!match || *match > DigitMatch::rounded) return std::nullopt;
+  const bool is_enough = found.text.size() >= enough || found == rounded_to(multiple, enough);
+  return *match == DigitMatch::rounded && is_enough ? DigitMatch::enough : *match;
 }
 
 }  // namespace shadefit::lint

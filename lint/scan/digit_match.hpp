@@ -12,6 +12,7 @@ enum class DigitMatch {
   same,                ///< the same digits
   longer,              ///< more digits, which round to the published ones
   float32,             ///< the digits of the float nearest to the published number, or others of that float
+  enough,              ///< of a multiple, with as many digits as the published number has
   rounded,             ///< fewer digits, rounded or cut off, or those of the nearest half
   shifted,             ///< the same digits, with the decimal point elsewhere
   edited,              ///< one digit differs, is missing or too many, or two neighbours are swapped
@@ -25,6 +26,10 @@ inline constexpr std::size_t least_digits_to_vary = 4;
 /// Compares a number without its sign. Empty if it is another number. It never answers `rounded_and_edited`,
 /// which a hundred times as many numbers are.
 std::optional<DigitMatch> match_digits(const Digits& found, const Digits& published);
+
+/// Compares a number with a multiple of a published one that has this many digits; the multiple has more.
+/// Empty if it is another number. It answers neither `shifted` nor `edited`.
+std::optional<DigitMatch> match_multiple(const Digits& found, const Digits& multiple, std::size_t enough);
 
 /// Whether the digits are the first ones of the published number, rounded or cut off.
 bool is_shortened(const Digits& found, const Digits& published);

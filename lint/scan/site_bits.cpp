@@ -20,6 +20,7 @@ class SiteBits {
     double bits = 0;
     for (const SiteNumber& number : site_.numbers) bits += bits_of(number);
     bits += bits_of_order() + bits_of_names();
+    if (!set_.times.empty()) bits -= bits_of_a_factor();
     if (bits < least_bits) return bits;
     // Each number may match any of the different numbers there, so the bits are fewer.
     const auto count = static_cast<double>(site_.numbers.size());
@@ -28,6 +29,12 @@ class SiteBits {
   }
 
  private:
+  /// There are ten factors, and a single number of six digits is near a multiple too often.
+  double bits_of_a_factor() const {
+    const double bits_of_ten = std::log2(10);
+    return site_.numbers.size() > 1 ? bits_of_ten : 2 * bits_of_ten;
+  }
+
   std::size_t first() const { return site_.numbers.front().literal; }
   std::size_t last() const { return site_.numbers.back().literal; }
 
@@ -38,7 +45,8 @@ class SiteBits {
     const double bits_of_a_digit = std::log2(10);
     const KnownConstant& constant = set_.constants[number.constant];
     constexpr std::size_t digits_of_a_common_number = 3;
-    const std::size_t digits = digits_of(constant.printed).text.size();
+    std::size_t digits = digits_of(constant.printed).text.size();
+    if (!set_.times.empty()) digits = std::min(digits, digits_at(number.literal).text.size());
     const std::size_t published = constant.is_common ? std::min(digits, digits_of_a_common_number) : digits;
     const auto bits = [&](std::size_t count) { return bits_of_a_digit * (static_cast<double>(count) - 1); };
     if (number.variant) return set_.variants[*number.variant].is_borrowed ? 0 : bits(published);
@@ -47,6 +55,7 @@ class SiteBits {
       case DigitMatch::longer:
       case DigitMatch::float32:
         return bits(published);
+      case DigitMatch::enough:
       case DigitMatch::rounded:
         return bits(std::min(published, digits_at(number.literal).text.size())) - 1;  // rounded or cut off
       case DigitMatch::shifted:

@@ -86,6 +86,10 @@ class SiteFinder {
     numbers_.clear();
     drop_comments(site);
     add_companions(site);
+    // A number among several is near a multiple too often.
+    constexpr std::size_t two = 2;
+    const KnownSet& set = sets_[site.set];
+    if (!set.times.empty() && site.numbers.size() < two && set.constants.size() > two) return;
     add_short(site);
     site.bits = bits_of(text_, literals_, sets_[set_], site);
     if (site.bits >= telling_bits && add_rounded_and_edited(site))
@@ -161,26 +165,33 @@ class SiteFinder {
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
     const std::size_t begin = first - std::min(first, most_literals),
                       end = std::min(literals_.size(), last + most_literals + 1);
-    const auto may_be = [&](std::size_t i, const Digits& published) {
+    const KnownSet& set = sets_[site.set];
+    const auto matched = [&](std::size_t i, const Digits& published, std::size_t enough) {
+      const Digits found = digits_at(i);
+      if (found == published) return std::optional(DigitMatch::same);
+      return set.times.empty() ? std::nullopt : match_multiple(found, published, enough);
+    };
+    const auto is_near = [&](std::size_t i) {
       return literals_[i].offset + most_gap > literals_[first].offset &&
              literals_[i].offset < literals_[last].offset + most_gap && !is_taken(site, i) &&
-             literals_[i].is_in_comment == literals_[first].is_in_comment && digits_at(i) == published &&
-             are_in_one_function(i, first);
+             literals_[i].is_in_comment == literals_[first].is_in_comment;
     };
-    const KnownSet& set = sets_[site.set];
     for (std::size_t c = 0; c < set.constants.size(); ++c) {
       if (has_constant(site, c)) continue;
-      const Digits published = digits_of(set.constants[c].printed);
+      const KnownConstant& constant = set.constants[c];
+      const Digits published = digits_of(constant.printed);
       // First by the published order, then by distance: a 1 may be anywhere.
       const auto place_of = [&](std::size_t i) {
         return std::pair(!keeps_order(site, c, i), i < first ? first - i : i - std::min(i, last));
       };
-      std::optional<std::size_t> any;
+      std::optional<SiteNumber> any;
       for (std::size_t i = begin; i < end; ++i) {
-        if (!may_be(i, published)) continue;
-        if (!any || place_of(i) < place_of(*any)) any = i;
+        if (!is_near(i)) continue;
+        const auto match = matched(i, published, constant.enough_digits);
+        if (match && are_in_one_function(i, first) && (!any || place_of(i) < place_of(any->literal)))
+          any = SiteNumber{i, c, *match};
       }
-      if (any) site.numbers.push_back({*any, c});
+      if (any) site.numbers.push_back(*any);
     }
     std::sort(site.numbers.begin(), site.numbers.end(),
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
@@ -197,9 +208,14 @@ class SiteFinder {
       const Digits published = digits_of(set.constants[c].printed);
       for (std::size_t i = first - std::min<std::size_t>(first, 1);
            i < std::min(literals_.size(), last + 2) && !has_constant(site, c); ++i) {
-        if (!is_taken(site, i) && keeps_order(site, c, i) && are_in_one_function(i, first) &&
-            literals_[i].is_in_comment == literals_[first].is_in_comment &&
-            is_rounded_and_edited(digits_at(i), published))
+        if (is_taken(site, i) || !keeps_order(site, c, i) || !are_in_one_function(i, first) ||
+            literals_[i].is_in_comment != literals_[first].is_in_comment)
+          continue;
+        // The index does not look for multiples of few digits, nor for edited ones.
+        const auto match = set.times.empty() ? std::nullopt : match_digits(digits_at(i), published);
+        if (match && *match != DigitMatch::shifted)
+          site.numbers.push_back({i, c, *match});
+        else if (is_rounded_and_edited(digits_at(i), published))
           site.numbers.push_back({i, c, DigitMatch::rounded_and_edited});
       }
     }

@@ -26,7 +26,7 @@ std::vector<findings::FindingRule> lint_rules() {
   return {
       {"wrong-constant", "A constant with a wrong digit that is visible",
        "Digits differ from the published ones, and the curve moves by more than half an 8-bit sRGB code, or by "
-       "more than 0.001 where it is no colour."},
+       "more than 0.001 if its values are no colour."},
       {"wrong-expression", "A published formula with a wrong operation",
        "All constants are those of a published formula, but an operation differs."},
       {"typo-constant", "A constant with a wrong digit", "Digits differ, without a visible effect."},
@@ -66,8 +66,9 @@ std::string numbers_words(const LintedSite& site) {
 
 std::string message_of(const LintedSite& site) {
   if (!site.fault.empty()) return site.fault;
-  const std::string set = fmt::format("{}{}{}", site.id, site.form.empty() ? "" : " (" + site.form + ")",
-                                      site.is_pinned ? ", pinned" : "");
+  const std::string set =
+      fmt::format("{}{}{}{}", site.id, site.form.empty() ? "" : " (" + site.form + ")",
+                  site.times.empty() ? "" : " times " + site.times, site.is_pinned ? ", pinned" : "");
   if (site.grade == Grade::right) return fmt::format("{}: the constants of {}", set, site.source);
   std::string what = numbers_words(site);
   if (!site.slip.empty())

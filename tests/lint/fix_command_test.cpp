@@ -43,6 +43,19 @@ Outcome lint_fixing(const std::string& path, const std::string& scope, std::vect
   return run_command_line(more);
 }
 
+TEST(LintFix, WithoutAValueRewritesPins) {
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("a.glsl", faulty);
+  const Outcome shown = run_command_line({"lint", "--fix", "--diff", file});
+  EXPECT_NE(shown.out.find("+float a = 1.5707963f;"), std::string::npos) << shown.err;
+  EXPECT_EQ(shown.out.find("+float w"), std::string::npos);
+  EXPECT_EQ(read_file(file), faulty);
+  run_command_line({"lint", file, "--fix"});
+  EXPECT_EQ(read_file(file), with_pins);
+  expect_refusal({"lint", "--fix", file},
+                 "--fix '" + file + "' is unknown: it must be one of pins, typo, wrong");
+}
+
 TEST(LintFix, RewritesItsScopeAndNothingElse) {
   for (const auto& [scope, expected] :
        {std::pair("pins", with_pins), std::pair("wrong", with_wrong), std::pair("typo", with_typo)}) {

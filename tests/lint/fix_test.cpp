@@ -17,12 +17,20 @@ TEST(Rewritten, KeepsTheNotation) {
   EXPECT_EQ(rewritten(".1565", "-0.156583"), ".156583");
   EXPECT_EQ(rewritten("0.1565f", "-.156583"), "0.156583f");
   EXPECT_EQ(rewritten("1.57_f32", "1.5707963"), "1.5707963_f32");
-  EXPECT_EQ(rewritten("1'000.5h", "1000.25"), "1000.25h");
+  EXPECT_EQ(rewritten("1'000.5h", "1000.25"), "1'000.25h");
   EXPECT_EQ(rewritten("8.", "9"), "9.");
   EXPECT_EQ(rewritten("8.5f", "9"), "9.0f");
   EXPECT_EQ(rewritten("2", "2.4"), "2.4");
   EXPECT_EQ(rewritten("0.0", "0.055"), "0.055");
   EXPECT_EQ(rewritten("0.002", "1.5e-3"), "1.5e-3") << "the exponent as printed";
+}
+
+TEST(Rewritten, KeepsGroupsOfDigits) {
+  EXPECT_EQ(rewritten("6.831_6_f32", "-6.98316"), "6.983_16_f32");
+  EXPECT_EQ(rewritten("6.83_16f32", "-6.98316"), "6.98_31_6f32");
+  EXPECT_EQ(rewritten("1_000.5", "1234567.1234"), "1_234_567.123_4");
+  EXPECT_EQ(rewritten("1.234'5e-3", "0.00123456"), "1.234'56e-3");
+  EXPECT_EQ(rewritten("0.831_6", "0.69"), "0.69");
 }
 
 TEST(Rewritten, KeepsThePlaceOfThePointBeforeAnExponent) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -45,6 +46,23 @@ TEST(LintCommand, AReasonSuppresses) {
   const std::string ignored = std::string("// shadefit: ignore as in the game of 2012\n") + wrong;
   EXPECT_EQ(lint(ignored).exit_code, 0);
   EXPECT_NE(lint(ignored, {"--format", "json"}).out.find("as in the game of 2012"), std::string::npos);
+}
+
+TEST(LintCommand, ShowsTheShareOfItsFiles) {
+  const TemporaryDirectory folder;
+  constexpr int files = 100;
+  for (int i = 0; i < files; ++i) std::ofstream(folder.path() / (std::to_string(i) + ".glsl")) << right;
+  std::vector<std::string> lines;
+  const Progress progress = [&](const std::string& line) { lines.push_back(line); };
+  EXPECT_EQ(prepare_command_line({"lint", folder.path().string()}, keep_going, progress).exit_code, 0);
+  const auto is_there = [&](const std::string& begin) {
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return line.starts_with(begin); });
+  };
+  EXPECT_TRUE(is_there("reading the source tree"));
+  EXPECT_TRUE(is_there("lint [..............................] 0 %"));
+  EXPECT_TRUE(is_there("lint [###############...............] 50 %")) << lines.size();
+  EXPECT_EQ(lines.back(), "") << "the line is removed";
 }
 
 TEST(LintCommand, BadInput) {
