@@ -26,7 +26,7 @@ std::vector<findings::FindingRule> lint_rules() {
   return {
       {"wrong-constant", "A constant with a wrong digit that is visible",
        "Digits differ from the published ones, and the curve moves by more than half an 8-bit sRGB code, or by "
-       "more than 0.001 if its values are no colour."},
+       "more than 0.001 for values that are not colours."},
       {"wrong-expression", "A published formula with a wrong operation",
        "All constants are those of a published formula, but an operation differs."},
       {"typo-constant", "A constant with a wrong digit", "Digits differ, without a visible effect."},
