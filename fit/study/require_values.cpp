@@ -5,6 +5,7 @@
 #include <string>
 
 #include "fit/scalars/in_50_digits.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -60,6 +61,19 @@ std::string zero_of_target(const ReadStudy& study) {
 }
 
 }  // namespace
+
+void require_dependence(const ReadStudy& study, const std::vector<bool>& is_open) {
+  for (std::size_t i = 0; i < is_open.size(); ++i) {
+    if (!is_open[i]) continue;
+    const std::string& name = study.parameters[i];
+    for (const Symbolic& kink : moving_kinks(study)) {
+      if (free_variables(kink).contains(name))
+        throw UserError("--form has no derivative by its parameter '" + name +
+                        "', which only moves a jump: hold it, for example by --fix " + name + "=0.5");
+    }
+    throw UserError("--form does not depend on its parameter '" + name + "'");
+  }
+}
 
 void require_values(const ReadStudy& study, const StudyNodes& nodes) {
   const auto is_finite = [](double value) { return std::isfinite(value); };

@@ -303,7 +303,11 @@ std::size_t search_rule(const ReadStudy& study) {
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
                            const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts,
                            const Checkpoint& checkpoint) {
-  const StudyNodes nodes = nodes_of(study, edges, fit_rules[search_rule(study)]);
+  require_dependence(study, error.is_open());
+  const bool has_finer_nodes = study.axes.size() == 1 && !study.rows && !moving_kinks(study).empty();
+  // Between kinks that move, sums over few nodes have basins of their own.
+  const std::size_t rule = has_finer_nodes ? fit_rules.size() - 1 : search_rule(study);
+  const StudyNodes nodes = nodes_of(study, edges, fit_rules[rule]);
   require_values(study, nodes);
   const auto& linear = error.is_linear();
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
@@ -314,7 +318,8 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   if (study.has_only_starts && nonlinear > 0) wanted.count = 0;
   if (nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
     // Fewer nodes, but still more than parameters, show the same basins.
-    const SampledStudy<double> coarse(error, nodes_of(study, edges, fit_rules.front()));
+    const std::size_t few = has_finer_nodes ? search_rule(study) : 0;
+    const SampledStudy<double> coarse(error, nodes_of(study, edges, fit_rules[few]));
     result.candidates = search_basins(error, coarse, result.sampled, wanted, checkpoint);
   } else if (study.rows && nodes.weights.size() > most_scanned) {
     result.candidates =

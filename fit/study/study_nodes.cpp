@@ -233,6 +233,27 @@ StudyNodes nodes_of_rows(const MeasuredRows& rows) {
 
 }  // namespace
 
+std::vector<Symbolic> moving_kinks(const ReadStudy& study) {
+  const auto has_parameter = [&](const std::set<std::string>& names) {
+    return std::any_of(study.parameters.begin(), study.parameters.end(),
+                       [&](const std::string& parameter) { return names.contains(parameter); });
+  };
+  std::vector<Symbolic> kinks;
+  for (const Hinge& hinge : hinges_where({&study.form}, has_parameter))
+    if (!hinge.is_root && !hinge.is_pole) kinks.push_back(hinge.part);
+  return kinks;
+}
+
+ReadStudy at_parameters(const ReadStudy& study, const std::vector<double>& parameters) {
+  ReadStudy result = study;
+  result.form = evaluate<Symbolic>(study.form, [&](const std::string& name) {
+    const auto found = std::find(study.parameters.begin(), study.parameters.end(), name);
+    const auto i = static_cast<std::size_t>(found - study.parameters.begin());
+    return i < parameters.size() ? Symbolic::number(to_text(parameters[i])) : Symbolic::variable(name);
+  });
+  return result;
+}
+
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {
   std::vector<StudyEdge> edges;
   HingeCurve part(formula, std::span(&axis, 1));

@@ -184,14 +184,10 @@ TEST(Study, ClaimsNoDigitThatIsWrongAtLargeExponents) {
       if (!family.has_exponent()) continue;
       for (const double exponent : {1e4, 1e5, 1e6, 1e8}) {
         const Fit expected = family.fit(Setting(exponent), Metric{.norm = norm});
-        try {
-          const StudyFit fit = fit_of(study_of(family, exponent), norm);
-          if (expected.status == Status::converged && fit.status == Status::converged)
-            expect_same(family, exponent, expected, fit);
-        } catch (const UserError& refused) {
-          // All nodes may be where the lobe is 0.
-          EXPECT_NE(std::string(refused.what()).find("where it was evaluated"), std::string::npos);
-        }
+        // All nodes may be where the lobe is 0: then it is degenerate.
+        const StudyFit fit = fit_of(study_of(family, exponent), norm);
+        if (expected.status == Status::converged && fit.status == Status::converged)
+          expect_same(family, exponent, expected, fit);
       }
     }
   }
@@ -328,7 +324,7 @@ TEST(Study, AnswersBadInputWithOneLine) {
             "--form: formula 'integral(t, t, 0, x) t': expected 't' inside its integral alone at place 22");
   EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x)"; }), "--form 'sqrt(1-x)' has no parameter to fit");
   EXPECT_EQ(refusal([](Study& s) { s.form = "a + (b - b) x"; }),
-            "--form does not depend on its parameter 'b' where it was evaluated");
+            "--form does not depend on its parameter 'b'");
   EXPECT_EQ(refusal([](Study& s) { s.over = {}; }),
             "--form needs --over, a variable and its range: for example --over x=0:1");
   EXPECT_EQ(refusal([](Study& s) { s.over = {{"x", "1", "0"}}; }), "--over 'x=1:0' is empty: it must rise");
