@@ -336,8 +336,7 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   return result;
 }
 
-std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched) {
-  constexpr std::size_t most = 4;
+std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most) {
   // The ends of descents in one basin are at most this far apart.
   constexpr double same = 1e-6;
   std::vector<StudyCandidate> basins;

@@ -38,9 +38,9 @@ struct SearchedStudy {
   bool is_linear;  ///< in all parameters: then the only candidate is the best of all
 };
 
-/// The lowest basins, at most four, as starts for another problem with the same form. One candidate for each
-/// different square.
-std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched);
+/// The lowest basins, at most so many, as starts for another problem with the same form. One candidate for
+/// each different square.
+std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most = 4);
 
 /// A start of all parameters: those that are not given are 1.
 std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts);
