@@ -44,7 +44,12 @@ Decimal50 magnitude_at(const ReadStudy& study, const Symbolic& formula, const De
 /// A zero of the target near which |form / target| grows without bound. Empty if there is none.
 std::string zero_of_target(const ReadStudy& study) {
   const StudyAxis& axis = study.axes.front();
-  for (const double zero : zeros_of(study.target, axis)) {
+  for (double zero : zeros_of(study.target, axis)) {
+    // Next to an end it is the end: sin(x) at pi.
+    constexpr double end = 1e-12;
+    const double length = axis.upper - axis.lower;
+    if (zero - axis.lower < end * length) zero = axis.lower;
+    if (axis.upper - zero < end * length) zero = axis.upper;
     const int inwards = zero < axis.upper ? 1 : -1;
     const auto ratio = [&](const char* distance) {
       const Decimal50 x =

@@ -274,6 +274,11 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
     HingeCurve part(hinge.part, std::span(&axis, 1));
     append_zeros(hinge, part, axis, edges);
   }
+  // A relative error is 0/0 at a zero of the target. As an end of panels it has a limit from either side.
+  if (study.error == Error::relative && is_of_axis(free_variables(study.target))) {
+    HingeCurve target(study.target, std::span(&axis, 1));
+    append_zeros({.part = study.target, .is_root = false, .is_pole = false}, target, axis, edges);
+  }
   return merged(axis, std::move(edges));
 }
 
