@@ -13,6 +13,7 @@
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
 #include "fit/study/rules.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
@@ -216,17 +217,24 @@ std::optional<LinearOptimum> optimum_of(const SampledStudy<long double>& sampled
 
 /// The optimum of a form that is linear in all parameters, by one rule after the other.
 StudyFit settle_linear(const Rules& rules, std::size_t first) {
+  const std::string dependent_columns =
+      "long double does not tell six digits of its parameters, whose columns are nearly dependent";
   StudyFit fit;
   fit.status = Status::not_converged;
+  fit.why = "the integral of the squared error does not converge";
   long double best = HUGE_VALL;
   auto fine = optimum_of(rules.sampled<long double>(first));
   for (std::size_t rule = first; rule < rules.last(); ++rule) {
     const auto coarse = fine;
     const auto wide = rules.sampled<long double>(rule + 1);
     fine = optimum_of(wide);
+    if (!fine) fit.why = dependent_columns;
     if (!coarse || !fine) continue;
-    const VectorOf<long double> step =
-        (coarse->parameters - fine->parameters).cwiseAbs() + fine->last_step.cwiseAbs();
+    // Below this the square is rounding.
+    const long double rounding = 1e-20L * wide.target_norm() * wide.target_norm();
+    if (std::abs(coarse->square - fine->square) > 1e-6L * fine->square + rounding) continue;
+    const VectorOf<long double> by_rule = (coarse->parameters - fine->parameters).cwiseAbs(),
+                                by_rounding = fine->last_step.cwiseAbs(), step = by_rule + by_rounding;
     const std::vector<double> parameters(fine->parameters.begin(), fine->parameters.end());
     const MatrixOf<double> hessian = fine->sizes.cwiseAbs2().cast<double>().asDiagonal();
     const auto size = relative_size(step, parameters, hessian, static_cast<double>(wide.target_norm()));
@@ -236,10 +244,12 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
     fit.digits = correct_digits(size);
     fit.rms_error = static_cast<double>(std::sqrt(fine->square));
     if (fit.digits >= least_study_digits) fit.status = Status::converged;
+    fit.why = by_rounding.maxCoeff() > by_rule.maxCoeff()
+                  ? dependent_columns
+                  : "the largest quadrature rule still moves a parameter in its sixth digit";
     if (size <= settled) break;
   }
-  if (fit.status != Status::converged)
-    fit.why = "long double does not tell six digits of its parameters, whose columns are nearly dependent";
+  if (fit.status == Status::converged) fit.why = "";
   return fit;
 }
 
@@ -356,6 +366,7 @@ double rms_error(const ReadStudy& study, const StudyError& error, const std::vec
 }
 
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
+  require_finite_target(study, Norm::least_squares);
   const StudyError error(study);
   Rules rules(study, error);
   SearchedStudy searched = search_study(study, error, rules.edges(), starts, checkpoint);
@@ -380,7 +391,11 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   }
   if (fit.status != Status::converged && searched.is_linear) {
     const StudyFit linear = settle_linear(rules, first);
-    if (!linear.parameters.empty()) fit = linear;
+    if (!linear.parameters.empty()) {
+      fit = linear;
+    } else if (fit.status == Status::not_converged) {
+      fit.why = linear.why;
+    }
   }
   fit.names = study.parameters;
   fit.starts = searched.starts;

@@ -8,6 +8,7 @@
 
 #include "fit/minimax/minimax.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
 #include "fit/study_exchange/minimax_rows.hpp"
@@ -87,6 +88,7 @@ bool is_better(const ExchangeEnd& a, const ExchangeEnd& b, bool is_constrained) 
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   require_possible(study, constraints);
+  require_finite_target(study, Norm::minimax);
   if (study.rows) return solve_minimax_rows(study, starts, checkpoint);
   if (study.axes.size() > 1) return solve_minimax_surface(study, starts, checkpoint);
   const StudyError error(study);

@@ -5,6 +5,7 @@
 
 #include "fit/study/solve_study.hpp"
 #include "fit/study/study.hpp"
+#include "fit/support/user_error.hpp"
 
 /// Forms that are linear in many parameters, whose columns are nearly dependent.
 namespace shadefit {
@@ -47,6 +48,33 @@ TEST(LinearStudy, DependentColumnsAreNamed) {
   const StudyFit fit = solve_study(read_study(study), {});
   EXPECT_EQ(fit.status, Status::degenerate);
   EXPECT_EQ(fit.why, "the curve stays the same while a, b change together");
+}
+
+// The integral of x^(-2p) on [0, 1] is 1/(1 - 2p), and there is none from p = 1/2 on. That of 1/(x + y)^2 on
+// the square has no value either: near the corner it is that of 1/r.
+TEST(LinearStudy, ATargetWithoutAMeanSquareIsRefusedWithItsPlace) {
+  const StudyRange x{"x", "0", "1"}, y{"y", "0", "1"};
+  const auto refusal = [](const Study& study) -> std::string {
+    try {
+      solve_study(read_study(study), {});
+    } catch (const UserError& error) {
+      const std::string text = error.what();
+      return text.substr(0, text.find(','));
+    }
+    return "none";
+  };
+  const std::string form = "a + b x";
+  for (const char* target : {"1/x", "1/sqrt(x)", "x^-0.6", "1/sin(x)"})
+    EXPECT_EQ(refusal({.target = target, .form = form, .over = {x}}), "--target is not finite at x = 0")
+        << target;
+  for (const char* target : {"log(x)", "x^-0.4", "sqrt(x)", "x/sin(x)"})
+    EXPECT_EQ(refusal({.target = target, .form = form, .over = {x}}), "none") << target;
+  EXPECT_EQ(refusal({.target = "1/(1 - x)", .form = form, .over = {x}}), "--target is not finite at x = 1");
+  EXPECT_EQ(refusal({.target = "tan(x)", .form = form, .over = {{"x", "0", "3"}}}).substr(0, 43),
+            "--target is not finite at x = 1.57079632679");
+  EXPECT_EQ(refusal({.target = "1/(x y)", .form = form, .over = {x, y}}), "--target is not finite at y = 0");
+  EXPECT_EQ(refusal({.target = "1/(x + y)", .form = form, .over = {x, y}}),
+            "--target is not finite at x = 0");
 }
 
 }  // namespace

@@ -40,7 +40,10 @@ TEST(MinimaxStudy, TakesTheLimitOfARelativeErrorAtAZeroOfTheTarget) {
   };
   const std::vector<Known> all{
       {"sin(x)", "a x + b x^2", {1.020284228885116605606, -0.1617446540211922482231}, 0.0202842288851166056},
-      {"log(1 + x)", "a x + b x^2", {0.9784623833280494347519, -0.3002439410402475321673}, 0.02153761667195056525},
+      {"log(1 + x)",
+       "a x + b x^2",
+       {0.9784623833280494347519, -0.3002439410402475321673},
+       0.02153761667195056525},
       {"sqrt(sin(x))",
        "sqrt(x) (a + b x)",
        {1.010608150810509439204, -0.08355983482773987912556},
@@ -61,8 +64,9 @@ TEST(MinimaxStudy, NamesAZeroOfTheTargetThatTheFormDoesNotShare) {
       fit_of({.target = "sin(x)", .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
       FAIL() << form;
     } catch (const UserError& error) {
-      EXPECT_STREQ(error.what(),
-                   "--error 'relative' divides by the target, which is 0 at x = 0: leave that place out of --over")
+      EXPECT_STREQ(
+          error.what(),
+          "--error 'relative' divides by the target, which is 0 at x = 0: leave that place out of --over")
           << form;
     }
   }
