@@ -138,7 +138,9 @@ std::vector<Approach> approaches(const ReadStudy& study) {
     const StudyAxis& axis = study.axes.front();
     for (const StudyEdge& edge : edges_of(study, 0)) {
       if (edge.power == 1 || edge.at == axis.lower || edge.at == axis.upper) continue;
-      for (const int side : {-1, 1}) result.push_back({{edge.at}, {side * (axis.upper - axis.lower)}});
+      // The way stays inside the range.
+      result.push_back({{edge.at}, {axis.lower - edge.at}});
+      result.push_back({{edge.at}, {axis.upper - edge.at}});
     }
   }
   return result;

@@ -381,10 +381,13 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   StudyFit fit;
   if (flat.empty() && rules.has_moving_kinks()) {
     fit = settle_kinks(rules, chosen, first);
-  } else if (flat.empty()) {
+  }
+  // Near a root the first rule is not enough for the kinks; panels that are cut are, and rules tell the
+  // digits.
+  if (flat.empty() && fit.status != Status::converged) {
     rules.cut_panels(chosen.parameters);
     fit = settle(rules, chosen, first);
-  } else {
+  } else if (!flat.empty()) {
     fit.parameters = chosen.parameters;
     fit.status = Status::degenerate;
     fit.why = flat;
