@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "fit/scalars/hinges.hpp"
 #include "fit/scalars/in_50_digits.hpp"
+#include "fit/scalars/integral.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
@@ -43,7 +47,12 @@ Decimal50 magnitude_at(const ReadStudy& study, const Symbolic& formula, const De
 /// A zero of the target near which |form / target| grows without bound. Empty if there is none.
 std::string zero_of_target(const ReadStudy& study) {
   const StudyAxis& axis = study.axes.front();
-  for (const double zero : zeros_of(study.target, axis)) {
+  for (double zero : zeros_of(study.target, axis)) {
+    // Next to an end it is the end: sin(x) at pi.
+    constexpr double end = 1e-12;
+    const double length = axis.upper - axis.lower;
+    if (zero - axis.lower < end * length) zero = axis.lower;
+    if (axis.upper - zero < end * length) zero = axis.upper;
     const int inwards = zero < axis.upper ? 1 : -1;
     const auto ratio = [&](const char* distance) {
       const Decimal50 x =
@@ -59,7 +68,117 @@ std::string zero_of_target(const ReadStudy& study) {
   return "";
 }
 
+/// A place that is approached: on each axis from an end, or the same at all distances.
+struct Approach {
+  std::vector<double> from;
+  std::vector<double> direction;  ///< for the distance 1; 0 where an axis takes no part
+};
+
+/// What the weight times the target is at a distance from a place, in 50 digits: near a pole that is no
+/// double too.
+Decimal50 size_near(const ReadStudy& study, const Approach& approach, const Decimal50& distance) {
+  return abs(in_50_digits(study.weight * study.target, [&](const std::string& name) {
+    std::size_t i = 0;
+    while (study.axes[i].variable != name) ++i;
+    return Decimal50(approach.from[i] + distance * approach.direction[i]);
+  }));
+}
+
+/// The density there, as a factor of the integral.
+Decimal50 density_near(const ReadStudy& study, const Approach& approach, const Decimal50& distance) {
+  Decimal50 product = 1;
+  for (std::size_t i = 0; i < study.axes.size(); ++i) {
+    const Decimal50 x = approach.from[i] + distance * approach.direction[i];
+    product *= in_50_digits(study.axes[i].density, [&](const std::string&) { return x; });
+  }
+  return product;
+}
+
+/// Whether the target grows without bound, and for least squares so fast that the integral of its square does
+/// not converge. d^n, the volume within a distance d on n axes, has to fall faster than the square grows.
+bool is_too_large(const ReadStudy& study, const Approach& approach, Norm norm) {
+  const auto n = std::count_if(approach.direction.begin(), approach.direction.end(),
+                               [](double direction) { return direction != 0; });
+  const Decimal50 far("1e-6"), near("1e-12");
+  const Decimal50 at_far = size_near(study, approach, far), at_near = size_near(study, approach, near);
+  // From one distance to the other a logarithm doubles; what is bounded changes by a share of 1e-6.
+  constexpr double grown = 1.5, constant = 0.999;
+  if (!(at_near > grown * at_far)) return false;
+  if (norm == Norm::minimax) return true;
+  const Decimal50 square_at_far =
+      at_far * at_far * pow(far, static_cast<int>(n)) * density_near(study, approach, far);
+  const Decimal50 square_at_near =
+      at_near * at_near * pow(near, static_cast<int>(n)) * density_near(study, approach, near);
+  return square_at_near > constant * square_at_far;
+}
+
+/// The ways to the border of the range: to each end of one axis, and of several at once. An axis that takes
+/// no part stays at a place inside that has no relation to the others.
+std::vector<Approach> approaches(const ReadStudy& study) {
+  std::vector<Approach> result{{{}, {}}};
+  for (std::size_t i = 0; i < study.axes.size(); ++i) {
+    const StudyAxis& axis = study.axes[i];
+    const double length = axis.upper - axis.lower;
+    const double inside = axis.lower + length * (0.31830988618 + 0.0915 * static_cast<double>(i));
+    std::vector<Approach> longer;
+    for (const Approach& approach : result) {
+      const auto append = [&](double from, double direction) {
+        longer.push_back(approach);
+        longer.back().from.push_back(from);
+        longer.back().direction.push_back(direction);
+      };
+      append(inside, 0);
+      append(axis.lower, length);
+      append(axis.upper, -length);
+    }
+    result = std::move(longer);
+  }
+  result.erase(result.begin());  // the place inside
+  if (study.axes.size() == 1) {
+    const StudyAxis& axis = study.axes.front();
+    for (const StudyEdge& edge : edges_of(study, 0)) {
+      if (edge.power == 1 || edge.at == axis.lower || edge.at == axis.upper) continue;
+      // The way stays inside the range.
+      result.push_back({{edge.at}, {axis.lower - edge.at}});
+      result.push_back({{edge.at}, {axis.upper - edge.at}});
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+void require_finite_target(const ReadStudy& study, Norm norm) {
+  if (study.rows || study.error == Error::relative) return;
+  const std::vector<Hinge> hinges = hinges_of(study.weight * study.target);
+  // Without a pole nothing is infinite.
+  if (std::none_of(hinges.begin(), hinges.end(), [](const Hinge& hinge) { return hinge.is_pole; })) return;
+  for (const Approach& approach : approaches(study)) {
+    if (!is_too_large(study, approach, norm)) continue;
+    std::string place;
+    for (std::size_t i = 0; i < study.axes.size(); ++i) {
+      if (approach.direction[i] == 0) continue;
+      place += (place.empty() ? "" : ", ") + study.axes[i].variable + " = " + to_text(approach.from[i]);
+    }
+    throw UserError("--target is not finite at " + place +
+                    (norm == Norm::minimax ? ": no form has a largest error there"
+                                           : ", and the integral of its square does not converge there") +
+                    "; leave that place out of --over");
+  }
+}
+
+void require_dependence(const ReadStudy& study, const std::vector<bool>& is_open) {
+  for (std::size_t i = 0; i < is_open.size(); ++i) {
+    if (!is_open[i]) continue;
+    const std::string& name = study.parameters[i];
+    for (const Symbolic& kink : moving_kinks(study)) {
+      if (free_variables(kink).contains(name))
+        throw UserError("--form has no derivative by its parameter '" + name +
+                        "', which only moves a jump: hold it, for example by --fix " + name + "=0.5");
+    }
+    throw UserError("--form does not depend on its parameter '" + name + "'");
+  }
+}
 
 void require_values(const ReadStudy& study, const StudyNodes& nodes) {
   const auto is_finite = [](double value) { return std::isfinite(value); };

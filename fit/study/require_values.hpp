@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "fit/study/study_nodes.hpp"
 
 namespace shadefit {
@@ -8,5 +10,13 @@ namespace shadefit {
 /// negative (with rows also 0), or where a relative error divides by a zero of the target that the form does
 /// not share. With one variable such zeros are found in all of its range, with several only at nodes.
 void require_values(const ReadStudy& study, const StudyNodes& nodes);
+
+/// Throws UserError with a place at the border of the range, or at a pole inside it, where the target is not
+/// finite: for least squares if the integral of its square does not converge there, for minimax always.
+void require_finite_target(const ReadStudy& study, Norm norm);
+
+/// Throws UserError if the form does not depend on a parameter, or if the parameter only moves a jump, so
+/// that no derivative tells its way. `is_open` marks the parameters whose derivative is 0 everywhere.
+void require_dependence(const ReadStudy& study, const std::vector<bool>& is_open);
 
 }  // namespace shadefit

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "fit/quadrature/rule_choice.hpp"
+#include "fit/scalars/likely_sizes.hpp"
 #include "fit/study/projection.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/support/user_error.hpp"
@@ -59,6 +62,13 @@ StudyNodes thinned(const StudyNodes& nodes) {
   return result;
 }
 
+/// The power of two next to a size that is far from 1, else 1.
+double unit_of(double size) {
+  constexpr double far = 4;  // octaves: the starts and the solver take less as it is
+  const double octaves = std::round(std::log2(size));
+  return std::isfinite(octaves) && std::abs(octaves) > far ? std::exp2(octaves) : 1;
+}
+
 constexpr std::uint64_t primes[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
 
 /// The parameters that do not enter linearly, and the square of the error with the best of the others.
@@ -72,12 +82,48 @@ void sort_by_square(std::vector<SearchedPlace>& places) {
                    [](const SearchedPlace& a, const SearchedPlace& b) { return a.square < b.square; });
 }
 
-/// Descents on some nodes. A place without a finite error is left out.
+/// The reduced problem in units of its unknowns and of its residuals, which are powers of two. The solver
+/// takes derivatives far below 1 for rounding.
+class ProblemInUnits {
+ public:
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+
+  /// Refers to the problem.
+  ProblemInUnits(const Projection& problem, Vector units, double residual_unit)
+      : problem_(problem), units_(std::move(units)), residual_unit_(residual_unit) {}
+
+  int NumResiduals() const { return problem_.NumResiduals(); }
+  int NumParameters() const { return problem_.NumParameters(); }
+
+  bool operator()(const double* q, double* residuals, double* jacobian) const {
+    const Eigen::Index n = NumParameters();
+    const Vector at = units_.cwiseProduct(Eigen::Map<const Vector>(q, n));
+    problem_(at.data(), residuals, jacobian);
+    Eigen::Map<Vector>(residuals, n + 1) /= residual_unit_;
+    if (jacobian != nullptr) {
+      Eigen::Map<MatrixOf<double>> columns(jacobian, n + 1, n);
+      columns = (columns * units_.asDiagonal() / residual_unit_).eval();
+    }
+    return true;
+  }
+
+ private:
+  const Projection& problem_;
+  Vector units_;
+  double residual_unit_;
+};
+
+/// Descents on some nodes. A place without a finite error is left out. `units` are those of all parameters,
+/// or empty.
 class Descents {
  public:
-  Descents(const StudyError& error, const SampledStudy<double>& sampled, const Checkpoint& checkpoint)
+  Descents(const StudyError& error, const SampledStudy<double>& sampled, const std::vector<double>& units,
+           const Checkpoint& checkpoint)
       : problem_(error, sampled),
         residuals_(problem_.NumResiduals()),
+        units_(units.empty() ? Vector::Ones(problem_.NumParameters()) : unknowns_of(units)),
+        residual_unit_(unit_of(sampled.target_norm())),
         checkpoint_(checkpoint),
         least_change_(1e-20 * sampled.target_norm() * sampled.target_norm()) {
     solver_.options.parameter_tolerance = 1e-10;
@@ -125,29 +171,41 @@ class Descents {
   void descend(Vector& q, int steps) const {
     // The squares of 900 nodes, near an optimum, differ by up to 5 epsilon.
     constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
+    const ProblemInUnits problem(problem_, units_, residual_unit_);
+    Vector in_units = q.cwiseQuotient(units_);
     for (double before = HUGE_VAL, square = square_at(q); steps > 0 && square < before / 2;) {
       before = square;
       solver_.options.max_num_iterations = steps;
-      solver_.options.function_tolerance = std::max(least_change_, roundings * square);
-      steps -= solver_.Solve(problem_, &q).iterations;
+      solver_.options.function_tolerance =
+          std::max(least_change_, roundings * square) / (residual_unit_ * residual_unit_);
+      steps -= solver_.Solve(problem, &in_units).iterations;
+      q = in_units.cwiseProduct(units_);
       square = square_at(q);
     }
   }
 
   Projection problem_;
   mutable Vector residuals_;
-  mutable ceres::TinySolver<Projection> solver_;
+  Vector units_;
+  double residual_unit_;
+  mutable ceres::TinySolver<ProblemInUnits> solver_;
   const Checkpoint& checkpoint_;
   double least_change_;  ///< of the square: a smaller one is left to Newton's method
 };
 
-std::vector<Vector> starting_places(const SearchStarts& wanted, std::size_t size) {
+/// `unknowns` are the indices of the parameters that do not enter linearly.
+std::vector<Vector> starting_places(const SearchStarts& wanted, const std::vector<std::size_t>& unknowns) {
   std::vector<Vector> places;
-  for (std::size_t n = 1; n <= wanted.count; ++n) {
-    Vector& q = places.emplace_back(static_cast<Eigen::Index>(size));
-    for (std::size_t i = 0; i < size; ++i)
-      q[static_cast<Eigen::Index>(i)] = spread(radical_inverse(n, primes[i]), wanted.octaves);
-  }
+  const auto append = [&](const auto& unit_of_parameter) {
+    for (std::size_t n = 1; n <= wanted.count; ++n) {
+      Vector& q = places.emplace_back(static_cast<Eigen::Index>(unknowns.size()));
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
+        q[static_cast<Eigen::Index>(i)] =
+            unit_of_parameter(unknowns[i]) * spread(radical_inverse(n, primes[i]), wanted.octaves);
+    }
+  };
+  append([](std::size_t) { return 1.0; });
+  if (!wanted.units.empty()) append([&](std::size_t parameter) { return wanted.units[parameter]; });
   return places;
 }
 
@@ -181,6 +239,21 @@ std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& st
   return result;
 }
 
+std::vector<double> units_of(const ReadStudy& study, const StudyNodes& nodes) {
+  std::map<std::string, double> sizes;
+  for (const StudyAxis& axis : study.axes)
+    sizes[axis.variable] = std::log2(std::max(std::abs(axis.lower), std::abs(axis.upper)));
+  double largest = 0;
+  for (const double value : values_at_nodes(study, study.target, nodes))
+    largest = std::max(largest, std::abs(value));
+  std::vector<double> units;
+  for (const double octaves :
+       likely_sizes(study.form, study.parameters, sizes, largest > 0 ? std::log2(largest) : 0))
+    units.push_back(unit_of(std::exp2(octaves)));
+  const bool are_near = std::all_of(units.begin(), units.end(), [](double unit) { return unit == 1; });
+  return are_near ? std::vector<double>{} : units;
+}
+
 SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear) {
   constexpr int octaves_of_shading = 6;
   SearchStarts starts{
@@ -201,12 +274,13 @@ std::vector<StudyCandidate> search_basins(const StudyError& error, const Sampled
   // A few steps from the better half of the starts, some more from the better half of their ends, then many
   // from the lowest: most starts lead to the same few basins.
   constexpr int few = 3, some = 5, many = 100;
-  const Descents scan(error, coarse, checkpoint), problem(error, sampled, checkpoint);
+  const Descents scan(error, coarse, wanted.units, checkpoint);
+  const Descents problem(error, sampled, wanted.units, checkpoint);
   std::vector<SearchedPlace> ends;
   if (problem.unknowns().empty()) {
     ends = problem.from({Vector(0)}, 0);
   } else {
-    ends = scan.all_at(starting_places(wanted, problem.unknowns().size()));
+    ends = scan.all_at(starting_places(wanted, problem.unknowns()));
     for (const int steps : {few, some}) ends = scan.from(lower_half(ends), steps);
     std::vector<Vector> starts;
     for (const std::vector<double>& start : wanted.given) starts.push_back(problem.unknowns_of(start));
@@ -229,17 +303,23 @@ std::size_t search_rule(const ReadStudy& study) {
 SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
                            const std::vector<std::vector<StudyEdge>>& edges, const std::vector<Held>& starts,
                            const Checkpoint& checkpoint) {
-  const StudyNodes nodes = nodes_of(study, edges, fit_rules[search_rule(study)]);
+  require_dependence(study, error.is_open());
+  const bool has_finer_nodes = study.axes.size() == 1 && !study.rows && !moving_kinks(study).empty();
+  // Between kinks that move, sums over few nodes have basins of their own.
+  const std::size_t rule = has_finer_nodes ? fit_rules.size() - 1 : search_rule(study);
+  const StudyNodes nodes = nodes_of(study, edges, fit_rules[rule]);
   require_values(study, nodes);
   const auto& linear = error.is_linear();
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
+  SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
   SearchStarts wanted = starts_of(study, nonlinear);
+  if (!study.rows && nonlinear > 0) wanted.units = units_of(study, nodes);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
   if (study.has_only_starts && nonlinear > 0) wanted.count = 0;
-  SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
   if (nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
     // Fewer nodes, but still more than parameters, show the same basins.
-    const SampledStudy<double> coarse(error, nodes_of(study, edges, fit_rules.front()));
+    const std::size_t few = has_finer_nodes ? search_rule(study) : 0;
+    const SampledStudy<double> coarse(error, nodes_of(study, edges, fit_rules[few]));
     result.candidates = search_basins(error, coarse, result.sampled, wanted, checkpoint);
   } else if (study.rows && nodes.weights.size() > most_scanned) {
     result.candidates =
@@ -251,12 +331,12 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
     throw UserError(
         "--form has a pole, or no finite value, from every start: give another by --start, for example --start " +
         study.parameters.front() + "=2");
-  result.starts = static_cast<int>(wanted.count + (nonlinear == 0 ? 0 : wanted.given.size()));
+  const std::size_t sets = wanted.units.empty() ? 1 : 2;
+  result.starts = static_cast<int>(sets * wanted.count + (nonlinear == 0 ? 0 : wanted.given.size()));
   return result;
 }
 
-std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched) {
-  constexpr std::size_t most = 4;
+std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most) {
   // The ends of descents in one basin are at most this far apart.
   constexpr double same = 1e-6;
   std::vector<StudyCandidate> basins;

@@ -19,6 +19,9 @@ struct SearchStarts {
   std::size_t count;  ///< of a low-discrepancy set
   int octaves;        ///< its values are of either sign, of sizes from 2^-octaves to 2^octaves
   std::vector<std::vector<double>> given;
+  /// The units of all parameters, powers of two, if some are far from 1. Then as many starts again have these
+  /// units.
+  std::vector<double> units = {};
 };
 
 /// The ends of descents, best first, without those that have a pole or no finite error. One entry if the form
@@ -35,9 +38,9 @@ struct SearchedStudy {
   bool is_linear;  ///< in all parameters: then the only candidate is the best of all
 };
 
-/// The lowest basins, at most four, as starts for another problem with the same form. One candidate for each
-/// different square.
-std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched);
+/// The lowest basins, at most so many, as starts for another problem with the same form. One candidate for
+/// each different square.
+std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most = 4);
 
 /// A start of all parameters: those that are not given are 1.
 std::vector<double> start_of(const ReadStudy& study, const std::vector<Held>& starts);
@@ -55,5 +58,9 @@ std::size_t search_rule(const ReadStudy& study);
 /// in size, because their variables are of the size of 1. Rows have units: if their numbers are larger or
 /// smaller, the range is wider and there are more starts.
 SearchStarts starts_of(const ReadStudy& study, std::size_t nonlinear);
+
+/// The units of all parameters for `SearchStarts`, from the ranges of the variables and from the size of the
+/// target at nodes (fit/scalars/likely_sizes.hpp). Empty if all are near 1.
+std::vector<double> units_of(const ReadStudy& study, const StudyNodes& nodes);
 
 }  // namespace shadefit

@@ -9,10 +9,12 @@
 
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/linear_optimum.hpp"
+#include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/scalars/integral.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study/scaled_hessian.hpp"
+#include "fit/study/require_values.hpp"
+#include "fit/study/rules.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/study/study_problem.hpp"
@@ -52,86 +54,6 @@ std::optional<MatrixOf<double>> polish(const SampledStudy<double>& sampled, std:
   }
   return std::nullopt;
 }
-
-/// The nodes of one rule after the other, each sampled when it is needed.
-class Rules {
- public:
-  explicit Rules(const ReadStudy& study, const StudyError& error) : study_(study), error_(error) {
-    for (std::size_t i = 0; i < study.axes.size() && !is_of_rows(); ++i) edges_.push_back(edges_of(study, i));
-  }
-
-  /// Whether the nodes are measured rows, which all rules share.
-  bool is_of_rows() const { return study_.rows != nullptr; }
-
-  /// The last rule whose nodes are few enough.
-  std::size_t last() const {
-    if (is_of_rows()) return search_rule(study_) + 1;
-    constexpr double most_nodes = 60000;
-    std::size_t result = 0;
-    for (std::size_t i = 0; i < fit_rules.size(); ++i) {
-      double nodes = 1;
-      for (const auto& edges : edges_) nodes *= 2.0 * static_cast<double>((edges.size() - 1) * fit_rules[i]);
-      if (nodes <= most_nodes * std::pow(2.0, static_cast<double>(edges_.size()))) result = i;
-    }
-    return result;
-  }
-
-  StudyNodes nodes(std::size_t rule) const { return nodes_of(study_, edges_, fit_rules[rule]); }
-
-  template <class T>
-  SampledStudy<T> sampled(std::size_t rule) const {
-    return SampledStudy<T>(error_, nodes(rule));
-  }
-
-  const std::vector<std::vector<StudyEdge>>& edges() const { return edges_; }
-
-  /// Cuts the panels of a single axis until two small rules agree on the squares of the error and its
-  /// derivatives: a lobe needs narrow panels at its peak.
-  void cut_panels(const std::vector<double>& parameters) {
-    if (edges_.size() != 1) return;
-    const auto whole = squares(edges_.front(), parameters, 6);
-    std::vector<StudyEdge> cut{edges_.front().front()};
-    for (std::size_t i = 1; i < edges_.front().size(); ++i)
-      cut_panel(cut.back(), edges_.front()[i], parameters, whole, 0, cut);
-    edges_.front() = cut;
-  }
-
- private:
-  /// The integrals of error^2 and of the square of each derivative over the panels between edges.
-  VectorOf<double> squares(const std::vector<StudyEdge>& edges, const std::vector<double>& parameters,
-                           std::size_t rule) const {
-    const StudyNodes nodes = nodes_of(study_, {edges}, fit_rules[rule]);
-    const SampledStudy<double> sampled(error_, nodes);
-    VectorOf<double> errors;
-    MatrixOf<double> slopes;
-    sampled.errors(parameters, errors, &slopes);
-    const auto weights = sampled.roots().cwiseAbs2();
-    VectorOf<double> result(slopes.cols() + 1);
-    result[0] = errors.cwiseAbs2().dot(weights);
-    for (Eigen::Index j = 0; j < slopes.cols(); ++j) result[j + 1] = slopes.col(j).cwiseAbs2().dot(weights);
-    return result * static_cast<double>(nodes.total);
-  }
-
-  void cut_panel(StudyEdge left, StudyEdge right, const std::vector<double>& parameters,
-                 const VectorOf<double>& whole, int depth, std::vector<StudyEdge>& cut) const {
-    // A rule of 22 nodes that is right to 1e-6 becomes right to rounding with 38.
-    constexpr double agree = 1e-6;
-    constexpr int deepest = 20;
-    const auto coarse = squares({left, right}, parameters, 0), fine = squares({left, right}, parameters, 2);
-    const bool is_resolved = ((coarse - fine).cwiseAbs().array() <= agree * whole.array()).all();
-    if (is_resolved || depth == deepest || cut.size() > 40) {
-      cut.push_back(right);
-      return;
-    }
-    const StudyEdge middle{left.at + (right.at - left.at) / 2};
-    cut_panel(left, middle, parameters, whole, depth + 1, cut);
-    cut_panel(middle, right, parameters, whole, depth + 1, cut);
-  }
-
-  const ReadStudy& study_;
-  const StudyError& error_;
-  std::vector<std::vector<StudyEdge>> edges_;
-};
 
 /// Polishes a candidate in long double, on one rule after the other, until the next rule moves no parameter.
 StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t first) {
@@ -183,6 +105,108 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
   return fit;
 }
 
+/// The gradient of half the square, with the range split at the kinks that the parameters move. So it is that
+/// of the integral, and smooth.
+VectorOf<long double> gradient_at(Rules& rules, std::size_t rule, const std::vector<double>& parameters) {
+  rules.move_kinks(parameters);
+  const std::vector<long double> at(parameters.begin(), parameters.end());
+  return rules.sampled<long double>(rule).gradient(at).gradient;
+}
+
+/// Its derivatives by central differences: a kink that moves adds to those of the nodes. `hessian` is theirs.
+MatrixOf<double> hessian_with_kinks(Rules& rules, std::size_t rule, const std::vector<double>& parameters,
+                                    const MatrixOf<double>& hessian, double target_norm) {
+  // Of the third order there remains 1e-10; long double loses 1e-14 or less.
+  constexpr double step = 1e-5;
+  MatrixOf<double> result = hessian;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    const double length = step * std::max(std::abs(parameters[i]), target_norm / std::sqrt(hessian(k, k)));
+    std::vector<double> above = parameters, below = parameters;
+    above[i] += length;
+    below[i] -= length;
+    const VectorOf<long double> difference =
+        gradient_at(rules, rule, above) - gradient_at(rules, rule, below);
+    result.col(k) = difference.cast<double>() / (above[i] - below[i]);
+  }
+  return (result + result.transpose()) / 2;
+}
+
+/// Newton's method where kinks move with the parameters. The derivatives of the last place count the digits
+/// with the next rule.
+StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate, std::size_t rule) {
+  StudyFit fit;
+  fit.parameters = candidate.parameters;
+  fit.why = "Newton's method did not find a minimum beside the kinks that the parameters move";
+  constexpr int most_steps = 30;
+  double square = HUGE_VAL, shortening = 1;
+  VectorOf<double> step;
+  std::vector<double> from;
+  long double best = HUGE_VALL;
+  for (int i = 0; i < most_steps; ++i) {
+    rules.move_kinks(fit.parameters);
+    const auto sampled = rules.sampled<double>(rule);
+    const auto sums = sampled.derivatives(fit.parameters);
+    // A step that leads up is halved.
+    if (!(sums.square <= square * (1 + 1e-12)) && shortening > 1e-4) {
+      shortening /= 2;
+      for (std::size_t j = 0; j < from.size(); ++j)
+        fit.parameters[j] = from[j] + shortening * step[static_cast<Eigen::Index>(j)];
+      continue;
+    }
+    if ((sums.hessian.diagonal().array() == 0).any()) return fit;
+    const double norm = sampled.target_norm();
+    MatrixOf<double> hessian = hessian_with_kinks(rules, rule, fit.parameters, sums.hessian, norm);
+    const bool is_minimum = hessian.allFinite() && ScaledHessian(hessian).is_positive();
+    if (!is_minimum) hessian = sums.hessian;
+    const MatrixOf<double> inverse = ScaledHessian(hessian).inverse();
+    const VectorOf<long double> gradient = gradient_at(rules, rule, fit.parameters);
+    step = -(inverse * gradient.cast<double>());
+    if (!step.allFinite()) return fit;
+    // The next rule has another error where nothing is smooth, so its step counts the digits.
+    const VectorOf<double> check = -(inverse * gradient_at(rules, rule + 1, fit.parameters).cast<double>());
+    const long double size = relative_size(check, fit.parameters, hessian, norm);
+    if (is_minimum && size < best) {
+      best = size;
+      fit.status = Status::converged;
+      fit.digits = correct_digits(size);
+      fit.rms_error = std::sqrt(sums.square);
+    } else if (best < 1e-6L) {
+      fit.parameters = from;
+      break;
+    }
+    if (best <= settled) break;
+    from = fit.parameters;
+    square = sums.square;
+    shortening = 1;
+    for (std::size_t j = 0; j < from.size(); ++j) fit.parameters[j] += step[static_cast<Eigen::Index>(j)];
+  }
+  rules.move_kinks(fit.parameters);
+  if (fit.status == Status::converged && fit.digits >= least_study_digits) {
+    fit.why = "";
+  } else {
+    fit.status = Status::not_converged;
+  }
+  return fit;
+}
+
+/// The lowest basins, settled with the kinks where they are, best first. Those that do not settle come last.
+std::vector<StudyCandidate> settled_basins(Rules& rules, const SearchedStudy& searched, std::size_t rule) {
+  std::vector<StudyCandidate> result, others;
+  for (const StudyCandidate& basin : lowest_basins(searched)) {
+    const StudyFit fit = settle_kinks(rules, basin, rule);
+    if (fit.status == Status::converged) {
+      result.push_back({fit.parameters, fit.rms_error * fit.rms_error});
+    } else {
+      others.push_back(basin);
+    }
+  }
+  const auto is_lower = [](const auto& a, const auto& b) { return a.square < b.square; };
+  std::stable_sort(result.begin(), result.end(), is_lower);
+  result.insert(result.end(), others.begin(), others.end());
+  return result;
+}
+
 std::optional<LinearOptimum> optimum_of(const SampledStudy<long double>& sampled) {
   return linear_optimum(sampled.parameter_count(), [&](const auto& parameters, auto& errors, auto& slopes) {
     sampled.errors(parameters, errors, &slopes);
@@ -193,17 +217,24 @@ std::optional<LinearOptimum> optimum_of(const SampledStudy<long double>& sampled
 
 /// The optimum of a form that is linear in all parameters, by one rule after the other.
 StudyFit settle_linear(const Rules& rules, std::size_t first) {
+  const std::string dependent_columns =
+      "long double does not tell six digits of its parameters, whose columns are nearly dependent";
   StudyFit fit;
   fit.status = Status::not_converged;
+  fit.why = "the integral of the squared error does not converge";
   long double best = HUGE_VALL;
   auto fine = optimum_of(rules.sampled<long double>(first));
   for (std::size_t rule = first; rule < rules.last(); ++rule) {
     const auto coarse = fine;
     const auto wide = rules.sampled<long double>(rule + 1);
     fine = optimum_of(wide);
+    if (!fine) fit.why = dependent_columns;
     if (!coarse || !fine) continue;
-    const VectorOf<long double> step =
-        (coarse->parameters - fine->parameters).cwiseAbs() + fine->last_step.cwiseAbs();
+    // Below this the square is rounding.
+    const long double rounding = 1e-20L * wide.target_norm() * wide.target_norm();
+    if (std::abs(coarse->square - fine->square) > 1e-6L * fine->square + rounding) continue;
+    const VectorOf<long double> by_rule = (coarse->parameters - fine->parameters).cwiseAbs(),
+                                by_rounding = fine->last_step.cwiseAbs(), step = by_rule + by_rounding;
     const std::vector<double> parameters(fine->parameters.begin(), fine->parameters.end());
     const MatrixOf<double> hessian = fine->sizes.cwiseAbs2().cast<double>().asDiagonal();
     const auto size = relative_size(step, parameters, hessian, static_cast<double>(wide.target_norm()));
@@ -213,10 +244,12 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
     fit.digits = correct_digits(size);
     fit.rms_error = static_cast<double>(std::sqrt(fine->square));
     if (fit.digits >= least_study_digits) fit.status = Status::converged;
+    fit.why = by_rounding.maxCoeff() > by_rule.maxCoeff()
+                  ? dependent_columns
+                  : "the largest quadrature rule still moves a parameter in its sixth digit";
     if (size <= settled) break;
   }
-  if (fit.status != Status::converged)
-    fit.why = "long double does not tell six digits of its parameters, whose columns are nearly dependent";
+  if (fit.status == Status::converged) fit.why = "";
   return fit;
 }
 
@@ -270,14 +303,13 @@ StudyCandidate canonical(const ReadStudy& study, const SampledStudy<double>& sam
   return first;
 }
 
-/// The parameters along which the square does not change, in words; empty if there are none.
+/// Why a place is flat: the parameters along which the square does not change. Empty if there are none.
 std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& sampled,
                            const std::vector<double>& parameters) {
   const MatrixOf<double> hessian = sampled.derivatives(parameters).hessian;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)) == 0)
-      throw UserError("--form does not depend on its parameter '" + study.parameters[i] +
-                      "' where it was evaluated");
+      return "the curve stays the same while " + study.parameters[i] + " changes";
   }
   const Eigen::SelfAdjointEigenSolver<MatrixOf<double>> values(ScaledHessian(hessian).scaled);
   constexpr double flat = 1e-13;  // rounding of the sums
@@ -287,7 +319,7 @@ std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& s
     if (std::abs(values.eigenvectors()(static_cast<Eigen::Index>(i), 0)) > 0.1)
       names += (names.empty() ? "" : ", ") + study.parameters[i];
   }
-  return names;
+  return "the curve stays the same while " + names + " change together";
 }
 
 }  // namespace
@@ -295,6 +327,7 @@ std::string flat_direction(const ReadStudy& study, const SampledStudy<double>& s
 std::vector<StudyEdge> resolved_edges(const ReadStudy& study, const StudyError& error,
                                       const std::vector<double>& parameters) {
   Rules rules(study, error);
+  rules.move_kinks(parameters);
   rules.cut_panels(parameters);
   return rules.edges().front();
 }
@@ -322,6 +355,7 @@ void confirm_integrals(const ReadStudy& study, StudyFit& fit) {
 
 double rms_error(const ReadStudy& study, const StudyError& error, const std::vector<double>& parameters) {
   Rules rules(study, error);
+  rules.move_kinks(parameters);
   rules.cut_panels(parameters);
   double square = 0, last = -1;
   for (std::size_t rule = 0; rule < rules.last() && std::abs(square - last) > 1e-12 * square; ++rule) {
@@ -332,27 +366,39 @@ double rms_error(const ReadStudy& study, const StudyError& error, const std::vec
 }
 
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
+  require_finite_target(study, Norm::least_squares);
   const StudyError error(study);
   Rules rules(study, error);
-  const SearchedStudy searched = search_study(study, error, rules.edges(), starts, checkpoint);
+  SearchedStudy searched = search_study(study, error, rules.edges(), starts, checkpoint);
   const SampledStudy<double>& sampled = searched.sampled;
   checkpoint();
+  const std::size_t first = search_rule(study);
+  if (rules.has_moving_kinks()) searched.candidates = settled_basins(rules, searched, first);
 
   const auto best = best_of(searched.candidates, sampled.target_norm());
   const StudyCandidate chosen = canonical(study, sampled, best);
   const std::string flat = flat_direction(study, sampled, chosen.parameters);
   StudyFit fit;
-  if (flat.empty()) {
+  if (flat.empty() && rules.has_moving_kinks()) {
+    fit = settle_kinks(rules, chosen, first);
+  }
+  // Near a root the first rule is not enough for the kinks; panels that are cut are, and rules tell the
+  // digits.
+  if (flat.empty() && fit.status != Status::converged) {
     rules.cut_panels(chosen.parameters);
-    fit = settle(rules, chosen, search_rule(study));
-  } else {
+    fit = settle(rules, chosen, first);
+  } else if (!flat.empty()) {
     fit.parameters = chosen.parameters;
     fit.status = Status::degenerate;
-    fit.why = "the curve stays the same while " + flat + " change together";
+    fit.why = flat;
   }
   if (fit.status != Status::converged && searched.is_linear) {
-    const StudyFit linear = settle_linear(rules, search_rule(study));
-    if (!linear.parameters.empty()) fit = linear;
+    const StudyFit linear = settle_linear(rules, first);
+    if (!linear.parameters.empty()) {
+      fit = linear;
+    } else if (fit.status == Status::not_converged) {
+      fit.why = linear.why;
+    }
   }
   fit.names = study.parameters;
   fit.starts = searched.starts;

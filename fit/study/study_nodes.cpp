@@ -192,6 +192,44 @@ std::vector<Hinge> hinges_where(std::initializer_list<const Symbolic*> formulas,
   return result;
 }
 
+/// A formula with a number in place of a variable.
+Symbolic with_value(const Symbolic& formula, const std::string& variable, double value) {
+  return evaluate<Symbolic>(formula, [&](const std::string& name) {
+    return name == variable ? Symbolic::number(to_text(value)) : Symbolic::variable(name);
+  });
+}
+
+/// The hinges of an axis and of later ones, with the later variables at their ends. Where the zeros of a
+/// hinge reach such an end, the integral over the later variables is not smooth: that of sqrt(x y) over y at
+/// x = 0, and that of |x^2 + y^2 - 1/2| at x = sqrt(1/2). A kink that reaches a corner of two variables
+/// leaves it smooth.
+std::vector<Hinge> hinges_at_later_ends(const ReadStudy& study, std::size_t index) {
+  const auto is_of_axis = [&](const std::set<std::string>& names) {
+    return names.contains(study.axes[index].variable);
+  };
+  std::vector<Hinge> result;
+  std::set<std::string> known;
+  for (const Hinge& hinge : hinges_where({&study.target, &study.form, &study.weight}, is_of_axis)) {
+    const std::set<std::string> names = free_variables(hinge.part);
+    std::vector<Symbolic> parts{hinge.part};
+    for (std::size_t later = index + 1; later < study.axes.size(); ++later) {
+      const StudyAxis& axis = study.axes[later];
+      if (!names.contains(axis.variable)) continue;
+      std::vector<Symbolic> at_ends;
+      for (const Symbolic& part : parts) {
+        at_ends.push_back(with_value(part, axis.variable, axis.lower));
+        at_ends.push_back(with_value(part, axis.variable, axis.upper));
+      }
+      parts = std::move(at_ends);
+    }
+    if (parts.size() == 1) continue;
+    const bool counts_at_corner = hinge.is_root || parts.size() > 2;
+    for (const Symbolic& part : parts)
+      if (known.insert(to_text(part)).second) result.push_back({part, counts_at_corner, hinge.is_pole});
+  }
+  return result;
+}
+
 /// A hinge that depends on an axis and on axes before it, but on none after it.
 struct MixedHinge {
   Hinge hinge;
@@ -209,6 +247,12 @@ std::vector<MixedHinge> mixed_hinges(const ReadStudy& study, std::size_t index) 
   std::vector<MixedHinge> result;
   for (const Hinge& hinge : hinges_where({&study.target, &study.form, &study.weight}, is_mixed))
     result.push_back({hinge, HingeCurve(hinge.part, axes)});
+  for (Hinge hinge : hinges_at_later_ends(study, index)) {
+    if (!is_mixed(free_variables(hinge.part))) continue;
+    hinge.is_root = true;
+    HingeCurve curve(hinge.part, axes);
+    result.push_back({std::move(hinge), std::move(curve)});
+  }
   return result;
 }
 
@@ -233,6 +277,27 @@ StudyNodes nodes_of_rows(const MeasuredRows& rows) {
 
 }  // namespace
 
+std::vector<Symbolic> moving_kinks(const ReadStudy& study) {
+  const auto has_parameter = [&](const std::set<std::string>& names) {
+    return std::any_of(study.parameters.begin(), study.parameters.end(),
+                       [&](const std::string& parameter) { return names.contains(parameter); });
+  };
+  std::vector<Symbolic> kinks;
+  for (const Hinge& hinge : hinges_where({&study.form}, has_parameter))
+    if (!hinge.is_root && !hinge.is_pole) kinks.push_back(hinge.part);
+  return kinks;
+}
+
+ReadStudy at_parameters(const ReadStudy& study, const std::vector<double>& parameters) {
+  ReadStudy result = study;
+  result.form = evaluate<Symbolic>(study.form, [&](const std::string& name) {
+    const auto found = std::find(study.parameters.begin(), study.parameters.end(), name);
+    const auto i = static_cast<std::size_t>(found - study.parameters.begin());
+    return i < parameters.size() ? Symbolic::number(to_text(parameters[i])) : Symbolic::variable(name);
+  });
+  return result;
+}
+
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {
   std::vector<StudyEdge> edges;
   HingeCurve part(formula, std::span(&axis, 1));
@@ -252,6 +317,21 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t index) {
        hinges_where({&study.target, &study.form, &study.weight, &axis.density}, is_of_axis)) {
     HingeCurve part(hinge.part, std::span(&axis, 1));
     append_zeros(hinge, part, axis, edges);
+  }
+  for (const Hinge& hinge : hinges_at_later_ends(study, index)) {
+    if (!is_of_axis(free_variables(hinge.part))) continue;
+    HingeCurve part(hinge.part, std::span(&axis, 1));
+    std::vector<StudyEdge> found;
+    append_zeros({hinge.part, true, hinge.is_pole}, part, axis, found);
+    for (const StudyEdge& edge : found) {
+      const bool is_end = edge.at == axis.lower || edge.at == axis.upper;
+      if (hinge.is_root || !is_end) edges.push_back(edge);
+    }
+  }
+  // A relative error is 0/0 at a zero of the target. As an end of panels it has a limit from either side.
+  if (study.error == Error::relative && is_of_axis(free_variables(study.target))) {
+    HingeCurve target(study.target, std::span(&axis, 1));
+    append_zeros({.part = study.target, .is_root = false, .is_pole = false}, target, axis, edges);
   }
   return merged(axis, std::move(edges));
 }

@@ -18,6 +18,12 @@ struct StudyEdge {
 /// this variable alone.
 std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
 
+/// The parts of the form at whose zeros it has a kink that parameters move: a x - b of max(a x, b).
+std::vector<Symbolic> moving_kinks(const ReadStudy& study);
+
+/// The study with its form at given parameters: its kinks are where they are at these.
+ReadStudy at_parameters(const ReadStudy& study, const std::vector<double>& parameters);
+
 /// The zeros of a formula of one variable, its ends included. The search looks at 592 places, so it can miss
 /// two zeros that are closer.
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis);

@@ -58,6 +58,12 @@ struct StudyError::Parts {
       for (std::size_t j = 0; j <= i; ++j) hessian.push_back(graph.derivative(slopes[i], variables + j));
     }
     is_linear = linear_ones(graph, slopes, variables);
+    // On either side of a kink that a parameter moves the form may be linear; across it, it is not.
+    for (std::size_t i = 0; i < is_linear.size(); ++i) {
+      for (const Symbolic& kink : moving_kinks(study))
+        is_linear[i] = is_linear[i] && !contains_any(kink, {study.parameters[i]});
+    }
+    for (const int slope : slopes) is_open.push_back(graph.is_zero(slope));
     target = {graph.add(scale_formula(study))};
     for (const Hinge& hinge : hinges_of(study.form)) {
       if (hinge.is_pole && contains_any(hinge.part, study.parameters))
@@ -69,7 +75,7 @@ struct StudyError::Parts {
   std::size_t variables;
   std::vector<int> gradient, hessian, target;
   std::vector<std::vector<int>> denominators;
-  std::vector<bool> is_linear;
+  std::vector<bool> is_linear, is_open;
 };
 
 StudyError::StudyError(const ReadStudy& study, IntegralRule rule) : StudyError(Parts(study, rule)) {}
@@ -77,6 +83,7 @@ StudyError::StudyError(const ReadStudy& study, IntegralRule rule) : StudyError(P
 StudyError::StudyError(Parts parts)
     : parameter_count_(parts.gradient.size() - 1),
       is_linear_(std::move(parts.is_linear)),
+      is_open_(std::move(parts.is_open)),
       gradient_(parts.graph, parts.gradient, parts.variables),
       hessian_(parts.graph, parts.hessian, parts.variables),
       target_(parts.graph, parts.target, parts.variables) {

@@ -38,6 +38,9 @@ class StudyError {
   /// For each parameter whether it is marked. The form is linear in all marked parameters together.
   const std::vector<bool>& is_linear() const { return is_linear_; }
 
+  /// For each parameter whether the derivative by it is 0 for all values.
+  const std::vector<bool>& is_open() const { return is_open_; }
+
   const StagedTape& gradient() const { return gradient_; }  ///< the error and its derivatives
   /// and the second derivatives: (0, 0), (1, 0), (1, 1), (2, 0) ..
   const StagedTape& hessian() const { return hessian_; }
@@ -50,7 +53,7 @@ class StudyError {
   explicit StudyError(Parts parts);
 
   std::size_t parameter_count_;
-  std::vector<bool> is_linear_;
+  std::vector<bool> is_linear_, is_open_;
   StagedTape gradient_, hessian_, target_;
   std::vector<StagedTape> denominators_;
 };

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/minimax/contacts.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/study/largest_error.hpp"
-#include "fit/study/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
 #include "fit/study_exchange/quadratic_programme.hpp"

@@ -1,12 +1,14 @@
 #include "fit/study_exchange/minimax_study.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "fit/minimax/minimax.hpp"
 #include "fit/study/largest_error.hpp"
+#include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
 #include "fit/study_exchange/minimax_rows.hpp"
@@ -14,9 +16,79 @@
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
+namespace {
+
+/// The end of an exchange, and the least of the largest errors that were seen on its way.
+struct ExchangeEnd {
+  MinimaxOptimum optimum;
+  std::vector<StudyEdge> edges;
+  double lowest;
+};
+
+/// The exchange from one start. Its range is split at the kinks of the form. If parameters move them, it
+/// begins again where it ended, until they stay.
+ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, const Constraints& constraints,
+                           const std::vector<StudyEdge>& first_edges, const ExchangedStudy& first_exchanged,
+                           const std::vector<double>& start) {
+  const bool has_moving_kinks = !moving_kinks(study).empty();
+  const int most_passes = has_moving_kinks ? 20 : 1;
+  constexpr double same = 1e-13;
+  ExchangeEnd end{{}, first_edges, HUGE_VAL};
+  std::vector<double> from = start;
+  double distance = HUGE_VAL;
+  for (int pass = 0; pass < most_passes && distance > same; ++pass) {
+    MinimaxParameters p{};
+    std::copy(from.begin(), from.end(), p.begin());
+    if (has_moving_kinks) {
+      end.edges = resolved_edges(study, error, from);
+      const ExchangedStudy exchanged(study, error, end.edges, constraints);
+      end.optimum = solve_minimax(exchanged.problem(), p);
+    } else {
+      end.optimum = solve_minimax(first_exchanged.problem(), p);
+    }
+    if (end.optimum.status != Status::converged) break;
+    distance = 0;
+    for (std::size_t i = 0; i < from.size(); ++i)
+      distance = std::max(distance, std::abs(p[i] - end.optimum.parameters[i]) / std::abs(p[i]));
+    std::copy_n(end.optimum.parameters.begin(), from.size(), from.begin());
+  }
+  const auto level_at = [&](const std::vector<double>& parameters) {
+    const double level = largest_weighted_error(study, parameters).magnitude;
+    return std::isfinite(level) ? level : HUGE_VAL;
+  };
+  if (end.optimum.status == Status::converged && !has_moving_kinks) {
+    end.lowest = end.optimum.level;
+    return end;
+  }
+  std::copy_n(end.optimum.parameters.begin(), from.size(), from.begin());
+  end.lowest = std::min(level_at(start), level_at(from));
+  constexpr double equal = 1e-9;
+  const bool is_lost =
+      end.optimum.status == Status::converged && level_at(from) > end.optimum.level * (1 + equal);
+  if (is_lost || (has_moving_kinks && end.optimum.status == Status::converged && distance > same)) {
+    end.optimum.status = Status::not_converged;
+    end.optimum.why =
+        "the largest error is at a kink that the parameters move: the exchange does not settle there";
+  }
+  return end;
+}
+
+/// Whether the first end is the better answer. A level that is higher than one that was seen is no answer,
+/// though the exchange settled there. Under constraints the lower one may violate them.
+bool is_better(const ExchangeEnd& a, const ExchangeEnd& b, bool is_constrained) {
+  const bool has_a = a.optimum.status == Status::converged, has_b = b.optimum.status == Status::converged;
+  if (is_constrained) return has_a && (!has_b || a.optimum.level < b.optimum.level);
+  constexpr double equal = 1e-9;
+  if (has_a != has_b) return has_a ? a.lowest <= b.lowest * (1 + equal) : a.lowest * (1 + equal) < b.lowest;
+  return a.lowest < b.lowest;
+}
+
+}  // namespace
+
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   require_possible(study, constraints);
+  require_finite_target(study, Norm::minimax);
   if (study.rows) return solve_minimax_rows(study, starts, checkpoint);
   if (study.axes.size() > 1) return solve_minimax_surface(study, starts, checkpoint);
   const StudyError error(study);
@@ -25,16 +97,14 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   const auto edges = resolved_edges(study, error, searched.candidates.front().parameters);
   const ExchangedStudy exchanged(study, error, edges, constraints);
 
-  std::optional<MinimaxOptimum> best;
-  for (const StudyCandidate& candidate : lowest_basins(searched)) {
-    MinimaxParameters start{};
-    std::copy(candidate.parameters.begin(), candidate.parameters.end(), start.begin());
-    MinimaxOptimum optimum = solve_minimax(exchanged.problem(), start);
+  constexpr std::size_t most_basins = 8;  // as many as a search has: the lowest level may be in any
+  std::optional<ExchangeEnd> found;
+  for (const StudyCandidate& candidate : lowest_basins(searched, most_basins)) {
+    ExchangeEnd end = exchanged_from(study, error, constraints, edges, exchanged, candidate.parameters);
     checkpoint();
-    const bool is_better = !best || (optimum.status == Status::converged &&
-                                     (best->status != Status::converged || optimum.level < best->level));
-    if (is_better) best = std::move(optimum);
+    if (!found || is_better(end, *found, has_constraints(constraints))) found = std::move(end);
   }
+  const MinimaxOptimum* best = &found->optimum;
   StudyFit fit;
   fit.names = study.parameters;
   fit.parameters.assign(best->parameters.begin(),
@@ -51,7 +121,7 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
     throw UserError("the form cannot satisfy the constraints: " + fit.why);
   if (fit.status != Status::converged) return fit;
   fit.rms_error = rms_error(study, error, fit.parameters);
-  fit.max_abs_error = largest_error(study, {edges}, fit.parameters);
+  fit.max_abs_error = largest_error(study, {found->edges}, fit.parameters);
   confirm_integrals(study, fit);
   return fit;
 }

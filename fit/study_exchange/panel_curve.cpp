@@ -1,6 +1,7 @@
 #include "fit/study_exchange/panel_curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <span>
@@ -45,15 +46,40 @@ class CurveTapes {
   CurveTapes(TapeProgram<T> value, TapeProgram<T> slope, std::size_t outputs, std::size_t parameters)
       : value_(std::move(value)), slope_(std::move(slope)), outputs_(outputs), inputs_(1 + parameters) {}
 
-  /// The outputs at s.
+  /// The outputs at s. At an end where one has no value, such as 0/0 at a zero of the target, its limit along
+  /// the panel; NaN if the extrapolation does not settle.
   template <class P>
   std::vector<T> at(const SearchPanel& panel, double s, const P& parameters) {
-    return run(value_, panel, s, parameters);
+    std::vector<T> result = run(value_, panel, s, parameters);
+    const auto has_none = [](T value) { return std::isnan(value); };
+    if ((s != 0 && s != 1) || std::none_of(result.begin(), result.end(), has_none)) return result;
+    std::vector<std::vector<T>> beside;
+    for (const double distance : distances())
+      beside.push_back(run(value_, panel, s == 0 ? distance : 1 - distance, parameters));
+    const std::vector<T> limit = extrapolated(beside);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      // Of the last two orders; the better one is closer by another factor of 1000.
+      constexpr T agree = T(1e-10);
+      const T before = beside[beside.size() - 2][i];
+      const bool is_settled =
+          std::abs(limit[i] - before) <= agree * (std::abs(limit[i]) + std::abs(beside[0][i]));
+      if (has_none(result[i]) && is_settled) result[i] = limit[i];
+    }
+    return result;
+  }
+
+  /// The slope by s of the first output at an end where it has no value, to a few digits.
+  template <class P>
+  T limit_slope(const SearchPanel& panel, double s, const P& parameters) {
+    const T end = at(panel, s, parameters)[0];
+    const double distance = distances().back();
+    const T beside = run(value_, panel, s == 0 ? distance : 1 - distance, parameters)[0];
+    return (beside - end) / T(s == 0 ? distance : -distance);
   }
 
   /// The slopes of the outputs by the distance from an end, s = 0 or 1. At an end with a root the formula has
-  /// no derivative, though it is smooth in s: there difference quotients are extrapolated to the distance 0
-  /// (Neville's scheme). The distance goes from 1/16 down in seven halvings, so what is left is rounding.
+  /// no derivative, though it is smooth in s: there difference quotients are extrapolated to the distance 0,
+  /// and what is left is rounding.
   template <class P>
   std::vector<T> inward(const SearchPanel& panel, double s, const P& parameters) {
     const bool is_left = s == 0;
@@ -61,24 +87,36 @@ class CurveTapes {
       const T direction = is_left ? panel.slope<T>(0) : -panel.slope<T>(1);
       return combined(run(slope_, panel, s, parameters), direction, std::vector<T>(outputs_), T(0));
     }
-    constexpr int count = 8;
     const std::vector<T> end = at(panel, s, parameters);
     std::vector<std::vector<T>> quotients;
-    for (int i = 0; i < count; ++i) {
-      const double distance = std::ldexp(1.0, -4 - i);
+    for (const double distance : distances()) {
       const T per_distance = 1 / T(distance);
       const auto beside = at(panel, is_left ? distance : 1 - distance, parameters);
       quotients.push_back(combined(beside, per_distance, end, -per_distance));
     }
-    for (int order = 1; order < count; ++order) {
-      const T ratio = T(1 << order);
-      for (std::size_t i = count - 1; i >= static_cast<std::size_t>(order); --i)
-        quotients[i] = combined(quotients[i], ratio / (ratio - 1), quotients[i - 1], -1 / (ratio - 1));
-    }
-    return quotients.back();
+    return extrapolated(quotients);
   }
 
  private:
+  /// The distances of an extrapolation from an end of a panel: from 1/16 down in seven halvings.
+  static constexpr int count = 8;
+  static std::array<double, count> distances() {
+    std::array<double, count> result{};
+    for (int i = 0; i < count; ++i) result[static_cast<std::size_t>(i)] = std::ldexp(1.0, -4 - i);
+    return result;
+  }
+
+  /// What is at the distance 0 of values at these distances (Neville's scheme). The value before the last
+  /// becomes that of one order less.
+  static std::vector<T> extrapolated(std::vector<std::vector<T>>& values) {
+    for (int order = 1; order < count; ++order) {
+      const T ratio = T(1 << order);
+      for (std::size_t i = count - 1; i >= static_cast<std::size_t>(order); --i)
+        values[i] = combined(values[i], ratio / (ratio - 1), values[i - 1], -1 / (ratio - 1));
+    }
+    return values.back();
+  }
+
   template <class P>
   std::vector<T> run(TapeProgram<T>& program, const SearchPanel& panel, double s, const P& parameters) {
     inputs_[0] = panel.at(T(s));
@@ -117,12 +155,18 @@ class PanelCurve {
 
   double value(const SearchPlace& place, const MinimaxParameters& p) {
     value_.run(inputs_at(place, p));
-    return value_.output(0);
+    const double value = value_.output(0);
+    return std::isnan(value) ? across_.at(panels_[place.panel], place.s, p)[0] : value;
   }
   Along along(const SearchPlace& place, const MinimaxParameters& p) {
     const SearchPanel& panel = panels_[place.panel];
     curvature_.run(inputs_at(place, p));
     const double slope = panel.slope(place.s), by_x = curvature_.output(1);
+    const bool is_end = place.s == 0 || place.s == 1;
+    if (is_end && std::isnan(curvature_.output(0))) {
+      const double towards = across_.limit_slope(panel, place.s, p);
+      return {value(place, p), towards, 0};
+    }
     return {curvature_.output(0), by_x * slope,
             curvature_.output(2) * slope * slope + by_x * panel.curvature()};
   }

@@ -157,6 +157,7 @@ int Graph::sum(int a, int b) {
 int Graph::difference(int a, int b) {
   if (is_zero(a)) return negative(b);
   if (is_zero(b)) return a;
+  if (a == b) return whole(0);
   if (is_constant(a) && is_constant(b)) return constant(constant_at(a) - constant_at(b));
   return node({Operation::subtract, 0, {a, b, -1, -1}});
 }

@@ -12,7 +12,7 @@
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/solve/under.hpp"
-#include "fit/study/scaled_hessian.hpp"
+#include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
 

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "fit/study/solve_study.hpp"
 #include "fit/study/study.hpp"
+#include "fit/support/user_error.hpp"
 
 /// Forms that are linear in many parameters, whose columns are nearly dependent.
 namespace shadefit {
@@ -47,6 +50,64 @@ TEST(LinearStudy, DependentColumnsAreNamed) {
   const StudyFit fit = solve_study(read_study(study), {});
   EXPECT_EQ(fit.status, Status::degenerate);
   EXPECT_EQ(fit.why, "the curve stays the same while a, b change together");
+}
+
+// The integral of x^(-2p) on [0, 1] is 1/(1 - 2p), and there is none from p = 1/2 on. That of 1/(x + y)^2 on
+// the square has no value either: near the corner it is that of 1/r.
+TEST(LinearStudy, ATargetWithoutAMeanSquareIsRefusedWithItsPlace) {
+  const StudyRange x{"x", "0", "1"}, y{"y", "0", "1"};
+  const auto refusal = [](const Study& study) -> std::string {
+    try {
+      solve_study(read_study(study), {});
+    } catch (const UserError& error) {
+      const std::string text = error.what();
+      return text.substr(0, text.find(','));
+    }
+    return "none";
+  };
+  const std::string form = "a + b x";
+  for (const char* target : {"1/x", "1/sqrt(x)", "x^-0.6", "1/sin(x)"})
+    EXPECT_EQ(refusal({.target = target, .form = form, .over = {x}}), "--target is not finite at x = 0")
+        << target;
+  for (const char* target : {"log(x)", "x^-0.4", "sqrt(x)", "x/sin(x)"})
+    EXPECT_EQ(refusal({.target = target, .form = form, .over = {x}}), "none") << target;
+  EXPECT_EQ(refusal({.target = "1/(1 - x)", .form = form, .over = {x}}), "--target is not finite at x = 1");
+  EXPECT_EQ(refusal({.target = "tan(x)", .form = form, .over = {{"x", "0", "3"}}}).substr(0, 43),
+            "--target is not finite at x = 1.57079632679");
+  EXPECT_EQ(refusal({.target = "1/(x y)", .form = form, .over = {x, y}}), "--target is not finite at y = 0");
+  EXPECT_EQ(refusal({.target = "1/(x + y)", .form = form, .over = {x, y}}),
+            "--target is not finite at x = 0");
+}
+
+// Roots, logarithms and kinks across several variables. The moments of the targets on the square and the cube
+// are closed forms, as E |x - y z| = 13/36; the normal equations of a + b x + d y give the rest.
+TEST(LinearStudy, IntegratesSingularEdgesOfSeveralVariables) {
+  struct Known {
+    std::string target;
+    bool has_z;
+    std::vector<double> parameters;
+    int digits;
+  };
+  const double pi = std::acos(-1.0), root = std::sqrt(2.0);
+  // E |x^2 + y^2 - 1/2| = 1/6 + pi/16, and E x |x^2 + y^2 - 1/2| = 1/6 + sqrt(2)/30.
+  const double mean = 1.0 / 6 + pi / 16, slope = 12 * (1.0 / 6 + root / 30 - mean / 2);
+  const std::vector<Known> all{
+      {"sqrt(x y)", false, {-4.0 / 45, 8.0 / 15, 8.0 / 15}, 13},
+      {"log(x y)", false, {-5, 3, 3}, 13},
+      {"sqrt(x y z)", true, {-8.0 / 135, 16.0 / 45, 16.0 / 45}, 12},
+      {"abs(x - y z)", true, {11.0 / 72, 7.0 / 12, -1.0 / 6}, 7},
+      {"abs(x^2 + y^2 - 1/2)", false, {mean - slope, slope, slope}, 9},
+  };
+  for (const auto& [target, has_z, parameters, digits] : all) {
+    Study study{.target = target, .form = "a + b x + d y", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
+    if (has_z) study.over.push_back({"z", "0", "1"});
+    const StudyFit fit = solve_study(read_study(study), {});
+    ASSERT_EQ(name(fit.status), "converged") << target << ": " << fit.why;
+    EXPECT_GE(fit.digits, digits) << target;
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(fit.parameters[i] / parameters[i], 1, std::max(1e-14, std::pow(10, -fit.digits)))
+          << target << ", " << fit.names[i];
+  }
 }
 
 }  // namespace

@@ -111,5 +111,41 @@ TEST(StudyReferences, HoldToThirteenDigits) {
   }
 }
 
+// The same studies with x in units of 1e-6, or with values in units of 1e9: the references with these units.
+TEST(StudyReferences, AreTheSameInOtherUnits) {
+  struct InUnits {
+    std::string id;
+    Study study;
+    std::map<std::string, double> factors;
+  };
+  const std::vector<InUnits> studies{
+      {"exponentials",
+       {.target = "1/(1 + x/1e6)^2", .form = "a exp(-b x) + d exp(-g x)", .over = {{"x", "0", "4e6"}}},
+       {{"b", 1e-6}, {"g", 1e-6}}},
+      {"exponentials",
+       {.target = "1e-9/(1 + x)^2", .form = "a exp(-b x) + d exp(-g x)", .over = {{"x", "0", "4"}}},
+       {{"a", 1e-9}, {"d", 1e-9}}},
+      {"two-bumps",
+       {.target = "exp(-8 (x/1e6 - 0.2)^2) + 0.9 exp(-30 (x/1e6 - 1)^2)",
+        .form = "a/(1 + b (x - d)^2)",
+        .over = {{"x", "-1e6", "2e6"}}},
+       {{"b", 1e-12}, {"d", 1e6}}},
+      {"tone-curve",
+       {.target = "1 - exp(-1e5 x)", .form = "x (a x + b)/(x (d x + g) + 1)", .over = {{"x", "0", "8e-5"}}},
+       {{"a", 1e10}, {"b", 1e5}, {"d", 1e10}, {"g", 1e5}}},
+  };
+  const auto expected = references();
+  for (const auto& [id, study, factors] : studies) {
+    const StudyFit fit = solve_study(read_study(study), {});
+    ASSERT_EQ(name(fit.status), "converged") << id << ": " << fit.why;
+    for (std::size_t i = 0; i < fit.names.size(); ++i) {
+      const auto factor = factors.find(fit.names[i]);
+      const auto unit = static_cast<long double>(factor == factors.end() ? 1 : factor->second);
+      expect_near(fit.parameters[i], expected.at(id).at(fit.names[i]) * unit, 1e-13,
+                  id + " in other units, " + fit.names[i]);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace shadefit

@@ -142,12 +142,12 @@ StudyFit fit_of(const Study& study, Norm norm) {
   return norm == Norm::minimax ? solve_minimax_study(read_study(study), {}, {}) : fit_of(study);
 }
 
-/// Compares what both say with the digits that both claim.
+/// Compares what both say with the digits that both claim: each may be wrong by one of the last.
 void expect_same(const FittableFamily& family, double exponent, const Fit& expected, const StudyFit& fit) {
   const int digits = std::min(fit.digits, expected.digits);
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     const double value = expected.parameters[parameter_index(family, fit.names[i])];
-    EXPECT_NEAR(fit.parameters[i] / value, 1, std::pow(10.0, -digits))
+    EXPECT_NEAR(fit.parameters[i] / value, 1, 2 * std::pow(10.0, -digits))
         << family.info.id << " at " << to_text(exponent) << ", " << fit.names[i] << ": expected "
         << to_text(value) << ", computed " << to_text(fit.parameters[i]) << ", digits " << expected.digits
         << " and " << fit.digits;
@@ -184,14 +184,10 @@ TEST(Study, ClaimsNoDigitThatIsWrongAtLargeExponents) {
       if (!family.has_exponent()) continue;
       for (const double exponent : {1e4, 1e5, 1e6, 1e8}) {
         const Fit expected = family.fit(Setting(exponent), Metric{.norm = norm});
-        try {
-          const StudyFit fit = fit_of(study_of(family, exponent), norm);
-          if (expected.status == Status::converged && fit.status == Status::converged)
-            expect_same(family, exponent, expected, fit);
-        } catch (const UserError& refused) {
-          // All nodes may be where the lobe is 0.
-          EXPECT_NE(std::string(refused.what()).find("where it was evaluated"), std::string::npos);
-        }
+        // All nodes may be where the lobe is 0: then it is degenerate.
+        const StudyFit fit = fit_of(study_of(family, exponent), norm);
+        if (expected.status == Status::converged && fit.status == Status::converged)
+          expect_same(family, exponent, expected, fit);
       }
     }
   }
@@ -328,7 +324,7 @@ TEST(Study, AnswersBadInputWithOneLine) {
             "--form: formula 'integral(t, t, 0, x) t': expected 't' inside its integral alone at place 22");
   EXPECT_EQ(refusal([](Study& s) { s.form = "sqrt(1-x)"; }), "--form 'sqrt(1-x)' has no parameter to fit");
   EXPECT_EQ(refusal([](Study& s) { s.form = "a + (b - b) x"; }),
-            "--form does not depend on its parameter 'b' where it was evaluated");
+            "--form does not depend on its parameter 'b'");
   EXPECT_EQ(refusal([](Study& s) { s.over = {}; }),
             "--form needs --over, a variable and its range: for example --over x=0:1");
   EXPECT_EQ(refusal([](Study& s) { s.over = {{"x", "1", "0"}}; }), "--over 'x=1:0' is empty: it must rise");
@@ -408,7 +404,7 @@ TEST(Study, AnswersBadInputWithOneLine) {
   EXPECT_EQ(refusal([](Study& s) { s.form = std::string(1000000, 'a'); }),
             "--form: the formula is 1000000 characters long: at most 4000");
   EXPECT_EQ(
-      refusal([](Study& s) { s.form = "a/((b - b) x)"; }),
+      refusal([](Study& s) { s.form = "a/(b^2 (x - 0.5))"; }),
       "--form has a pole, or no finite value, from every start: give another by --start, for example --start a=2");
 }
 

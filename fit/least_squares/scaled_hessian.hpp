@@ -8,25 +8,23 @@
 #include <cstddef>
 #include <vector>
 
-#include "fit/study/study_problem.hpp"
-
 namespace shadefit {
 
 /// A Hessian in units that make its diagonal 1. Parameters have units: without this a small one would look
 /// like rounding beside a large one.
 struct ScaledHessian {
-  explicit ScaledHessian(const MatrixOf<double>& hessian)
+  explicit ScaledHessian(const Eigen::MatrixXd& hessian)
       : units(hessian.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse()),
         scaled(units.asDiagonal() * hessian * units.asDiagonal()) {}
 
-  MatrixOf<double> inverse() const {
+  Eigen::MatrixXd inverse() const {
     return units.asDiagonal() * scaled.fullPivLu().inverse() * units.asDiagonal();
   }
   /// Whether all eigenvalues are positive.
-  bool is_positive() const { return Eigen::LDLT<MatrixOf<double>>(scaled).isPositive(); }
+  bool is_positive() const { return Eigen::LDLT<Eigen::MatrixXd>(scaled).isPositive(); }
 
-  VectorOf<double> units;  ///< of the parameters
-  MatrixOf<double> scaled;
+  Eigen::VectorXd units;  ///< of the parameters
+  Eigen::MatrixXd scaled;
 };
 
 /// A parameter counts as 0 if it moves the form by less than this share of the target. Then its digits are
@@ -36,7 +34,7 @@ inline constexpr double negligible = 1e-6;
 /// The largest step, each relative to its parameter. `hessian` is that of half the square.
 template <class Step>
 long double relative_size(const Step& step, const std::vector<double>& parameters,
-                          const MatrixOf<double>& hessian, double target_norm) {
+                          const Eigen::MatrixXd& hessian, double target_norm) {
   long double largest = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "fit/quadrature/rule_choice.hpp"
+#include "fit/study/search.hpp"
+#include "fit/study/study_nodes.hpp"
+#include "fit/study/study_problem.hpp"
+
+namespace shadefit {
+
+/// The nodes of one rule after the other, each sampled when it is needed.
+class Rules {
+ public:
+  /// Refers to both.
+  Rules(const ReadStudy& study, const StudyError& error)
+      : study_(study), error_(error), has_moving_kinks_(!is_of_rows() && !moving_kinks(study).empty()) {
+    if (!is_of_rows()) edges_ = all_edges(study);
+  }
+
+  /// Whether the nodes are measured rows, which all rules share.
+  bool is_of_rows() const { return study_.rows != nullptr; }
+
+  /// The last rule whose nodes are few enough.
+  std::size_t last() const {
+    if (is_of_rows()) return search_rule(study_) + 1;
+    constexpr double most_nodes = 60000;
+    std::size_t result = 0;
+    for (std::size_t i = 0; i < fit_rules.size(); ++i) {
+      double nodes = 1;
+      for (const auto& edges : edges_) nodes *= 2.0 * static_cast<double>((edges.size() - 1) * fit_rules[i]);
+      if (nodes <= most_nodes * std::pow(2.0, static_cast<double>(edges_.size()))) result = i;
+    }
+    return result;
+  }
+
+  StudyNodes nodes(std::size_t rule) const {
+    return nodes_of(frozen_ ? *frozen_ : study_, edges_, fit_rules[rule]);
+  }
+
+  template <class T>
+  SampledStudy<T> sampled(std::size_t rule) const {
+    return SampledStudy<T>(error_, nodes(rule));
+  }
+
+  const std::vector<std::vector<StudyEdge>>& edges() const { return edges_; }
+
+  /// Whether the form has kinks that its parameters move: max(a x, b) at x = b/a.
+  bool has_moving_kinks() const { return has_moving_kinks_; }
+
+  /// Splits the range at the kinks of the form at these parameters.
+  void move_kinks(const std::vector<double>& parameters) {
+    if (!has_moving_kinks_) return;
+    frozen_ = at_parameters(study_, parameters);
+    edges_ = all_edges(*frozen_);
+  }
+
+  /// Cuts the panels of a single axis until two small rules agree on the squares of the error and its
+  /// derivatives: a lobe needs narrow panels at its peak.
+  void cut_panels(const std::vector<double>& parameters) {
+    if (edges_.size() != 1) return;
+    const auto whole = squares(edges_.front(), parameters, 6);
+    std::vector<StudyEdge> cut{edges_.front().front()};
+    for (std::size_t i = 1; i < edges_.front().size(); ++i)
+      cut_panel(cut.back(), edges_.front()[i], parameters, whole, 0, cut);
+    edges_.front() = cut;
+  }
+
+ private:
+  /// The integrals of error^2 and of the square of each derivative over the panels between edges.
+  VectorOf<double> squares(const std::vector<StudyEdge>& edges, const std::vector<double>& parameters,
+                           std::size_t rule) const {
+    const StudyNodes nodes = nodes_of(study_, {edges}, fit_rules[rule]);
+    const SampledStudy<double> sampled(error_, nodes);
+    VectorOf<double> errors;
+    MatrixOf<double> slopes;
+    sampled.errors(parameters, errors, &slopes);
+    const auto weights = sampled.roots().cwiseAbs2();
+    VectorOf<double> result(slopes.cols() + 1);
+    result[0] = errors.cwiseAbs2().dot(weights);
+    for (Eigen::Index j = 0; j < slopes.cols(); ++j) result[j + 1] = slopes.col(j).cwiseAbs2().dot(weights);
+    return result * static_cast<double>(nodes.total);
+  }
+
+  void cut_panel(StudyEdge left, StudyEdge right, const std::vector<double>& parameters,
+                 const VectorOf<double>& whole, int depth, std::vector<StudyEdge>& cut) const {
+    // A rule of 22 nodes that is right to 1e-6 becomes right to rounding with 38.
+    constexpr double agree = 1e-6;
+    constexpr int deepest = 20;
+    const auto coarse = squares({left, right}, parameters, 0), fine = squares({left, right}, parameters, 2);
+    const bool is_resolved = ((coarse - fine).cwiseAbs().array() <= agree * whole.array()).all();
+    if (is_resolved || depth == deepest || cut.size() > 40) {
+      cut.push_back(right);
+      return;
+    }
+    const StudyEdge middle{left.at + (right.at - left.at) / 2};
+    cut_panel(left, middle, parameters, whole, depth + 1, cut);
+    cut_panel(middle, right, parameters, whole, depth + 1, cut);
+  }
+
+  static std::vector<std::vector<StudyEdge>> all_edges(const ReadStudy& study) {
+    std::vector<std::vector<StudyEdge>> edges;
+    for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
+    return edges;
+  }
+
+  const ReadStudy& study_;
+  const StudyError& error_;
+  bool has_moving_kinks_;
+  std::optional<ReadStudy> frozen_ = std::nullopt;  ///< the study at the parameters of the kinks
+  std::vector<std::vector<StudyEdge>> edges_ = {};
+};
+
+}  // namespace shadefit

@@ -1,0 +1,76 @@
+#include "fit/study_exchange/minimax_study.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "fit/support/user_error.hpp"
+
+/// Minimax fits of studies of one variable where the exchange is easily led astray.
+namespace shadefit {
+namespace {
+
+StudyFit fit_of(const Study& study) {
+  return solve_minimax_study(read_study(study), {}, {});
+}
+
+// Least squares finds a = 1, b = 50, where the error is 0. A sine of another frequency has the level 1.
+TEST(MinimaxStudy, CallsNoWorseLevelConverged) {
+  const Study wave{.target = "sin(50 x)", .form = "a sin(b x)", .over = {{"x", "0", "1"}}};
+  const StudyFit exact = fit_of(wave);
+  EXPECT_NE(name(exact.status), "converged") << *exact.level;
+  EXPECT_NEAR(exact.parameters[0] * exact.parameters[1], 50, 1e-9);
+  Study disturbed = wave;
+  disturbed.target = "sin(50 x) + x/10";
+  const StudyFit fit = fit_of(disturbed);
+  if (fit.status == Status::converged) {
+    EXPECT_LT(*fit.level, 0.11);
+  }
+}
+
+// At x = 0 both are 0, and the relative error is the limit a - 1. The alternation is 0, a place inside and 1;
+// mpmath solved its equations by `findroot` in 40 digits.
+TEST(MinimaxStudy, TakesTheLimitOfARelativeErrorAtAZeroOfTheTarget) {
+  struct Known {
+    std::string target, form;
+    std::vector<double> parameters;
+    double level;
+  };
+  const std::vector<Known> all{
+      {"sin(x)", "a x + b x^2", {1.020284228885116605606, -0.1617446540211922482231}, 0.0202842288851166056},
+      {"log(1 + x)",
+       "a x + b x^2",
+       {0.9784623833280494347519, -0.3002439410402475321673},
+       0.02153761667195056525},
+      {"sqrt(sin(x))",
+       "sqrt(x) (a + b x)",
+       {1.010608150810509439204, -0.08355983482773987912556},
+       0.01060815081050943920}};
+  for (const auto& [target, form, parameters, level] : all) {
+    const StudyFit fit =
+        fit_of({.target = target, .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
+    ASSERT_EQ(name(fit.status), "converged") << target << ": " << fit.why;
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(fit.parameters[i] / parameters[i], 1, 1e-12) << target;
+    EXPECT_NEAR(*fit.level / level, 1, 1e-11) << target;
+  }
+}
+
+// Without a limit the place is named.
+TEST(MinimaxStudy, NamesAZeroOfTheTargetThatTheFormDoesNotShare) {
+  for (const char* form : {"a + b x", "a x + b sqrt(x)"}) {
+    try {
+      fit_of({.target = "sin(x)", .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
+      FAIL() << form;
+    } catch (const UserError& error) {
+      EXPECT_STREQ(
+          error.what(),
+          "--error 'relative' divides by the target, which is 0 at x = 0: leave that place out of --over")
+          << form;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shadefit
