@@ -76,12 +76,14 @@ std::string words_of(const Samples& samples, std::size_t variables) {
   return words + (samples.has_ends ? " even samples" : " midpoints");
 }
 
-/// The ranges of samples. A table has only the values of its rows; the texels of a variable in [0, 1] have
-/// all of that range.
+/// The ranges of samples: for a table those of its rows. Midpoints are texels; if the rows come near to 0 and
+/// 1, the texels have all of that range.
 std::vector<StudyAxis> ranges_of(const ReadStudy& read, const Samples& samples) {
+  constexpr double near = 1.0 / 64;
   std::vector<StudyAxis> axes = read.axes;
   for (StudyAxis& axis : axes) {
     if (!read.rows || samples.has_ends || !is_in_unit(axis)) continue;
+    if (axis.lower > near || axis.upper < 1 - near) continue;
     axis.lower = 0;
     axis.upper = 1;
   }
@@ -140,8 +142,7 @@ std::vector<DensityOfTwo> densities_of_two(const StudyRange& range, const StudyA
 }
 
 /// Appends least squares under the usual densities of two variables, of which one may be a cosine and the
-/// other one a roughness. A fit takes tenths of a second, so a relative error is tried only if it is asked
-/// for.
+/// other one a roughness. A fit takes tenths of a second, so only the asked error is tried.
 void append_densities_of_two(const StudyObjective& asked, const ReadStudy& read,
                              std::vector<StudyObjective>& objectives) {
   for (const DensityOfTwo& first : densities_of_two(asked.study.over[0], read.axes[0])) {
@@ -149,17 +150,13 @@ void append_densities_of_two(const StudyObjective& asked, const ReadStudy& read,
       const bool is_asked = first.words.empty() && second.words.empty();
       const bool is_twice = first.kind == second.kind && first.kind != DensityOfTwo::Kind::plain;
       if (is_asked || is_twice) continue;
-      for (const Error error : {Error::absolute, Error::relative}) {
-        if (error == Error::relative && asked.study.error != error) continue;
-        Study study = asked.study;
-        study.error = error;
-        study.over[0].density = first.density;
-        study.over[1].density = second.density;
-        StudyObjective objective = objective_of(study, Norm::least_squares, {});
-        for (const std::string& words : {first.words, second.words})
-          if (!words.empty()) objective.words += ", " + words;
-        objectives.push_back(std::move(objective));
-      }
+      Study study = asked.study;
+      study.over[0].density = first.density;
+      study.over[1].density = second.density;
+      StudyObjective objective = objective_of(study, Norm::least_squares, {});
+      for (const std::string& words : {first.words, second.words})
+        if (!words.empty()) objective.words += ", " + words;
+      objectives.push_back(std::move(objective));
     }
   }
 }
