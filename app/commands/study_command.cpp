@@ -102,7 +102,8 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
     Study study = combination;
     study.form = file.forms.front().formula;
     if (study.starts.empty()) study.starts = published_starts(file, file.forms.front().id, study);
-    const StudyObjective objective = objective_of(study, file.norm, file.constraints);
+    StudyObjective objective = objective_of(study, file.norm, file.constraints);
+    objective.recompute = file.recompute;
     studies.push_back({objective, read_study(study), fit_study(objective, checkpoint),
                        judged_sets(file, objective, checkpoint)});
   }

@@ -90,7 +90,14 @@ void append_published(StudyComparison& comparison, const StudyFile& file, const 
     for (const std::string& text : printed) values.push_back(constant<double>(text));
     StudyContender contender = contender_of(form, study, set.source, values, printed, checkpoint);
     contender.published = &set;
-    contender.judgement = judge_set(objective_of(study, file.norm, file.constraints), set, checkpoint);
+    // Several sources may print the same digits.
+    const auto same = std::find_if(
+        comparison.contenders.begin(), comparison.contenders.end(),
+        [&](const StudyContender& other) { return other.form == form.id && other.printed == printed; });
+    StudyObjective asked = objective_of(study, file.norm, file.constraints);
+    asked.recompute = file.recompute;
+    contender.judgement =
+        same != comparison.contenders.end() ? same->judgement : judge_set(asked, set, checkpoint);
     for (const ErrorClaim& claim : set.claims) contender.claims.push_back(judge_error(claim, study, values));
     comparison.contenders.push_back(contender);
   }

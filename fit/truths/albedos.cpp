@@ -55,7 +55,7 @@ const AlbedoTable& table_of(std::size_t index) {
     // The lobe of sheen is a function of c^2/alpha: the strip where it is analytic is half as wide. Below
     // c = 1/4 the visibility of Charlie is cut off for some lights; at c = 1 - sqrt(3)/2 for the mirrored
     // view.
-    result.emplace_back(charlie_albedo, 1, std::vector{0.25, 1 - std::numbers::sqrt3 / 2});
+    result.emplace_back(charlie_albedo, 1, std::vector{0.5, 0.25, 0.16, 1 - std::numbers::sqrt3 / 2, 0.11});
     result.emplace_back(imageworks_sheen_albedo, 1, std::vector<double>{});
     return result;
   }();

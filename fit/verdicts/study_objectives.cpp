@@ -1,9 +1,11 @@
 #include "fit/verdicts/study_objectives.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "fit/tape/tape_program.hpp"
@@ -17,23 +19,35 @@ struct Samples {
   bool has_ends;
 };
 
-/// The target at evenly spaced samples; null if one of its values is not finite.
-std::shared_ptr<const MeasuredRows> sampled(const ReadStudy& study, const Tape& target,
+/// The target at evenly spaced samples of each variable; null if one of its values is not finite.
+std::shared_ptr<const MeasuredRows> sampled(const std::vector<StudyAxis>& axes, const Tape& target,
                                             const Samples& samples) {
-  const StudyAxis& axis = study.axes.front();
   TapeProgram<double> program(target, {});
   auto rows = std::make_shared<MeasuredRows>();
-  rows->places.resize(1);
-  for (int i = 0; i < samples.count; ++i) {
-    const double share =
-        samples.has_ends ? static_cast<double>(i) / (samples.count - 1) : (i + 0.5) / samples.count;
-    const double x = axis.lower + (axis.upper - axis.lower) * share;
-    program.run(std::span(&x, 1));
+  rows->places.resize(axes.size());
+  std::vector<int> index(axes.size(), 0);
+  std::vector<double> place(axes.size());
+  while (index.back() < samples.count) {
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const double share = samples.has_ends ? static_cast<double>(index[i]) / (samples.count - 1)
+                                            : (index[i] + 0.5) / samples.count;
+      place[i] = axes[i].lower + (axes[i].upper - axes[i].lower) * share;
+      rows->places[i].push_back(place[i]);
+    }
+    program.run(place);
     if (!std::isfinite(program.output(0))) return nullptr;
-    rows->places.front().push_back(x);
     rows->value.push_back(program.output(0));
+    ++index.front();
+    for (std::size_t i = 0; i + 1 < axes.size() && index[i] == samples.count; ++i) {
+      index[i] = 0;
+      ++index[i + 1];
+    }
   }
   return rows;
+}
+
+bool is_in_unit(const StudyAxis& axis) {
+  return 0 <= axis.lower && axis.upper <= 1;
 }
 
 /// The samples that scripts usually take: a round number with the ends, a round step, the texels of a table.
@@ -51,23 +65,48 @@ std::vector<Samples> usual_samples(const StudyAxis& axis) {
   return samples;
 }
 
-/// Appends least squares on evenly spaced samples.
-void append_samples(const StudyObjective& asked, const ReadStudy& read,
-                    std::vector<StudyObjective>& objectives) {
-  const std::vector<std::string> variables{read.axes.front().variable};
-  const Tape target = tape_of(read.target, variables);
-  for (const Samples& samples : usual_samples(read.axes.front())) {
-    if (static_cast<std::size_t>(samples.count) <= read.parameters.size()) continue;
-    const auto rows = sampled(read, target, samples);
-    if (!rows) continue;
+/// The same for each of two variables: tables of textures and of scripts.
+constexpr std::array usual_grids{Samples{16, true},  Samples{32, true},  Samples{64, true},
+                                 Samples{16, false}, Samples{32, false}, Samples{64, false}};
+
+/// "32 even samples", "32 x 32 midpoints"
+std::string words_of(const Samples& samples, std::size_t variables) {
+  std::string words;
+  for (std::size_t i = 0; i < variables; ++i) words += (i == 0 ? "" : " x ") + std::to_string(samples.count);
+  return words + (samples.has_ends ? " even samples" : " midpoints");
+}
+
+/// The ranges of samples: for a table those of its rows. Midpoints are texels; if the rows come near to 0 and
+/// 1, the texels have all of that range.
+std::vector<StudyAxis> ranges_of(const ReadStudy& read, const Samples& samples) {
+  constexpr double near = 1.0 / 64;
+  std::vector<StudyAxis> axes = read.axes;
+  for (StudyAxis& axis : axes) {
+    if (!read.rows || samples.has_ends || !is_in_unit(axis)) continue;
+    if (axis.lower > near || axis.upper < 1 - near) continue;
+    axis.lower = 0;
+    axis.upper = 1;
+  }
+  return axes;
+}
+
+/// Appends least squares on evenly spaced samples of a target.
+void append_samples(const StudyObjective& asked, const ReadStudy& read, const Symbolic& target,
+                    std::span<const Samples> usual, std::vector<StudyObjective>& objectives) {
+  std::vector<std::string> variables;
+  for (const StudyAxis& axis : read.axes) variables.push_back(axis.variable);
+  const Tape tape = tape_of(target, variables);
+  for (const Samples& samples : usual) {
+    const auto rows = sampled(ranges_of(read, samples), tape, samples);
+    if (!rows || rows->value.size() <= read.parameters.size()) continue;
     for (const Error error : {Error::absolute, Error::relative}) {
       Study study = asked.study;
       study.error = error;
       study.rows = rows;
-      study.over = {{variables.front(), "", ""}};
+      study.over.clear();
+      for (const std::string& variable : variables) study.over.push_back({variable, "", ""});
       StudyObjective objective = objective_of(study, Norm::least_squares, {});
-      objective.words +=
-          ", " + std::to_string(samples.count) + (samples.has_ends ? " even samples" : " midpoints");
+      objective.words += ", " + words_of(samples, variables.size());
       objectives.push_back(std::move(objective));
     }
   }
@@ -80,6 +119,46 @@ std::vector<std::pair<std::string, std::string>> usual_densities(const std::stri
           {"measure cosine-weighted", density_of("cosine-weighted", x)},
           {"even in the square root", "1/sqrt(" + x + ")"},
           {"even in the logarithm", "1/" + x}};
+}
+
+/// A density of one of two variables: as of a cosine, as of a roughness, or plain.
+struct DensityOfTwo {
+  enum class Kind { plain, cosine, roughness } kind;
+  std::string words, density;
+};
+
+/// The even densities of a cosine and its angle, and of a roughness r, of alpha = r^2, and of r where the
+/// variable is alpha.
+std::vector<DensityOfTwo> densities_of_two(const StudyRange& range, const StudyAxis& axis) {
+  using Kind = DensityOfTwo::Kind;
+  std::vector<DensityOfTwo> densities{{Kind::plain, "", range.density}};
+  if (!is_in_unit(axis)) return densities;
+  const std::string& x = axis.variable;
+  if (range.density != "1") densities.push_back({Kind::plain, "even in " + x, "1"});
+  densities.push_back({Kind::cosine, "measure angle of " + x, density_of("angle", x)});
+  densities.push_back({Kind::roughness, "even in the square of " + x, x});
+  densities.push_back({Kind::roughness, "even in the square root of " + x, "1/sqrt(" + x + ")"});
+  return densities;
+}
+
+/// Appends least squares under the usual densities of two variables, of which one may be a cosine and the
+/// other one a roughness. A fit takes tenths of a second, so only the asked error is tried.
+void append_densities_of_two(const StudyObjective& asked, const ReadStudy& read,
+                             std::vector<StudyObjective>& objectives) {
+  for (const DensityOfTwo& first : densities_of_two(asked.study.over[0], read.axes[0])) {
+    for (const DensityOfTwo& second : densities_of_two(asked.study.over[1], read.axes[1])) {
+      const bool is_asked = first.words.empty() && second.words.empty();
+      const bool is_twice = first.kind == second.kind && first.kind != DensityOfTwo::Kind::plain;
+      if (is_asked || is_twice) continue;
+      Study study = asked.study;
+      study.over[0].density = first.density;
+      study.over[1].density = second.density;
+      StudyObjective objective = objective_of(study, Norm::least_squares, {});
+      for (const std::string& words : {first.words, second.words})
+        if (!words.empty()) objective.words += ", " + words;
+      objectives.push_back(std::move(objective));
+    }
+  }
 }
 
 }  // namespace
@@ -130,10 +209,18 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
       add(objective_of(study, Norm::minimax, {}), words);
     }
   }
-  if (asked.study.rows || asked.study.over.size() > 1) return objectives;
   const ReadStudy read = read_study(asked.study);
+  if (read.axes.size() == 2) {
+    if (!asked.study.rows) append_densities_of_two(asked, read, objectives);
+    if (asked.recompute) {
+      append_samples(asked, read, read_recompute(asked.study, *asked.recompute), usual_grids, objectives);
+    } else if (!asked.study.rows) {
+      append_samples(asked, read, read.target, usual_grids, objectives);
+    }
+  }
+  if (asked.study.rows || read.axes.size() > 1) return objectives;
   const StudyAxis& axis = read.axes.front();
-  if (0 <= axis.lower && axis.upper <= 1) {
+  if (is_in_unit(axis)) {
     for (const auto& [words, density] : usual_densities(axis.variable)) {
       for (const Error error : errors) {
         StudyObjective objective = asked;
@@ -153,7 +240,7 @@ std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
       add(objective_of(study, Norm::minimax, {.exact_at = ends}));
     }
   }
-  append_samples(asked, read, objectives);
+  append_samples(asked, read, read.target, usual_samples(axis), objectives);
   return objectives;
 }
 

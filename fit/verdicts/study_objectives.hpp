@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct StudyObjective {
   Study study;
   Norm norm = Norm::least_squares;
   Constraints constraints = {};
+  std::optional<std::string> recompute = {};  ///< the formula that gave the values of the rows, if known
 };
 
 /// The fit under an objective. Throws UserError like `read_study`, `solve_study` and `solve_minimax_study`.
@@ -30,7 +32,8 @@ StudyObjective holding(StudyObjective objective, const std::string& parameter, d
 /// The objectives other than `asked` under which a number may have been fitted: each norm with each error,
 /// with and without the study's weight. If the target is a formula of one variable, also least squares under
 /// the usual densities of a variable in [0, 1], minimax that is exact at one end or at both, and least
-/// squares on evenly spaced samples of usual sizes.
+/// squares on evenly spaced samples of usual sizes. Of two variables: least squares under those densities of
+/// each, and on grids of usual sizes; the target is then a formula, or `recompute`.
 std::vector<StudyObjective> other_objectives(const StudyObjective& asked);
 
 }  // namespace shadefit

@@ -66,15 +66,22 @@ double expected_chance_hits(const std::vector<TriedFit>& trials, const std::vect
   return expected;
 }
 
+bool has_other_densities(const Study& study, const Study& asked) {
+  return !std::equal(study.over.begin(), study.over.end(), asked.over.begin(), asked.over.end(),
+                     [](const StudyRange& a, const StudyRange& b) { return a.density == b.density; });
+}
+
 /// Each objective with each parameter in turn held at its printed value. Objectives that are exact at a place
 /// are left out, because they hold a constant already; those on samples are left out, because they are close
-/// to the integral.
+/// to the integral; those with other densities of two variables, because there are many and they take long.
 std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all, const PublishedSet& set) {
   std::vector<StudyObjective> objectives;
   if (set.values.size() < 2) return objectives;
   for (const StudyObjective& objective : all) {
     const bool is_sampled = objective.study.rows != all.front().study.rows;
-    if (!objective.constraints.exact_at.empty() || is_sampled) continue;
+    const bool is_of_two =
+        objective.study.over.size() == 2 && has_other_densities(objective.study, all.front().study);
+    if (!objective.constraints.exact_at.empty() || is_sampled || is_of_two) continue;
     for (const auto& [parameter, printed] : set.values) {
       StudyObjective held = holding(objective, parameter, constant<double>(printed));
       held.words += " with " + parameter + " = " + printed;

@@ -14,6 +14,7 @@ No value is clamped: those of sheen may be greater than 1.
     ggx-..-scale, -bias     with Schlick's F = f0 + (1 - f0) (1 - v.h)^5: the albedo is f0 scale + bias
     sheen-neubelt           Charlie's D = (2 + 1/alpha) sin(h)^(1/alpha)/(2 pi), V = 1/(4 (l + mu - l mu)) by Neubelt and Pettineo 2013.
                             Filament and three.js take it with alpha = roughness^2, MaterialX (Imageworks sheen) with alpha = roughness.
+    sheen-charlie           the same with V at most 1, as three.js has it
     sheen-estevez-kulla     the same D, V = 1/(4 l mu (1 + lambda(mu) + lambda(l))) of Estevez and Kulla 2017, no softened terminator
 """
 import sys
@@ -23,7 +24,8 @@ from mpmath import (asin, asinh, atan, atan2, beta, cos, cosh, elliprf, elliprj,
 
 mp.dps = 50
 POINTS = [("0.01", "0.01"), ("0.01", "0.1"), ("0.01", "1"), ("0.1", "0.01"), ("0.1", "0.1"), ("0.1", "0.5"), ("0.5", "0.1"),
-          ("0.5", "0.5"), ("0.9", "0.01"), ("0.9", "0.5"), ("1", "0.1"), ("1", "1")]
+          ("0.5", "0.5"), ("0.9", "0.01"), ("0.9", "0.5"), ("1", "0.1"), ("1", "1"), ("0.2", "0.25"), ("0.0001", "0.1"),
+          ("0.01", "0.0001"), ("0.5", "0.0001")]
 MASKINGS = ["height-correlated", "separable", "schlick"]
 RULES = {}
 
@@ -134,6 +136,15 @@ def neubelt(mu, l, alpha):
     return l / (4 * (l + mu - l * mu))
 
 
+def charlie(mu, l, alpha):
+    """l V. V is cut off where l is below `cut_of`."""
+    return min(l, neubelt(mu, l, alpha))
+
+
+def cut_of(view, mu):
+    return (mpf(1) / 4 - mu) / (1 - mu) if view is charlie and mu < mpf(1) / 4 else mpf(0)
+
+
 def estevez_kulla(mu, l, alpha):
     """l V, with the fit of lambda that the paper prints for alpha = 0 and for alpha = 1."""
     smooth = (1 - alpha) ** 2
@@ -167,31 +178,45 @@ def around(mu, l, alpha):
 
 def sheen_by_light(view, mu, alpha):
     """Tanh-sinh over the cosine of the light. lambda changes its formula at 1/2, the lobe of alpha = 1 has a logarithm at mu."""
-    cuts = sorted({mpf(0), mu / 16, mu, mpf(1) / 2, mpf(1)})
+    cuts = sorted({mpf(0), mu / 16, mu, mpf(1) / 2, mpf(1), cut_of(view, mu)})
     return (2 + 1 / alpha) / (2 * pi) * quad(lambda l: view(mu, l, alpha) * around(mu, l, alpha), cuts)
 
 
-def sheen_by_normals(mu, alpha, count):
-    """Neubelt's, over the half vectors, in polar coordinates about the normal, up to where the light sets."""
+def sheen_by_normals(view, mu, alpha, count):
+    """Neubelt's and Charlie's, over the half vectors, in polar coordinates about the normal, up to where the light sets. The cut of
+    the visibility is at no, one or two of these half vectors, and they meet where r is the cut."""
     s = sqrt(1 - mu * mu)
+    cut = cut_of(view, mu)
+    meet = asin(sqrt(cut**2 - mu**2) / s) if cut > mu else mpf(0)
+    azimuths = graded(mu, (meet or pi) / 2, count)
+    if meet:
+        for end in (meet / 2, pi / 2 - meet):
+            for t, w in graded(sqrt(mu), sqrt(end), count):  # the root of the distance
+                azimuths.append((meet - t * t if end == meet / 2 else meet + t * t, 2 * t * w))
     total = mpf(0)
     for sign in (1, -1):
-        for chi, outer in graded(mu, pi / 2, count):
+        for chi, outer in azimuths:
             c = sign * sin(chi)
             r = sqrt(mu**2 + (s * c) ** 2)
             end = atan2(mu, -s * c) / 2
-            nodes = [(end - t, w) for t, w in graded(mu / r, end / 2, count)] + graded(mu, end / 2, count)
-            for theta, inner in nodes:
-                l = r * sin(2 * (end - theta))
-                half = mu * cos(theta) + s * sin(theta) * c  # v.h
-                total += outer * inner * sin(theta) ** (1 + 1 / alpha) * half * neubelt(mu, l, alpha)
+            turns = [asin(cut / r) / 2, (pi - asin(cut / r)) / 2] if 0 < cut < r else []
+            ends = sorted({mpf(0), end, *(turn for turn in turns if turn < end)})
+            for low, high in zip(ends, ends[1:]):  # t, the distance from the end
+                half = (high - low) / 2
+                nodes = [(low + t, w) for t, w in graded(min(mu / r, half), half, count)]
+                nodes += [(high - t, w) for t, w in graded(min(mu, half), half, count)]
+                for t, inner in nodes:
+                    theta = end - t
+                    l = r * sin(2 * t)
+                    half_cosine = mu * cos(theta) + s * sin(theta) * c  # v.h
+                    total += outer * inner * sin(theta) ** (1 + 1 / alpha) * half_cosine * view(mu, l, alpha)
     return (2 + 1 / alpha) / (2 * pi) * 8 * total
 
 
-def sheen_by_angles(mu, alpha, count):
-    """Estevez and Kulla's, by Gauss over the elevation x and the azimuth of the light. Panels are graded to both of their ends."""
+def sheen_by_angles(view, mu, alpha, count):
+    """By Gauss over the elevation x and the azimuth of the light. Panels are graded to both of their ends."""
     top, middle = asin(mu), pi / 6
-    cuts = sorted({mpf(0), top, middle, pi / 2})
+    cuts = sorted({mpf(0), top, middle, pi / 2, asin(cut_of(view, mu))})
     nodes = []
     for depth, far in ((0, 8), (8, 48)):  # x = cuts[1] exp(-t), as lambda has a root at the horizon
         for t, w in gauss(count):
@@ -216,16 +241,36 @@ def sheen_by_angles(mu, alpha, count):
                 ring += 4 * w * ((c2m * s2d + turn) / (c2m + turn)) ** (1 / (2 * alpha))
         else:
             ring = 2 * pi * s2d ** (1 / (2 * alpha))
-        total += weight * cos(x) * estevez_kulla(mu, sin(x), alpha) * ring
+        total += weight * cos(x) * view(mu, sin(x), alpha) * ring
     return (2 + 1 / alpha) / (2 * pi) * total
 
 
+SHEENS = [("sheen-neubelt", neubelt), ("sheen-charlie", charlie), ("sheen-estevez-kulla", estevez_kulla)]
+
+
+def is_narrow(mu, alpha):
+    return min(mu, alpha) < mpf("0.001")
+
+
 def values(mu, alpha):
-    whole, bias = ggx_by_light(mu, alpha, 76, 68)
+    whole, bias = ggx_by_light(mu, alpha, *((110, 100) if is_narrow(mu, alpha) else (76, 68)))
     rows = [(f"ggx-{name}", value) for name, value in zip(MASKINGS, whole)]
-    for k in (0, 2):
-        rows += [(f"ggx-{MASKINGS[k]}-scale", whole[k] - bias[k]), (f"ggx-{MASKINGS[k]}-bias", bias[k])]
-    return rows + [("sheen-neubelt", sheen_by_light(neubelt, mu, alpha)), ("sheen-estevez-kulla", sheen_by_light(estevez_kulla, mu, alpha))]
+    for k, name in enumerate(MASKINGS):
+        rows += [(f"ggx-{name}-scale", whole[k] - bias[k]), (f"ggx-{name}-bias", bias[k])]
+    if alpha >= mpf("0.001"):
+        rows += [(name, sheen_by_light(view, mu, alpha)) for name, view in SHEENS]
+    elif mu < mpf("0.1"):  # above it a narrow lobe gives nothing; its polynomial cancels
+        rows += [(name, sheen_by_angles(view, mu, alpha, 130)) for name, view in SHEENS[:2]]
+    return rows
+
+
+def others(mu, alpha):
+    """The same by other integrals."""
+    normals, halves, angles = (150, 110, 120) if is_narrow(mu, alpha) else (72, 56, 88)
+    whole, bias = ggx_by_normals(mu, alpha, normals)
+    rows = whole + [part for k in range(3) for part in (whole[k] - bias[k], bias[k])]
+    rows += [sheen_by_normals(view, mu, alpha, halves) for _, view in SHEENS[:2]]
+    return rows + ([] if alpha < mpf("0.001") else [sheen_by_angles(estevez_kulla, mu, alpha, angles)])
 
 
 def table():
@@ -244,10 +289,7 @@ def agreement(name, value, other):
 def digits():
     for mu_text, alpha_text in POINTS:
         mu, alpha = mpf(mu_text), mpf(alpha_text)
-        whole, bias = ggx_by_normals(mu, alpha, 72)
-        others = whole + [whole[0] - bias[0], bias[0], whole[2] - bias[2], bias[2]]
-        others += [sheen_by_normals(mu, alpha, 56), sheen_by_angles(mu, alpha, 88)]
-        for (name, value), other in zip(values(mu, alpha), others):
+        for (name, value), other in zip(values(mu, alpha), others(mu, alpha)):
             agreement(f"{name} at mu = {mu_text}, alpha = {alpha_text}", value, other)
     for text in ("0.01", "0.5", "1"):
         mu, one = mpf(text), mpf(1)

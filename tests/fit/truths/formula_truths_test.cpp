@@ -2,6 +2,7 @@
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -69,6 +70,38 @@ TEST(Truths, OfDiffuseReflectionAgreeWithTheirIntegrals) {
                circle_half;
       };
       EXPECT_NEAR(number("fon_albedo" + arguments), albedo_of(c, fon), 1e-12) << arguments;
+    }
+  }
+}
+
+// With light that is reflected several times: its part of the BRDF has the albedo of one reflection, here by
+// integrals too.
+TEST(Truths, OfEonAgreeWithAnIntegralOfTheBrdf) {
+  for (const double r : {0.01, 0.6, 1.0}) {
+    const double a = 1 / (1 + r * (0.5 - 2 / (3 * circle_half)));
+    const auto once = [&](double v, double l, double cosine) {
+      const double s = sines(v, l) * cosine;
+      return a * (1 + r * (s > 0 ? s / std::max(v, l) : s)) / circle_half;
+    };
+    std::map<double, double> known;  // by the cosine of the light: it is the same for all azimuths
+    const auto albedo_once = [&](double c) {
+      const auto found = known.find(c);
+      return found != known.end() ? found->second : known[c] = albedo_of(c, once);
+    };
+    boost::math::quadrature::tanh_sinh<double> rule(8);
+    const double mean = rule.integrate([&](double c) { return 2 * c * albedo_once(c); }, 0.0, 1.0);
+    EXPECT_NEAR(number("fon_average(" + std::to_string(r) + ")"), mean, 1e-12) << r;
+    for (const double c : {0.01, 0.5}) {
+      for (const double rho : {0.2, 0.9}) {
+        const double often = rho * rho * mean / (1 - rho * (1 - mean));
+        const auto eon = [&](double v, double l, double cosine) {
+          return rho * once(v, l, cosine) +
+                 often / circle_half * (1 - albedo_once(v)) * (1 - albedo_once(l)) / (1 - mean);
+        };
+        const std::string arguments =
+            "(" + std::to_string(c) + ", " + std::to_string(r) + ", " + std::to_string(rho) + ")";
+        EXPECT_NEAR(number("eon_albedo" + arguments), albedo_of(c, eon), 1e-12) << arguments;
+      }
     }
   }
 }

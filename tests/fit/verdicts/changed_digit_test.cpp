@@ -159,7 +159,9 @@ std::string rows_of(const StudyFile& file) {
     for (const StudyForm& form : file.forms)
       if (form.id == set.form) study.form = form.formula;
     const ReadStudy read = read_study(study);
-    const TriedFits tried = tried_fits(objective_of(study, file.norm, file.constraints), set);
+    StudyObjective asked = objective_of(study, file.norm, file.constraints);
+    asked.recompute = file.recompute;
+    const TriedFits tried = tried_fits(asked, set);
     const auto places = places_of(read);
     std::vector<std::string> inputs;
     for (const StudyAxis& axis : read.axes) inputs.push_back(axis.variable);

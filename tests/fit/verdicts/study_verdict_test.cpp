@@ -4,13 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {
 namespace {
 
+const Study surface{
+    .target = "exp(-x y^2)", .form = "1/(1 + a x y)", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
 const Study arc_cosine{.target = "acos(x)", .form = "sqrt(1-x) (a + b x)", .over = {{"x", "0", "1"}}};
 
 /// The constants of a fit with so many decimals, as a source would print them.
@@ -57,15 +62,79 @@ TEST(StudyVerdict, CallsFewDigitsUndecidable) {
   EXPECT_EQ(judgement.units_off, 0);
 }
 
-// Few fits decide too, if the digits are many: of rows there are two, of two variables four.
-TEST(StudyVerdict, DecidesAmongFewFits) {
-  const Study surface{
-      .target = "exp(-x y)", .form = "1/(1 + a x y)", .over = {{"x", "0", "1"}, {"y", "0", "1"}}};
+// Of two variables each density of each is tried, one as a cosine and one as a roughness, and grids.
+TEST(StudyVerdict, FindsObjectivesOfTwoVariables) {
   const StudyObjective asked = objective_of(surface, Norm::least_squares, {});
-  const StudyJudgement many = judge_set(asked, printed(objective_of(surface, Norm::minimax, {}), 9));
+  const std::vector<StudyObjective> others = other_objectives(asked);
+  // Two norms with two errors but the asked one; 10 pairs of densities; 6 grids with two errors.
+  EXPECT_EQ(others.size(), 3U + 10 + 2 * 6);
+  std::set<std::string> words;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    words.insert(others[i].words);
+    if (i % 3 != 0) continue;
+    const StudyJudgement judgement = judge_set(asked, printed(others[i], 9));
+    EXPECT_EQ(name(judgement.verdict), "other-objective") << others[i].words;
+    EXPECT_EQ(judgement.objective, others[i].words);
+    EXPECT_EQ(judgement.tried, 1 + others.size());
+    EXPECT_LT(judgement.chance, most_chance_hits);
+  }
+  EXPECT_EQ(words.size(), others.size());
+  EXPECT_EQ(words.count("least squares, measure angle of x, even in the square of y"), 1U);
+  EXPECT_EQ(words.count("least squares, relative error, 32 x 32 midpoints"), 1U);
+}
+
+// A variable that leaves [0, 1] is no cosine and no roughness.
+TEST(StudyVerdict, TriesNoDensityOfOtherVariables) {
+  Study longer = surface;
+  longer.over[1].upper = "2";
+  const auto others = other_objectives(objective_of(longer, Norm::least_squares, {}));
+  EXPECT_EQ(others.size(), 3U + 3 + 2 * 6);
+}
+
+// A table whose formula is known may have been fitted with other rows.
+TEST(StudyVerdict, FindsTheGridOfATable) {
+  MeasuredRows rows;
+  rows.places.resize(2);
+  for (const double x : {0.01, 0.3, 0.6, 1.0}) {
+    for (const double y : {0.05, 0.5, 0.8}) {
+      rows.places[0].push_back(x);
+      rows.places[1].push_back(y);
+      rows.value.push_back(std::exp(-x * y * y));
+    }
+  }
+  Study table = surface;
+  table.target.clear();
+  table.over = {{"x", "", ""}, {"y", "", ""}};
+  table.rows = std::make_shared<const MeasuredRows>(rows);
+  StudyObjective asked = objective_of(table, Norm::least_squares, {});
+  EXPECT_EQ(other_objectives(asked).size(), 3U);
+  asked.recompute = "exp(-x y^2)";
+  const std::vector<StudyObjective> others = other_objectives(asked);
+  ASSERT_EQ(others.size(), 3U + 2 * 6);
+  const auto& midpoints = others[others.size() - 4];
+  EXPECT_EQ(midpoints.words, "least squares, 32 x 32 midpoints");
+  // The rows come near to 0 and 1 in x alone: there texels have all of [0, 1].
+  EXPECT_EQ(midpoints.study.rows->places[0].front(), 1.0 / 64);
+  EXPECT_EQ(midpoints.study.rows->places[1].front(), 0.05 + 0.75 / 64);
+  EXPECT_EQ(others[3].words, "least squares, 16 x 16 even samples");
+  EXPECT_EQ(others[3].study.rows->places[0].front(), 0.01);
+  EXPECT_EQ(others[3].study.rows->places[1].back(), 0.8);
+  const StudyJudgement judgement = judge_set(asked, printed(midpoints, 9));
+  EXPECT_EQ(name(judgement.verdict), "other-objective");
+  EXPECT_EQ(judgement.objective, midpoints.words);
+}
+
+// Few fits decide too, if the digits are many: of rows there are two, of three variables four.
+TEST(StudyVerdict, DecidesAmongFewFits) {
+  Study solid = surface;
+  solid.over.push_back({"z", "0", "1"});
+  solid.form = "1/(1 + a x y) + 0 z";
+  const StudyObjective asked = objective_of(solid, Norm::least_squares, {});
+  const StudyJudgement many = judge_set(asked, printed(objective_of(solid, Norm::minimax, {}), 9));
+  EXPECT_EQ(many.tried, 4U);
   EXPECT_EQ(name(many.verdict), "other-objective") << many.objective;
   EXPECT_EQ(many.objective, "minimax");
-  const StudyJudgement few = judge_set(asked, printed(objective_of(surface, Norm::minimax, {}), 1));
+  const StudyJudgement few = judge_set(asked, printed(objective_of(solid, Norm::minimax, {}), 1));
   EXPECT_NE(name(few.verdict), "other-objective");
 }
 
