@@ -16,9 +16,10 @@ namespace shadefit {
 class Rules {
  public:
   /// Refers to both.
-  Rules(const ReadStudy& study, const StudyError& error)
-      : study_(study), error_(error), has_moving_kinks_(!is_of_rows() && !moving_kinks(study).empty()) {
-    if (!is_of_rows()) edges_ = all_edges(study);
+  Rules(const ReadStudy& study, const StudyError& error) : study_(study), error_(error) {
+    if (is_of_rows()) return;
+    kinks_ = moving_kinks(study);
+    fixed_ = edges_ = all_edges(study);
   }
 
   /// Whether the nodes are measured rows, which all rules share.
@@ -49,12 +50,19 @@ class Rules {
   const std::vector<std::vector<StudyEdge>>& edges() const { return edges_; }
 
   /// Whether the form has kinks that its parameters move: max(a x, b) at x = b/a.
-  bool has_moving_kinks() const { return has_moving_kinks_; }
+  bool has_moving_kinks() const { return !kinks_.empty(); }
 
   /// Splits the range at the kinks of the form at these parameters.
   void move_kinks(const std::vector<double>& parameters) {
-    if (!has_moving_kinks_) return;
-    frozen_ = at_parameters(study_, parameters);
+    if (!has_moving_kinks()) return;
+    if (study_.axes.size() == 1) {
+      std::vector<Symbolic> kinks;
+      for (const Symbolic& kink : kinks_) kinks.push_back(at_parameters(study_, kink, parameters));
+      edges_.front() = with_zeros(study_.axes.front(), fixed_.front(), kinks);
+      return;
+    }
+    frozen_ = study_;
+    frozen_->form = at_parameters(study_, study_.form, parameters);
     edges_ = all_edges(*frozen_);
   }
 
@@ -109,9 +117,9 @@ class Rules {
 
   const ReadStudy& study_;
   const StudyError& error_;
-  bool has_moving_kinks_;
-  std::optional<ReadStudy> frozen_ = std::nullopt;  ///< the study at the parameters of the kinks
-  std::vector<std::vector<StudyEdge>> edges_ = {};
+  std::vector<Symbolic> kinks_ = {};                ///< those that parameters move
+  std::optional<ReadStudy> frozen_ = std::nullopt;  ///< of several variables, at the parameters of the kinks
+  std::vector<std::vector<StudyEdge>> fixed_ = {}, edges_ = {};
 };
 
 }  // namespace shadefit

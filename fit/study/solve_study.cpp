@@ -192,8 +192,11 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate, std::size_t
 
 /// The lowest basins, settled with the kinks where they are, best first. Those that do not settle come last.
 std::vector<StudyCandidate> settled_basins(Rules& rules, const SearchedStudy& searched, std::size_t rule) {
+  // The search sums over nodes that miss the kinks by a part of a panel: that far its squares may be wrong.
+  constexpr double near = 1.5;
   std::vector<StudyCandidate> result, others;
   for (const StudyCandidate& basin : lowest_basins(searched)) {
+    if (basin.square > near * searched.candidates.front().square) break;
     const StudyFit fit = settle_kinks(rules, basin, rule);
     if (fit.status == Status::converged) {
       result.push_back({fit.parameters, fit.rms_error * fit.rms_error});

@@ -288,14 +288,22 @@ std::vector<Symbolic> moving_kinks(const ReadStudy& study) {
   return kinks;
 }
 
-ReadStudy at_parameters(const ReadStudy& study, const std::vector<double>& parameters) {
-  ReadStudy result = study;
-  result.form = evaluate<Symbolic>(study.form, [&](const std::string& name) {
+std::vector<StudyEdge> with_zeros(const StudyAxis& axis, std::vector<StudyEdge> edges,
+                                  const std::vector<Symbolic>& formulas) {
+  for (const Symbolic& formula : formulas) {
+    HingeCurve part(formula, std::span(&axis, 1));
+    append_zeros({.part = formula, .is_root = false, .is_pole = false}, part, axis, edges);
+  }
+  return merged(axis, std::move(edges));
+}
+
+Symbolic at_parameters(const ReadStudy& study, const Symbolic& formula,
+                       const std::vector<double>& parameters) {
+  return evaluate<Symbolic>(formula, [&](const std::string& name) {
     const auto found = std::find(study.parameters.begin(), study.parameters.end(), name);
     const auto i = static_cast<std::size_t>(found - study.parameters.begin());
     return i < parameters.size() ? Symbolic::number(to_text(parameters[i])) : Symbolic::variable(name);
   });
-  return result;
 }
 
 std::vector<double> zeros_of(const Symbolic& formula, const StudyAxis& axis) {

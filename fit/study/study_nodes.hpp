@@ -21,8 +21,13 @@ std::vector<StudyEdge> edges_of(const ReadStudy& study, std::size_t axis);
 /// The parts of the form at whose zeros it has a kink that parameters move: a x - b of max(a x, b).
 std::vector<Symbolic> moving_kinks(const ReadStudy& study);
 
-/// The study with its form at given parameters: its kinks are where they are at these.
-ReadStudy at_parameters(const ReadStudy& study, const std::vector<double>& parameters);
+/// The edges of an axis and the zeros of formulas of its variable alone.
+std::vector<StudyEdge> with_zeros(const StudyAxis& axis, std::vector<StudyEdge> edges,
+                                  const std::vector<Symbolic>& formulas);
+
+/// A formula of the study at given parameters.
+Symbolic at_parameters(const ReadStudy& study, const Symbolic& formula,
+                       const std::vector<double>& parameters);
 
 /// The zeros of a formula of one variable, its ends included. The search looks at 592 places, so it can miss
 /// two zeros that are closer.
