@@ -138,55 +138,51 @@ StudyFit settle_kinks(Rules& rules, const StudyCandidate& candidate, std::size_t
   StudyFit fit;
   fit.parameters = candidate.parameters;
   fit.why = "Newton's method did not find a minimum beside the kinks that the parameters move";
-  constexpr int most_steps = 30;
+  constexpr int most_steps = 30, most_stalls = 4;
   double square = HUGE_VAL, shortening = 1;
   VectorOf<double> step;
-  std::vector<double> from;
+  std::vector<double> at = candidate.parameters, from;
   long double best = HUGE_VALL;
-  for (int i = 0; i < most_steps; ++i) {
-    rules.move_kinks(fit.parameters);
+  for (int i = 0, stalls = 0; i < most_steps && stalls < most_stalls; ++i) {
+    rules.move_kinks(at);
     const auto sampled = rules.sampled<double>(rule);
-    const auto sums = sampled.derivatives(fit.parameters);
+    const auto sums = sampled.derivatives(at);
     // A step that leads up is halved.
     if (!(sums.square <= square * (1 + 1e-12)) && shortening > 1e-4) {
       shortening /= 2;
       for (std::size_t j = 0; j < from.size(); ++j)
-        fit.parameters[j] = from[j] + shortening * step[static_cast<Eigen::Index>(j)];
+        at[j] = from[j] + shortening * step[static_cast<Eigen::Index>(j)];
       continue;
     }
-    if ((sums.hessian.diagonal().array() == 0).any()) return fit;
+    if ((sums.hessian.diagonal().array() == 0).any()) break;
     const double norm = sampled.target_norm();
-    MatrixOf<double> hessian = hessian_with_kinks(rules, rule, fit.parameters, sums.hessian, norm);
+    MatrixOf<double> hessian = hessian_with_kinks(rules, rule, at, sums.hessian, norm);
     const bool is_minimum = hessian.allFinite() && ScaledHessian(hessian).is_positive();
     if (!is_minimum) hessian = sums.hessian;
     const MatrixOf<double> inverse = ScaledHessian(hessian).inverse();
-    const VectorOf<long double> gradient = gradient_at(rules, rule, fit.parameters);
-    step = -(inverse * gradient.cast<double>());
-    if (!step.allFinite()) return fit;
+    step = -(inverse * gradient_at(rules, rule, at).cast<double>());
+    if (!step.allFinite()) break;
     // The next rule has another error where nothing is smooth, so its step counts the digits.
-    const VectorOf<double> check = -(inverse * gradient_at(rules, rule + 1, fit.parameters).cast<double>());
-    const long double size = relative_size(check, fit.parameters, hessian, norm);
-    if (is_minimum && size < best) {
+    const VectorOf<double> check = -(inverse * gradient_at(rules, rule + 1, at).cast<double>());
+    const long double size = relative_size(check, at, hessian, norm);
+    const bool is_better = is_minimum && size < best;
+    if (is_better) {
       best = size;
-      fit.status = Status::converged;
+      fit.parameters = at;
       fit.digits = correct_digits(size);
       fit.rms_error = std::sqrt(sums.square);
-    } else if (best < 1e-6L) {
-      fit.parameters = from;
-      break;
     }
-    if (best <= settled) break;
-    from = fit.parameters;
+    stalls = is_better ? 0 : stalls + 1;
+    if (best <= settled || (best < 1e-6L && !is_better)) break;
+    from = at;
     square = sums.square;
     shortening = 1;
-    for (std::size_t j = 0; j < from.size(); ++j) fit.parameters[j] += step[static_cast<Eigen::Index>(j)];
+    for (std::size_t j = 0; j < at.size(); ++j) at[j] += step[static_cast<Eigen::Index>(j)];
   }
   rules.move_kinks(fit.parameters);
-  if (fit.status == Status::converged && fit.digits >= least_study_digits) {
-    fit.why = "";
-  } else {
-    fit.status = Status::not_converged;
-  }
+  const bool is_settled = std::isfinite(best) && fit.digits >= least_study_digits;
+  fit.status = is_settled ? Status::converged : Status::not_converged;
+  if (is_settled) fit.why = "";
   return fit;
 }
 
