@@ -222,6 +222,7 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
   fit.status = Status::not_converged;
   fit.why = "the integral of the squared error does not converge";
   long double best = HUGE_VALL;
+  const auto total = [&](std::size_t rule) { return rules.nodes(rule).total; };
   auto fine = optimum_of(rules.sampled<long double>(first));
   for (std::size_t rule = first; rule < rules.last(); ++rule) {
     const auto coarse = fine;
@@ -229,9 +230,10 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
     fine = optimum_of(wide);
     if (!fine) fit.why = dependent_columns;
     if (!coarse || !fine) continue;
-    // Below this the square is rounding.
+    // Below this the square is rounding. A density may have no integral where the squared error has one.
     const long double rounding = 1e-20L * wide.target_norm() * wide.target_norm();
-    if (std::abs(coarse->square - fine->square) > 1e-6L * fine->square + rounding) continue;
+    const long double shrinking = total(rule) / total(rule + 1);
+    if (std::abs(coarse->square * shrinking - fine->square) > 1e-6L * fine->square + rounding) continue;
     const VectorOf<long double> by_rule = (coarse->parameters - fine->parameters).cwiseAbs(),
                                 by_rounding = fine->last_step.cwiseAbs(), step = by_rule + by_rounding;
     const std::vector<double> parameters(fine->parameters.begin(), fine->parameters.end());

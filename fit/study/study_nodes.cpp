@@ -204,6 +204,7 @@ Symbolic with_value(const Symbolic& formula, const std::string& variable, double
 /// x = 0, and that of |x^2 + y^2 - 1/2| at x = sqrt(1/2). A kink that reaches a corner of two variables
 /// leaves it smooth.
 std::vector<Hinge> hinges_at_later_ends(const ReadStudy& study, std::size_t index) {
+  if (index + 1 == study.axes.size()) return {};
   const auto is_of_axis = [&](const std::set<std::string>& names) {
     return names.contains(study.axes[index].variable);
   };
@@ -237,6 +238,7 @@ struct MixedHinge {
 };
 
 std::vector<MixedHinge> mixed_hinges(const ReadStudy& study, std::size_t index) {
+  if (index == 0) return {};
   const auto axes = std::span(study.axes).first(index + 1);
   std::set<std::string> known;
   for (const StudyAxis& axis : axes) known.insert(axis.variable);

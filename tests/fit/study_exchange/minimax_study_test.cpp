@@ -12,19 +12,19 @@
 namespace shadefit {
 namespace {
 
-StudyFit fit_of(const Study& study) {
+StudyFit minimax_of(const Study& study) {
   return solve_minimax_study(read_study(study), {}, {});
 }
 
 // Least squares finds a = 1, b = 50, where the error is 0. A sine of another frequency has the level 1.
 TEST(MinimaxStudy, CallsNoWorseLevelConverged) {
   const Study wave{.target = "sin(50 x)", .form = "a sin(b x)", .over = {{"x", "0", "1"}}};
-  const StudyFit exact = fit_of(wave);
+  const StudyFit exact = minimax_of(wave);
   EXPECT_NE(name(exact.status), "converged") << *exact.level;
   EXPECT_NEAR(exact.parameters[0] * exact.parameters[1], 50, 1e-9);
   Study disturbed = wave;
   disturbed.target = "sin(50 x) + x/10";
-  const StudyFit fit = fit_of(disturbed);
+  const StudyFit fit = minimax_of(disturbed);
   if (fit.status == Status::converged) {
     EXPECT_LT(*fit.level, 0.11);
   }
@@ -50,7 +50,7 @@ TEST(MinimaxStudy, TakesTheLimitOfARelativeErrorAtAZeroOfTheTarget) {
        0.01060815081050943920}};
   for (const auto& [target, form, parameters, level] : all) {
     const StudyFit fit =
-        fit_of({.target = target, .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
+        minimax_of({.target = target, .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
     ASSERT_EQ(name(fit.status), "converged") << target << ": " << fit.why;
     for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(fit.parameters[i] / parameters[i], 1, 1e-12) << target;
     EXPECT_NEAR(*fit.level / level, 1, 1e-11) << target;
@@ -61,7 +61,7 @@ TEST(MinimaxStudy, TakesTheLimitOfARelativeErrorAtAZeroOfTheTarget) {
 TEST(MinimaxStudy, NamesAZeroOfTheTargetThatTheFormDoesNotShare) {
   for (const char* form : {"a + b x", "a x + b sqrt(x)"}) {
     try {
-      fit_of({.target = "sin(x)", .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
+      minimax_of({.target = "sin(x)", .form = form, .over = {{"x", "0", "1"}}, .error = Error::relative});
       FAIL() << form;
     } catch (const UserError& error) {
       EXPECT_STREQ(
