@@ -29,10 +29,9 @@ inline constexpr Source born_wolf_1999{"Born, Wolf", 1999, "Principles of Optics
                                        "7th edition, Cambridge University Press",
                                        "https://doi.org/10.1017/CBO9781139644181"};
 
-inline constexpr Source walter_2007{"Walter, Marschner, Li, Torrance", 2007,
-                                    "Microfacet Models for Refraction through Rough Surfaces",
-                                    "Eurographics Symposium on Rendering 2007, pp. 195-206",
-                                    "https://doi.org/10.2312/EGWR/EGSR07/195-206"};
+inline constexpr Source walter_2007{
+    "Walter, Marschner, Li, Torrance", 2007, "Microfacet Models for Refraction through Rough Surfaces",
+    "Eurographics Symposium on Rendering 2007, pp. 195-206", "https://doi.org/10.2312/EGWR/EGSR07/195-206"};
 
 inline constexpr Source gotanda_2010{
     "Gotanda", 2010, "Practical Implementation of Physically-Based Shading Models at tri-Ace",

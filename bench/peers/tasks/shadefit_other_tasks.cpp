@@ -9,10 +9,10 @@
 #include "fit/families/families.hpp"
 #include "fit/fit.hpp"
 #include "fit/integrals/normalisation_check.hpp"
+#include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/solve/under.hpp"
-#include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
 
