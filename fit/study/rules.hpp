@@ -43,8 +43,12 @@ class Rules {
   }
 
   template <class T>
+  SampledStudy<T> sampled(const StudyNodes& nodes) const {
+    return SampledStudy<T>(error_, nodes);
+  }
+  template <class T>
   SampledStudy<T> sampled(std::size_t rule) const {
-    return SampledStudy<T>(error_, nodes(rule));
+    return sampled<T>(nodes(rule));
   }
 
   const std::vector<std::vector<StudyEdge>>& edges() const { return edges_; }

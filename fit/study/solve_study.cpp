@@ -222,17 +222,19 @@ StudyFit settle_linear(const Rules& rules, std::size_t first) {
   fit.status = Status::not_converged;
   fit.why = "the integral of the squared error does not converge";
   long double best = HUGE_VALL;
-  const auto total = [&](std::size_t rule) { return rules.nodes(rule).total; };
-  auto fine = optimum_of(rules.sampled<long double>(first));
+  StudyNodes nodes = rules.nodes(first);
+  auto fine = optimum_of(rules.sampled<long double>(nodes));
   for (std::size_t rule = first; rule < rules.last(); ++rule) {
     const auto coarse = fine;
-    const auto wide = rules.sampled<long double>(rule + 1);
+    const long double coarse_total = nodes.total;
+    nodes = rules.nodes(rule + 1);
+    const auto wide = rules.sampled<long double>(nodes);
     fine = optimum_of(wide);
     if (!fine) fit.why = dependent_columns;
     if (!coarse || !fine) continue;
     // Below this the square is rounding. A density may have no integral where the squared error has one.
     const long double rounding = 1e-20L * wide.target_norm() * wide.target_norm();
-    const long double shrinking = total(rule) / total(rule + 1);
+    const long double shrinking = coarse_total / nodes.total;
     if (std::abs(coarse->square * shrinking - fine->square) > 1e-6L * fine->square + rounding) continue;
     const VectorOf<long double> by_rule = (coarse->parameters - fine->parameters).cwiseAbs(),
                                 by_rounding = fine->last_step.cwiseAbs(), step = by_rule + by_rounding;
