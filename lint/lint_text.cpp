@@ -7,6 +7,7 @@
 #include "lint/expression/usual_names.hpp"
 #include "lint/number_table.hpp"
 #include "lint/scan/characters.hpp"
+#include "lint/scan/lists.hpp"
 #include "lint/scan/named_numbers.hpp"
 #include "lint/site_reader.hpp"
 
@@ -106,7 +107,9 @@ class SiteJudge {
     if (place == 0 || place + 1 == set_.constants.size()) return std::nullopt;
     const std::size_t before = site_.numbers[place - 1].literal, behind = site_.numbers[place].literal;
     const Literal& literal = literals_[before + 1];
-    if (behind != before + 2 || literal.is_in_comment != literals_[before].is_in_comment) return std::nullopt;
+    if (behind != before + 2 || literal.is_in_comment != literals_[before].is_in_comment ||
+        !stands_alone(text_, literal))
+      return std::nullopt;
     std::vector<double> found = reader_.constants();
     found[place] = std::copysign(number_of(digits_of(text_, literal)), found[place]);
     return ExpressionMatch{.form = set_.formula, .constants = found, .replaced = place};

@@ -12,7 +12,7 @@ namespace {
 
 /// pi/2 for names such as PI_DIV_2 and M_PI_2, 2 pi for TAU.
 std::optional<std::string> divided_pi(std::string_view letters) {
-  for (const std::string_view word : {"pidiv2", "pi2", "piover2"})
+  for (const std::string_view word : {"pidiv2", "pi2", "piover2", "pihalf"})
     if (letters.ends_with(word)) return "(pi/2)";
   return letters.ends_with("tau") ? std::optional<std::string>("(2*pi)") : std::nullopt;
 }

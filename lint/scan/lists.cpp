@@ -88,6 +88,22 @@ bool are_assigned_in_turn(std::string_view text, const std::vector<Literal>& lit
   return lefts.size() > 1 && follow_each_other(differences_of(std::move(lefts)));
 }
 
+/// Whether a number is the last one in brackets, perhaps but for a 0: vec4(a, b, c, 0.0).
+bool ends_list(std::string_view text, const Literal& number) {
+  std::string_view rest = text.substr(number.offset + number.length);
+  const auto skip = [&](std::string_view these) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(these), rest.size()));
+  };
+  constexpr std::string_view blanks = " \t\r\n";
+  skip(blanks);
+  if (rest.starts_with(',')) {
+    skip(" \t\r\n,");
+    skip("0.fFhH");
+    skip(blanks);
+  }
+  return !rest.empty() && std::string_view(")]}").find(rest.front()) != std::string_view::npos;
+}
+
 /// Whether this text between two numbers is that of a list of lists: a comma, signs and brackets, or the
 /// constructor of the next row.
 bool are_next_in_list(std::string_view rest) {
@@ -104,9 +120,16 @@ bool are_next_in_list(std::string_view rest) {
 
 bool is_whole_list(std::string_view text, const std::vector<Literal>& literals, std::size_t first,
                    std::size_t last) {
-  const bool is_in_brackets =
-      is_next_to(text, literals[first], true, "([{") && is_next_to(text, literals[last], false, ")]}");
+  const bool is_in_brackets = begins_list(text, literals[first]) && ends_list(text, literals[last]);
   return is_in_brackets || are_assigned_in_turn(text, literals, first, last);
+}
+
+bool begins_list(std::string_view text, const Literal& literal) {
+  return is_next_to(text, literal, true, "([{");
+}
+
+bool stands_alone(std::string_view text, const Literal& literal) {
+  return is_next_to(text, literal, true, "(,{[=") && is_next_to(text, literal, false, ",)}];");
 }
 
 bool have_same_decimals(std::string_view text, const std::vector<Literal>& literals, std::size_t first,

@@ -9,11 +9,18 @@
 /// Whether numbers of a text are a list.
 namespace shadefit::lint {
 
-/// Whether the numbers from the first to the last literal are a whole list: (a, b, c), or assignments in turn
-/// to names that differ only in r, g, b, in red, green, blue, or in letters or digits that follow each other:
-/// LUMA_R = .., LUMA_G = .., LUMA_B = ..
+/// Whether the numbers from the first to the last literal are a whole list: (a, b, c), perhaps with a 0
+/// behind them as in vec4(a, b, c, 0.0), or assignments in turn to names that differ only in r, g, b, in red,
+/// green, blue, or in letters or digits that follow each other: LUMA_R = .., LUMA_G = .., LUMA_B = ..
 bool is_whole_list(std::string_view text, const std::vector<Literal>& literals, std::size_t first,
                    std::size_t last);
+
+/// Whether a number with its sign is the first one in brackets.
+bool begins_list(std::string_view text, const Literal& literal);
+
+/// Whether a number with its sign is an argument, an element or the right side of an assignment, and not an
+/// operand: 1.0 in vec2(1.0, x), not in 1.0 / x.
+bool stands_alone(std::string_view text, const Literal& literal);
 
 /// Whether all of them have as many digits behind the point.
 bool have_same_decimals(std::string_view text, const std::vector<Literal>& literals, std::size_t first,

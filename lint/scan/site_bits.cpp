@@ -104,7 +104,7 @@ class SiteBits {
 
   /// The bits of one order in n!, if all n constants are in the published order: next to each other, or as a
   /// column of a matrix. Three more bits if they are a whole list, (a, b, c): a row of numbers at a random
-  /// place is not one.
+  /// place is not one. Half of that if a list begins with them, as a matrix with its first row.
   double bits_of_order() const {
     const std::size_t count = set_.constants.size();
     if (site_.numbers.size() != count) return 0;
@@ -116,7 +116,9 @@ class SiteBits {
     constexpr double bits_of_a_list = 3;
     const double bits = std::lgamma(static_cast<double>(count) + 1) / std::log(2.0);
     if (!are_neighbours()) return is_column(text_, literals_, places) ? bits : 0;
-    if (!is_whole_list(text_, literals_, product_begin(first()), last())) return bits;
+    const std::size_t begin = product_begin(first());
+    if (!is_whole_list(text_, literals_, begin, last()))
+      return bits + (begins_list(text_, literals_[begin]) ? bits_of_a_list / 2 : 0);
     return bits + bits_of_a_list + bits_of_decimals();
   }
 

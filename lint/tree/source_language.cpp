@@ -31,7 +31,7 @@ constexpr Endings endings[] = {
     {Language::msl, "metal msl"},
     {Language::slang, "slang slangh"},
     {Language::c_family, "h hpp hh hxx h++ inl ipp tpp c cc cpp cxx c++ cppm ixx mm clh ispc isph osl",
-     "inc cl mdl"},
+     "inc cl m mdl"},
     {Language::cuda, "cu cuh"},
     {Language::javascript, "js mjs cjs jsx"},
     {Language::typescript, "ts mts cts tsx"},

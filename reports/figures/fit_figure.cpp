@@ -159,7 +159,11 @@ Table sweep_table(const std::vector<const Fit*>& fits, const FittableFamily& fam
 /// Targets and forms above, errors below.
 std::array<Panel, 2> curve_panels(const std::vector<const Fit*>& drawn) {
   const bool is_relative = drawn.front()->metric.error == Error::relative;
-  Panel curves{.title = "Curves of three exponents", .y_label = "value", .abscissa = "scaled", .curves = {}};
+  Panel curves{.title = "Curves of three exponents",
+               .y_label = "value",
+               .settings = "set yrange [0:*]\n",  // a lobe is never negative
+               .abscissa = "scaled",
+               .curves = {}};
   if (drawn.size() == 2) curves.title = "Curves of two exponents";
   Panel errors{.x_label = "k (1 − c)",
                .y_label = is_relative ? "relative error" : "form − target",

@@ -3,8 +3,8 @@ const fs = require('fs');
 const path = require('path');
 const { spawn } = require('child_process');
 
-/** Forms of the catalogue with their options, one for each family at least. */
-const CATALOGUE = [
+/** What `emit` writes of the catalogue, with its options, one for each family at least. */
+const EMITTED = [
   ['fresnel-one-term'], ['fresnel-quadratic'], ['fresnel-cubic'], ['fresnel-quartic'], ['fresnel-fourth'],
   ['fresnel-square'], ['fresnel-rational'], ['sg-offset-mean'], ['sg-offset', '--exponent', '16'],
   ['sg-scaled', '--exponent', '16'], ['phong-blinn-gotanda'], ['phong-blinn', '--exponent', '16'],
@@ -62,13 +62,18 @@ async function familiesOf(command) {
   return message.match(/one of (.*)/)[1].split(', ');
 }
 
-/** All forms, the catalogue first, then the studies by their ids; two commands run at a time. */
-async function allForms(command, studies, languages) {
+/** Every form that `bench` measures, with every set of its constants. */
+async function catalogueForms(command) {
+  return JSON.parse(await output(path.join(path.dirname(command), 'tests/catalogue_forms'), []));
+}
+
+/** What `emit` writes: of the catalogue first, then of the studies by their ids; two commands run at a time. */
+async function emittedForms(command, studies, languages) {
   for (const family of await familiesOf(command)) {
-    if (!CATALOGUE.some(([id]) => id.startsWith(family))) throw new Error(`tests/gpu/forms.js has no form of the family '${family}'`);
+    if (!EMITTED.some(([id]) => id.startsWith(family))) throw new Error(`tests/gpu/forms.js has no form of the family '${family}'`);
   }
   const ids = fs.readdirSync(studies).filter(name => name.endsWith('.toml')).map(name => path.basename(name, '.toml')).sort();
-  const wanted = CATALOGUE.concat(ids.filter(id => !SLOW.includes(id)).map(id => [id, ...(OPTIONS[id] ?? [])]));
+  const wanted = EMITTED.concat(ids.filter(id => !SLOW.includes(id)).map(id => [id, ...(OPTIONS[id] ?? [])]));
   const forms = [];
   let next = 0;
   const work = async () => {
@@ -81,4 +86,4 @@ async function allForms(command, studies, languages) {
   return forms;
 }
 
-module.exports = { PLAIN_EXP2, allForms, output };
+module.exports = { PLAIN_EXP2, catalogueForms, emittedForms, output };

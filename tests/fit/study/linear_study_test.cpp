@@ -110,5 +110,15 @@ TEST(LinearStudy, IntegratesSingularEdgesOfSeveralVariables) {
   }
 }
 
+// With the density 1/x, the normal equations of x^2 ~ a x + b x^3 are those of x ~ a + b x^2 with the density
+// x: 1/2 a + 1/4 b = 1/3, 1/4 a + 1/6 b = 1/5. The density itself has no integral.
+TEST(LinearStudy, ADensityNeedsNoIntegralWhereTheErrorVanishes) {
+  const StudyFit fit =
+      solve_study(read_study({.target = "x^2", .form = "a x + b x^3", .over = {{"x", "0", "1", "1/x"}}}), {});
+  ASSERT_EQ(fit.status, Status::converged) << fit.why;
+  EXPECT_NEAR(fit.parameters[0], 4.0 / 15, 1e-15);
+  EXPECT_NEAR(fit.parameters[1], 4.0 / 5, 1e-15);
+}
+
 }  // namespace
 }  // namespace shadefit
