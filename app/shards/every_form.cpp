@@ -24,14 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Every form on a device, or on the CPU: a row each in a file of its own directory.
+/// Every form on a device, or on the CPU, in a directory of its own.
 struct FormsOn {
   std::optional<MeasuredDevice> on;
   fs::path out;
-  Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
-              {}};
-
-  fs::path path() const { return without_detours(out) / "errors.csv"; }
+  std::vector<bench::Sweep> sweeps = {};
 };
 
 /// One for the CPU or the device that the options name; with `--all-devices` one for each device.
@@ -50,36 +47,50 @@ std::vector<FormsOn> places_of(const BenchOptions& options, const Checkpoint& ch
   return places;
 }
 
-void add_row(Table& table, const KeptSweep& kept) {
-  const bench::FloatErrors& found = kept.sweep.found;
-  table.rows.push_back({std::string(kept.form.form->id), kept.form.constants->id,
-                        static_cast<long>(found.count()), Number{static_cast<double>(found.max_abs_error), 6},
-                        hex_text(std::bit_cast<float>(found.max_abs_error_at)),
-                        static_cast<long>(found.max_ulps), hex_text(std::bit_cast<float>(found.max_ulps_at)),
-                        static_cast<long>(found.nans), static_cast<long>(found.beyond)});
+std::vector<Cell> row_of(const SweptForm& form, const bench::FloatErrors& found) {
+  return {std::string(form.form->id),
+          form.constants->id,
+          static_cast<long>(found.count()),
+          Number{static_cast<double>(found.max_abs_error), 6},
+          hex_text(std::bit_cast<float>(found.max_abs_error_at)),
+          static_cast<long>(found.max_ulps),
+          hex_text(std::bit_cast<float>(found.max_ulps_at)),
+          static_cast<long>(found.nans),
+          static_cast<long>(found.beyond)};
 }
 
-/// Writes the table of a device, and returns it as text.
-std::string finished(const FormsOn& place, const Terminal& terminal) {
-  Table in_file = place.table;
-  std::string text;
-  if (place.on) {
-    const std::string name = device::name_with_driver(place.on->device->vulkan.info());
-    in_file = with_column(in_file, "device", name);
-    text = fmt::format("on {}\n", name);
+Table table_of(const forms::Catalogue& catalogue, const std::vector<bench::Sweep>& sweeps) {
+  Table table{{"form", "constants", "floats", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond"},
+              {}};
+  for (const SweptForm& form : all_of_one_cosine(catalogue)) {
+    const auto sweep = std::find_if(sweeps.begin(), sweeps.end(), [&](const bench::Sweep& other) {
+      return other.identity.form == form.form->id && other.identity.set == set_of(form);
+    });
+    if (sweep != sweeps.end()) table.rows.push_back(row_of(form, sweep->found));
   }
-  write_files(place.out, {{place.path().filename().string(), write_csv(in_file, Precision::report)}});
-  return text + write_console(place.table, Precision::report, terminal) +
-         fmt::format("\nResult: {}\n", printable(place.path().string()));
+  return table;
+}
+
+/// Writes the table of a device, and returns it as text. A part has no table yet.
+std::string finished(const FormsOn& place, const forms::Catalogue& catalogue, const BenchOptions& options) {
+  const std::string device = place.sweeps.front().identity.device;
+  const std::string on = device.empty() ? "" : fmt::format("on {}\n", device);
+  const fs::path out = without_detours(place.out);
+  if (options.shard)
+    return fmt::format("{}Part {} of {} sweeps: {}\n", on, text_of(*options.shard), place.sweeps.size(),
+                       printable(out.string()));
+  const File file = errors_file(catalogue, place.sweeps);
+  write_files(place.out, {file});
+  return on + write_console(table_of(catalogue, place.sweeps), Precision::report, options.terminal) +
+         fmt::format("\nResult: {}\n", printable((out / file.name).string()));
 }
 
 }  // namespace
 
 Outcome sweep_every_form(const BenchOptions& options, const forms::Catalogue& catalogue,
                          const std::string& version, const Checkpoint& checkpoint, const Progress& progress) {
-  if (options.shard || options.constants)
-    throw UserError(fmt::format("--exhaustive 'all' does not apply with {}: it takes every set of every form",
-                                options.shard ? "--shard" : "--constants"));
+  if (options.constants)
+    throw UserError("--exhaustive 'all' does not apply with --constants: it takes every set of every form");
   std::vector<FormsOn> places = places_of(options, checkpoint);
   std::uint64_t beyond = 0;
   const std::vector<SweptForm> forms = all_of_one_cosine(catalogue);
@@ -99,13 +110,20 @@ Outcome sweep_every_form(const BenchOptions& options, const forms::Catalogue& ca
     bench::share_truth(subjects);
     if (auto interrupted = sweep_and_keep(together, checkpoint, progress)) return *interrupted;
     for (std::size_t i = 0; i < together.size(); ++i) {  // all forms of a place, then those of the next
-      add_row(places[i / (end - first)].table, together[i]);
+      places[i / (end - first)].sweeps.push_back(together[i].sweep);
       beyond += together[i].sweep.found.beyond;
     }
   }
   std::vector<std::string> texts;
-  for (const FormsOn& place : places) texts.push_back(finished(place, options.terminal));
+  for (const FormsOn& place : places) texts.push_back(finished(place, catalogue, options));
   return {beyond == 0 ? 0 : 1, fmt::format("{}", fmt::join(texts, "\n")), ""};
+}
+
+File errors_file(const forms::Catalogue& catalogue, const std::vector<bench::Sweep>& sweeps) {
+  Table table = table_of(catalogue, sweeps);
+  const std::string& device = sweeps.front().identity.device;
+  if (!device.empty()) table = with_column(table, "device", device);
+  return {"errors.csv", write_csv(table, Precision::report)};
 }
 
 }  // namespace shadefit

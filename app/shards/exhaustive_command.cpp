@@ -78,7 +78,7 @@ Outcome exhaustive_command(const BenchOptions& options, const std::string& versi
   require_directory(options.out);
   if (options.half) return halves_command(options, checkpoint, progress);
   const forms::Catalogue catalogue = forms::catalogue();
-  const bool is_all = *options.exhaustive == "all";
+  const bool is_all = *options.exhaustive == every_form;
   if (options.all_devices && !is_all)
     throw UserError(fmt::format("--all-devices does not apply with --exhaustive '{}': it must be all",
                                 *options.exhaustive));

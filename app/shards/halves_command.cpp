@@ -46,7 +46,7 @@ std::vector<Cell> row_of(const SweptForm& form, const device::HalfErrors& found)
 
 Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint, const Progress& progress) {
   const forms::Catalogue catalogue = forms::catalogue();
-  const bool is_all = *options.exhaustive == "all";
+  const bool is_all = *options.exhaustive == every_form;
   const std::vector<SweptForm> swept =
       is_all ? all_of_one_cosine(catalogue) : std::vector{chosen_by(catalogue, options)};
   device::VulkanDevice vulkan({.place = *options.device});

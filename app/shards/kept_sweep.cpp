@@ -25,7 +25,7 @@ bench::SweepIdentity identity_of(const SweptForm& chosen, const BenchOptions& op
   return {version,
           std::string(chosen.form->id),
           chosen.exp2_degree,
-          chosen.constants->numbers.empty() ? "" : chosen.constants->id,
+          set_of(chosen),
           in_float(forms::parameters_of(*chosen.target, *chosen.constants)),
           std::string(forms::name(chosen.width)),
           options.range};
@@ -83,7 +83,8 @@ KeptSweep opened(const BenchOptions& options, const fs::path& out, const forms::
   KeptSweep kept{chosen, {}, {}, subject_of(catalogue, chosen)};
   bench::SweepIdentity identity = identity_of(chosen, options, version);
   if (on) put_on_device(kept.subject, identity, chosen, *on);
-  kept.path = without_detours(out) / (options.shard ? shard_file : bench::file_of(identity));
+  const bool is_one_part = options.shard && *options.exhaustive != every_form;
+  kept.path = without_detours(out) / (is_one_part ? shard_file : bench::file_of(identity));
   kept.sweep = bench::begin_sweep(identity, options.shard.value_or(Shard{}));
   if (const std::optional<Sweep> before = state_at(kept.path, kept.sweep)) {
     kept.sweep = *before;

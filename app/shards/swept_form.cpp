@@ -69,9 +69,13 @@ std::vector<SweptForm> all_of_one_cosine(const forms::Catalogue& catalogue) {
   return all;
 }
 
+std::string set_of(const SweptForm& form) {
+  return form.constants->numbers.empty() ? "" : form.constants->id;
+}
+
 std::string words_of(const SweptForm& form) {
-  return fmt::format("{}{}{}", form.form->id, form.constants->numbers.empty() ? "" : ", ",
-                     form.constants->numbers.empty() ? "" : form.constants->id);
+  const std::string set = set_of(form);
+  return fmt::format("{}{}{}", form.form->id, set.empty() ? "" : ", ", set);
 }
 
 std::vector<float> in_float(const std::vector<double>& numbers) {

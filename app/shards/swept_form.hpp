@@ -10,6 +10,9 @@
 /// The form that `bench --exhaustive` names.
 namespace shadefit {
 
+/// The name in the place of a form's that means every form of one cosine.
+inline constexpr const char* every_form = "all";
+
 /// The form and its target that a sweep compares.
 struct SweptForm {
   const forms::FormEntry* form;
@@ -27,6 +30,9 @@ SweptForm chosen_by(const forms::Catalogue& catalogue, const BenchOptions& optio
 
 /// The form with its constants in words: "sg, published-sg-offset-mean".
 std::string words_of(const SweptForm& form);
+
+/// The id of its set of constants; empty for a form without any.
+std::string set_of(const SweptForm& form);
 
 std::vector<float> in_float(const std::vector<double>& numbers);
 

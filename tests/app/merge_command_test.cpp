@@ -191,6 +191,30 @@ INSTANTIATE_TEST_SUITE_P(Of, Merge,
                                                         "exp2-quintic", "planck-x", "sqrt-rational"}}),
                          ::testing::PrintToStringParamName());
 
+/// Every form is a list of sweeps; a part of it has a part of each.
+TEST(MergeEveryForm, HasTheBytesOfOneGo) {
+  const TemporaryDirectory directory;
+  const auto work = [&](const char* out, std::vector<std::string> shard = {}) {
+    std::vector<std::string> words{"bench", "--exhaustive", "all", "--range", "0x3efff000:0x3f000000",
+                                   "--out", directory / out};
+    words.insert(words.end(), shard.begin(), shard.end());
+    return run_command_line(words);
+  };
+  const auto merge = [&](const char* second) {
+    return run_command_line({"merge", directory / "1", directory / second, "--out", directory / "merged"});
+  };
+  ASSERT_EQ(work("whole").exit_code, 0);
+  EXPECT_NE(work("1", {"--shard", "1/2"}).out.find("Part 1/2 of "), std::string::npos);
+  ASSERT_EQ(work("2", {"--shard", "2/2"}).exit_code, 0);
+  const Outcome outcome = merge("2");
+  EXPECT_EQ(outcome.out, "Whole: " + (directory / "merged/errors.csv") + "\n") << outcome.err;
+  EXPECT_EQ(snapshot(directory / "merged"), snapshot(directory / "whole"));
+  EXPECT_TRUE(merge("1").err.find("is shard 1/2, which") != std::string::npos) << merge("1").err;
+  std::filesystem::remove(directory / "2/exhaustive-schlick.json");
+  EXPECT_EQ(merge("2").err, "shadefit: '" + (directory / "2") + "' has other sweeps than '" +
+                                (directory / "1") + "': all parts must be of one work\n");
+}
+
 /// A gallery with a study whose file can change.
 class MergeStudies : public ::testing::Test {
  protected:
