@@ -89,28 +89,28 @@ class ProblemInUnits {
   using Scalar = double;
   enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
 
-  /// Refers to the problem.
-  ProblemInUnits(const Projection& problem, Vector units, double residual_unit)
-      : problem_(problem), units_(std::move(units)), residual_unit_(residual_unit) {}
+  /// Refers to the problem and the units.
+  ProblemInUnits(const Projection& problem, const Vector& units, double residual_unit)
+      : problem_(problem), units_(units), residual_unit_(residual_unit) {}
 
   int NumResiduals() const { return problem_.NumResiduals(); }
   int NumParameters() const { return problem_.NumParameters(); }
 
   bool operator()(const double* q, double* residuals, double* jacobian) const {
     const Eigen::Index n = NumParameters();
-    const Vector at = units_.cwiseProduct(Eigen::Map<const Vector>(q, n));
+    const ProductVector<double> at = units_.cwiseProduct(Eigen::Map<const Vector>(q, n));
     problem_(at.data(), residuals, jacobian);
     Eigen::Map<Vector>(residuals, n + 1) /= residual_unit_;
     if (jacobian != nullptr) {
       Eigen::Map<MatrixOf<double>> columns(jacobian, n + 1, n);
-      columns = (columns * units_.asDiagonal() / residual_unit_).eval();
+      for (Eigen::Index i = 0; i < n; ++i) columns.col(i) *= units_[i] / residual_unit_;
     }
     return true;
   }
 
  private:
   const Projection& problem_;
-  Vector units_;
+  const Vector& units_;
   double residual_unit_;
 };
 
