@@ -50,7 +50,7 @@ std::string console_text(const Comparison& comparison, const Terminal& terminal,
                          const Checkpoint& checkpoint) {
   const auto in_half = curves_in_half(comparison, checkpoint);
   std::string text =
-      fmt::format("{}: max abs error proven to {:g}, its digits here to one unit of the last\n",
+      fmt::format("{}: max abs error proven to a relative {:g}; the last printed digit may be off by one\n",
                   target_of(comparison), usual_width) +
       write_console(comparison_table(comparison), Precision::report, terminal) + left_out_lines(comparison);
   if (in_half.empty()) return text;

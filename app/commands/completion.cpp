@@ -34,7 +34,7 @@ Words words_for(const CLI::App& app, const std::string& type) {
     for (const FittableFamily& family : fittable_families()) words.emplace_back(family.info.id);
   } else if (type == "TARGET") {
     for (const forms::Target& target : forms::catalogue().targets) words.emplace_back(target.id);
-  } else if (type == "CURVE") {
+  } else if (type == "FORM|all") {
     for (const forms::FormEntry& form : forms::catalogue().forms) words.emplace_back(form.id);
   } else if (type == "COMMAND") {
     for (const CLI::App* command : app.get_subcommands({})) words.push_back(command->get_name());

@@ -145,9 +145,10 @@ void declare_lint(CLI::App& lint, LintOptions& options) {
     throw UserError(
         fmt::format("{} '{}' is unknown: it must be one of {}", option, text, fmt::join(words, ", ")));
   };
-  add_value(lint, "--fix", options.fix, scope, "pins|typo|wrong",
-            "write the published digits: of pinned numbers (also without a value); also of what is a typo or "
-            "wrong; or wrong alone")
+  add_value(
+      lint, "--fix", options.fix, scope, "pins|typo|wrong",
+      "write the published digits. pins (also without a value): of pinned numbers; wrong: also of wrong "
+      "ones; typo: also of wrong and mistyped ones")
       ->expected(0, 1);
   lint.add_flag("--diff", options.diff,
                 "print what --fix would change (alone: --fix pins), and write nothing");

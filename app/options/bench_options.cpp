@@ -70,7 +70,7 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
                                 "the forms of a study or its file, NAME.toml (default: the built-in ones)")
                     ->type_name("STUDY");
   auto* exhaustive = add_value(
-      bench, "--exhaustive", options.exhaustive, parse_text, "CURVE",
+      bench, "--exhaustive", options.exhaustive, parse_text, "FORM|all",
       "evaluate this form, or all of one cosine, at every float in [0, 1] and compare with its target in "
       "double");
   exhaustive->excludes(study);

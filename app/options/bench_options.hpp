@@ -20,7 +20,7 @@ class App;
 namespace shadefit {
 
 struct BenchOptions {
-  std::optional<std::string> study = {};  ///< the id or the file of a study, in the place of the catalogue
+  std::optional<std::string> study = {};  ///< the id or the file of a study, instead of the catalogue
   std::vector<std::string> studies = {};  ///< folders that have it too
   std::string out = "out";
   std::vector<std::string> only = {};  ///< ids of targets
@@ -36,7 +36,7 @@ struct BenchOptions {
   int exp2_degree = 0;                         ///< 0: the library's exp2
   std::optional<Shard> shard = {};
   bench::Stretch range = bench::unit_floats;
-  /// The place of a Vulkan device among `device::vulkan_devices`, in the place of the CPU.
+  /// The place of a Vulkan device among `device::vulkan_devices`, instead of the CPU.
   std::optional<std::size_t> device = {};
   bool all_devices = false;  ///< with `exhaustive` all: every Vulkan device
   bool half = false;         ///< with `exhaustive` on a device: every half, in place of every float

@@ -86,10 +86,9 @@ void add_constraints(CLI::App& command, Metric& metric) {
   Constraints& constraints = metric.constraints;
   add_values(command, "--fix", constraints.held, parse_held, "NAME=VALUE",
              "a parameter that is given, not fitted; may be repeated");
-  add_values(
-      command, "--exact-at", constraints.exact_at, parse_finite, "C",
-      "an end of the domain where the form equals its target; may be repeated. This and the next three: of a "
-      "built-in family with --norm minimax, of a form of your own always");
+  add_values(command, "--exact-at", constraints.exact_at, parse_finite, "C",
+             "an end of the domain where the form equals its target; may be repeated. For a built-in family "
+             "this and the next three options need --norm minimax");
   add_choice(command, "--one-sided", constraints.one_sided, by_name(std::array{Side::above, Side::below}),
              "the side of its target on which the form stays");
   add_value(command, "--at-most", constraints.at_most, parse_finite, "V",
@@ -100,7 +99,7 @@ void add_constraints(CLI::App& command, Metric& metric) {
              "a form of your own never rises, or never falls");
 }
 
-/// Adds the options of a study. Named studies take them too, in the place of what the file says.
+/// Adds the options of a study. Named studies take them too, instead of what the file says.
 void add_study(CLI::App& command, FitOptions& options) {
   add_studies(command, options.studies);
   StudyOptions& study = options.study;

@@ -108,7 +108,7 @@ double parse_relative_width(const std::string& option, const std::string& text);
 /// "vulkan" or "vulkan:N": the place of a graphics device.
 std::size_t parse_device(const std::string& option, const std::string& text);
 
-/// Whether a text looks like an option in the place of a value: it begins with '-' and is not a number. A
+/// Whether a text looks like an option instead of a value: it begins with '-' and is not a number. A
 /// formula may begin with a sign, but not with two.
 bool looks_like_an_option(const CLI::Option& of, const std::string& text);
 

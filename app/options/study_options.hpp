@@ -13,7 +13,7 @@ namespace shadefit {
 struct StudyOptions {
   std::optional<std::string> form = {};  ///< empty: the command is about a built-in family
   std::string target = {};
-  std::string table = {};  ///< a file of rows, in the place of a target
+  std::string table = {};  ///< a file of rows, instead of a target
   std::vector<StudyRange> over = {};
   std::vector<std::pair<std::string, std::vector<std::string>>> given = {};  ///< each with its values
   std::vector<StudyDefinition> definitions = {};

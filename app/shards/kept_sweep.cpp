@@ -31,7 +31,7 @@ bench::SweepIdentity identity_of(const SweptForm& chosen, const BenchOptions& op
           options.range};
 }
 
-/// The form on a graphics device in the place of this processor.
+/// The form on a graphics device instead of this processor.
 void put_on_device(bench::FloatSubject& subject, bench::SweepIdentity& identity, const SweptForm& chosen,
                    const MeasuredDevice& on) {
   const device::FormSweep sweep(

@@ -92,8 +92,9 @@ std::vector<File> merged(const std::vector<std::string>& given) {
   if (const auto names = sweeps_in(given.front()); !names.empty()) {
     for (const std::string& part : given) {
       if (sweeps_in(part) != names)
-        throw UserError(fmt::format("'{}' has other sweeps than '{}': all parts must be of one work", part,
-                                    given.front()));
+        throw UserError(
+            fmt::format("'{}' has other sweeps than '{}': all parts must come from the same command", part,
+                        given.front()));
     }
     return merged_forms(names, given);
   }

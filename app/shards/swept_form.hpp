@@ -10,7 +10,7 @@
 /// The form that `bench --exhaustive` names.
 namespace shadefit {
 
-/// The name in the place of a form's that means every form of one cosine.
+/// Instead of the name of a form: every form of one cosine.
 inline constexpr const char* every_form = "all";
 
 /// The form and its target that a sweep compares.

@@ -53,7 +53,7 @@ void refuse_others(const FitOptions& options, const std::string& with) {
   if (options.present.contains("--measure")) refuse("--measure", "give the density by --over x=0:1:angle");
 }
 
-/// The values of the options in the place of those of the file.
+/// The values of the options instead of those of the file.
 void change_given(StudyFile& file, const StudyOptions& options) {
   for (const auto& [constant, values] : options.given) {
     const auto same = [&, &name = constant](const auto& given) { return given.first == name; };

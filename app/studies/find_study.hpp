@@ -37,7 +37,7 @@ std::string study_digest(const std::filesystem::path& path, const StudyFile& stu
 /// Reads a study from its file. Throws UserError like `read_study_file`.
 StudyFile load_study(const std::filesystem::path& path);
 
-/// A fault of a formula in a file: its line and key in the place of an option, ", line 6: target: formula
+/// A fault of a formula in a file: its line and key instead of an option, ", line 6: target: formula
 /// .."; the key alone, if the line is not known. `form` is the id of the form that was read.
 std::string fault_in(const StudyFile& file, const StudyFault& fault, const std::string& form);
 

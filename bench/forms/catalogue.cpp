@@ -73,7 +73,7 @@ std::vector<Constants> constants_of(std::string_view id) {
   return all;
 }
 
-/// The best pair for the cheapest polynomial in the place of exp2.
+/// The best pair for the cheapest polynomial instead of exp2.
 void append_pair_for_exp2(std::vector<Constants>& all) {
   const std::string degree = std::to_string(least_exp2_degree);
   const PairForExp2 pair = fit_pair_for_exp2(least_exp2_degree);

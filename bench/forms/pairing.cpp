@@ -127,7 +127,7 @@ std::array<RunningError, N> rounded_constants(const std::array<Interval, N>& con
   return rounded;
 }
 
-/// The factor by which a polynomial, in the place of an exact exp2, increases rounding errors. If the form
+/// The factor by which a polynomial, instead of an exact exp2, increases rounding errors. If the form
 /// with the polynomial is proven as a whole, a rounded exponent changes the result by the polynomial's
 /// derivative: at most 1.0143 times the derivative of exp2 for degree 2, less for the others. If bounds are
 /// added, it is the derivative of exp2, times 1 + bound once, or twice for a decoded gloss: 1.004.

@@ -19,7 +19,7 @@ inline constexpr double allowed_addition = 0.01;
 struct Pairing {
   double own_lower = 0, own_upper = 0;  ///< with an exact exp2: proven bounds
   int degree = 0;  ///< of the cheapest polynomial that is accurate enough; 0 if there is none
-  /// By degree: the proven bound with that polynomial in the place of exp2, for float or for double, in exact
+  /// By degree: the proven bound with that polynomial instead of exp2, for float or for double, in exact
   /// arithmetic. For a form of the cosine, the form with the polynomial is proven as a whole, with both sides
   /// of each jump. For a decoded gloss, which uses the polynomial twice, bounds are combined. At 0: with an
   /// exact exp2.

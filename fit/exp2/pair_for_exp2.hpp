@@ -4,7 +4,7 @@
 
 #include "fit/least_squares/status.hpp"
 
-/// The Fresnel pair, fitted for a polynomial in the place of exp2.
+/// The Fresnel pair, fitted for a polynomial instead of exp2.
 namespace shadefit {
 
 /// The pair of exp2((a c + b) c) with the least largest |form - (1-c)^5| over c in [0, 1] if exp2 is a

@@ -93,7 +93,8 @@ class Contacts {
 
  private:
   enum class CanBe { exact, exact_for_all, never };
-  /// Newton's method tells: exp(a) is 0 for no a, so its steps stay long. Changes the parameters.
+  /// By Newton's method: if no parameters make the form exact, as for exp(a) = 0, its steps stay long.
+  /// Changes the parameters.
   CanBe can_be_exact(const SearchPlace& place);
   const Contact* worst_violation() const;
   void find_extrema(const MinimaxCurve& curve, Touch touch);

@@ -95,7 +95,7 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
       bounds[i] = condition.bound;
     }
     if (!invert(matrix, unknowns, inverse)) {
-      result.outcome = LowestLevel::Outcome::degenerate;
+      result.ending = LowestLevel::Ending::degenerate;
       return result;
     }
     for (std::size_t i = 0; i < unknowns; ++i) result.unknowns[i] = product(inverse[i], bounds, unknowns);
@@ -121,7 +121,7 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
         exchange + 1 == most_exchanges &&
         most <= cycle_excess * std::max(largest_bound, std::abs(result.unknowns[unknowns - 1]));
     if (entering == conditions.size() || is_cycle) {
-      result.outcome = LowestLevel::Outcome::found;
+      result.ending = LowestLevel::Ending::found;
       return result;
     }
 
@@ -144,7 +144,7 @@ LowestLevel lowest_level(std::span<const Condition> conditions, std::size_t unkn
       }
     }
     if (leaving == unknowns) {
-      result.outcome = LowestLevel::Outcome::infeasible;
+      result.ending = LowestLevel::Ending::infeasible;
       return result;
     }
     result.reference[leaving] = entering;

@@ -32,13 +32,13 @@ struct Condition {
 /// unknowns, and the answer meets them with equality. The multipliers are Lagrange's; those of conditions on
 /// the error are Kolmogorov's weights, and their sum is 1.
 struct LowestLevel {
-  enum class Outcome {
+  enum class Ending {
     found,       ///<
     infeasible,  ///< no step satisfies all conditions
     degenerate,  ///< the conditions of a reference are linearly dependent
     unfinished,  ///< the cap on exchanges
   };
-  Outcome outcome = Outcome::unfinished;
+  Ending ending = Ending::unfinished;
   Unknowns unknowns{};
   std::array<std::size_t, most_unknowns> reference{};  ///< places in the list of conditions
   Unknowns multipliers{};

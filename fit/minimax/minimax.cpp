@@ -75,11 +75,11 @@ class RemezExchange {
                     "the parameters do not move the error independently where it is largest");
       const LowestLevel lowest = lowest_level({conditions.data(), conditions.size()}, here_.unknowns(),
                                               {reference.data(), here_.unknowns()});
-      if (lowest.outcome == LowestLevel::Outcome::infeasible) return fail_to_satisfy();
-      if (lowest.outcome == LowestLevel::Outcome::degenerate)
+      if (lowest.ending == LowestLevel::Ending::infeasible) return fail_to_satisfy();
+      if (lowest.ending == LowestLevel::Ending::degenerate)
         return fail(Status::degenerate,
                     "the parameters do not move the error independently where it is largest");
-      if (lowest.outcome == LowestLevel::Outcome::unfinished)
+      if (lowest.ending == LowestLevel::Ending::unfinished)
         return fail(Status::not_converged, "the exchange of the reference goes round in circles");
 
       count_parameters();

@@ -9,8 +9,8 @@ namespace {
 /// Multipliers sum to 1. One below this is the rounding of 0.
 constexpr double none = 1e-9;
 
-/// The multiplier of an entering row at which the first one of the support becomes 0. `shares`: how much each
-/// multiplier of the support falls for a unit of it.
+/// How large the multiplier of an entering row can become before one of the support reaches 0. `shares`: how
+/// much each multiplier of the support falls for a unit of it.
 double room(const VectorOf<double>& multipliers, const VectorOf<double>& shares) {
   double least = 1;
   for (Eigen::Index i = 0; i < shares.size(); ++i) {

@@ -195,7 +195,7 @@ class SurfaceExchange {
     const auto reference = first_reference(errors, slopes);
     if (!reference) return std::nullopt;
     Support support{lowest_level(conditions, size_ + 1, *reference, rounding_), {}, {}};
-    if (support.lowest.outcome != LowestLevel::Outcome::found) return std::nullopt;
+    if (support.lowest.ending != LowestLevel::Ending::found) return std::nullopt;
     for (std::size_t i = 0; i <= size_; ++i) {
       support.places.push_back(support.lowest.reference[i] / 2);
       support.signs.push_back(support.lowest.reference[i] % 2 == 0 ? 1 : -1);

@@ -13,8 +13,8 @@ using Matrix = MatrixOf<double>;
 
 /// The rounding of a condition, relative to the sizes of its terms.
 constexpr double rounding = 1e-13;
-/// A direction that changes a condition by less than this share of what its slope allows is across it: the
-/// active conditions determine this one.
+/// A direction counts as tangent to a condition if it changes it by less than this share of the largest
+/// possible change: the active conditions determine this one.
 constexpr double across = 1e-12;
 
 class DualMethod {

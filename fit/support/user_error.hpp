@@ -11,7 +11,7 @@ struct UserError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A check that failed, or a proof that there is none of. `what()` is one line that says which and why; the
+/// A check failed, or something could not be proven. `what()` is one line that says which and why; the
 /// command prints it and exits with 1.
 struct CheckFailed : std::runtime_error {
   using std::runtime_error::runtime_error;

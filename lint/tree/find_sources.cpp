@@ -46,12 +46,12 @@ bool is_minified_name(const std::string& name) {
 
 /// A place on the walk: its absolute name without links, and its shown name, which is empty for the current
 /// folder.
-struct Place {
+struct FoundPath {
   std::string absolute, name;
 
   fs::path path() const { return name.empty() ? "." : name; }
 
-  Place below(const std::string& entry) const {
+  FoundPath below(const std::string& entry) const {
     const auto joined = [&](const std::string& folder) {
       return folder.empty() || folder.ends_with('/') ? folder + entry : folder + "/" + entry;
     };
@@ -72,7 +72,7 @@ class Search {
     if (given.empty() || error == std::errc::no_such_file_or_directory)
       throw UserError(fmt::format("path '{}': there is no such file or folder", given));
     if (error) throw UserError(fmt::format("path '{}': {}", given, error.message()));
-    const Place place{absolute.string(), shown_name(given, current_)};
+    const FoundPath place{absolute.string(), shown_name(given, current_)};
     const fs::file_status status = fs::status(absolute, error);
     if (!fs::is_directory(status)) {
       // Refused here: a gate must not pass for what it could not read.
@@ -114,7 +114,7 @@ class Search {
   }
 
   /// `lists` are the rules of the folders above.
-  void walk(const Place& folder, RuleLists lists) {
+  void walk(const FoundPath& folder, RuleLists lists) {
     if (!seen_.insert(folder.absolute).second) return;
     std::error_code error;
     std::vector<fs::directory_entry> entries;
@@ -125,7 +125,7 @@ class Search {
     enter(folder.absolute, lists);
     for (const fs::directory_entry& one : entries) {
       const std::string name = one.path().filename().string();
-      const Place place = folder.below(name);
+      const FoundPath place = folder.below(name);
       // The type comes with the list of the folder, so that no file is looked at.
       if (one.is_symlink(error)) {
         ++tree_.skipped.links;
@@ -137,7 +137,7 @@ class Search {
     }
   }
 
-  bool is_wanted_folder(const Place& place, const std::string& name, const RuleLists& lists) {
+  bool is_wanted_folder(const FoundPath& place, const std::string& name, const RuleLists& lists) {
     if (is_one_of(control_names, name)) return false;
     if (is_ignored(place, true, lists)) {
       ++tree_.skipped.ignored;
@@ -149,13 +149,14 @@ class Search {
     return !is_others;
   }
 
-  bool is_ignored(const Place& place, bool is_folder, const RuleLists& lists) const {
+  bool is_ignored(const FoundPath& place, bool is_folder, const RuleLists& lists) const {
     IgnoreVerdict said = verdict(globs_, place.absolute, is_folder);
     if (said == IgnoreVerdict::none) said = verdict(lists, place.absolute, is_folder);
     return said == IgnoreVerdict::ignored;
   }
 
-  void add_found_file(const Place& place, const std::string& name, bool is_regular, const RuleLists& lists) {
+  void add_found_file(const FoundPath& place, const std::string& name, bool is_regular,
+                      const RuleLists& lists) {
     const auto named = language_of(name);
     if (!named) {
       ++tree_.skipped.unknown_language;
@@ -173,13 +174,13 @@ class Search {
   }
 
   /// A file of an unknown language is read as if it were C: most languages write numbers and comments alike.
-  void add_named_file(const Place& place) {
+  void add_named_file(const FoundPath& place) {
     const auto named = language_of(fs::path(place.absolute).filename().string());
     const auto language = named ? named->language : SourceLanguage::c_family;
     add_file(place, {language, true}, true);
   }
 
-  void add_file(const Place& place, NamedLanguage named, bool is_regular) {
+  void add_file(const FoundPath& place, NamedLanguage named, bool is_regular) {
     if (!seen_.insert(place.absolute).second) return;
     if (!is_regular) {
       cannot_read(place.name, "it is not a regular file");
@@ -199,7 +200,7 @@ class Search {
   }
 
   /// Whether a file whose name does not tell its language is a shader. If not, it is counted.
-  bool is_shader(const Place& place, std::uintmax_t size) {
+  bool is_shader(const FoundPath& place, std::uintmax_t size) {
     try {
       if (looks_like_shader(read_part(place.path(), 0, std::min(size, looked_into)))) return true;
       ++tree_.skipped.unknown_language;

@@ -12,7 +12,7 @@
 namespace shadefit::findings {
 namespace {
 
-/// The replacement character U+FFFD, in the place of what XML cannot hold.
+/// The replacement character U+FFFD, instead of what XML cannot hold.
 constexpr std::string_view replacement = "\xEF\xBF\xBD";
 
 /// Whether XML 1.0 can hold a character (W3C 2008, section 2.2, Char).

@@ -67,8 +67,8 @@ void require_whole(const std::vector<Part>& parts, const std::string& version) {
       throw UserError(fmt::format("{} is of {}", part.file, other));
     const std::string shard = text_of(part.shard);
     if (part.shard.of != first.shard.of)
-      throw UserError(fmt::format("{} is shard {}, {} one of {}: all must be of one whole", part.file, shard,
-                                  first.file, first.shard.of));
+      throw UserError(fmt::format("{} is shard {}, {} one of {}: all parts must come from the same command",
+                                  part.file, shard, first.file, first.shard.of));
     if (!part.is_done)
       throw UserError(
           fmt::format("{}, shard {}, is not finished: its own command goes on with it", part.file, shard));

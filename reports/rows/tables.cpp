@@ -129,6 +129,13 @@ FitsTable fits_table(const std::vector<Refit>& refits) {
   return out;
 }
 
+/// "confirmed", "other-objective: angle".
+std::string verdict_text(const Judgement& judgement) {
+  const std::string_view verdict = name(judgement.verdict);
+  return judgement.verdict == Verdict::other_objective ? fmt::format("{}: {}", verdict, judgement.objective)
+                                                       : std::string(verdict);
+}
+
 Table fits_overview(const Refit& refit) {
   Table table{{}, {}};
   if (refit.family->has_exponent()) table.columns.emplace_back("exponent");
@@ -146,7 +153,7 @@ Table fits_overview(const Refit& refit) {
     std::vector<std::string> printed, verdicts;
     for (const Assessment& a : report.assessments) {
       printed.emplace_back(a.published->printed);
-      verdicts.emplace_back(name(a.judgement.verdict));
+      verdicts.emplace_back(verdict_text(a.judgement));
     }
     row.insert(row.end(),
                {std::string(name(fit.status)), is_answer ? Cell(static_cast<long>(fit.digits)) : Cell(),

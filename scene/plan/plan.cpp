@@ -136,7 +136,7 @@ class Planner {
       decide("n.v < 0", Treatment::skip, "", "every power is 0");
     } else {
       decide("n.v < 0", Treatment::keep, "min(n.l, 2 n.h)",
-             "n.l itself where n.v >= 0; bounds a light where a normal map turns away");
+             "equals n.l where n.v >= 0; limits a light where a normal map turns the normal away");
     }
   }
 
@@ -207,8 +207,8 @@ class Planner {
                                         : chosen.cheaper;
     const std::string dear = price_of(chosen.form);
     if (chosen.mean_error == 0) return why + dear;
-    return why + dear + "; constants by how often each power is used: " + decimal(chosen.mean_error, 2) +
-           " on the mean, where the least largest error has " + decimal(chosen.mean_error_of_level, 2);
+    return why + dear + "; powers weighted by their use: mean error " + decimal(chosen.mean_error, 2) +
+           ", minimax constants have " + decimal(chosen.mean_error_of_level, 2);
   }
 
   /// The instructions of the slopes, with EXP2 and LOG2 counted as four each, if the power itself costs no

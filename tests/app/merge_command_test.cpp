@@ -112,8 +112,8 @@ TEST_P(Merge, RefusesWhatIsMissingOrDoubled) {
   ASSERT_EQ(work("half", "2/2").exit_code, 0);
   EXPECT_EQ(
       refusal({"1", "half"}),
-      "shadefit: shard file 'half/shard.json' is shard 2/2, shard file '1/shard.json' one of 3: all must be "
-      "of one whole\n");
+      "shadefit: shard file 'half/shard.json' is shard 2/2, shard file '1/shard.json' one of 3: all parts "
+      "must come from the same command\n");
   EXPECT_EQ(refusal({"1", "2", "4"}), "shadefit: cannot read '4': there is no such file\n");
   std::filesystem::create_directory(directory_ / "4");
   EXPECT_EQ(refusal({"1", "2", "4"}), "shadefit: cannot read '4/shard.json': there is no such file\n");
@@ -212,7 +212,7 @@ TEST(MergeEveryForm, HasTheBytesOfOneGo) {
   EXPECT_TRUE(merge("1").err.find("is shard 1/2, which") != std::string::npos) << merge("1").err;
   std::filesystem::remove(directory / "2/exhaustive-schlick.json");
   EXPECT_EQ(merge("2").err, "shadefit: '" + (directory / "2") + "' has other sweeps than '" +
-                                (directory / "1") + "': all parts must be of one work\n");
+                                (directory / "1") + "': all parts must come from the same command\n");
 }
 
 /// A gallery with a study whose file can change.

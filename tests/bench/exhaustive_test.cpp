@@ -230,7 +230,7 @@ TEST(Sweep, MergingRefusesWhatIsMissingDoubledForeignOrUnfinished) {
   EXPECT_EQ(refused({first, second, {"again", first.sweep}, third}),
             "again is shard 1/3, which one is already");
   EXPECT_EQ(refused({first, {"half", done({2, 2})}}),
-            "half is shard 2/2, one one of 3: all must be of one whole");
+            "half is shard 2/2, one one of 3: all parts must come from the same command");
   EXPECT_EQ(refused({first, second, {"begun", begin_sweep(identity(), {3, 3})}}),
             "begun, shard 3/3, is not finished: its own command goes on with it");
   EXPECT_EQ(refused({first, second, third}, "0.2.0"), "one is of another version: 0.1.0, not 0.2.0");

@@ -184,7 +184,7 @@ std::vector<std::size_t> digits_of(const std::string& printed) {
   return places;
 }
 
-/// The constants with one digit of the k-th number one too large: 0 in the place of 9.
+/// The constants with one digit of the k-th number one too large: 0 instead of 9.
 forms::Constants with_wrong_digit(forms::Constants constants, std::size_t k, std::size_t place) {
   char& digit = constants.numbers.at(k).printed.at(place);
   digit = digit == '9' ? '0' : static_cast<char>(digit + 1);

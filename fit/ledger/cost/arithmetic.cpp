@@ -124,7 +124,7 @@ double as_stored(double value) {
   return std::isnan(value) ? 0 : value;
 }
 
-/// The effect of exp2(log2(0) b) in the place of 0^b on stored values, over all exponents and formats.
+/// The effect of exp2(log2(0) b) instead of 0^b on stored values, over all exponents and formats.
 Effect effect_of_power_of_zero(const std::vector<std::string>& exponents,
                                const std::vector<std::string>& formats) {
   Effect effect;

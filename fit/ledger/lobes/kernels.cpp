@@ -262,7 +262,7 @@ std::string errors_in_words(const std::vector<KernelContest>& contests, const st
   return text;
 }
 
-/// The effect of a candidate in the place of the lobe, at a thousand angles and both ends.
+/// The effect of a candidate instead of the lobe, at a thousand angles and both ends.
 Effect effect_of(const LobeCandidate& candidate, double exponent) {
   constexpr int steps = 1000;
   Effect effect;

@@ -6,7 +6,7 @@
 /// Marching a ray past one shadow edge: errors over all places of the edge, in closed form.
 namespace shadefit {
 
-/// The entries of a dither matrix, "0 0.5 / 0.75 x", row by row, with `x` in the place of the letter x.
+/// The entries of a dither matrix, "0 0.5 / 0.75 x", row by row, with `x` for the letter x.
 /// Throws std::invalid_argument unless it is square, its size a power of two, with one letter x.
 std::vector<double> dither_matrix(std::string_view text, double x);
 

@@ -117,7 +117,7 @@ AtView look_from(double view_angle, double exponent) {
           })};
 }
 
-/// The effect of the lobe of twice the Blinn angle in the place of Phong's, for one view: over lights at
+/// The effect of the lobe of twice the Blinn angle instead of Phong's, for one view: over lights at
 /// every degree from the normal and around it, on one side of the plane of the view.
 Effect effect_seen_from(double view_angle, double exponent) {
   constexpr int step = 1;

@@ -55,7 +55,7 @@ double largest_code_shift(const Form& form, double f0) {
   });
 }
 
-/// The effect of a form in the place of (1-c)^5 on F.
+/// The effect of a form instead of (1-c)^5 on F.
 template <class Form>
 Effect effect_on_reflectance(const Form& form, double f0) {
   const auto reflectance = [f0](const auto& weight) {

@@ -176,7 +176,7 @@ TEST(Stress, EveryStatedBoundCanFail) {
   });
 }
 
-// Each formula in the place of its robust form: the earlier one breaks the bound of its successor.
+// Each formula instead of its robust form: the earlier one breaks the bound of its successor.
 TEST(Stress, TheNaiveFormBreaksTheBoundOfTheRobustOne) {
   visit_robust([](Regime regime, std::size_t i) {
     if (i == 0) return;  // the printed formula is the robust one

@@ -78,7 +78,7 @@ TEST(NormalisationClaims, TheCheapConstantIsFurthestWhereMpmathSays) {
   EXPECT_EQ(with_close("0.0752"), "refuted");
 }
 
-// The exact constant in the place of the stand-in: the difference is 0 for every power.
+// The exact constant instead of the stand-in: the difference is 0 for every power.
 TEST(NormalisationClaims, AStandInIsJudgedAtLowPowersToo) {
   const auto verdict = [&](const char* printed) {
     return verdict_of(with_printed(claim_of("norm-blinn-phong-cheap"), 0, printed));
