@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -311,7 +312,7 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   require_values(study, nodes);
   const auto& linear = error.is_linear();
   const auto nonlinear = static_cast<std::size_t>(std::count(linear.begin(), linear.end(), false));
-  SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0};
+  SearchedStudy result{SampledStudy<double>(error, nodes), {}, 0, nonlinear == 0, study.rows != nullptr};
   SearchStarts wanted = starts_of(study, nonlinear);
   if (!study.rows && nonlinear > 0) wanted.units = units_of(study, nodes);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
@@ -336,13 +337,26 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   return result;
 }
 
+double size_of(const std::vector<double>& parameters) {
+  return std::inner_product(parameters.begin(), parameters.end(), parameters.begin(), 0.0);
+}
+
+bool is_slower_wave(const std::vector<double>& a, const std::vector<double>& b) {
+  constexpr double clear = 1e-3;
+  return size_of(a) < (1 - clear) * size_of(b);
+}
+
 std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most) {
   // The ends of descents in one basin are at most this far apart.
   constexpr double same = 1e-6;
   std::vector<StudyCandidate> basins;
   for (const StudyCandidate& candidate : searched.candidates) {
-    if (basins.size() < most && (basins.empty() || candidate.square > basins.back().square * (1 + same)))
+    if (basins.empty() || candidate.square > basins.back().square * (1 + same)) {
+      if (basins.size() == most) break;
       basins.push_back(candidate);
+    } else if (searched.has_rows && is_slower_wave(candidate.parameters, basins.back().parameters)) {
+      basins.back().parameters = candidate.parameters;
+    }
   }
   return basins;
 }

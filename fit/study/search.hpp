@@ -36,10 +36,18 @@ struct SearchedStudy {
   std::vector<StudyCandidate> candidates;  ///< best first; never empty
   int starts;
   bool is_linear;  ///< in all parameters: then the only candidate is the best of all
+  bool has_rows = false;
 };
 
+/// The sum of the squares of parameters.
+double size_of(const std::vector<double>& parameters);
+
+/// Whether parameters are clearly smaller than others that give the same errors. Every faster wave through
+/// evenly spaced rows fits as well as a slow one, and is wrong between the rows.
+bool is_slower_wave(const std::vector<double>& a, const std::vector<double>& b);
+
 /// The lowest basins, at most so many, as starts for another problem with the same form. One candidate for
-/// each different square.
+/// each different square; with rows the slowest wave of those that have it.
 std::vector<StudyCandidate> lowest_basins(const SearchedStudy& searched, std::size_t most = 4);
 
 /// A start of all parameters: those that are not given are 1.

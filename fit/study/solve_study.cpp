@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "fit/least_squares/least_squares.hpp"
@@ -277,20 +276,13 @@ bool is_same_curve(const SampledStudy<double>& sampled, const StudyCandidate& a,
   return distance <= 1e-5 * std::max(sampled.target_norm(), std::sqrt(a.square));
 }
 
-/// The sum of the squares of some parameters.
-double size_of(const std::vector<double>& parameters) {
-  return std::inner_product(parameters.begin(), parameters.end(), parameters.begin(), 0.0);
-}
-
 /// If several sets of parameters give one curve, the one that comes first, number by number. With rows the
 /// smallest comes first, because every faster wave through evenly spaced rows fits as well.
 StudyCandidate canonical(const ReadStudy& study, const SampledStudy<double>& sampled,
                          const std::vector<StudyCandidate>& best) {
   StudyCandidate first = best.front();
   const auto comes_before = [&](const std::vector<double>& a, const std::vector<double>& b) {
-    const double first_size = size_of(a), second_size = size_of(b);
-    if (study.rows && std::abs(first_size - second_size) > 1e-3 * std::max(first_size, second_size))
-      return first_size < second_size;
+    if (study.rows && (is_slower_wave(a, b) || is_slower_wave(b, a))) return is_slower_wave(a, b);
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double same = 1e-3 * std::max(std::abs(a[i]), std::abs(b[i]));
       if (std::abs(a[i] - b[i]) <= same) continue;

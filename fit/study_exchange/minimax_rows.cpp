@@ -147,7 +147,10 @@ StudyFit solve_minimax_rows(const ReadStudy& study, const std::vector<Held>& sta
   std::optional<LeveledFit> lowest;
   for (const auto& start : from) {
     LeveledFit found = descend(descent, study, start, searched.is_linear, checkpoint);
-    if (!lowest || is_lower(found, *lowest)) lowest = std::move(found);
+    const bool is_better =
+        !lowest || is_lower(found, *lowest) ||
+        (!is_lower(*lowest, found) && is_slower_wave(found.fit.parameters, lowest->fit.parameters));
+    if (is_better) lowest = std::move(found);
   }
   StudyFit best = std::move(lowest->fit);
   best.names = study.parameters;

@@ -8,6 +8,7 @@
 
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
 #include "fit/support/user_error.hpp"
 
 // Studies whose target is measured rows.
@@ -286,8 +287,11 @@ TEST(RowStudy, TakesTheSlowestWave) {
     rows.places[0].push_back(i / 10.0);
     rows.value.push_back(std::sin(0.7 * i + 0.4) + (i % 3) / 50.0);
   }
-  const StudyFit fit = fit_of_rows(study_of_rows("a sin(b x + p)", rows));
-  EXPECT_NEAR(std::abs(fit.parameters[1]), 7, 0.1);
+  Study study = study_of_rows("a sin(b x + p)", rows);
+  EXPECT_NEAR(std::abs(fit_of_rows(study).parameters[1]), 7, 0.1);
+  const StudyFit minimax = solve_minimax_study(read_study(study), {}, {});
+  ASSERT_EQ(minimax.status, Status::converged) << minimax.why;
+  EXPECT_NEAR(std::abs(minimax.parameters[1]), 7, 0.1);
 }
 
 // The starts reach as far as the numbers of the rows, which have units.
