@@ -109,7 +109,7 @@ std::vector<std::string> study_statement(const StudyFile& file) {
     if (!file.study.rows)
       lines.push_back(fmt::format("{} in [{}, {}]{}", range.variable, range.lower, range.upper,
                                   range.density == "1" ? "" : ", density " + range.density));
-  if (file.study.error == Error::relative) lines.emplace_back("Error: relative");
+  lines.push_back(fmt::format("Asked for: {} of the {} error", name(file.norm), name(file.study.error)));
   if (file.has_weight) lines.push_back("Weight of the error: " + file.study.weight);
   for (const StudyForm& form : file.forms) lines.push_back(fmt::format("Form {}: {}", form.id, form.formula));
   return lines;
