@@ -34,11 +34,11 @@ Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint)
        row("pow(x, y)", "1/256 .. 1, 1 .. 64", found.power, "ulp")}};
   const auto kept = [](bool is_kept) { return is_kept ? "kept" : "flushed to zero"; };
   return {0,
-          fmt::format("{}, {}\n{}x y + z is {}; subnormal operands are {}, subnormal results {}\n",
+          fmt::format("{}, {}\n{}x y + z is {}; subnormal operands are {}, subnormal results {}\n{}",
                       vulkan.info().name, vulkan.info().driver,
                       write_console(table, Precision::report, options.terminal),
                       found.fuses ? "fused" : "rounded twice", kept(found.keeps_small_operands),
-                      kept(found.keeps_small_results)),
+                      kept(found.keeps_small_results), device::against_usual(found)),
           ""};
 }
 

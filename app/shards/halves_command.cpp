@@ -50,6 +50,7 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
   const std::vector<SweptForm> swept =
       is_all ? all_of_one_cosine(catalogue) : std::vector{chosen_by(catalogue, options)};
   device::VulkanDevice vulkan({.place = *options.device});
+  device::require_half(vulkan.info());  // before exp2 and log2 are measured, which takes long
   const GpuModel model =
       device::model_for(is_all ? forms::Function::pow : swept.front().form->function, vulkan, checkpoint);
   Table table{{"form", "constants", "halves", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond",

@@ -47,12 +47,12 @@ Symbolic result_of(forms::FormList<Forms...>, std::string_view id, const std::ve
   return result.value();
 }
 
+}  // namespace
+
 bool is_of_several_lights(const forms::Target& target) {
   constexpr std::size_t of_one_light = 4;  // its exponent and its direction
   return target.arguments == forms::Arguments::normal_to_lights && target.parameters.size() > of_one_light;
 }
-
-}  // namespace
 
 FormFunction form_function(const forms::Target& target, const forms::FormEntry& form,
                            const forms::Constants& constants) {

@@ -20,11 +20,14 @@ struct FormFunction {
   ShaderFunction function;
 };
 
-/// The function of a form with a set of its constants.
+/// Sums of several lights, which repeat the forms of one light.
+bool is_of_several_lights(const forms::Target& target);
+
+/// The function of a form with a set of its constants. The target is not of several lights.
 FormFunction form_function(const forms::Target& target, const forms::FormEntry& form,
                            const forms::Constants& constants);
 
-/// Every form with every set of constants, except the forms of several lights: these are sums of one light.
+/// Every form with every set of constants, except those of several lights.
 std::vector<FormFunction> form_functions(const forms::Catalogue& catalogue);
 
 }  // namespace shadefit::device

@@ -57,10 +57,13 @@ std::vector<double> bounds_at(const std::vector<float>& cosines, const ShaderFun
 
 }  // namespace
 
+void require_half(const DeviceInfo& info) {
+  if (!info.has_half) throw UserError("device '" + info.name + "' has no arithmetic in half");
+}
+
 HalfErrors errors_in_half(VulkanDevice& device, const ShaderFunction& function, const TruthOfCosines& truth,
                           const GpuModel& model) {
-  if (!device.info().has_half)
-    throw UserError("device '" + device.info().name + "' has no arithmetic in half");
+  require_half(device.info());
   const std::vector<float> cosines = unit_halves();
   const std::vector<double> exact = truth_at(cosines, truth);
   const ShaderCompiler compiler;

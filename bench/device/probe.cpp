@@ -1,5 +1,7 @@
 #include "bench/device/probe.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -214,6 +216,17 @@ Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoi
   found.keeps_small_operands = value(bench, x * y, std::array{0x1p-130F, 0x1p20F}) == 0x1p-110F;
   found.keeps_small_results = value(bench, x * y, std::array{0x1p-110F, 0x1p-20F}) == 0x1p-130F;
   return found;
+}
+
+std::string against_usual(const Probe& found) {
+  const bool has_usual_exp2 = found.exp2.error <= usual_gpu.exp2_ulps;
+  const bool has_usual_log2 =
+      found.log2.error <= usual_gpu.log2_ulps && found.log2_near_one.error <= usual_gpu.log2_near_one;
+  const auto verdict = [](bool is_usual) { return is_usual ? "as exact as" : "coarser than"; };
+  return fmt::format(
+      "exp2 is {} shadefit assumes of a GPU ({} ulp), log2 {} it assumes ({} ulp; {:.4g} for 1/2 .. 2)\n",
+      verdict(has_usual_exp2), usual_gpu.exp2_ulps, verdict(has_usual_log2), usual_gpu.log2_ulps,
+      usual_gpu.log2_near_one);
 }
 
 GpuModel model_for(forms::Function function, VulkanDevice& device, const Checkpoint& checkpoint) {

@@ -43,6 +43,9 @@ enum class ProbeExtent {
 /// float. `checkpoint` is called several times a second.
 Probe probe(VulkanDevice& device, ProbeExtent extent, const Checkpoint& checkpoint = keep_going);
 
+/// In a line: whether exp2 and log2 are as exact as `usual_gpu` assumes, or coarser.
+std::string against_usual(const Probe& found);
+
 /// The error model for forms with this function. Only what they need is measured; the rest is `usual_gpu`.
 GpuModel model_for(forms::Function function, VulkanDevice& device, const Checkpoint& checkpoint = keep_going);
 

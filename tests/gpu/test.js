@@ -72,8 +72,8 @@ function judged(form, inputs, values, processor, { low, high }) {
 async function main() {
   const { command, exp2Ulps, selfCheck, verbose } = options();
   const gpu = await Gpu.open(), naga = await load('naga-wasm'), nodes = new Nodes();
-  const forms = [PLAIN_EXP2, ...(await emittedForms(command, path.join(ROOT, 'studies'), ['c', 'wgsl', 'msl']))];
-  if (!selfCheck) forms.push(...(await catalogueForms(command)));
+  const emitted = await emittedForms(command, path.join(ROOT, 'studies'), ['c', 'wgsl', 'msl']);
+  const forms = [PLAIN_EXP2, ...emitted, ...(await catalogueForms(command))];
   const inputs = forms.map(form => inputsOf(form.variables));
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'gpu-'));
   const processor = await onTheProcessor(forms, inputs, folder);
