@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lint/expression/joined_strings.hpp"
 #include "lint/lint_tree.hpp"
 #include "tests/lint/all_known.hpp"
 
@@ -76,6 +77,22 @@ TEST(ReadLanguages, APlusMayComeFirst) {
   };
   EXPECT_EQ(grade("-"), "agx-sextic right");
   EXPECT_EQ(grade("+"), "agx-sextic wrong");
+}
+
+TEST(ReadLanguages, StringsOfSeveralLinesAreOneProgram) {
+  using enum SourceLanguage;
+  const auto joined = [](const std::string& text) { return with_joined_strings(text, CommentStyle::c); };
+  EXPECT_EQ(joined("s = \"a;\\n\"\n  \"b\\n\";\n"), "s = ;a;   \n   b  ;;\n");
+  EXPECT_EQ(joined("f('a' +\n'b')"), "f(;a   \n b;)");
+  for (const char* text :
+       {"\"a\",\n\"b\"", "\"a\n\"b\"", "\"a\"\n'b'", "\"a\"\n\n\"b\"", "a\n\"", "\"\n", ""})
+    EXPECT_EQ(joined(text), text);
+  expect_read({
+      {c_family,
+       "const char* f =\n  \"float p = (-5.55473*c @ 6.98316) * c;\\n\"\n  \"return exp2(p);\\n\";\n"},
+      {javascript, "const f = 'float p = (-5.55473*c @ 6.98316) * c;' +\n  'return exp2(p);';\n"},
+      {python, "f = (\"float p = (-5.55473*c @ 6.98316) * c;\\n\"\n     \"return exp2(p);\\n\")\n"},
+  });
 }
 
 }  // namespace
