@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lint/expression/joined_strings.hpp"
 #include "lint/expression/usual_names.hpp"
 #include "lint/number_table.hpp"
 #include "lint/scan/characters.hpp"
@@ -17,9 +18,14 @@ namespace {
 /// A text, its numbers, and a site in it.
 class SiteJudge {
  public:
-  SiteJudge(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
-            const KnownSet& set, const Site& site)
-      : text_(text), literals_(literals), set_(set), site_(site), reader_(text, style, literals, set, site) {}
+  /// `program` is the text with_joined_strings().
+  SiteJudge(std::string_view text, std::string_view program, CommentStyle style,
+            const std::vector<Literal>& literals, const KnownSet& set, const Site& site)
+      : text_(text),
+        literals_(literals),
+        set_(set),
+        site_(site),
+        reader_(program, style, literals, set, site) {}
 
   /// The site, or empty if neither its numbers nor the expression around them show that it is one.
   std::optional<JudgedSite> judge(const EffectLimits& limits) const {
@@ -148,16 +154,17 @@ Site without_arguments(Site site, const KnownSet& set, std::string_view text,
 std::vector<JudgedSite> judge_literals(std::string_view text, CommentStyle style,
                                        const std::vector<Literal>& literals, const KnownConstants& known,
                                        const EffectLimits& limits, const Checkpoint& checkpoint) {
+  const std::string program = with_joined_strings(text, style);
   const auto reading = [&](const Site& site) {
     checkpoint();
-    return SiteReader(text, style, literals, known.sets[site.set], site).reading();
+    return SiteReader(program, style, literals, known.sets[site.set], site).reading();
   };
   std::vector<JudgedSite> judged;
   for (const Site& whole : sites_of(text, literals, known.sets, known.index, reading)) {
     checkpoint();
     const KnownSet& set = known.sets[whole.set];
     const Site site = without_arguments(whole, set, text, literals);
-    const SiteJudge judge(text, style, literals, set, site);
+    const SiteJudge judge(text, program, style, literals, set, site);
     auto one = judge.judge(limits);
     if (!one) continue;
     one->is_in_table =

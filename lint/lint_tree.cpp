@@ -59,18 +59,6 @@ std::string_view line_at(std::string_view text, std::size_t begin) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-/// The words after "shadefit: ignore" in a line.
-std::optional<std::string> ignore_reason(std::string_view line) {
-  constexpr std::string_view mark = "shadefit: ignore";
-  const std::size_t at = line.find(mark);
-  if (at == std::string_view::npos) return std::nullopt;
-  std::string_view reason = line.substr(at + mark.size());
-  for (const std::string_view end : {"*/", "-->"}) reason = reason.substr(0, reason.find(end));
-  const std::size_t first = reason.find_first_not_of(" \t:"), last = reason.find_last_not_of(" \t\r");
-  if (first == std::string_view::npos || first > last) return "no reason given";
-  return std::string(reason.substr(first, last - first + 1));
-}
-
 /// The reason in the first line of a site, in its last one, or in the line above.
 std::optional<std::string> ignored_at(std::string_view text, std::size_t first, std::size_t last) {
   const std::size_t begin = line_begin(text, first);

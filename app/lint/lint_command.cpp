@@ -100,9 +100,15 @@ Outcome report_of(const lint::LintedTree& linted, const LintReportOptions& shown
                   findings::FindingFormat format) {
   const findings::FindingReport report = lint_findings(linted, shown);
   std::string out = write_findings(report, format);
-  if (format == findings::FindingFormat::text)
-    if (const std::string skipped = skipped_words(linted.skipped); !skipped.empty()) out += skipped + "\n";
-  return {passes(report) ? 0 : 1, out, warnings_of(linted.skipped)};
+  std::string warnings = warnings_of(linted.skipped);
+  if (const std::string skipped = skipped_words(linted.skipped); !skipped.empty()) {
+    // The formats for programs have no place for it.
+    if (format == findings::FindingFormat::text)
+      out += skipped + "\n";
+    else
+      warnings += fmt::format("shadefit: {}\n", skipped);
+  }
+  return {passes(report) ? 0 : 1, out, warnings};
 }
 
 }  // namespace

@@ -49,6 +49,16 @@ std::optional<std::string> choice_of(std::string_view name, const std::vector<st
   return std::nullopt;
 }
 
+/// __fmul_rn(a, b) of CUDA, without its prefix and rounding, as a * b.
+std::optional<std::string> operation_of(std::string_view name, const std::vector<std::string_view>& both) {
+  constexpr std::array<std::pair<std::string_view, const char*>, 4> operations{
+      {{"add", " + "}, {"sub", " - "}, {"mul", " * "}, {"div", " / "}}};
+  if (both.size() != 2 || (!name.starts_with('f') && !name.starts_with('d'))) return std::nullopt;
+  for (const auto& [word, sign] : operations)
+    if (name.substr(1) == word) return in_parentheses(both[0]) + sign + in_parentheses(both[1]);
+  return std::nullopt;
+}
+
 /// The three components of vec3(a, b, c) or [a, b, c]; empty for any other text.
 std::vector<std::string_view> components_of(std::string_view vector) {
   std::size_t open = 0;
@@ -98,7 +108,9 @@ std::vector<std::string_view> arguments_in(std::string_view list) {
 std::optional<std::string> call_as_formula(std::string_view function, std::string_view arguments) {
   const std::string name = usual_name(function);
   const std::vector<std::string_view> all = arguments_in(arguments);
-  return name == "dot" ? product_of(all) : choice_of(name, all);
+  if (name == "dot") return product_of(all);
+  if (const auto operation = operation_of(name, all)) return operation;
+  return choice_of(name, all);
 }
 
 }  // namespace shadefit::lint

@@ -78,6 +78,11 @@ bool is_assignment(std::string_view text, std::size_t at) {
   return next != '=' && last != '=' && last != '<' && last != '>' && last != '!';
 }
 
+/// Whether "=>" stands there, between the parameters and the value of a function.
+bool is_arrow(std::string_view text, std::size_t at) {
+  return text.substr(at, 2) == "=>";
+}
+
 /// "x *= .." multiplies what follows, so that is only a part of an expression.
 bool is_behind_compound_assignment(std::string_view text, std::size_t begin) {
   return begin >= 2 && text[begin - 1] == '=' &&
@@ -97,7 +102,8 @@ std::size_t begin_of(std::string_view text, std::size_t begin) {
   int depth = 0;
   while (begin > least) {
     const char c = text[begin - 1];
-    if (ends_statement(text, begin - 1) || is_assignment(text, begin - 1)) break;
+    if (ends_statement(text, begin - 1)) break;
+    if (is_assignment(text, begin - 1) && !is_arrow(text, begin - 1)) break;
     if (c == '\n' && depth == 0 && !goes_on(text, begin - 1)) break;
     if (is_close(c)) ++depth;
     if (is_open(c) && depth-- == 0) break;

@@ -36,6 +36,8 @@ class Rewriter {
         if (!method()) return std::nullopt;
       } else if (c == '-' && is_behind_operator()) {
         negation();
+      } else if (c == '+' && is_unary_plus()) {
+        ++at_;
       } else {
         if (std::string_view("+-*/(),?:<>=!&| \t\r\n").find(c) == std::string_view::npos) return std::nullopt;
         out_ += c;
@@ -57,6 +59,13 @@ class Rewriter {
   bool is_behind_operator() const {
     const std::size_t last = out_.find_last_not_of(" \t\r\n");
     return last != std::string::npos && std::string_view("+-*/").find(out_[last]) != std::string_view::npos;
+  }
+
+  /// A sign that changes nothing, as in "return + a * x"; not that of "++i".
+  bool is_unary_plus() const {
+    const std::size_t last = out_.find_last_not_of(" \t\r\n");
+    return peek(1) != '+' && (last == std::string::npos ||
+                              std::string_view("+-*/^(,?:<>=&|").find(out_[last]) != std::string_view::npos);
   }
 
   /// Programs write a + -2 * b and a / -b; formulas need a + (-2) * b and a / (-1) / b.
@@ -177,9 +186,12 @@ class Rewriter {
     return constant(path);
   }
 
-  /// Prefixes of functions that have no meaning here: Math.pow, np.exp.
+  /// Prefixes of functions that have no meaning here: Math.pow, np.exp, System.MathF.Pow.
   static bool is_module(std::string_view path) {
-    return path == "Math" || path == "np" || path == "math" || path == "numpy" || path == "dr";
+    constexpr std::array<std::string_view, 11> modules{"Math",  "MathF", "Mathf", "StrictMath", "math", "np",
+                                                       "numpy", "jnp",   "torch", "tf",         "dr"};
+    const std::string_view last = path.substr(path.rfind('.') + 1);
+    return std::find(modules.begin(), modules.end(), last) != modules.end();
   }
 
   /// Whether a member that begins here is a method of the number before it: x.powf(2.4).

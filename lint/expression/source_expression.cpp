@@ -33,14 +33,36 @@ std::string with_sign_of_choice(std::string text) {
          with_sign_of_choice(text.substr(second + other.size())) + ")";
 }
 
+/// What stands before the value of a function without a name ends here: behind "c =>", "(float c) ->",
+/// "lambda c:" or "|c: f32|". 0 for any other text.
+std::size_t value_begin(std::string_view text) {
+  constexpr std::string_view lambda = "lambda ";
+  if (text.starts_with(lambda)) return std::min(word_outside(text, ":"), text.size() - 1) + 1;
+  if (text.starts_with('|') && !text.starts_with("||"))
+    return std::min(text.find('|', 1), text.size() - 1) + 1;
+  if (const std::size_t arrow = word_outside(text, "=>"); arrow != std::string_view::npos) return arrow + 2;
+  // Elsewhere "p->x" is a member.
+  const std::size_t arrow = word_outside(text, "-> ");
+  return arrow == std::string_view::npos ? 0 : arrow + 2;
+}
+
+/// The value of a function without a name, whose head may be there: "c => a * c" is a * c.
+std::string_view function_value(std::string_view text) {
+  text = trimmed(text);
+  for (std::size_t begin = value_begin(text); begin > 0; begin = value_begin(text))
+    text = trimmed(text.substr(begin));
+  return text;
+}
+
 }  // namespace
+
 bool is_number(const Symbolic& formula) {
   if (formula.kind() == Symbolic::Kind::variable) return false;
   return std::all_of(formula.parts().begin(), formula.parts().end(), is_number);
 }
 
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style) {
-  std::string plain = without_comments(text, style);
+  std::string plain(function_value(without_comments(text, style)));
   if (style == CommentStyle::hash) plain = with_sign_of_choice(std::move(plain));
   const auto source = in_formula_notation(plain);
   if (!source) return std::nullopt;

@@ -53,6 +53,7 @@ std::optional<Assignment> assignment_of(std::string_view statement) {
   for (std::size_t i = 1; i + 1 < statement.size(); ++i) {
     if (statement[i] == '(') break;
     if (statement[i] != '=') continue;
+    if (statement[i + 1] == '>') break;  // c => a * c
     if (statement[i + 1] == '=' || std::string_view("=<>!").find(statement[i - 1]) != std::string_view::npos)
       return std::nullopt;
     const bool is_compound = std::string_view("+-*/").find(statement[i - 1]) != std::string_view::npos;

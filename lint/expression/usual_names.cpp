@@ -17,6 +17,19 @@ std::optional<std::string> divided_pi(std::string_view letters) {
   return letters.ends_with("tau") ? std::optional<std::string>("(2*pi)") : std::nullopt;
 }
 
+/// The name of a faster or exactly rounded function without what says so: __powf and __fmaf_rn of CUDA,
+/// native_exp2 of OpenCL.
+std::string_view plain_name(std::string_view word) {
+  for (const std::string_view prefix : {"__builtin_", "native_", "half_", "__"}) {
+    if (!word.starts_with(prefix)) continue;
+    word.remove_prefix(prefix.size());
+    break;
+  }
+  for (const std::string_view rounding : {"_rn", "_rz", "_ru", "_rd"})
+    if (word.ends_with(rounding)) word.remove_suffix(rounding.size());
+  return word;
+}
+
 std::string lower_case_of(std::string_view word) {
   std::string small(word);
   for (char& c : small)
@@ -40,8 +53,9 @@ bool is_number_type(std::string_view word) {
 }
 
 std::string usual_name(std::string_view word) {
+  word = plain_name(word);
   const std::string small = lower_case_of(word);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 8> names{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> names{{
       {"powr", "pow"},
       {"spow", "pow"},
       {"powi", "pow"},
@@ -50,6 +64,11 @@ std::string usual_name(std::string_view word) {
       {"madd", "fma"},
       {"arccos", "acos"},
       {"arctan", "atan"},
+      {"frcp", "rcp"},  // of CUDA
+      {"drcp", "rcp"},
+      {"recip", "rcp"},  // of OpenCL
+      {"frsqrt", "rsqrt"},
+      {"fdividef", "fdiv"},
   }};
   for (const auto& [other, usual] : names)
     if (small == other) return std::string(usual);

@@ -8,7 +8,7 @@
 namespace shadefit::lint {
 namespace {
 
-constexpr std::string_view mark = "shadefit:";
+constexpr std::string_view mark = "shadefit:", word_of_ignoring = "ignore";
 
 bool is_of_pin_name(char c) {
   return is_of_name(c) || c == '-' || c == '.';
@@ -19,10 +19,12 @@ std::string_view without_blanks_behind(std::string_view text) {
   return text;
 }
 
-/// The line before a mark, without the start of the comment; null if no comment starts there.
+/// The line before a mark, without the start of the comment; null if no comment starts there. Comments that
+/// document begin with more: "//!<", "/**".
 std::string_view before_comment(std::string_view line) {
   line = without_blanks_behind(line);
-  for (const std::string_view begin : {"//", "#", "/*", "<!--"}) {
+  for (const std::string_view begin :
+       {"//!<", "///<", "/**<", "/*!<", "//!", "/**", "/*!", "//", "#", "/*", "<!--"}) {
     if (!line.ends_with(begin)) continue;
     line.remove_suffix(begin.size());
     while (line.ends_with('/')) line.remove_suffix(1);  // "///"
@@ -55,6 +57,20 @@ std::string_view whole_number(std::string_view text) {
   return is_continued ? std::string_view{} : text.substr(0, number->length);
 }
 
+/// Where a word ends that is no decimal number: 0x1.8p+1 is one word.
+std::size_t end_of_other_number(std::string_view line, std::size_t at) {
+  const bool is_hexadecimal = line[at] == '0' && at + 1 < line.size() && (line[at + 1] | 0x20) == 'x';
+  const auto is_part = [&](std::size_t i) {
+    const bool is_sign = line[i] == '+' || line[i] == '-';
+    if (is_hexadecimal && is_sign) return (line[i - 1] | 0x20) == 'p';
+    if (is_hexadecimal && line[i] == '\'') return true;  // separates digits
+    return is_of_name(line[i]) || line[i] == '.';
+  };
+  ++at;
+  while (at < line.size() && is_part(at)) ++at;
+  return at;
+}
+
 /// The last number of a line; empty if there is none or if it is not decimal.
 std::string_view last_number(std::string_view line) {
   std::string_view last;
@@ -68,15 +84,35 @@ std::string_view last_number(std::string_view line) {
       i += last.size();
       continue;
     }
-    // The rest of a word, or of a number that is not decimal.
-    const bool is_word = is_number || is_member || is_of_name(rest[0]);
+    if (is_number) {
+      i = end_of_other_number(line, i);
+      continue;
+    }
+    const bool is_word = is_member || is_of_name(rest[0]);
     ++i;
-    while (is_word && i < line.size() && (is_of_name(line[i]) || (is_number && line[i] == '.'))) ++i;
+    while (is_word && i < line.size() && is_of_name(line[i])) ++i;
   }
   return last;
 }
 
+/// What stands behind the word, without the end of the comment.
+std::string reason_in(std::string_view text) {
+  for (const std::string_view end : {"*/", "-->"}) text = text.substr(0, text.find(end));
+  const std::size_t first = text.find_first_not_of(" \t:"), last = text.find_last_not_of(" \t\r");
+  if (first == std::string_view::npos || first > last) return "no reason given";
+  return std::string(text.substr(first, last - first + 1));
+}
+
 }  // namespace
+
+std::optional<std::string> ignore_reason(std::string_view line) {
+  for (std::size_t at = line.find(mark); at != std::string_view::npos; at = line.find(mark, at + 1)) {
+    const std::string_view rest = line.substr(at + mark.size()), word = name_behind(rest);
+    if (word != word_of_ignoring || before_comment(line.substr(0, at)).data() == nullptr) continue;
+    return reason_in(rest.substr(static_cast<std::size_t>(word.data() - rest.data()) + word.size()));
+  }
+  return std::nullopt;
+}
 
 std::vector<Pin> pins_of(std::string_view text) {
   std::vector<Pin> pins;
@@ -86,7 +122,7 @@ std::vector<Pin> pins_of(std::string_view text) {
     const std::size_t line = std::max(free, end == std::string_view::npos ? 0 : end + 1);
     const std::string_view before = before_comment(text.substr(line, at - line));
     const std::string_view name = name_behind(text.substr(at + mark.size()));
-    if (before.data() == nullptr || name.empty() || name == "ignore") continue;
+    if (before.data() == nullptr || name.empty() || name == word_of_ignoring) continue;
     const std::string_view number = last_number(before);
     const auto offset_of = [&](std::string_view part) {
       return static_cast<std::size_t>(part.data() - text.data());

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +18,11 @@ struct Pin {
   std::string_view number;
 };
 
-/// The marks of a text, by their places. A comment begins with //, #, /* or <!--, in every language.
+/// The marks of a text, by their places. A comment begins with //, #, /* or <!--, or with the signs of one
+/// that documents, such as //!< and /**, in every language.
 std::vector<Pin> pins_of(std::string_view text);
+
+/// The reason of a comment in a line that begins with "shadefit: ignore REASON".
+std::optional<std::string> ignore_reason(std::string_view line);
 
 }  // namespace shadefit::lint

@@ -80,6 +80,10 @@ TEST(ReadExpression, ASignMayFollowAnOperator) {
   EXPECT_NEAR(at_point_three("1.5 * -x + 1.0"), 0.55, rounding);
   EXPECT_NEAR(at_point_three("1.5 / -x * 2.0"), -10, 1e-14);
   EXPECT_NEAR(at_point_three("1.5 / - 0.5"), -3, rounding);
+  EXPECT_NEAR(at_point_three("+ 2.0 * x"), 0.6, rounding);
+  EXPECT_NEAR(at_point_three("(+x) * +2.0 - +x"), 0.3, rounding);
+  EXPECT_FALSE(read_expression("++x", CommentStyle::c));
+  EXPECT_FALSE(read_expression("2.0 + ++x", CommentStyle::c));
 }
 
 TEST(ReadExpression, ACallAMemberAndAnElementAreNames) {

@@ -106,6 +106,16 @@ TEST(LintFix, KeepsEveryOtherByte) {
   EXPECT_EQ(read_file(file), start + "1.5707963" + end);
 }
 
+TEST(LintFix, LeavesHexadecimalNumbers) {
+  for (const char* number : {"0x1.921fb6p+0", "0X1.921FBP0"}) {
+    const std::string text = "double b = " + std::string(number) + "; // shadefit: acos-linear.a\n";
+    const TemporaryDirectory folder;
+    const std::string file = folder.file("a.c", text);
+    EXPECT_EQ(lint_fixing(file, "pins").exit_code, 1) << "the pin has no number";
+    EXPECT_EQ(read_file(file), text);
+  }
+}
+
 TEST(LintFix, KeepsPermissionsAndLinks) {
   const TemporaryDirectory folder;
   const std::string target = folder.file("real/a.glsl", faulty), link = folder / "link.glsl";

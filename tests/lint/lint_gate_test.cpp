@@ -235,8 +235,12 @@ TEST(LintGate, NoTreeBreaksIt) {
   EXPECT_NE(outcome.out.find("invalid.glsl:2:"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("not read: 1 binary, 1 too large, 3 links"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("huge.glsl"), std::string::npos) << outcome.err;
-  for (const char* format : {"json", "sarif", "junit", "github", "markdown"})
-    EXPECT_EQ(lint_in(folder, {"--format", format}).exit_code, 1) << format;
+  for (const char* format : {"json", "sarif", "junit", "github", "markdown"}) {
+    const Outcome other = lint_in(folder, {"--format", format});
+    EXPECT_EQ(other.exit_code, 1) << format;
+    EXPECT_NE(other.err.find("shadefit: not read: 1 binary, 1 too large, 3 links\n"), std::string::npos)
+        << other.err;
+  }
 }
 
 }  // namespace

@@ -34,12 +34,17 @@ TEST(Pins, StandInCommentsOfEveryKind) {
   EXPECT_EQ(marks("0.25 <!-- shadefit: x.a-->"), Words{"0.25 x.a"});
   EXPECT_EQ(marks("a * 1.5 /* shadefit: x.a */ + 2.5_f32 /* shadefit: x.b */;"),
             (Words{"1.5 x.a", "2.5_f32 x.b"}));
+  for (const char* sign : {"//!", "//!<", "///<", "/**", "/**<", "/*!", "/*!<", "##"})
+    EXPECT_EQ(marks("a = 1.5; " + std::string(sign) + " shadefit: x.a */\n"), Words{"1.5 x.a"}) << sign;
 }
 
 TEST(Pins, TakeTheLastNumberOfTheLine) {
   EXPECT_EQ(marks("3.5\nvec2(1.5, v.x2 * -2.5); // shadefit: x.a, as printed."), Words{"2.5 x.a"});
   EXPECT_EQ(marks("mix(1.0, 0.0) // shadefit: x.a"), Words{"0.0 x.a"});
   EXPECT_EQ(marks("1.5 + 0x1F // shadefit: x.a"), Words{" x.a"}) << "never the one before";
+  for (const char* number : {"0x1.921fb6p+0", "0X1.921FBP0", "0x1.8p-1f", "0x1.9'2p+0"})
+    EXPECT_EQ(marks("1.5 + " + std::string(number) + "; // shadefit: x.a"), Words{" x.a"}) << number;
+  EXPECT_EQ(marks("0x1.8p+1+2.5; // shadefit: x.a"), Words{"2.5 x.a"});
   EXPECT_EQ(marks("a = 1.5 * p.0; // shadefit: x.a"), Words{"1.5 x.a"}) << "a member of a tuple";
   EXPECT_EQ(marks("1.5 + 1.2.3; // shadefit: x.a"), Words{" x.a"});
   EXPECT_EQ(marks("1.5 .. 0..5; // shadefit: x.a"), Words{" x.a"});
@@ -53,6 +58,15 @@ TEST(Pins, OtherWordsAreNone) {
   EXPECT_TRUE(marks("1.5 // see shadefit: x.a").empty());
   EXPECT_TRUE(marks("shadefit: x.a").empty());
   EXPECT_TRUE(marks("1.5 // shadefit: (c)").empty());
+}
+
+TEST(Ignoring, IsAWordAtTheStartOfAComment) {
+  EXPECT_EQ(ignore_reason("a; // shadefit:ignore because").value_or(""), "because");
+  EXPECT_EQ(ignore_reason("/* shadefit: ignore: as in 2012 */ a").value_or(""), "as in 2012");
+  EXPECT_EQ(ignore_reason("1.5 /* shadefit: x.a */ //! shadefit: ignore").value_or(""), "no reason given");
+  for (const char* line : {"// shadefit: ignored values", "a = \"shadefit: ignore me\";", "// shadefit: x.a",
+                           "// not shadefit: ignore me", "// shadefit: ignore-me"})
+    EXPECT_FALSE(ignore_reason(line)) << line;
 }
 
 const std::vector<KnownSet>& known() {

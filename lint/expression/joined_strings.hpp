@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lint/scan/literals.hpp"
+
+/// Programs inside other programs.
+namespace shadefit::lint {
+
+/// The text, byte for byte at the same places, with strings of consecutive lines as one program. Their
+/// quotes, the `\n` before them and the signs between them, `+` or a backslash, are blanks; a semicolon
+/// stands for the first quote and for the last one. So a shader that is written as one string for each line
+/// can be read.
+std::string with_joined_strings(std::string_view text, CommentStyle style);
+
+}  // namespace shadefit::lint
