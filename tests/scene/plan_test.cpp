@@ -133,7 +133,7 @@ TEST(Plan, WhatIsUsedDrivesTheConstants) {
       const Plan plan = make_plan(scene, {.tolerance = tolerance});
       EXPECT_TRUE(plan.is_within()) << tolerance << " " << plan.error;
       made.push_back({plan.shading.lobe, decision(plan, "lobe").reason});
-      EXPECT_NE(made.back().reason.find("constants by how often each power is used: "), std::string::npos)
+      EXPECT_NE(made.back().reason.find("powers weighted by their use: "), std::string::npos)
           << made.back().reason;
     }
     EXPECT_EQ(made[0].lobe.slopes.size(), made[1].lobe.slopes.size()) << tolerance;
