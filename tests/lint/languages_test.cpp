@@ -25,10 +25,13 @@ struct WithSign {
 };
 
 void expect_read(const std::vector<WithSign>& programs) {
-  for (const auto& [language, text] : programs) {
-    const auto with = [&](const char* sign) { return std::string(text).replace(text.find('@'), 1, sign); };
-    EXPECT_EQ(verdict_in(with("-"), language), "fresnel-quadratic right") << text;
-    EXPECT_EQ(verdict_in(with("+"), language), "fresnel-quadratic wrong") << text;
+  for (const WithSign& program : programs) {
+    const auto verdict_with = [&](const char* sign) {
+      std::string text = program.text;
+      return verdict_in(text.replace(text.find('@'), 1, sign), program.language);
+    };
+    EXPECT_EQ(verdict_with("-"), "fresnel-quadratic right") << program.text;
+    EXPECT_EQ(verdict_with("+"), "fresnel-quadratic wrong") << program.text;
   }
 }
 
