@@ -57,7 +57,7 @@ std::string_view whole_number(std::string_view text) {
   return is_continued ? std::string_view{} : text.substr(0, number->length);
 }
 
-/// Where a word ends that is no decimal number: 0x1.8p+1 is one word.
+/// The end of a word, or of a number that is not decimal: 0x1.8p+1 is one number.
 std::size_t end_of_other_number(std::string_view line, std::size_t at) {
   const bool is_hexadecimal = line[at] == '0' && at + 1 < line.size() && (line[at + 1] | 0x20) == 'x';
   const auto is_part = [&](std::size_t i) {

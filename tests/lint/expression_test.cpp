@@ -206,13 +206,6 @@ TEST(MatchExpression, ABranchMayHaveTheSlip) {
   EXPECT_EQ(grade("offset(pow(x, 1.0 / 2.4) * 1.055, 0.055)"), "right");
 }
 
-/// "ID GRADE" of the only site of a text.
-std::string verdict(const std::string& text, SourceLanguage language) {
-  static const KnownConstants known = all_known();
-  const auto sites = lint_source("a", text, language, known, {});
-  return sites.size() == 1 ? sites.front().id + " " + std::string(name(sites.front().grade)) : "none";
-}
-
 /// Functions that decode and encode sRGB with an `if`; T is the threshold.
 struct WithIf {
   SourceLanguage language;
@@ -253,10 +246,10 @@ std::string with_threshold(std::string text, const std::string& threshold) {
 TEST(MatchExpression, AnIfMayHaveTheWrongThreshold) {
   for (const WithIf& one : all_with_if()) {
     const auto decoder = [&](const std::string& t) {
-      return verdict(with_threshold(one.decoder, t), one.language);
+      return verdict_in(with_threshold(one.decoder, t), one.language);
     };
     const auto encoder = [&](const std::string& t) {
-      return verdict(with_threshold(one.encoder, t), one.language);
+      return verdict_in(with_threshold(one.encoder, t), one.language);
     };
     EXPECT_EQ(decoder("0.04045"), "srgb-decode-standard right") << one.decoder;
     EXPECT_EQ(decoder("0.4045"), "srgb-decode-standard wrong") << one.decoder;
@@ -271,14 +264,15 @@ TEST(MatchExpression, AnIfMayHaveTheWrongThreshold) {
 
 TEST(MatchExpression, AnIfWithMoreThanTwoValuesIsNotRead) {
   // The numbers alone decide: 0.4045 is a typo of 0.04045.
-  EXPECT_EQ(verdict("float f(float x) { float y; if (x <= 0.4045) { y = x/12.92; n += 1; } else {\n"
-                    "y = pow((x + 0.055)/1.055, 2.4); } return y; }",
-                    SourceLanguage::glsl),
+  EXPECT_EQ(verdict_in("float f(float x) { float y; if (x <= 0.4045) { y = x/12.92; n += 1; } else {\n"
+                       "y = pow((x + 0.055)/1.055, 2.4); } return y; }",
+                       SourceLanguage::glsl),
             "srgb-decode-standard wrong");
-  EXPECT_EQ(verdict("float f(float x) { if (x <= 0.04045) { if (x < 0.0) return 0.0; else return x/12.92; }\n"
-                    "return pow((x + 0.055)/1.055, 2.4); }",
-                    SourceLanguage::glsl),
-            "srgb-decode-standard right");
+  EXPECT_EQ(
+      verdict_in("float f(float x) { if (x <= 0.04045) { if (x < 0.0) return 0.0; else return x/12.92; }\n"
+                 "return pow((x + 0.055)/1.055, 2.4); }",
+                 SourceLanguage::glsl),
+      "srgb-decode-standard right");
 }
 
 TEST(MatchExpression, AMaskMayHaveTheWrongThreshold) {

@@ -11,13 +11,6 @@
 namespace shadefit::lint {
 namespace {
 
-/// "ID GRADE" of the only site of a text.
-std::string verdict_in(const std::string& text, SourceLanguage language) {
-  static const KnownConstants known = all_known();
-  const auto sites = lint_source("a", text, language, known, {});
-  return sites.size() == 1 ? sites.front().id + " " + std::string(name(sites.front().grade)) : "none";
-}
-
 /// A program in which @ is the sign of the second constant of exp2((-5.55473 c - 6.98316) c).
 struct WithSign {
   SourceLanguage language;
