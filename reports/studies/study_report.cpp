@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/verdicts/study_objectives.hpp"
 #include "reports/studies/study_comparison.hpp"
 #include "reports/studies/study_rows.hpp"
 
@@ -109,7 +110,7 @@ std::vector<std::string> study_statement(const StudyFile& file) {
     if (!file.study.rows)
       lines.push_back(fmt::format("{} in [{}, {}]{}", range.variable, range.lower, range.upper,
                                   range.density == "1" ? "" : ", density " + range.density));
-  lines.push_back(fmt::format("Asked for: {} of the {} error", name(file.norm), name(file.study.error)));
+  lines.push_back("Asked for: " + objective_of(file.study, file.norm, file.constraints).words);
   if (file.has_weight) lines.push_back("Weight of the error: " + file.study.weight);
   for (const StudyForm& form : file.forms) lines.push_back(fmt::format("Form {}: {}", form.id, form.formula));
   return lines;
