@@ -28,6 +28,7 @@ struct GpuModel {
   double log2_near_one = 0;  ///< inside: an absolute error
   double quotient_ulps = 0;
   double root_ulps = 0;
+  double wave_error = 0x1p-11;  ///< of sin and cos between -pi and pi: absolute, as Vulkan demands
   bool operator==(const GpuModel&) const = default;
 };
 
@@ -37,15 +38,20 @@ struct GpuModel {
 /// - log2: Vulkan's precision, 3 ulp outside of [1/2, 2] and 2^-21 inside (Khronos, "Vulkan Specification",
 ///   appendix "Vulkan Environment for SPIR-V", precision of GLSL.std.450 instructions).
 /// - A quotient: 2.5 ulp, by the same appendix.
+/// - sin and cos: 2^-11 between -pi and pi, by the same appendix.
 /// - A root is 1/(1/sqrt(x)), the inner one within 2 ulp there: 5 ulp cover both.
-inline constexpr GpuModel usual_gpu{
-    .exp2_ulps = 4, .log2_ulps = 3, .log2_near_one = 0x1p-21, .quotient_ulps = 2.5, .root_ulps = 5};
+inline constexpr GpuModel usual_gpu{.exp2_ulps = 4,
+                                    .log2_ulps = 3,
+                                    .log2_near_one = 0x1p-21,
+                                    .quotient_ulps = 2.5,
+                                    .root_ulps = 5,
+                                    .wave_error = 0x1p-11};
 
 /// `usual_gpu` in words.
 inline constexpr std::string_view gpu_assumption =
     "exp2 within 4 ulp of a float, log2 within 3, between 1/2 and 2 within 2^-21; exp and pow made of them in "
     "float, then rounded to the format; subnormals kept or flushed to zero; a multiplication and an addition "
-    "fused or not";
+    "fused or not; a number added to an inner part of a sum or not";
 
 /// Results that may be off by a part of them, at least by the least float. Infinity stays.
 inline Ends widened_by_gpu(Ends x, double relative) {
@@ -84,6 +90,12 @@ inline Ends gpu_log2(Ends x, const GpuModel& gpu) {
     y = {std::min(y.lower, std::log2(end) - jump), std::max(y.upper, std::log2(end) + jump)};
   }
   return y;
+}
+
+/// The largest error of sin and cos between the ends. Beyond pi the argument is first reduced by whole turns:
+/// that is taken to cost an ulp of the argument.
+inline double gpu_wave_error(Ends x, const GpuModel& gpu) {
+  return gpu.wave_error + float_ulp * std::max(std::abs(x.lower), std::abs(x.upper));
 }
 
 /// All results of pow between the ends, likewise; x.lower >= 0. The logarithm and its product with p are

@@ -28,6 +28,7 @@ struct RunningNarrow {
   Interval computed;  ///< encloses every number that the program may have, with its products rounded or not
   double error = 0;   ///< at least |computed - true|
   const GpuModel* gpu = nullptr;  ///< the device of an operand or a result; null for a number
+  int additions = 0;              ///< the additions of the sum that this is, without those inside its terms
 
   /// A number of the format as an operand.
   static RunningNarrow exact(const Interval& value, const GpuModel* gpu = nullptr) {
@@ -90,11 +91,23 @@ struct RunningNarrow {
 
   Interval both() const { return Scalar<Interval>::hull(value, computed); }
 
+  /// The compiler of a GPU may add a number to an inner part of a sum: Mesa makes (a + 1) + b of (a + b) + 1.
+  /// Then each partial sum differs by the number, and so does what is rounded.
   friend RunningNarrow operator+(const RunningNarrow& a, const RunningNarrow& b) {
-    return rounded(a.value + b.value, a.computed + b.computed, Interval(a.error) + Interval(b.error),
-                   gpu_of(a, b));
+    const Interval errors = Interval(a.error) + Interval(b.error), sum = a.computed + b.computed;
+    const GpuModel* const on = gpu_of(a, b);
+    const int inner = a.additions + b.additions;
+    const bool may_move = on != nullptr && (a.gpu == nullptr || b.gpu == nullptr);
+    const double number = may_move ? largest_magnitude_in(a.gpu == nullptr ? a.computed : b.computed) : 0;
+    const Interval moved = Interval(number) * Interval(inner * unit_roundoff);
+    RunningNarrow result =
+        rounded(a.value + b.value, Scalar<Interval>::hull(sum - moved, sum + moved), errors + moved, on);
+    result.additions = inner + 1;
+    return result;
   }
-  friend RunningNarrow operator-(const RunningNarrow& a) { return {-a.value, -a.computed, a.error, a.gpu}; }
+  friend RunningNarrow operator-(const RunningNarrow& a) {
+    return {-a.value, -a.computed, a.error, a.gpu, a.additions};
+  }
   friend RunningNarrow operator-(const RunningNarrow& a, const RunningNarrow& b) { return a + -b; }
   /// a' b' - a b = a' (b' - b) + (a' - a) b. The compiler of a GPU may regroup a product of three (Mesa moves
   /// numbers inward), so a single product need not be the nearest float; its error of half an ulp remains.
@@ -183,8 +196,8 @@ struct Scalar<RunningNarrow<Format>> {
     return T::rounded(shadefit::sqrt(x.value), shadefit::sqrt(x.computed), inherited, x.gpu,
                       T::Rounds::within, T::of_function(x.gpu->root_ulps));
   }
-  static T sin(const T& x) { return of(shadefit::sin, x, shadefit::cos(x.both())); }
-  static T cos(const T& x) { return of(shadefit::cos, x, shadefit::sin(x.both())); }
+  static T sin(const T& x) { return wave(shadefit::sin, x, shadefit::cos(x.both())); }
+  static T cos(const T& x) { return wave(shadefit::cos, x, shadefit::sin(x.both())); }
   static T tan(const T& x) { return of(shadefit::tan, x, one() + square(shadefit::tan(x.both()))); }
   static T asin(const T& x) {
     return of(shadefit::asin, x, one() / shadefit::sqrt(one() - square(x.both())));
@@ -274,6 +287,15 @@ struct Scalar<RunningNarrow<Format>> {
   static T of(const F& function, const T& x, const Interval& slope) {
     if (x.gpu != nullptr) return T::enclosed(function(x.value), any_number(), unbounded_error, x.gpu);
     return T::rounded(function(x.value), function(x.computed), T::effect(slope, x.error));
+  }
+  template <class F>
+  static T wave(const F& function, const T& x, const Interval& slope) {
+    if (x.gpu == nullptr) return of(function, x, slope);
+    const Interval value = function(x.value);
+    const double own = gpu_wave_error(ends_of(x), *x.gpu);
+    const Ends exact = T::ends(function(x.computed));
+    return T::of_gpu(value, {exact.lower - own, exact.upper + own}, Interval(own), T::effect(slope, x.error),
+                     x.gpu);
   }
   template <class F>
   static T step(const F& function, const T& x) {

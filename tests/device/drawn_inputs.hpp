@@ -52,13 +52,13 @@ inline DrawnInputs drawn_cosines() {
 
 /// As many in each of some boxes; `box` draws one.
 template <class Box>
-DrawnInputs drawn_in(const Box& box) {
+DrawnInputs drawn_in(const Box& box, std::size_t count = drawn_count) {
   constexpr std::uint32_t boxes = 1U << 12;
   Sequence sequence(2);
   DrawnInputs drawn;
   for (std::uint32_t i = 0; i < boxes; ++i) {
     drawn.boxes.push_back(box(sequence));
-    for (std::size_t k = 0; k < drawn_count / boxes; ++k) {
+    for (std::size_t k = 0; k < count / boxes; ++k) {
       for (const Domain& side : drawn.boxes.back()) {
         const auto x = static_cast<float>(sequence.between(side.lower, side.upper));
         drawn.arguments.push_back(

@@ -70,9 +70,39 @@ TEST(FormBound, HoldsOnAnImitatedDevice) {
 }
 
 TEST(FormBound, KnowsNothingOfOtherFunctions) {
-  const ShaderFunction sine{"form", {"c"}, Symbolic::function("sin", {Symbolic::variable("c")})};
+  const ShaderFunction form{"form", {"c"}, atan(Symbolic::variable("c"))};
   const Domain box{0.25, 0.26};
-  EXPECT_EQ(FormBound(sine, usual_gpu).on(std::span(&box, 1)), HUGE_VAL);
+  EXPECT_EQ(FormBound(form, usual_gpu).on(std::span(&box, 1)), HUGE_VAL);
+}
+
+// Vulkan's 2^-11, and an ulp of the argument for its reduction.
+TEST(FormBound, OfAWaveIsAbsolute) {
+  const Symbolic c = Symbolic::variable("c");
+  const ShaderFunction form{"form", {"c"}, sin(Symbolic(number("64") * c))};
+  for (const double at : {0.0, 0.5, 0.99}) {
+    const Domain box = narrow_side(at, 0x1p-20);
+    const double bound = FormBound(form, usual_gpu).on(std::span(&box, 1));
+    EXPECT_GT(bound, 0x1p-11 + 64 * at * float_ulp);
+    EXPECT_LT(bound, 1.1 * (0x1p-11 + 64 * at * float_ulp));
+  }
+}
+
+// Mesa's compiler adds the number of a sum to a term inside: ((a + b) + d) + 1 becomes ((a + 1) + b) + d.
+TEST(FormBound, HoldsWhereANumberIsAddedFirst) {
+  const Symbolic c = Symbolic::variable("c");
+  const Symbolic sum = number("0.001") * c * c * c + number("0.002") * c * c + number("-0.003") * c;
+  const auto terms = [](float x) { return std::array{0.001F * x * x * x, 0.002F * x * x, -0.003F * x}; };
+  const auto last = [&](ImitatedGpu&, float x) {
+    const auto [a, b, d] = terms(x);
+    return a + b + d + 1;
+  };
+  const auto first = [&](ImitatedGpu&, float x) {
+    const auto [a, b, d] = terms(x);
+    return a + 1 + b + d;
+  };
+  EXPECT_LE(used_part(sum + number("1"), last), 0.5);
+  EXPECT_LE(used_part(sum + number("1"), first), 1);
+  EXPECT_GT(used_part(sum + number("1"), first), 0.5);
 }
 
 TEST(FormBound, GrowsWithTheErrorsOfTheDevice) {

@@ -80,8 +80,8 @@ function operationsFor(exp2Ulps) {
     atan: x => widened(rising(Math.atan, x), 4096),
     asin: x => (x[0] < -1 || x[1] > 1 ? ANYTHING : widened(rising(Math.asin, x), 4096, 6.81e-5)),
     acos: x => (x[0] < -1 || x[1] > 1 ? ANYTHING : widened([Math.acos(x[1]), Math.acos(x[0])], 4096, 6.77e-5)),
-    // inherited from exp2(y log2 x), and 0 at x = 0
-    pow: (x, y) => (x[0] < 0 || (x[0] === 0 && y[0] <= 0) ? ANYTHING : x[1] === 0 ? [0, 0] : x[0] === 0 ? [0, operations.pow([x[1], x[1]], y)[1]]
+    // inherited from exp2(y log2 x); the log2 of 0 may be that of any number below the least normal one
+    pow: (x, y) => (x[0] < 0 || (x[0] === 0 && y[0] <= 0) ? ANYTHING : x[0] === 0 ? [0, operations.pow(Array(2).fill(Math.max(x[1], LEAST_NORMAL)), y)[1]]
       : operations.exp2(operations['*'](operations.log2(x), y))),
   };
   return operations;

@@ -1,5 +1,4 @@
 'use strict';
-const fs = require('fs');
 const path = require('path');
 const { spawn } = require('child_process');
 
@@ -9,11 +8,6 @@ const EMITTED = [
   ['fresnel-square'], ['fresnel-rational'], ['sg-offset-mean'], ['sg-offset', '--exponent', '16'],
   ['sg-scaled', '--exponent', '16'], ['phong-blinn-gotanda'], ['phong-blinn', '--exponent', '16'],
 ];
-/** Options of studies that need some. */
-const OPTIONS = { 'hg-schlick': ['--given', 'g=0.6'] };
-/** The proofs of these take seconds, in each language anew. */
-const SLOW = ['ltc-edge', 'fresnel-average'];
-
 /** exp2 alone, written here: its error is not hidden by that of its argument. */
 const PLAIN_EXP2 = {
   id: 'exp2',
@@ -62,28 +56,26 @@ async function familiesOf(command) {
   return message.match(/one of (.*)/)[1].split(', ');
 }
 
-/** Every form that `bench` measures, with every set of its constants. */
-async function catalogueForms(command) {
-  return JSON.parse(await output(path.join(path.dirname(command), 'tests/catalogue_forms'), []));
+/** Every form that `bench` measures, with every set of its constants, and every form of a study with every published set. */
+async function printedForms(command) {
+  return JSON.parse(await output(path.join(path.dirname(command), 'tests/print_forms'), []));
 }
 
-/** What `emit` writes: of the catalogue first, then of the studies by their ids; two commands run at a time. */
-async function emittedForms(command, studies, languages) {
+/** What `emit` writes of the catalogue; two commands run at a time. */
+async function emittedForms(command, languages) {
   for (const family of await familiesOf(command)) {
     if (!EMITTED.some(([id]) => id.startsWith(family))) throw new Error(`tests/gpu/forms.js has no form of the family '${family}'`);
   }
-  const ids = fs.readdirSync(studies).filter(name => name.endsWith('.toml')).map(name => path.basename(name, '.toml')).sort();
-  const wanted = EMITTED.concat(ids.filter(id => !SLOW.includes(id)).map(id => [id, ...(OPTIONS[id] ?? [])]));
   const forms = [];
   let next = 0;
   const work = async () => {
-    while (next < wanted.length) {
+    while (next < EMITTED.length) {
       const place = next++;
-      forms[place] = await emitted(command, wanted[place], languages);
+      forms[place] = await emitted(command, EMITTED[place], languages);
     }
   };
   await Promise.all([work(), work()]);
   return forms;
 }
 
-module.exports = { PLAIN_EXP2, catalogueForms, emittedForms, output };
+module.exports = { PLAIN_EXP2, emittedForms, output, printedForms };

@@ -7,7 +7,7 @@ const path = require('path');
 const { parseArgs } = require('util');
 const { enclosures } = require('./accuracy');
 const { Nodes, formulaOf } = require('./expression');
-const { PLAIN_EXP2, catalogueForms, emittedForms } = require('./forms');
+const { PLAIN_EXP2, emittedForms, printedForms } = require('./forms');
 const { Gpu } = require('./gpu');
 const { differingLanguages } = require('./metal');
 const { load } = require('./packages');
@@ -72,8 +72,8 @@ function judged(form, inputs, values, processor, { low, high }) {
 async function main() {
   const { command, exp2Ulps, selfCheck, verbose } = options();
   const gpu = await Gpu.open(), naga = await load('naga-wasm'), nodes = new Nodes();
-  const emitted = await emittedForms(command, path.join(ROOT, 'studies'), ['c', 'wgsl', 'msl']);
-  const forms = [PLAIN_EXP2, ...emitted, ...(await catalogueForms(command))];
+  const emitted = await emittedForms(command, ['c', 'wgsl', 'msl']);
+  const forms = [PLAIN_EXP2, ...emitted, ...(await printedForms(command))];
   const inputs = forms.map(form => inputsOf(form.variables));
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'gpu-'));
   const processor = await onTheProcessor(forms, inputs, folder);

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "app/studies/find_study.hpp"
 #include "fit/fit.hpp"
 #include "fit/formula/parse_formula.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/io/files.hpp"
+#include "tests/forms_of_studies.hpp"
 #include "tests/refusal.hpp"
 #include "tests/reports/compilers.hpp"
 #include "tests/temporary_directory.hpp"
@@ -218,33 +218,9 @@ TEST(GeneratedShader, CompilesAsGlslAndHlsl) {
   }
 }
 
-/// The forms of every study with their published constants, or others in their place, each under a comment
-/// with what the study says.
-std::vector<ShaderFunction> forms_of_studies() {
+std::vector<ShaderFunction> functions_of_studies() {
   std::vector<ShaderFunction> functions;
-  for (const auto& path : study_files({std::string(SHADEFIT_SOURCE_DIR) + "/studies"})) {
-    const StudyFile file = load_study(path);
-    for (const StudyForm& form : file.forms) {
-      Study study = combinations(file.study, file.given).front();
-      study.form = form.formula;
-      const ReadStudy read = read_formulas(study);
-      ShaderFunction function{file.id + "_" + form.id, {}, read.form, {form.formula, file.study.target}};
-      std::replace(function.name.begin(), function.name.end(), '-', '_');
-      for (const StudyAxis& axis : read.axes) function.arguments.push_back(axis.variable);
-      std::map<std::string, std::string> constants;
-      for (const std::string& parameter : read.parameters) constants[parameter] = "0.625";
-      for (const PublishedSet& set : file.published) {
-        if (set.form != form.id) continue;
-        function.comment.push_back(set.source);
-        for (const auto& [parameter, value] : set.values) constants[parameter] = value;
-      }
-      function.result = evaluate<Symbolic>(read.form, [&](const std::string& name) {
-        const auto found = constants.find(name);
-        return found == constants.end() ? variable(name.c_str()) : number_of(found->second.c_str());
-      });
-      functions.push_back(function);
-    }
-  }
+  for (const testing::FormOfStudy& form : testing::forms_of_studies()) functions.push_back(form.function);
   return functions;
 }
 
@@ -265,7 +241,7 @@ std::string sum_of_calls(const std::vector<ShaderFunction>& functions) {
 // In one file of each language, so that each compiler runs once.
 TEST(GeneratedShader, OfEveryStudyCompiles) {
   const TemporaryDirectory directory;
-  std::vector<ShaderFunction> functions = forms_of_studies();
+  std::vector<ShaderFunction> functions = functions_of_studies();
   EXPECT_GT(functions.size(), 100u);
   functions.push_back(of_rounding());
   const std::string sum = sum_of_calls(functions);
@@ -413,7 +389,7 @@ std::string line_of(const ShaderFunction& function, float x) {
 // The forms of all studies in one program of C and one of C++, against what is evaluated here.
 TEST(GeneratedCode, OfEveryStudyComputesTheBitsThatAreEvaluatedHere) {
   const TemporaryDirectory directory;
-  const std::vector<ShaderFunction> functions = forms_of_studies();
+  const std::vector<ShaderFunction> functions = functions_of_studies();
   std::string expected, calls;
   for (const ShaderFunction& function : functions) {
     for (int i = 0; i <= places_of_studies; ++i)

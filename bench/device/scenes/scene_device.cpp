@@ -88,7 +88,7 @@ shade::Way SceneDevice::way(const scene::Scene& scene, const SceneShader& shader
     if (made.has_lobe == 0) return;
     put_pixels(pixels_of(block, made.source, conventions));
     put_materials(std::span(&made, 1));
-    pass(program, 1, pixels_);
+    pass(program, 1);
     for (std::size_t i = 0; i < (shader.is_coloured ? 3U : 1U); ++i)
       std::ranges::transform(channel(i), block.out.at(i),
                              [](std::uint32_t bits) { return std::bit_cast<float>(bits); });
