@@ -60,13 +60,16 @@ Outcome usage_error(const std::string& message, const std::vector<std::string>& 
   return {2, "", fmt::format("shadefit: {} (see 'shadefit help{}')\n", one_line(message), of)};
 }
 
-/// An error that begins with an option points there too, unless it names another command to see.
+/// An error that begins with an option or says what the command needs points there too, unless it names
+/// another command to see.
 Outcome user_error(const UserError& error, const std::vector<std::string>& arguments) {
   const std::string_view message = error.what();
   const bool is_of_option = message.starts_with("--") || message.starts_with("'--");
   const bool points_elsewhere = message.find("see 'shadefit ") != std::string_view::npos;
   const bool has_command = !arguments.empty() && !arguments.front().starts_with('-');
-  if (is_of_option && has_command && !points_elsewhere) return usage_error(error.what(), arguments);
+  const bool is_of_command = has_command && message.starts_with(arguments.front() + " needs ");
+  if (has_command && (is_of_option || is_of_command) && !points_elsewhere)
+    return usage_error(error.what(), arguments);
   return {2, "", fmt::format("shadefit: {}\n", one_line(error.what()))};
 }
 

@@ -227,7 +227,11 @@ Outcome emit_command(const EmitOptions& options, const Checkpoint& checkpoint, c
   }
   if (options.fit.id.empty() && !options.fit.study.form)
     throw UserError("emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
-  if (!options.language) throw UserError("emit needs --lang: glsl, hlsl, c, cpp, wgsl, msl, cuda or opencl");
+  if (!options.language) {
+    std::vector<std::string_view> names;
+    for (const Language language : languages) names.push_back(name(language));
+    throw UserError(fmt::format("emit needs --lang: one of {}", fmt::join(names, ", ")));
+  }
   const auto file = options.out ? std::optional(OutputFile(*options.out, "the code")) : std::nullopt;
   const auto study = chosen_study(options.fit);
   const std::string code =

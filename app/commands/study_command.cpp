@@ -47,13 +47,18 @@ std::string uncertainty_block(const std::vector<FittedStudy>& studies, const Ter
          uncertainty_text(studies);
 }
 
-/// The verdicts on the published sets of the first form.
+/// Whether the fit of a study has a verdict on this set: it is one of the first form.
+bool is_judged(const PublishedSet& set, const StudyFile& file, const Study& study) {
+  return set.form == file.forms.front().id && is_for(set, study);
+}
+
+/// Calls `next` before each verdict.
 std::vector<JudgedSet> judged_sets(const StudyFile& file, const StudyObjective& objective,
-                                   const Checkpoint& checkpoint) {
+                                   const Checkpoint& checkpoint, const Checkpoint& next) {
   std::vector<JudgedSet> sets;
   for (const PublishedSet& set : file.published) {
-    if (set.form != file.forms.front().id || !is_for(set, objective.study)) continue;
-    checkpoint();
+    if (!is_judged(set, file, objective.study)) continue;
+    next();
     // A held constant is not fitted, so it is not judged.
     PublishedSet judged = set;
     for (const Held& held : objective.study.held)
@@ -105,12 +110,23 @@ std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint&
     StudyObjective objective = objective_of(study, file.norm, file.constraints);
     objective.recompute = file.recompute;
     studies.push_back({objective, read_study(study), fit_study(objective, checkpoint),
-                       judged_sets(file, objective, checkpoint)});
+                       judged_sets(file, objective, checkpoint, next)});
   }
   return studies;
 }
 
 namespace {
+
+/// The calls of `next` by `fitted_studies`.
+std::size_t steps_to_fit(const StudyFile& file) {
+  std::size_t steps = 0;
+  for (const Study& study : combinations(file.study, file.given)) {
+    const auto judged = std::count_if(file.published.begin(), file.published.end(),
+                                      [&](const PublishedSet& set) { return is_judged(set, file, study); });
+    steps += 1 + static_cast<std::size_t>(judged);
+  }
+  return steps;
+}
 
 /// Requested additional results of each fit; empty without a request, and for a fit that did not converge.
 struct StudyExtras {
@@ -164,9 +180,8 @@ Outcome study_command(const StudyFile& file, const FitOptions& options, const Ch
                       const Progress& progress) {
   refuse_extras(file, options);
   if (options.plot) require_picture(*options.plot);
-  std::size_t count = 1;
-  for (const auto& [name, values] : file.given) count *= values.size();
-  const auto studies = fitted_studies(file, checkpoint, stepping(checkpoint, progress, "fit", count));
+  const auto studies =
+      fitted_studies(file, checkpoint, stepping(checkpoint, progress, "fit", steps_to_fit(file)));
   const std::string err = not_converged_lines(studies);
   const int code = err.empty() ? 0 : 1;
   std::function<void()> put;

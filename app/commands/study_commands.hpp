@@ -16,7 +16,7 @@
 namespace shadefit {
 
 /// The fits of the first form, one for each combination of given constants, with the verdicts on the
-/// published sets. `next` is called before each.
+/// published sets. `next` is called before each fit and each verdict.
 std::vector<FittedStudy> fitted_studies(const StudyFile& file, const Checkpoint& checkpoint,
                                         const Checkpoint& next);
 

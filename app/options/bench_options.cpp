@@ -46,8 +46,9 @@ bench::Stretch parse_range(const std::string& option, const std::string& text) {
     const auto to = bits(std::string_view(text).substr(colon + 1));
     if (from && to && *from < *to && *to <= bench::unit_floats.to) return {*from, *to};
   }
-  throw UserError(fmt::format(
-      "{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= 0x3f800001", option, text));
+  throw UserError(
+      fmt::format("{} '{}' is not a range of bit patterns: it must be A:B with 0 <= A < B <= {:#x}", option,
+                  text, bench::unit_floats.to));
 }
 
 /// Adds the options for a comparison with an older run.
@@ -129,9 +130,10 @@ void declare_bench(CLI::App& bench, BenchOptions& options) {
                    ->needs(device)
                    ->excludes(shard)
                    ->excludes(json);
-  add_value(
-      bench, "--range", options.range, parse_range, "A:B",
-      "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:0x3f800001)")
+  add_value(bench, "--range", options.range, parse_range, "A:B",
+            fmt::format(
+                "with --exhaustive: bit patterns of floats from A up to, not including, B (default: 0:{:#x})",
+                bench::unit_floats.to))
       ->needs(exhaustive)
       ->excludes(half);
 }

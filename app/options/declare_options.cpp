@@ -1,9 +1,13 @@
 #include "app/options/declare_options.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 
 #include "app/options/finding_format.hpp"
 #include "app/options/option_values.hpp"
+#include "approx/records/optical_constants.hpp"
+#include "fit/study_proof/study_certificate.hpp"
 
 namespace shadefit {
 namespace {
@@ -49,7 +53,9 @@ void add_domain(CLI::App& command, FitOptions& fit) {
 /// Adds the options for the surface of a Fresnel form.
 void add_surface(CLI::App& command, FitOptions& fit) {
   add_value(command, "--ior", fit.ior, parse_finite, "N",
-            "index of refraction n of the surface, which also sets f0 (default with --target exact: 1.5)");
+            fmt::format(
+                "index of refraction n of the surface, which also sets f0 (default with --target exact: {})",
+                glass.ior));
   add_value(command, "--extinction", fit.extinction, parse_finite, "K",
             "extinction k of a conductor with index n + i k (default: 0)");
 }
@@ -62,8 +68,10 @@ void add_metric(CLI::App& command, FitOptions& fit) {
       command, "--error", fit.metric.error, by_name(std::array{Error::absolute, Error::relative}),
       "absolute, or relative: divided by the target of a lobe or of a --form, or by F = f0 + (1-f0) target "
       "of a Fresnel form");
-  add_value(command, "--f0", fit.f0, parse_f0, "F0",
-            "reflectance at normal incidence, for the relative error of a Fresnel form (default: 0.04)");
+  add_value(
+      command, "--f0", fit.f0, parse_f0, "F0",
+      fmt::format("reflectance at normal incidence, for the relative error of a Fresnel form (default: {})",
+                  reference_f0));
   add_domain(command, fit);
 }
 
@@ -213,7 +221,9 @@ void declare_better(CLI::App& better, FitOptions& options) {
   add_exponent(
       better, options,
       "the lowest and the highest for which the number was published, or of the family's usual range");
-  add_target_or_formula(better, options, "schlick, then exact glass (1.5) and exact gold (0.43, 2.455)");
+  add_target_or_formula(better, options,
+                        fmt::format("schlick, then exact glass ({}) and exact gold ({}, {})", glass.ior,
+                                    gold.ior, gold.extinction));
   add_study(better, options);
   add_domain(better, options);
   add_json(better, options.json);
@@ -233,8 +243,10 @@ void declare_certify(CLI::App& certify, CertifyOptions& options) {
   add_value(certify, "--parameters", options.parameters, parse_parameters, "NAME=VALUE,..",
             "the constants (default: the published ones, else fitted ones)");
   add_value(certify, "--width", options.width, parse_relative_width, "W",
-            "the greatest distance of the two bounds, as a share of the largest error (default: 1e-9; for a "
-            "--form in two variables 1e-6, in three 1e-3)");
+            fmt::format(
+                "the greatest distance of the two bounds, as a share of the largest error (default: {}; "
+                "for a --form in two variables {}, in three {})",
+                to_text(usual_study_width(1)), to_text(usual_study_width(2)), to_text(usual_study_width(3))));
   add_value(certify, "--out", options.out, parse_text, "FILE",
             "write the certificate, for 'shadefit verify'");
   add_force(certify, options.force);

@@ -68,6 +68,28 @@ void change_given(StudyFile& file, const StudyOptions& options) {
   }
 }
 
+/// Whether a study needs a constant: without it, it cannot be read, or has a parameter more.
+bool uses(const StudyFile& file, const std::string& constant) {
+  return std::any_of(file.forms.begin(), file.forms.end(), [&](const StudyForm& form) {
+    Study without = combinations(file.study, file.given).front();
+    without.form = form.formula;
+    without.given.erase(constant);
+    try {
+      const std::vector<std::string> parameters = read_formulas(without).parameters;
+      return std::find(parameters.begin(), parameters.end(), constant) != parameters.end();
+    } catch (const UserError&) {
+      return true;
+    }
+  });
+}
+
+void require_use(const StudyFile& file, const StudyOptions& options) {
+  for (const auto& [constant, values] : options.given) {
+    if (!uses(file, constant))
+      throw UserError(fmt::format("--given '{}': no formula of the study has this name", constant));
+  }
+}
+
 /// --form names a form of the study, or is a formula of its own.
 void change_form(StudyFile& file, const std::string& form) {
   const auto found = std::find_if(file.forms.begin(), file.forms.end(),
@@ -151,6 +173,7 @@ std::optional<StudyFile> chosen_study(const FitOptions& options) {
   change_metric(file, options);
   if (!own.table.empty()) load_rows(file, own.table);
   require_fitting_parts(file, options);
+  require_use(file, own);
   return file;
 }
 

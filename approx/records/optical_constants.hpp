@@ -40,4 +40,7 @@ inline constexpr std::array metals{
     OpticalConstants{"aluminium", "442.8", "0.6079", "5.3676", sources::rakic_1995},
 };
 
+/// Gold in green light.
+inline constexpr const OpticalConstants& gold = metals[1];
+
 }  // namespace shadefit

@@ -203,10 +203,16 @@ std::vector<ConsoleColumn> console_columns(const Table& table, const Texts& rows
   return columns;
 }
 
-/// What a reader came for: the constants and the largest error.
-bool is_dropped_last(const std::string& title) {
-  return title == "constants" || title == "largest residual" ||
-         (title.starts_with("max ") && title.ends_with(" error"));
+bool is_largest_error(const ConsoleColumn& column) {
+  return column.title == "largest residual" ||
+         (column.title.starts_with("max ") && column.title.ends_with(" error"));
+}
+
+/// What a reader came for: the constants, where they are from, and the first of the largest errors.
+bool is_dropped_last(std::vector<ConsoleColumn>& columns, std::vector<ConsoleColumn>::iterator column) {
+  return column->title == "constants" || column->title == "from" ||
+         (is_largest_error(*column) &&
+          std::find_if(columns.begin(), columns.end(), is_largest_error) == column);
 }
 
 /// The next column to drop; `columns.end()` if all must stay.
@@ -221,7 +227,7 @@ std::vector<ConsoleColumn>::iterator next_to_go(std::vector<ConsoleColumn>& colu
   auto last_one = columns.end();
   for (auto last = columns.end(); last != columns.begin() && --last != columns.begin();) {
     if (last->title == "verdict") continue;
-    if (!is_dropped_last(last->title)) return last;
+    if (!is_dropped_last(columns, last)) return last;
     if (last_one == columns.end()) last_one = last;
   }
   return last_one;

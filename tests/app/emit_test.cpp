@@ -113,7 +113,7 @@ TEST(Emit, BadInput) {
   expect_refusal({"emit"},
                  "emit needs the id of a form or --form (see 'shadefit list' and 'shadefit help emit')");
   expect_refusal({"emit", "fresnel-quadratic"},
-                 "emit needs --lang: glsl, hlsl, c, cpp, wgsl, msl, cuda or opencl");
+                 "emit needs --lang: one of glsl, hlsl, c, cpp, wgsl, msl, cuda, opencl");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "rust"},
                  "--lang 'rust' is unknown: it must be one of glsl, hlsl, c, cpp, wgsl, msl, cuda, opencl");
   expect_refusal({"emit", "fresnel-quadratic", "--lang", "glsl", "--precision", "double"},

@@ -10,13 +10,14 @@
 
 namespace shadefit::testing {
 
-/// The line of an error. One that begins with an option points to the help of the command, unless it already
-/// says what to see.
+/// The line of an error. One that begins with an option or says what the command needs points to the help of
+/// the command, unless it already says what to see.
 inline std::string line_of_error(const std::vector<std::string>& arguments, const std::string& line) {
+  const std::string command = arguments.empty() ? "-" : arguments.front();
   const bool is_of_option = line.starts_with("--") || line.starts_with("'--");
-  if (!is_of_option || arguments.front().starts_with('-') || line.find("see 'shadefit ") != std::string::npos)
-    return "shadefit: " + line + "\n";
-  return "shadefit: " + line + " (see 'shadefit help " + arguments.front() + "')\n";
+  const bool points = (is_of_option || line.starts_with(command + " needs ")) && !command.starts_with('-') &&
+                      line.find("see 'shadefit ") == std::string::npos;
+  return "shadefit: " + line + (points ? " (see 'shadefit help " + command + "')\n" : "\n");
 }
 
 /// The command refuses an error of the user: exit 2, that one line, nothing on standard output.

@@ -130,6 +130,8 @@ TEST(StudyCommand, RefusesBadInput) {
                  "--monotone belongs to --form, a formula of your own, or to a study");
   expect_refusal(with(acos_linear, {"--given", "k"}), "--given 'k' is not NAME=LIST");
   expect_refusal(with(acos_linear, {"--given", "k=1,,2"}), "--given 'k=1,,2' has an empty value");
+  expect_refusal(with(acos_linear, {"--given", "k=1"}), "--given 'k': no formula of the study has this name");
+  EXPECT_EQ(run_command_line(with(acos_linear, {"--given", "b=-0.17"})).exit_code, 0) << "a parameter";
   expect_refusal(with(acos_linear, {"--let", "g(t = t"}),
                  "--let 'g(t = t' is not NAME = FORMULA or NAME(A, B) = FORMULA");
   expect_refusal({"fit", "--target", "x", "--form", "a", "--over", "x=0"},

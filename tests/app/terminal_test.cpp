@@ -94,6 +94,14 @@ TEST(Terminal, TablesFitTheWidthAndAPipeHasAll) {
       << narrow;
 }
 
+TEST(Terminal, TheOriginOfConstantsStaysLongerThanASecondError) {
+  const std::string narrow = on_terminal({"better", "fresnel-one-term"}, 80);
+  EXPECT_NE(narrow.find("  from  "), std::string::npos) << narrow;
+  EXPECT_NE(narrow.find("max abs error"), std::string::npos) << narrow;
+  EXPECT_NE(narrow.find("(left out for the width of the terminal: "), std::string::npos) << narrow;
+  EXPECT_EQ(narrow.find("from,"), std::string::npos) << narrow;
+}
+
 TEST(Terminal, VerdictsAreColouredThereAlone) {
   const std::vector<std::string> call{"explain", "sg-offset-mean"};
   EXPECT_NE(on_terminal(call, 80).find("verdict   \x1b[32mconfirmed\x1b[0m\n"), std::string::npos);
