@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -74,12 +75,13 @@ std::string with_wrong_second_digit(std::string printed) {
   return printed;
 }
 
+// In the first and in the last constant of each set; tests/gpu changes the others.
 TEST_F(Device, FindsAWrongDigitInEveryStudy) {
   std::size_t count = 0;
   for (const testing::FormOfStudy& form : forms_with_code()) {
     if (!form.is_published) continue;
     const Expected expected(form);
-    for (std::size_t i = 0; i < form.constants.size(); ++i) {
+    for (const std::size_t i : std::set<std::size_t>{0, form.constants.size() - 1}) {
       PrintedValues wrong = form.constants;
       wrong[i].second = with_wrong_second_digit(wrong[i].second);
       const testing::FormOfStudy other = testing::form_of_study(form.function.name, form.read, wrong);
@@ -91,7 +93,7 @@ TEST_F(Device, FindsAWrongDigitInEveryStudy) {
       ++count;
     }
   }
-  EXPECT_GT(count, 300U);
+  EXPECT_GT(count, 100U);
 }
 
 }  // namespace
