@@ -59,8 +59,13 @@ std::vector<KnownSet> multiples_of(const std::vector<KnownSet>& sets);
 /// The constants of a set as published, or times its factor.
 std::vector<double> published_values(const KnownSet& set);
 
+/// The values with which a form compares a variable: 0.04045 for u in u <= t ? a : b. The constants are in
+/// the order of the set. A value that is no number stands for one that depends on other variables.
+std::vector<double> thresholds_of(const KnownSet& set, const Symbolic& form,
+                                  const std::vector<double>& constants, const std::string& variable);
+
 /// The effect of this form and these constants, in the order of the set, instead of the published ones: over
-/// an even grid of the ranges.
+/// an even grid of the ranges, and on both sides of each threshold.
 Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<double>& constants);
 
 /// Whether the values of a set's form lie in [0, 1], as those of a colour do.
