@@ -30,11 +30,24 @@ struct KnownConstants {
   }
 };
 
-/// A number of a site.
-struct JudgedNumber {
+/// The bytes of a number in a text.
+struct NumberPlace {
   std::size_t offset = 0, length = 0;
+};
+
+/// What shows that a number is the constant.
+enum class NumberEvidence {
+  digits,      ///< its digits, or its place in the published order
+  expression,  ///< only the expression: with the published number there it is the form
+  none,        ///< another number near it may be the constant, or it is in other units
+};
+
+/// A number of a site.
+struct JudgedNumber : NumberPlace {
   std::size_t constant = 0;  ///< of the set
   Grade grade = Grade::right;
+  std::vector<NumberPlace> copies = {};  ///< the other components of a vector of this number
+  NumberEvidence evidence = NumberEvidence::digits;
 };
 
 /// Constants of a set in a text.

@@ -53,6 +53,7 @@ class SiteFinder {
     const Hit& first = hits.front();
     if (is_next_component(hits)) {
       numbers_.back().literal = first.literal;
+      ++numbers_.back().repeats;
       return;
     }
     if (!numbers_.empty()) {
