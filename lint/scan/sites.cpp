@@ -93,8 +93,7 @@ class SiteFinder {
     if (!set.times.empty() && site.numbers.size() < two && set.constants.size() > two) return;
     add_short(site);
     site.bits = bits_of(text_, literals_, sets_[set_], site);
-    if (site.bits >= telling_bits && add_rounded_and_edited(site))
-      site.bits = bits_of(text_, literals_, sets_[set_], site);
+    if (site.bits >= telling_bits && complete(site)) site.bits = bits_of(text_, literals_, sets_[set_], site);
     if (site.bits < least_bits) return;
     if (site.bits < telling_bits) add_two_slips(site);
     sites_.push_back(std::move(site));
@@ -198,8 +197,15 @@ class SiteFinder {
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
   }
 
+  /// Looks for wrong numbers that are no evidence. Only for sites whose numbers are evidence enough. True if
+  /// there is one.
+  bool complete(Site& site) {
+    const bool is_changed = add_rounded_and_edited(site);
+    return take_edited_repetitions(site) || is_changed;
+  }
+
   /// Adds missing constants as numbers that were rounded and then mistyped, between or beside the others.
-  /// Only for sites whose other numbers are evidence enough. True if there is one.
+  /// True if there is one.
   bool add_rounded_and_edited(Site& site) {
     const std::size_t count = site.numbers.size();
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
@@ -223,6 +229,34 @@ class SiteFinder {
     std::sort(site.numbers.begin(), site.numbers.end(),
               [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
     return site.numbers.size() > count;
+  }
+
+  /// A constant that the form has at several places may have a wrong digit or exponent at one of them only.
+  /// Then that number is the constant. True if there is one.
+  bool take_edited_repetitions(Site& site) {
+    constexpr std::size_t least_digits = 5;  // one of 100 such numbers has one edit
+    const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
+    bool is_changed = false;
+    if (!sets_[site.set].times.empty()) return false;
+    for (SiteNumber& number : site.numbers) {
+      const KnownConstant& constant = sets_[site.set].constants[number.constant];
+      const Digits published = digits_of(constant.printed);
+      if (!constant.is_repeated || constant.is_common || number.match > DigitMatch::float32 ||
+          published.text.size() < least_digits)
+        continue;
+      for (std::size_t i = first; i <= last; ++i) {
+        const auto match = match_digits(digits_at(i), published);
+        if ((match != DigitMatch::edited && match != DigitMatch::shifted) || is_taken(site, i) ||
+            literals_[i].is_in_comment != literals_[number.literal].is_in_comment)
+          continue;
+        number = {i, number.constant, *match};
+        is_changed = true;
+        break;
+      }
+    }
+    std::sort(site.numbers.begin(), site.numbers.end(),
+              [](const SiteNumber& a, const SiteNumber& b) { return a.literal < b.literal; });
+    return is_changed;
   }
 
   std::vector<std::size_t> missing_of(const Site& site) const {
