@@ -26,17 +26,24 @@ void add(std::optional<JudgedNumber> number, std::vector<JudgedNumber>& numbers)
   sort_by_place(numbers);
 }
 
+/// What is computed once for a text.
+struct TextMemory {
+  ReadingMemory readings;
+  KnownEffects effects;
+};
+
 /// A text, its numbers, and a site in it.
 class SiteJudge {
  public:
   /// `program` is the text with_joined_strings().
   SiteJudge(std::string_view text, std::string_view program, CommentStyle style,
-            const std::vector<Literal>& literals, const KnownSet& set, const Site& site)
+            const std::vector<Literal>& literals, const KnownSet& set, const Site& site, TextMemory& memory)
       : text_(text),
         literals_(literals),
         set_(set),
         site_(site),
-        reader_(program, style, literals, set, site) {}
+        reader_(program, style, literals, set, site, memory.readings),
+        effects_(memory.effects) {}
 
   /// The site, or empty if neither its numbers nor the expression around them show that it is one.
   std::optional<JudgedSite> judge(const EffectLimits& limits) const {
@@ -49,13 +56,12 @@ class SiteJudge {
     judged.set = site_.set;
     judged.numbers = judged_numbers();
     const ExpressionMatch found = read.value_or(ExpressionMatch{set_.formula, reader_.constants()});
-    judged.graded = grade_of(set_, site_, found, limits);
+    judged.graded = grade_of(set_, site_, found, limits, effects_);
     if (found.replaced) add(replacing(found, in_order), judged.numbers);
     if (found.is_published)
       for (JudgedNumber& number : judged.numbers) number.grade = Grade::right;
     judged.slip = found.slip;
     judged.is_read = is_read;
-    judged.is_in_other_units = is_in_other_units(site_);
     judged.is_in_comment =
         std::all_of(site_.numbers.begin(), site_.numbers.end(),
                     [&](const SiteNumber& number) { return literals_[number.literal].is_in_comment; });
@@ -160,6 +166,7 @@ class SiteJudge {
   const KnownSet& set_;
   const Site& site_;
   SiteReader reader_;
+  KnownEffects& effects_;
 };
 
 /// Whether a number is the one argument of a function that is not a type: encode(0.0031308) is not a
@@ -187,18 +194,19 @@ Site without_arguments(Site site, const KnownSet& set, std::string_view text,
 
 std::vector<JudgedSite> judge_literals(std::string_view text, CommentStyle style,
                                        const std::vector<Literal>& literals, const KnownConstants& known,
-                                       const EffectLimits& limits, const Checkpoint& checkpoint) {
+                                       const EffectLimits& limits, TextMemory& memory,
+                                       const Checkpoint& checkpoint) {
   const std::string program = with_joined_strings(text, style);
   const auto reading = [&](const Site& site) {
     checkpoint();
-    return SiteReader(program, style, literals, known.sets[site.set], site).reading();
+    return SiteReader(program, style, literals, known.sets[site.set], site, memory.readings).reading();
   };
   std::vector<JudgedSite> judged;
   for (const Site& whole : sites_of(text, literals, known.sets, known.index, reading)) {
     checkpoint();
     const KnownSet& set = known.sets[whole.set];
     const Site site = without_arguments(whole, set, text, literals);
-    const SiteJudge judge(text, program, style, literals, set, site);
+    const SiteJudge judge(text, program, style, literals, set, site, memory);
     auto one = judge.judge(limits);
     if (!one) continue;
     one->is_in_table =
@@ -239,7 +247,8 @@ JudgedSite in_original(JudgedSite site, const TextWithNumbers& with_numbers) {
 std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, const KnownConstants& known,
                                    const EffectLimits& limits, const Checkpoint& checkpoint) {
   const std::vector<Literal> literals = literals_of(text, style);
-  std::vector<JudgedSite> sites = judge_literals(text, style, literals, known, limits, checkpoint);
+  TextMemory memory;
+  std::vector<JudgedSite> sites = judge_literals(text, style, literals, known, limits, memory, checkpoint);
   // Half of all numbers of three digits are near a constant.
   constexpr std::size_t least_digits = 4;
   const auto is_telling = [&](const Literal& literal) {
@@ -251,7 +260,8 @@ std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, co
   const auto with_numbers = with_named_numbers(text, style, literals, is_telling);
   if (!with_numbers) return sites;
   const std::string& other = with_numbers->text();
-  for (JudgedSite& one : judge_literals(other, style, literals_of(other, style), known, limits, checkpoint)) {
+  for (JudgedSite& one :
+       judge_literals(other, style, literals_of(other, style), known, limits, memory, checkpoint)) {
     const bool has_names =
         std::any_of(one.numbers.begin(), one.numbers.end(),
                     [&](const JudgedNumber& number) { return with_numbers->is_named(number.offset); });

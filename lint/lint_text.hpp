@@ -59,8 +59,7 @@ struct JudgedSite {
   std::string replaced = {};   ///< why the source replaced a value that is found here
   bool is_read = false;        ///< whether an expression is the form, perhaps with a slip
   bool is_in_comment = false;  ///< whether all numbers are
-  bool is_in_other_units = false;
-  bool is_in_table = false;  ///< the set is a small part of a table of numbers
+  bool is_in_table = false;    ///< the set is a small part of a table of numbers
 };
 
 /// All sites, by their places. The checkpoint is called before each, because a text of a few MiB can have so

@@ -34,11 +34,12 @@ std::vector<std::size_t> missing_constants(const KnownSet& set, const Site& site
 }
 
 std::vector<Symbolic> expressions_in(std::string_view text, std::size_t begin, std::size_t end,
-                                     CommentStyle style) {
+                                     CommentStyle style, ReadingMemory& memory) {
+  const auto read = [&](std::string_view one, CommentStyle as) { return memory.read(one, as); };
   std::vector<Symbolic> found;
   for (const std::string_view one : expressions_around(text, begin, end))
-    if (auto expression = read_expression(one, style)) found.push_back(std::move(*expression));
-  for (Symbolic& value : values_around(text, begin, end, style)) found.push_back(std::move(value));
+    if (auto expression = read(one, style)) found.push_back(std::move(*expression));
+  for (Symbolic& value : values_around(text, begin, end, style, read)) found.push_back(std::move(value));
   return found;
 }
 
@@ -72,12 +73,13 @@ PartOfText part_with(std::string_view text, const std::vector<Literal>& literals
 }  // namespace
 
 SiteReader::SiteReader(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
-                       const KnownSet& set, const Site& site)
+                       const KnownSet& set, const Site& site, ReadingMemory& memory)
     : text_(text),
       style_(style),
       literals_(literals),
       set_(set),
       site_(site),
+      memory_(memory),
       constants_(constants_at(set, site, text, literals)),
       missing_(missing_constants(set, site)) {}
 
@@ -89,7 +91,7 @@ std::optional<ExpressionMatch> SiteReader::read() const {
                 &last = literals_[site_.numbers.back().literal];
   std::optional<ExpressionMatch> slip, core;
   for (const Symbolic& one : expressions(first, last)) {
-    auto match = match_expression(one, set_, constants_, numbers, missing_);
+    auto match = memory_.match(one, set_, constants_, numbers, missing_);
     if (!match) continue;
     if (match->is_core && !match->replaced) {
       if (!core) core = std::move(match);
@@ -160,7 +162,7 @@ bool SiteReader::is_form_with(std::size_t constant, std::span<const std::size_t>
   const PartOfText part =
       part_with(text_, literals_, first, site.numbers.back().literal, at, set_.constants[constant].printed);
   for (SiteNumber& number : site.numbers) number.literal -= first;
-  const auto match = SiteReader(part.text, style_, part.literals, set_, site).read();
+  const auto match = SiteReader(part.text, style_, part.literals, set_, site, memory_).read();
   return match && match->slip.empty() && !match->replaced &&
          match->constants[constant] == set_.constants[constant].value;
 }
@@ -175,11 +177,11 @@ bool SiteReader::lacks_constants() const {
 /// The values that are computed around the numbers: first in one statement, then in several.
 std::vector<Symbolic> SiteReader::expressions(const Literal& first, const Literal& last) const {
   const std::size_t begin = first.offset, end = last.offset + last.length;
-  if (!first.is_in_comment) return expressions_in(text_, begin, end, style_);
+  if (!first.is_in_comment) return expressions_in(text_, begin, end, style_, memory_);
   constexpr std::size_t most_bytes_around = 700;
   const std::size_t start = begin - std::min(begin, most_bytes_around);
   const std::string program = comment_as_program(text_.substr(start, end - start + most_bytes_around));
-  return expressions_in(program, begin - start, end - start, CommentStyle::none);
+  return expressions_in(program, begin - start, end - start, CommentStyle::none, memory_);
 }
 
 /// The constants of one branch, and the text around them. Empty if the form is not a choice, or if the branch

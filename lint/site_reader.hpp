@@ -8,6 +8,7 @@
 
 #include "lint/expression/compare.hpp"
 #include "lint/known/known_set.hpp"
+#include "lint/reading_memory.hpp"
 #include "lint/scan/literals.hpp"
 #include "lint/scan/sites.hpp"
 
@@ -23,7 +24,7 @@ struct FoundLiterals {
 class SiteReader {
  public:
   SiteReader(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
-             const KnownSet& set, const Site& site);
+             const KnownSet& set, const Site& site, ReadingMemory& memory);
 
   /// The constants as found: see constants_at().
   const std::vector<double>& constants() const { return constants_; }
@@ -66,6 +67,7 @@ class SiteReader {
   const std::vector<Literal>& literals_;
   const KnownSet& set_;
   const Site& site_;
+  ReadingMemory& memory_;
   std::vector<double> constants_;
   std::vector<std::size_t> missing_;
 };

@@ -234,7 +234,7 @@ class SiteFinder {
   /// A constant that the form has at several places may have a wrong digit or exponent at one of them only.
   /// Then that number is the constant. True if there is one.
   bool take_edited_repetitions(Site& site) {
-    constexpr std::size_t least_digits = 5;  // one of 100 such numbers has one edit
+    constexpr std::size_t least_repeated = 5;  // one of 100 such numbers has one edit
     const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
     bool is_changed = false;
     if (!sets_[site.set].times.empty()) return false;
@@ -242,7 +242,7 @@ class SiteFinder {
       const KnownConstant& constant = sets_[site.set].constants[number.constant];
       const Digits published = digits_of(constant.printed);
       if (!constant.is_repeated || constant.is_common || number.match > DigitMatch::float32 ||
-          published.text.size() < least_digits)
+          published.text.size() < least_repeated)
         continue;
       for (std::size_t i = first; i <= last; ++i) {
         const auto match = match_digits(digits_at(i), published);
