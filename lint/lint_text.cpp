@@ -7,6 +7,7 @@
 #include "lint/expression/joined_strings.hpp"
 #include "lint/expression/usual_names.hpp"
 #include "lint/number_table.hpp"
+#include "lint/rival_sources.hpp"
 #include "lint/scan/characters.hpp"
 #include "lint/scan/lists.hpp"
 #include "lint/scan/named_numbers.hpp"
@@ -212,6 +213,9 @@ std::vector<JudgedSite> judge_literals(std::string_view text, CommentStyle style
     one->is_in_table =
         set.constants.size() < least_table &&
         is_in_table(text, style, literals, site.numbers.front().literal, site.numbers.back().literal);
+    for (JudgedNumber& number : one->numbers)
+      if (number.grade != Grade::right && has_rival_source(text, known.sets, *one, number))
+        number.evidence = NumberEvidence::none;
     judged.push_back(std::move(*one));
   }
   return judged;

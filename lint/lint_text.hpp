@@ -39,7 +39,7 @@ struct NumberPlace {
 enum class NumberEvidence {
   digits,      ///< its digits, or its place in the published order
   expression,  ///< only the expression: with the published number there it is the form
-  none,        ///< another number near it may be the constant, or it is in other units
+  none,        ///< another number near it may be the constant, another source may be meant, or other units
 };
 
 /// A number of a site.

@@ -29,8 +29,8 @@ struct LintedNumber {
   std::string text;                 ///< as found
   Grade grade = Grade::right;
   std::size_t offset = 0;  ///< in the file, in bytes
-  /// Whether the published number belongs there: no other number near it may be the constant, and the numbers
-  /// are in the published units.
+  /// Whether the published number belongs there: no other number near it may be the constant, no other source
+  /// may be meant, and the numbers are in the published units.
   bool is_certain = false;
   std::vector<NumberCopy> copies = {};  ///< the other components of a vector of this number
 };
