@@ -30,11 +30,24 @@ struct KnownConstants {
   }
 };
 
-/// A number of a site.
-struct JudgedNumber {
+/// The bytes of a number in a text.
+struct NumberPlace {
   std::size_t offset = 0, length = 0;
+};
+
+/// What shows that a number is the constant.
+enum class NumberEvidence {
+  digits,      ///< its digits, or its place in the published order
+  expression,  ///< only the expression: with the published number there it is the form
+  none,        ///< another number near it may be the constant, another source may be meant, or other units
+};
+
+/// A number of a site.
+struct JudgedNumber : NumberPlace {
   std::size_t constant = 0;  ///< of the set
   Grade grade = Grade::right;
+  std::vector<NumberPlace> copies = {};  ///< the other components of a vector of this number
+  NumberEvidence evidence = NumberEvidence::digits;
 };
 
 /// Constants of a set in a text.
@@ -46,8 +59,7 @@ struct JudgedSite {
   std::string replaced = {};   ///< why the source replaced a value that is found here
   bool is_read = false;        ///< whether an expression is the form, perhaps with a slip
   bool is_in_comment = false;  ///< whether all numbers are
-  bool is_in_other_units = false;
-  bool is_in_table = false;  ///< the set is a small part of a table of numbers
+  bool is_in_table = false;    ///< the set is a small part of a table of numbers
 };
 
 /// All sites, by their places. The checkpoint is called before each, because a text of a few MiB can have so

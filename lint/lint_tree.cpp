@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "lint/pins/judge_pin.hpp"
-#include "lint/scan/digit_match.hpp"
 
 namespace shadefit::lint {
 namespace {
@@ -67,20 +66,6 @@ std::optional<std::string> ignored_at(std::string_view text, std::size_t first, 
   return begin == 0 ? std::nullopt : ignore_reason(line_at(text, line_begin(text, begin - 1)));
 }
 
-/// Whether a number has the digits of a constant, except for one slip, or those of a known copy.
-bool is_by_digits(const KnownSet& set, const JudgedSite& judged, const JudgedNumber& number,
-                  std::string_view text) {
-  const Digits found = digits_of(text.substr(number.offset, number.length)),
-               published = digits_of(set.constants[number.constant].printed);
-  const auto match = match_digits(found, published);
-  // In other units the decimal point is shifted on purpose.
-  if (match) return *match != DigitMatch::shifted || !judged.is_in_other_units;
-  if (is_rounded_and_edited(found, published)) return true;
-  return std::any_of(set.variants.begin(), set.variants.end(), [&](const KnownVariant& variant) {
-    return variant.constant == number.constant && digits_of(variant.printed) == found;
-  });
-}
-
 LintedSite linted(const std::string& file, std::string_view text, const KnownSet& set,
                   const JudgedSite& judged, PlaceFinder& places) {
   const JudgedNumber &first = judged.numbers.front(), &last = judged.numbers.back();
@@ -101,9 +86,13 @@ LintedSite linted(const std::string& file, std::string_view text, const KnownSet
                   .ignored = ignored_at(text, first.offset, last.offset)};
   for (const JudgedNumber& number : judged.numbers) {
     const KnownConstant& constant = set.constants[number.constant];
-    site.numbers.push_back({constant.name, constant.printed,
-                            std::string(text.substr(number.offset, number.length)), number.grade,
-                            number.offset, is_by_digits(set, judged, number, text)});
+    const auto text_of = [&](const NumberPlace& place) {
+      return std::string(text.substr(place.offset, place.length));
+    };
+    site.numbers.push_back({constant.name, constant.printed, text_of(number), number.grade, number.offset,
+                            number.evidence != NumberEvidence::none});
+    for (const NumberPlace& copy : number.copies)
+      site.numbers.back().copies.push_back({copy.offset, text_of(copy)});
   }
   return site;
 }

@@ -17,14 +17,22 @@ struct TextPlace {
   long line = 0, column = 0;
 };
 
+/// A number as it stands in a file.
+struct NumberCopy {
+  std::size_t offset = 0;  ///< in bytes
+  std::string text;
+};
+
 /// A number of a site and the published one.
 struct LintedNumber {
   std::string constant, published;  ///< name and digits
   std::string text;                 ///< as found
   Grade grade = Grade::right;
   std::size_t offset = 0;  ///< in the file, in bytes
-  /// Whether the digits show that this number is the constant; otherwise only the expression around shows it.
-  bool is_by_digits = false;
+  /// Whether the published number belongs there: no other number near it may be the constant, no other source
+  /// may be meant, and the numbers are in the published units.
+  bool is_certain = false;
+  std::vector<NumberCopy> copies = {};  ///< the other components of a vector of this number
 };
 
 /// A site in a file, or a number that a mark pins to a constant (lint/pins/pin.hpp).

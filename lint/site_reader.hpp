@@ -1,21 +1,30 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "lint/expression/compare.hpp"
 #include "lint/known/known_set.hpp"
+#include "lint/reading_memory.hpp"
 #include "lint/scan/literals.hpp"
 #include "lint/scan/sites.hpp"
 
 namespace shadefit::lint {
 
+/// The literals that stand for a constant, by their indices.
+struct FoundLiterals {
+  std::vector<std::size_t> literals;
+  bool are_certain = false;
+};
+
 /// Reads the text around a site as the form of its set.
 class SiteReader {
  public:
   SiteReader(std::string_view text, CommentStyle style, const std::vector<Literal>& literals,
-             const KnownSet& set, const Site& site);
+             const KnownSet& set, const Site& site, ReadingMemory& memory);
 
   /// The constants as found: see constants_at().
   const std::vector<double>& constants() const { return constants_; }
@@ -28,6 +37,11 @@ class SiteReader {
   /// units.
   std::optional<ExpressionMatch> read() const;
 
+  /// The literals of a constant that has this value at the site, and that only the expression shows. They are
+  /// certain if the text with the published number at these literals is the form with it. Several literals
+  /// are in a row, as in vec3(0.4, 0.4, 0.4). If none are certain, the nearest literal with this value.
+  FoundLiterals literals_of(std::size_t constant, double value) const;
+
   /// How much of the form the text contains.
   Reading reading() const;
 
@@ -39,6 +53,8 @@ class SiteReader {
     std::vector<Symbolic> expressions;  ///< around them
   };
 
+  std::vector<std::size_t> candidates(std::size_t constant, double value) const;
+  bool is_form_with(std::size_t constant, std::span<const std::size_t> at) const;
   bool lacks_constants() const;
   bool believes_slips() const;
   std::vector<Symbolic> expressions(const Literal& first, const Literal& last) const;
@@ -51,6 +67,7 @@ class SiteReader {
   const std::vector<Literal>& literals_;
   const KnownSet& set_;
   const Site& site_;
+  ReadingMemory& memory_;
   std::vector<double> constants_;
   std::vector<std::size_t> missing_;
 };

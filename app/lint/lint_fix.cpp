@@ -28,10 +28,16 @@ SitesByFile by_file(const std::vector<lint::LintedSite>& sites) {
 /// Throws UserError unless each number still stands where it was found.
 void require_unchanged(const std::string& name, const std::string& text,
                        const std::vector<lint::LintedSite>& sites) {
-  for (const lint::LintedSite& site : sites)
-    for (const lint::LintedNumber& number : site.numbers)
-      if (number.offset > text.size() || text.compare(number.offset, number.text.size(), number.text) != 0)
-        throw UserError(fmt::format("'{}' changed while it was read: run lint again", name));
+  const auto require = [&](std::size_t offset, const std::string& number) {
+    if (offset > text.size() || text.compare(offset, number.size(), number) != 0)
+      throw UserError(fmt::format("'{}' changed while it was read: run lint again", name));
+  };
+  for (const lint::LintedSite& site : sites) {
+    for (const lint::LintedNumber& number : site.numbers) {
+      require(number.offset, number.text);
+      for (const lint::NumberCopy& copy : number.copies) require(copy.offset, copy.text);
+    }
+  }
 }
 
 }  // namespace

@@ -51,23 +51,6 @@ std::vector<std::vector<double>> places_in(const std::vector<KnownAxis>& axes) {
   return places;
 }
 
-/// The values with which a form compares a variable: 0.04045 for u in u <= t ? a : b.
-void append_thresholds(const Symbolic& formula, const KnownSet& set, const std::string& variable,
-                       std::vector<double>& thresholds) {
-  for (const Symbolic& part : formula.parts()) append_thresholds(part, set, variable, thresholds);
-  if (formula.kind() != Symbolic::Kind::choice) return;
-  for (const std::size_t side : {std::size_t{0}, std::size_t{1}}) {
-    const Symbolic& compared = formula.part(side);
-    if (compared.kind() != Symbolic::Kind::variable || compared.name() != variable) continue;
-    // No value, if the other side has variables too.
-    thresholds.push_back(evaluate<double>(formula.part(1 - side), [&](const std::string& name) {
-      const auto found = std::find_if(set.constants.begin(), set.constants.end(),
-                                      [&](const KnownConstant& constant) { return constant.name == name; });
-      return found == set.constants.end() ? std::nan("") : found->value / set.factor;
-    }));
-  }
-}
-
 /// Places on both sides of the thresholds of the form, in turn at one of the other places. All of those may
 /// lie on one side. They are far from the threshold, because another near one may join the branches better.
 std::vector<std::vector<double>> places_beside_thresholds(const KnownSet& set,
@@ -76,9 +59,7 @@ std::vector<std::vector<double>> places_beside_thresholds(const KnownSet& set,
   std::vector<std::vector<double>> beside;
   for (std::size_t axis = 0; axis < set.axes.size(); ++axis) {
     const KnownAxis& range = set.axes[axis];
-    std::vector<double> thresholds;
-    append_thresholds(set.formula, set, range.variable, thresholds);
-    for (const double threshold : thresholds) {
+    for (const double threshold : thresholds_of(set, set.formula, published_values(set), range.variable)) {
       for (const double value : {threshold / far, threshold * far}) {
         if (!(range.lower < value && value < range.upper)) continue;
         beside.push_back(places[beside.size() % places.size()]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ std::vector<std::string_view> expressions_around(std::string_view text, std::siz
 /// signs.
 std::optional<Symbolic> read_expression(std::string_view text, CommentStyle style);
 
+/// read_expression(), or what remembers its answers.
+using ReadExpression = std::function<std::optional<Symbolic>(std::string_view, CommentStyle)>;
+
 /// Whether a formula has no names: 4 pi.
 bool is_number(const Symbolic& formula);
 
@@ -33,6 +37,6 @@ bool is_number(const Symbolic& formula);
 /// First come the values as formulas of what is computed before the bytes, then with its own formulas
 /// inserted.
 std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
-                                    CommentStyle style);
+                                    CommentStyle style, const ReadExpression& read);
 
 }  // namespace shadefit::lint

@@ -112,7 +112,7 @@ Symbolic combined(char operation, const Symbolic& a, const Symbolic& b) {
 /// The values from the last number on. `keeps_all`: with everything that is computed before the first number
 /// inserted, not only constants.
 std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::size_t begin, std::size_t end,
-                                CommentStyle style, bool keeps_all) {
+                                CommentStyle style, const ReadExpression& read, bool keeps_all) {
   std::map<std::string, Symbolic> known;
   const auto value_of = [&](const std::string& name) {
     const auto found = known.find(name);
@@ -122,7 +122,7 @@ std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::s
   for (const Statement& statement : statements) {
     const auto assignment = assignment_of(statement.text);
     if (!assignment) continue;
-    const auto right = read_expression(trimmed(assignment->right), style);
+    const auto right = read(trimmed(assignment->right), style);
     if (!right) {
       known.erase(assignment->name);
       continue;
@@ -141,13 +141,14 @@ std::vector<Symbolic> values_of(const std::vector<Statement>& statements, std::s
 }  // namespace
 
 std::vector<Symbolic> values_around(std::string_view text, std::size_t begin, std::size_t end,
-                                    CommentStyle style) {
+                                    CommentStyle style, const ReadExpression& read) {
   const std::vector<Statement> statements =
       with_choices(statements_of(text, block_begin(text, begin), end, style), style);
-  std::vector<Symbolic> values = values_of(statements, begin, end, style, false);
+  std::vector<Symbolic> values = values_of(statements, begin, end, style, read, false);
   if (statements.empty() || statements.front().end > begin) return values;
   // The form may be one of x, after x = 1 - y (the values so far), or one of y, after t = y y (these values).
-  for (Symbolic& value : values_of(statements, begin, end, style, true)) values.push_back(std::move(value));
+  for (Symbolic& value : values_of(statements, begin, end, style, read, true))
+    values.push_back(std::move(value));
   return values;
 }
 

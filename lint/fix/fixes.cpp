@@ -41,16 +41,20 @@ std::string_view name(FixScope scope) {
 
 std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view text, FixScope scope) {
   std::map<std::size_t, Fix> by_place;
+  const auto rewrite = [&](const NumberCopy& number, std::string_view published) {
+    // `v.0` is a member, whatever its digits.
+    if (number.offset > 0 && is_of_name(text[number.offset - 1])) return;
+    if (is_before_factor(text, number.offset + number.text.size())) return;
+    const Fix fix{number.offset, number.text, rewritten(number.text, published)};
+    const auto [place, is_new] = by_place.emplace(number.offset, fix);
+    if (!is_new && place->second.after != fix.after) place->second.after = number.text;
+  };
   for (const LintedSite& site : sites) {
     if (!is_fixed(site, scope)) continue;
     for (const LintedNumber& number : site.numbers) {
-      if (number.grade == Grade::right || !number.is_by_digits || stays_short(site, number)) continue;
-      // `v.0` is a member, whatever its digits.
-      if (number.offset > 0 && is_of_name(text[number.offset - 1])) continue;
-      if (is_before_factor(text, number.offset + number.text.size())) continue;
-      const Fix fix{number.offset, number.text, rewritten(number.text, number.published)};
-      const auto [place, is_new] = by_place.emplace(number.offset, fix);
-      if (!is_new && place->second.after != fix.after) place->second.after = number.text;
+      if (number.grade == Grade::right || !number.is_certain || stays_short(site, number)) continue;
+      rewrite({number.offset, number.text}, number.published);
+      for (const NumberCopy& copy : number.copies) rewrite(copy, number.published);
     }
   }
   std::vector<Fix> fixes;

@@ -28,9 +28,9 @@ struct Fix {
 };
 
 /// The fixes of the sites of one text, by rising place. These numbers stay: those that a mark ignores; those
-/// in a comment, unless pinned; those of a site whose expression has a slip; those that stand for a constant
-/// by the expression alone; those before a factor 10^n; those that two sites would rewrite differently; and
-/// those with fewer digits than published beside a worse one. `text` is the one with the sites.
+/// in a comment, unless pinned; those of a site whose expression has a slip; those that are not certain;
+/// those before a factor 10^n; those that two sites would rewrite differently; and those with fewer digits
+/// than published beside a worse one. `text` is the one with the sites.
 std::vector<Fix> fixes_of(const std::vector<LintedSite>& sites, std::string_view text, FixScope scope);
 
 /// The text with the fixes; no other byte changes.

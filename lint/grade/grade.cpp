@@ -74,7 +74,7 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::str
 }
 
 GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
-                    const EffectLimits& limits) {
+                    const EffectLimits& limits, KnownEffects& effects) {
   GradedSite graded;
   if (found.is_published) return graded;
   const bool has_other_units = is_in_other_units(site);
@@ -87,8 +87,8 @@ GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch
                             grade_of_other(set.constants[*found.replaced], found.constants[*found.replaced]));
   if (!found.slip.empty()) graded.grade = Grade::typo;
   if (graded.grade == Grade::right) return graded;
-  graded.is_shown = is_shown(set);
-  graded.effect = effect_of(set, found.form, found.constants);
+  graded.is_shown = effects.are_shown(set);
+  graded.effect = effects.of(set, found.form, found.constants);
   if (is_visible(graded, limits)) graded.grade = Grade::wrong;
   return graded;
 }

@@ -6,6 +6,7 @@
 
 #include "fit/errors/effect.hpp"
 #include "lint/expression/compare.hpp"
+#include "lint/known/known_effect.hpp"
 #include "lint/known/known_set.hpp"
 #include "lint/scan/sites.hpp"
 
@@ -57,6 +58,6 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::str
 
 /// The grade of a form with the constants found at a site.
 GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,
-                    const EffectLimits& limits);
+                    const EffectLimits& limits, KnownEffects& effects);
 
 }  // namespace shadefit::lint

@@ -24,10 +24,10 @@ void append_leaves(const Symbolic& formula, std::vector<Symbolic>& leaves) {
 
 /// Whether a number has at least three digits and is no simple fraction.
 bool is_telling(const Symbolic& leaf) {
-  constexpr int few_digits = 2, all_digits = 15;
+  constexpr int few_digits = 2;
   if (leaf.kind() != Symbolic::Kind::number) return false;
   const double value = constant<double>(leaf.name());
-  return decimal(value, few_digits) != decimal(value, all_digits) && !is_common_number(value);
+  return parse_number(decimal(value, few_digits)) != value && !is_common_number(value);
 }
 
 /// The formula with a variable in place of each telling number; its name is the number.

@@ -88,6 +88,18 @@ void append_families(std::vector<KnownSet>& sets) {
   }
 }
 
+std::size_t count_places(const Symbolic& formula, const std::string& name) {
+  std::size_t count = formula.kind() == Symbolic::Kind::variable && formula.name() == name ? 1 : 0;
+  for (const Symbolic& part : formula.parts()) count += count_places(part, name);
+  return count;
+}
+
+void mark_repeated(std::vector<KnownSet>& sets) {
+  for (KnownSet& set : sets)
+    for (KnownConstant& constant : set.constants)
+      constant.is_repeated = count_places(set.formula, constant.name) > 1;
+}
+
 void mark_borrowed(std::vector<KnownSet>& sets) {
   std::set<std::string> published;
   for (const KnownSet& set : sets)
@@ -102,7 +114,9 @@ std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies) {
   std::vector<KnownSet> sets;
   append_families(sets);
   for (const StudyFile& study : studies) append_sets(study, sets);
+  for (KnownSet& folded : folded_powers_of(sets)) sets.push_back(std::move(folded));
   mark_borrowed(sets);
+  mark_repeated(sets);
   return sets;
 }
 

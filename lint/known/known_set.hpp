@@ -17,6 +17,7 @@ struct KnownConstant {
   double value = 0;
   bool is_common = false;         ///< pi/2, 5/12: see lint/known/closed_form.hpp
   bool is_of_form = false;        ///< a number in the text of the form: its name is its digits
+  bool is_repeated = false;       ///< whether the form has it at several places
   std::size_t enough_digits = 0;  ///< of a multiple: as many as the published number has
 };
 
@@ -49,8 +50,12 @@ struct KnownSet {
   double factor = 1;
 };
 
-/// The sets of all studies, and those of the built-in families.
+/// The sets of all studies, those with powers of ten folded into them, and those of the built-in families.
 std::vector<KnownSet> known_sets(const std::vector<StudyFile>& studies);
+
+/// The sets whose forms multiply constants by powers of ten, with the products as constants: 5.4856e-13 for a
+/// = 5.4856 in a*1e-13. A study may have them in other units than the programs that it names.
+std::vector<KnownSet> folded_powers_of(const std::vector<KnownSet>& sets);
 
 /// The sets with all their constants times one of the factors that programs fold into them, such as ln 2 for
 /// exp in place of exp2. Sets of one constant are left out: a single number is in no unit.
@@ -59,8 +64,13 @@ std::vector<KnownSet> multiples_of(const std::vector<KnownSet>& sets);
 /// The constants of a set as published, or times its factor.
 std::vector<double> published_values(const KnownSet& set);
 
+/// The values with which a form compares a variable: 0.04045 for u in u <= t ? a : b. The constants are in
+/// the order of the set. A value that is no number stands for one that depends on other variables.
+std::vector<double> thresholds_of(const KnownSet& set, const Symbolic& form,
+                                  const std::vector<double>& constants, const std::string& variable);
+
 /// The effect of this form and these constants, in the order of the set, instead of the published ones: over
-/// an even grid of the ranges.
+/// an even grid of the ranges, and on both sides of each threshold.
 Effect effect_of(const KnownSet& set, const Symbolic& form, const std::vector<double>& constants);
 
 /// Whether the values of a set's form lie in [0, 1], as those of a colour do.

@@ -113,7 +113,8 @@ JudgedPin judged_as(const Pin& pin, const PinTarget& target, const std::vector<K
   Site site;
   site.set = target.set;
   site.numbers = {number};
-  judged.graded = grade_of(set, site, {.form = set.formula, .constants = constants}, limits);
+  KnownEffects effects;
+  judged.graded = grade_of(set, site, {.form = set.formula, .constants = constants}, limits, effects);
   return judged;
 }
 

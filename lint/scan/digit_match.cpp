@@ -161,7 +161,8 @@ std::optional<DigitMatch> match_digits(const Digits& found, const Digits& publis
   constexpr std::size_t least_digits_to_shift = 3;
   if (count >= least_digits_to_shift && found.text == published.text) return DigitMatch::shifted;
   if (count < least_digits_to_vary || found.text.empty()) return std::nullopt;
-  if (found.text.size() > count && rounded_to(found, count) == published) return DigitMatch::longer;
+  const std::size_t printed = count + published.last_zeros;
+  if (found.text.size() > printed && rounded_to(found, printed) == published) return DigitMatch::longer;
   if (is_print_of_float(found, published)) return DigitMatch::float32;
   constexpr std::size_t least_rounded = 3;
   if (found.text.size() >= least_rounded && is_shortened(found, published)) return DigitMatch::rounded;

@@ -191,7 +191,10 @@ Digits digits_of(std::string_view number) {
       break;
     }
   }
-  while (!result.text.empty() && result.text.back() == '0') result.text.pop_back();
+  while (!result.text.empty() && result.text.back() == '0') {
+    result.text.pop_back();
+    if (has_point) ++result.last_zeros;
+  }
   result.exponent = result.text.empty() ? 0 : point;
   return result;
 }

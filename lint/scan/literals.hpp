@@ -28,7 +28,9 @@ bool begins_hash_comment(std::string_view text, std::size_t at);
 struct Digits {
   std::string text;  ///< empty: the number is 0
   int exponent = 0;  ///< the number is 0.TEXT times 10^exponent
-  bool operator==(const Digits&) const = default;
+  /// How many zeros behind the point stand at the end: they say how exact the number is.
+  std::size_t last_zeros = 0;
+  bool operator==(const Digits& other) const { return text == other.text && exponent == other.exponent; }
 };
 
 /// The digits of a number such as "-5.55473", "1.5e-3" or "5.55473f".

@@ -179,6 +179,13 @@ bool TextWithNumbers::is_named(std::size_t offset) const {
   return piece_at(offset).is_named;
 }
 
+std::size_t TextWithNumbers::count_uses(std::size_t offset) const {
+  const std::size_t definition = piece_at(offset).original;
+  return static_cast<std::size_t>(std::count_if(pieces_.begin(), pieces_.end(), [&](const Piece& piece) {
+    return piece.is_named && piece.original == definition;
+  }));
+}
+
 std::size_t TextWithNumbers::original(std::size_t offset) const {
   const Piece& piece = piece_at(offset);
   return piece.original + (offset - piece.begin);

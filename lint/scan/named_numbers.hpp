@@ -20,6 +20,9 @@ class TextWithNumbers {
   /// Whether a name stood at this place.
   bool is_named(std::size_t offset) const;
 
+  /// How often the number at this place is used by its name.
+  std::size_t count_uses(std::size_t offset) const;
+
   /// The place in the original text: of a named number, where it is defined.
   std::size_t original(std::size_t offset) const;
 

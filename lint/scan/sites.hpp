@@ -17,6 +17,7 @@ struct SiteNumber {
   std::size_t constant = 0;  ///< of the set
   DigitMatch match = DigitMatch::same;
   std::optional<std::size_t> variant = {};
+  std::size_t repeats = 0;  ///< literals directly before it with the same digits: the components of a vector
 };
 
 /// Numbers near each other for constants of one set, each constant once, by their places in the text.

@@ -74,8 +74,8 @@ std::string message_of(const LintedSite& site) {
   if (!site.slip.empty())
     what += (what.empty() ? "" : ", ") + fmt::format("the expression has {}", site.slip);
   if (what.empty()) what = "a number differs";
-  if (site.grade == Grade::outdated) return fmt::format("{}: {}; {}", set, what, site.replaced);
-  return fmt::format("{}: {}; {}", set, what, effect_words(site));
+  const std::string reason = site.grade == Grade::outdated ? "; " + site.replaced : "";
+  return fmt::format("{}: {}{}; {}", set, what, reason, effect_words(site));
 }
 
 FindingLevel level_of(const LintedSite& site, const std::optional<Grade>& fail_on) {

@@ -53,8 +53,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const LintedSite& site : sites) {
     require(site.begin.line >= 1 && site.begin.column >= 1);
     require(site.fault.empty() != site.numbers.empty());
-    for (const LintedNumber& number : site.numbers)
+    for (const LintedNumber& number : site.numbers) {
       require(text.compare(number.offset, number.text.size(), number.text) == 0);
+      for (const NumberCopy& copy : number.copies)
+        require(text.compare(copy.offset, copy.text.size(), copy.text) == 0);
+    }
   }
   const std::string fixed = fixed_text(text, fixes_of(sites, text, FixScope::pins));
   require(std::count(fixed.begin(), fixed.end(), '\n') == std::count(text.begin(), text.end(), '\n'));

@@ -21,6 +21,11 @@ TEST(DigitMatch, EachKindHasTwoSides) {
   EXPECT_EQ(match("0.5550", "0.555"), DigitMatch::same);
   EXPECT_EQ(match("5.554728", "5.55473"), DigitMatch::longer);
   EXPECT_EQ(match("5.554812", "5.55473"), std::nullopt);
+  // A last zero is a digit.
+  EXPECT_EQ(match("1.68104", "1.6810"), DigitMatch::longer);
+  EXPECT_EQ(match("1.6811", "1.6810"), DigitMatch::edited);
+  EXPECT_EQ(match("1.6810", "1.6810"), DigitMatch::same);
+  EXPECT_EQ(match("1.681", "1.6810"), DigitMatch::same);
   EXPECT_EQ(match("5.5547", "5.55473"), DigitMatch::rounded);
   EXPECT_EQ(match("6.9832", "6.98316"), DigitMatch::rounded);  // rounded up
   EXPECT_EQ(match("6.9831", "6.98316"), DigitMatch::rounded);  // cut off

@@ -115,7 +115,7 @@ TEST(ExpressionsAround, GoFromTheInnermostOut) {
 /// The last value around the number 0.55 in a text, where its only name is 0.3.
 double value_around(const std::string& text, CommentStyle style = CommentStyle::c) {
   const std::size_t at = text.find("0.55");
-  const auto values = values_around(text, at, at + 4, style);
+  const auto values = values_around(text, at, at + 4, style, read_expression);
   if (values.empty()) return std::nan("");
   return evaluate<double>(values.back(), [](const std::string&) { return 0.3; });
 }
@@ -133,7 +133,7 @@ TEST(ValuesAround, FollowStatements) {
 TEST(ValuesAround, WhatIsComputedBeforeIsAVariableOrIsNot) {
   const std::string text = "{ float x = 1.0 - y; return 0.55 * x; }";
   const std::size_t at = text.find("0.55");
-  const auto values = values_around(text, at, at + 4, CommentStyle::c);
+  const auto values = values_around(text, at, at + 4, CommentStyle::c, read_expression);
   ASSERT_EQ(values.size(), 2u);
   EXPECT_EQ(to_text(values[0]), "0.55 x");
   EXPECT_EQ(to_text(values[1]), "0.55 (1 - y)");

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/commands/command_line.hpp"
 #include "reports/io/files.hpp"
@@ -88,12 +89,89 @@ TEST(LintFix, LeavesShortNumbersBesideWrongOnes) {
   const std::string file = folder.file("a.c", text);
   EXPECT_EQ(lint_fixing(file, "wrong").err, "shadefit: rewrote 1 number in 1 file\n");
   EXPECT_EQ(read_file(file), replaced(text, "6.8316", "6.98316"));
-  // Only the expression shows what 6.83 is, so it stays too.
-  const std::string other = "float w(float c) { return exp2f((-5.5547f * c - 6.83f) * c); }\n";
+}
+
+/// A program with a wrong number, and the right one.
+struct Mended {
+  const char* file;
+  std::string text, wrong, right;
+};
+
+void expect_mended(const std::vector<Mended>& programs) {
+  for (const Mended& program : programs) {
+    const TemporaryDirectory folder;
+    const std::string file = folder.file(program.file, program.text);
+    EXPECT_EQ(lint_fixing(file, "wrong").exit_code, 0) << program.text;
+    EXPECT_EQ(read_file(file), replaced(program.text, program.wrong, program.right));
+  }
+}
+
+// The other numbers and the place in the formula show which one it is.
+TEST(LintFix, RewritesNumbersOfFewDigitsInEachLanguage) {
+  expect_mended({
+      {"a.glsl", "// caf\xC3\xA9\r\nfloat f(vec3 c) { return 0.229*c.r + 0.587*c.g + 0.144*c.b; }\r\n",
+       "0.229*c.r + 0.587*c.g + 0.144", "0.299*c.r + 0.587*c.g + 0.114"},
+      {"a.py", "def f(x):\n  return (x*(2.51*x + .3))/(x*(2.43*x + .59) + .14)  # tone", ".3", ".03"},
+      {"a.rs", "fn f(x: f32) -> f32 { (x*(2.51*x + 0.03))/(x*(2.43*x + 0.95_f32) + 0.14) }\n", "0.95",
+       "0.59"},
+      {"a.js", "const s = `float f(float x) { return (x*(2.51*x + 0.03))/(x*(2.43*x + 0.59) + 0.41); }`;\n",
+       "0.41", "0.14"},
+      {"A.java", "class A { float f(float x) { return (x*(2.15f*x+.03f))/(x*(2.43f*x+.59f)+.14f); } }\n",
+       "2.15f", "2.51f"},
+      {"a.cu", "__device__ float f(float c) { return __exp2f(__fmaf_rn(-5.5547f, c, -6.83f)*c); }\n", "6.83f",
+       "6.98316f"},
+      {"a.wgsl",
+       "fn f(x: f32) -> f32 { let a = 2.51; let b = 0.03; let c = 2.34; let d = 0.59; let e = 0.14;\n"
+       "return (x*(a*x + b))/(x*(c*x + d) + e); }\n",
+       "2.34", "2.43"},
+      {"a.hlsl",
+       "float4 c0 = float4(-1, -0.0275, -0.572, 0.022), c1 = float4(1, 0.0425, 1.0, -0.04), r = R*c0 + c1;\n"
+       "float a = min(r.x*r.x, exp2(-9.28*v))*r.x + r.y;\nfloat2 AB = float2(-1.04, 1.04)*a + r.zw;\n",
+       "1.0,", "1.04,"},
+  });
+}
+
+TEST(LintFix, RewritesTheNumberOfTheFormulaAlone) {
+  const std::string c = "cosine_of_the_angle";
+  expect_mended({
+      {"a.c",
+       "float f(float " + c + ") { return mix(6.83, exp2((-5.55473*" + c + " - 6.83)*" + c + "), 6.83); }\n",
+       "- 6.83", "- 6.98316"},
+  });
+}
+
+TEST(LintFix, RewritesEachComponent) {
+  expect_mended({
+      {"a.glsl",
+       "vec3 f(vec3 u) { return mix(u/12.92, pow((u + 0.055)/1.055, vec3(2.4)), step(vec3(0.4045, 0.4045, "
+       "0.4045), u)); }\n",
+       "0.4045, 0.4045, 0.4045", "0.04045, 0.04045, 0.04045"},
+      {"a.glsl", "vec3 f(vec3 c) { return exp2((-5.55473*c - vec3(6.8, 6.8, 6.8))*c); }\n", "6.8, 6.8, 6.8",
+       "6.98316, 6.98316, 6.98316"},
+  });
+}
+
+TEST(LintFix, LeavesANumberThatMayBeOfTwoSources) {
+  // Poynton has 1.875992, pbrt 1.875991.
+  const std::string text = "float g(vec3 c) { return dot(c, vec3(-0.969256, 1.875996, 0.041556)); }\n";
+  const TemporaryDirectory folder;
+  const std::string file = folder.file("a.glsl", text);
+  EXPECT_NE(lint_fixing(file, "typo").out.find(" is 1.875996 here"), std::string::npos);
+  EXPECT_EQ(read_file(file), text);
+}
+
+TEST(LintFix, LeavesANameThatIsUsedElsewhere) {
+  const TemporaryDirectory folder;
+  const std::string begin =
+      "#define T 0.04045\n#define D 0.95\nfloat f(float u) { return u <= T ? u/12.92 : "
+      "pow((u + 0.055)/1.055, 2.4); }\n"
+      "float g(float x) { return (x*(2.51*x + 0.03))/(x*(2.43*x + D) + 0.14); }\n";
+  const std::string file = folder.file("a.c", begin);
+  EXPECT_EQ(lint_fixing(file, "wrong").exit_code, 0);
+  EXPECT_EQ(read_file(file), replaced(begin, "0.95", "0.59"));
+  const std::string other = begin + "float h(float x) { return x*D; }\n";
   folder.file("a.c", other);
-  const Outcome outcome = lint_fixing(file, "wrong");
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(lint_fixing(file, "wrong").exit_code, 1);
   EXPECT_EQ(read_file(file), other);
 }
 

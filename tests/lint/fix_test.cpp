@@ -106,7 +106,7 @@ TEST(Fixes, LeaveAloneWhatIsNotSure) {
   others[0].slip = "1 + x for 1 - x";
   others[1].is_in_comment = true;
   others[2].ignored = "a reason";
-  others[3].numbers[0].is_by_digits = false;
+  others[3].numbers[0].is_certain = false;
   EXPECT_EQ(count(others), 0U);
   others[2].is_pinned = true;
   EXPECT_EQ(count(others), 1U);

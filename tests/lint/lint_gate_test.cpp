@@ -93,6 +93,8 @@ TEST(LintGate, EachFaultFailsInEachFormat) {
       EXPECT_EQ(outcome.exit_code, 1) << name(format) << " " << fault.text << outcome.out;
       EXPECT_NE(outcome.out.find(fault.rule), std::string::npos) << outcome.out;
       EXPECT_NE(outcome.out.find(mark_of_failure(format)), std::string::npos) << outcome.out;
+      const bool has_effect = outcome.out.find("; the curve moves by up to ") != std::string::npos;
+      EXPECT_EQ(has_effect, fault.rule != "unknown-pin") << outcome.out;
       EXPECT_EQ(outcome.err, "");
     }
   }

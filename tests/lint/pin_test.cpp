@@ -93,6 +93,13 @@ Grade grade_of_pin(const std::string& number, const std::string& name) {
   return pin.graded.grade;
 }
 
+TEST(Pins, MayHaveAPowerOfTenThatTheFormMultipliesWith) {
+  for (const char* number : {"5.4856", "5.4856e-13", "54.856e-14f"})
+    EXPECT_EQ(grade_of_pin(number, "airy-x.a"), Grade::right) << number;
+  EXPECT_EQ(grade_of_pin("5.4856e-12", "airy-x.a"), Grade::wrong);
+  EXPECT_EQ(grade_of_pin("5.4866e-13", "airy-x.a"), Grade::typo);
+}
+
 TEST(Pins, AreRightWithThePublishedDigits) {
   for (const char* number : {"1.5707963", "1.57079630", "1.5707963267948966", "1.57079625f", "15707963e-7"})
     EXPECT_EQ(grade_of_pin(number, "acos-linear.a"), Grade::right) << number;

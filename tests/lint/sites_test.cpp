@@ -280,6 +280,16 @@ TEST(Sites, AThresholdThatIsComputedIsNoWrongOne) {
   EXPECT_EQ(graded(begin + "0.0031308" + end), Words{"srgb-decode-standard wrong"});
 }
 
+// An expression that was read before is not read again, whatever its names.
+TEST(Sites, ExpressionsDifferByThePlacesOfTheirNames) {
+  const std::string one = "float f(float c) { return exp2((-5.55473*c + 6.98316)*c); }\n",
+                    same = "float g(float x) { return exp2((-5.55473*x + 6.98316)*x); }\n",
+                    other = "float h(float c, float d) { return exp2((-5.55473*c + 6.98316)*d); }\n";
+  const std::string wrong = "fresnel-quadratic wrong", right = "fresnel-quadratic right";
+  EXPECT_EQ(graded(one + same + other), (Words{wrong, wrong, right}));
+  EXPECT_EQ(graded(other + same + one), (Words{right, wrong, wrong}));
+}
+
 TEST(Grade, LimitsHaveTwoSides) {
   const std::string text = "float f(float c) { return exp2((-5.55473 * c - 6.97316) * c); }\n";
   const std::vector<LintedSite> sites = lint_glsl(text);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+
+namespace shadefit::lint {
+
+/// Answers that are computed once: generated programs have one expression thousands of times. All are
+/// forgotten when there are too many.
+template <class Key, class Answer>
+class Memory {
+ public:
+  /// The answer of an earlier call with this key, or that of `compute`.
+  template <class Compute>
+  Answer get(const Key& key, const Compute& compute) {
+    const auto found = answers_.find(key);
+    if (found != answers_.end()) return found->second;
+    if (answers_.size() >= most_answers) answers_.clear();
+    return answers_.emplace(key, compute()).first->second;
+  }
+
+ private:
+  static constexpr std::size_t most_answers = 4096;
+  std::map<Key, Answer> answers_;
+};
+
+}  // namespace shadefit::lint
