@@ -35,9 +35,12 @@ std::string words_of(StatedError error) {
   return "Error";
 }
 
-/// How many objectives were tried, and what came out.
+/// What came of the fits that were tried.
 std::string trials_text(const StudyJudgement& judgement) {
   if (judgement.objective.empty()) return fmt::format("Fits tried: {}. None converged", judgement.tried);
+  if (judgement.chance == 0)
+    return fmt::format("Fits tried: {}. The fit has no error: its constants are those of the target",
+                       judgement.tried);
   if (judgement.verdict == Verdict::refuted)
     return fmt::format("Fits tried: {}. The nearest, {}, is off by {} {} of a last digit", judgement.tried,
                        judgement.objective, judgement.units_off, judgement.units_off == 1 ? "unit" : "units");
@@ -122,8 +125,8 @@ std::vector<std::string> published_lines(const PublishedSet& set,
   for (const StudyComparison& comparison : comparisons) {
     const StudyContender* contender = contender_of(comparison, set);
     if (contender == nullptr) continue;
-    lines.push_back(fmt::format("Verdict: {}", verdict_text(*contender->judgement)));
-    if (contender->judgement->tried > 1) lines.push_back(trials_text(*contender->judgement));
+    lines.push_back(fmt::format("Verdict: {}", verdict_in_words(*contender->judgement)));
+    lines.push_back(trials_text(*contender->judgement));
     lines.push_back("Properties of the target that it keeps: " + text_with_proofs(contender->properties));
     lines.push_back("Largest change of the target: " + effect_text(comparison, *contender));
     if (contender->proof) lines.push_back("Largest error, proven: " + proof_text(*contender->proof));
