@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "approx/scalar.hpp"
-#include "fit/quadrature/rule_choice.hpp"
-#include "fit/study/largest_error.hpp"
-#include "fit/study/require_values.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -273,34 +269,6 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
 
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set, const Checkpoint& checkpoint) {
   return judge_digits(tried_fits(asked, set, checkpoint), values_of(set, read_study(asked.study).parameters));
-}
-
-JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters) {
-  Study asked = study;
-  asked.weight = "1";
-  asked.error = claim.error == StatedError::max_rel_error ? Error::relative : Error::absolute;
-  JudgedError judged{claim, std::numeric_limits<double>::quiet_NaN(), Verdict::refuted};
-  try {
-    const ReadStudy read = read_study(asked);
-    std::vector<std::vector<StudyEdge>> edges;
-    for (std::size_t i = 0; i < read.axes.size() && !read.rows; ++i) edges.push_back(edges_of(read, i));
-    require_values(read, nodes_of(read, edges, fit_rules.front()));
-    const bool is_largest =
-        claim.error == StatedError::max_abs_error || claim.error == StatedError::max_rel_error;
-    const double rms = is_largest ? 0 : rms_error(read, StudyError(read), parameters);
-    judged.computed = is_largest ? largest_weighted_error(read, parameters).magnitude
-                      : claim.error == StatedError::rms_error ? rms
-                                                              : rms * rms;
-  } catch (const UserError&) {
-    return judged;
-  }
-  const long off = units_off(claim.printed, judged.computed);
-  if (off == 0 || judged.computed <= constant<double>(claim.printed)) {
-    judged.verdict = Verdict::confirmed;
-  } else if (off == 1) {
-    judged.verdict = Verdict::rounding;
-  }
-  return judged;
 }
 
 }  // namespace shadefit

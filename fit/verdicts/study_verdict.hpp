@@ -68,17 +68,6 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set,
                          const Checkpoint& checkpoint = keep_going);
 
-/// A stated error and the verdict on it: `confirmed` if the computed error has the same digits or is smaller,
-/// `rounding` if its last digit is off by one, otherwise `refuted`.
-struct JudgedError {
-  ErrorClaim claim;
-  double computed;  ///< infinite or NaN if the error does not exist: no relative error where the target is 0
-  Verdict verdict;
-};
-
-/// Judges a stated error of a form with these parameters.
-JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters);
-
 /// The values of a set in the order of the parameters. Throws as `judge_set` does.
 std::vector<std::string> values_of(const PublishedSet& set, const std::vector<std::string>& parameters);
 

@@ -27,6 +27,10 @@ std::string words_of(StatedError error) {
       return "Largest error";
     case StatedError::max_rel_error:
       return "Largest relative error";
+    case StatedError::mean_abs_error:
+      return "Mean error";
+    case StatedError::mean_rel_error:
+      return "Mean relative error";
     case StatedError::rms_error:
       return "Rms error";
     case StatedError::mean_square_error:
@@ -133,9 +137,9 @@ std::vector<std::string> published_lines(const PublishedSet& set,
     if (!contender->unproven.empty()) lines.push_back("Largest error, sampled: " + contender->unproven);
     append_better(comparison, *contender, lines);
     for (const JudgedError& judged : contender->claims)
-      lines.push_back(fmt::format("{}: stated {}, computed {}: {}", words_of(judged.claim.error),
-                                  judged.claim.printed, text(Number{judged.computed, 4}, Precision::report),
-                                  name(judged.verdict)));
+      lines.push_back(fmt::format("{}{}: stated {}, computed {}: {}", words_of(judged.claim.error),
+                                  ranges_text(judged.claim), judged.claim.printed,
+                                  text(Number{judged.computed, 4}, Precision::report), name(judged.verdict)));
   }
   if (!set.where.empty()) lines.push_back(fmt::format("Used in: {}", fmt::join(set.where, "; ")));
   for (const MistypedCopy& copy : set.variants)
