@@ -208,9 +208,9 @@ TEST(StudyVerdict, TheConstantsOfTheTargetAreConfirmed) {
 TEST(StudyVerdict, FindsAFitToAPartOfTheRange) {
   Study part = arc_cosine;
   part.over[0] = {"x", "0.05", "0.95"};
-  const StudyJudgement judgement = judged(printed(objective_of(part, Norm::minimax, {}), 9));
+  const StudyJudgement judgement = judged(printed(objective_of(part, Norm::least_squares, {}), 9));
   EXPECT_EQ(name(judgement.verdict), "other-objective");
-  EXPECT_EQ(judgement.objective, "minimax, x in 0.05:0.95");
+  EXPECT_EQ(judgement.objective, "least squares, x in 0.05:0.95");
 }
 
 }  // namespace
