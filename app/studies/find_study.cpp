@@ -14,6 +14,7 @@
 #include "fit/support/bounded_file.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/user_error.hpp"
+#include "fit/verdicts/study_claims.hpp"
 #include "fit/verdicts/study_verdict.hpp"
 #include "reports/io/digest.hpp"
 #include "reports/io/utf8.hpp"
@@ -43,8 +44,11 @@ void require_formulas(const StudyFile& file, const fs::path& path) {
       id = form.id;
       study.form = form.formula;
       const ReadStudy read = read_formulas(study);
-      for (const PublishedSet& set : file.published)
-        if (set.form == form.id) values_of(set, read.parameters);
+      for (const PublishedSet& set : file.published) {
+        if (set.form != form.id) continue;
+        values_of(set, read.parameters);
+        for (const ErrorClaim& claim : set.claims) study_of(claim, study);
+      }
     }
     if (file.recompute) read_recompute(study, *file.recompute);
   } catch (const StudyFault& fault) {

@@ -119,9 +119,34 @@ void note_lines(const toml::table& whole, StudyFile& file) {
     note("form " + file.forms[i].id, whole["form"][i]["formula"].node());
 }
 
+/// The ranges of a claim: of variables of the study, without a density.
+std::vector<StudyRange> read_claimed_ranges(const TomlReader& reader, const toml::table& claim,
+                                            const std::vector<StudyRange>& own) {
+  std::vector<StudyRange> ranges;
+  const toml::node* over = claim.get("over");
+  if (over == nullptr) return ranges;
+  const toml::table& in = reader.table(*over, "over");
+  std::vector<std::string> variables;
+  for (const StudyRange& range : own) variables.push_back(range.variable);
+  reader.require_keys(in, variables);
+  for (const auto& [name, node] : reader.in_order(in)) {
+    const std::string text = name + "=" + reader.text(*node, name);
+    StudyRange range = reader.parsed(*node, [&] { return parse_over("over", text); });
+    if (range.density != "1") reader.fail(*node, fmt::format("over '{}' of a claim has no density", text));
+    try {
+      read_formulas({.target = range.variable, .form = "0", .over = {range}});
+    } catch (const StudyFault& fault) {
+      reader.fail(*node, "over" + fault.rule);
+    }
+    ranges.push_back(std::move(range));
+  }
+  return ranges;
+}
+
 /// One claim for each error that the table states.
-std::vector<ErrorClaim> read_claims(const TomlReader& reader, const toml::table& table) {
-  std::vector<std::string> keys{"says"};
+std::vector<ErrorClaim> read_claim(const TomlReader& reader, const toml::table& table,
+                                   const std::vector<StudyRange>& own) {
+  std::vector<std::string> keys{"says", "over"};
   for (const StatedError error : stated_errors) keys.emplace_back(name(error));
   reader.require_keys(table, keys);
   std::vector<ErrorClaim> claims;
@@ -132,11 +157,26 @@ std::vector<ErrorClaim> read_claims(const TomlReader& reader, const toml::table&
     if (!stated) reader.fail(table, fmt::format("{} '{}' is not a number", key, printed));
     if (*stated < 0)
       reader.fail(table, fmt::format("{} '{}' is negative: an error is at least 0", key, printed));
-    claims.push_back({error, printed, reader.optional(table, "says")});
+    claims.push_back(
+        {error, printed, reader.optional(table, "says"), read_claimed_ranges(reader, table, own)});
   }
   if (claims.empty())
     reader.fail(table,
-                fmt::format("a claim states one of {}", fmt::join(keys.begin() + 1, keys.end(), ", ")));
+                fmt::format("a claim states one of {}", fmt::join(keys.begin() + 2, keys.end(), ", ")));
+  return claims;
+}
+
+/// A claim, or a list of them.
+std::vector<ErrorClaim> read_claims(const TomlReader& reader, const toml::table& set,
+                                    const std::vector<StudyRange>& own) {
+  const toml::node* node = set.get("claim");
+  if (node == nullptr) return {};
+  if (!node->is_array()) return read_claim(reader, reader.table(*node, "claim"), own);
+  std::vector<ErrorClaim> claims;
+  for (const toml::node* one : reader.list(set, "claim")) {
+    const auto more = read_claim(reader, reader.table(*one, "claim"), own);
+    claims.insert(claims.end(), more.begin(), more.end());
+  }
   return claims;
 }
 
@@ -167,8 +207,8 @@ MistypedCopy read_variant(const TomlReader& reader, const toml::table& table,
   return copy;
 }
 
-PublishedSet read_published(const TomlReader& reader, const toml::table& table,
-                            const std::vector<StudyForm>& forms) {
+PublishedSet read_published(const TomlReader& reader, const toml::table& table, const StudyFile& file) {
+  const std::vector<StudyForm>& forms = file.forms;
   reader.require_keys(table, {"form", "given", "values", "source", "where", "claim", "variants"});
   PublishedSet set{.form = reader.optional(table, "form", forms.front().id), .values = {}, .source = {}};
   const bool is_known =
@@ -185,8 +225,7 @@ PublishedSet read_published(const TomlReader& reader, const toml::table& table,
   if (set.source.empty()) reader.fail(*table.get("source"), "the source is empty: name author, year, title");
   for (const toml::node* place : reader.list(table, "where"))
     set.where.push_back(reader.text(*place, "where"));
-  if (const toml::node* node = table.get("claim"))
-    set.claims = read_claims(reader, reader.table(*node, "claim"));
+  set.claims = read_claims(reader, table, file.study.over);
   for (const toml::node* node : reader.list(table, "variants")) {
     set.variants.push_back(read_variant(reader, reader.table(*node, "variants"), set.values));
   }
@@ -259,7 +298,7 @@ StudyFile read_study_file(const std::string& text, const std::string& name) {
   if (const toml::table* metric = part("metric")) read_metric(reader, *metric, file);
   note_lines(whole, file);
   for (const toml::node* node : reader.list(whole, "published"))
-    file.published.push_back(read_published(reader, reader.table(*node, "published"), file.forms));
+    file.published.push_back(read_published(reader, reader.table(*node, "published"), file));
   return file;
 }
 

@@ -59,6 +59,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
   const double rms = rms_error(read, StudyError(read), values);
   const SampledCurve curve = sample_curve(read, values);
   const Symbolic code = form_with(read, values);
+  const std::vector<StudyProperty> properties = properties_of(read, curve, printed);
   StudyContender contender{.form = form.id,
                            .formula = form.formula,
                            .origin = std::move(origin),
@@ -69,7 +70,7 @@ StudyContender contender_of(const StudyForm& form, const Study& study, std::stri
                            .operations = count_operations(code),
                            .max_error = largest,
                            .rms_error = rms,
-                           .properties = properties_of(read, curve),
+                           .properties = properties,
                            .effect = effect_of(curve),
                            .is_shown = is_shown(curve)};
   // The largest error may lie between the samples.

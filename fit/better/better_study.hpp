@@ -11,6 +11,7 @@
 #include "fit/study/solve_study.hpp"
 #include "fit/study/study_file.hpp"
 #include "fit/support/checkpoint.hpp"
+#include "fit/verdicts/study_claims.hpp"
 #include "fit/verdicts/study_verdict.hpp"
 
 /// The published constants of a study against the best ones of each of its forms.

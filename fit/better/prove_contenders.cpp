@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "fit/better/prove_properties.hpp"
 #include "fit/study_proof/study_certificate.hpp"
@@ -32,22 +33,35 @@ void prove(StudyContender& contender, const StudySubject& subject, const Checkpo
   }
 }
 
+void prove_error(const Study& study, StudyContender& contender, const Checkpoint& checkpoint) {
+  if (study.rows) {
+    contender.unproven = "the error is known at the rows alone";
+    return;
+  }
+  const StudySubject subject = subject_of(study, contender);
+  contender.unproven = fault_of(subject);
+  if (contender.unproven.empty()) prove(contender, subject, checkpoint);
+}
+
+/// The published contenders, and what is better than each.
+std::set<const StudyContender*> contenders_to_prove(const StudyComparison& comparison) {
+  std::set<const StudyContender*> wanted;
+  for (const StudyContender& contender : comparison.contenders) {
+    if (contender.published == nullptr) continue;
+    wanted.insert(&contender);
+    if (const StudyContender* best = better_at_the_same_cost(comparison, contender)) wanted.insert(best);
+  }
+  return wanted;
+}
+
 }  // namespace
 
 void prove_contenders(StudyComparison& comparison, const Checkpoint& checkpoint) {
-  const StudyContender* first = first_published(comparison);
-  if (first == nullptr) return;
-  const StudyContender* best = better_at_the_same_cost(comparison, *first);
+  const std::set<const StudyContender*> wanted = contenders_to_prove(comparison);
   for (StudyContender& contender : comparison.contenders) {
-    if (&contender != first && &contender != best) continue;
+    if (wanted.count(&contender) == 0) continue;
     checkpoint();
-    if (comparison.study.rows) {
-      contender.unproven = "the error is known at the rows alone";
-      continue;
-    }
-    const StudySubject subject = subject_of(comparison.study, contender);
-    contender.unproven = fault_of(subject);
-    if (contender.unproven.empty()) prove(contender, subject, checkpoint);
+    prove_error(comparison.study, contender, checkpoint);
   }
 }
 

@@ -28,7 +28,10 @@ void prove_properties(const Study& study, double size, StudyContender& contender
   if (contender.properties.empty()) return;
   const StudySubject subject = subject_of(study, contender);
   std::erase_if(contender.properties, [&](StudyProperty& property) {
-    const Proof proof = prove_shape(subject, property.constraints, size, checkpoint).proof;
+    const Constraints& constraints = property.constraints;
+    const Proof proof = property.digits > 0 && !constraints.exact_at.empty()
+                            ? prove_exact(subject, constraints.exact_at.front(), property.digits).proof
+                            : prove_shape(subject, constraints, size, checkpoint).proof;
     property.is_proven = proof == Proof::proven;
     return proof == Proof::refuted;
   });

@@ -68,4 +68,9 @@ SampledCurve sample_place(const ReadStudy& study, const std::vector<double>& par
   return curve;
 }
 
+std::vector<double> form_at(const ReadStudy& study, const std::vector<double>& parameters,
+                            const std::vector<std::vector<double>>& places) {
+  return values_at(study, study.form, parameters, places);
+}
+
 }  // namespace shadefit

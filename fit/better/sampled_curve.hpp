@@ -21,4 +21,8 @@ SampledCurve sample_curve(const ReadStudy& study, const std::vector<double>& par
 SampledCurve sample_place(const ReadStudy& study, const std::vector<double>& parameters,
                           const std::vector<double>& place);
 
+/// The form alone, at these places.
+std::vector<double> form_at(const ReadStudy& study, const std::vector<double>& parameters,
+                            const std::vector<std::vector<double>>& places);
+
 }  // namespace shadefit

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "approx/scalar.hpp"
 #include "fit/study_proof/prove_shape.hpp"
+#include "fit/verdicts/verdict.hpp"
 
 namespace shadefit {
 namespace {
@@ -23,30 +25,55 @@ bool are_all(const std::vector<double>& values, double lower, double upper) {
   return std::all_of(values.begin(), values.end(), [&](double x) { return lower <= x && x <= upper; });
 }
 
-void append_ends(const StudyAxis& axis, const SampledCurve& curve, double largest,
-                 std::vector<StudyProperty>& properties) {
-  const double last_place = exact_slack * largest;
-  const auto add = [&](std::size_t i, double end) {
-    if (std::abs(curve.form[i] - curve.target[i]) <= last_place)
-      properties.push_back({"exact at " + axis.variable + " = " + to_text(end), {.exact_at = {end}}});
-  };
-  add(0, axis.lower);
-  add(curve.form.size() - 1, axis.upper);
+double error_at(const SampledCurve& curve, std::size_t i) {
+  return std::abs(curve.form[i] - curve.target[i]);
 }
 
-/// In several variables: at all places of an end of one of them.
-void append_edges(const std::vector<StudyAxis>& axes, const SampledCurve& curve, double largest,
-                  std::vector<StudyProperty>& properties) {
-  const double last_place = exact_slack * largest;
-  for (std::size_t k = 0; k < axes.size(); ++k) {
-    for (const double end : {axes[k].lower, axes[k].upper}) {
-      bool is_exact = true;
-      for (std::size_t i = 0; i < curve.form.size(); ++i)
-        is_exact = is_exact &&
-                   (curve.places[i][k] != end || std::abs(curve.form[i] - curve.target[i]) <= last_place);
-      if (is_exact) properties.push_back({"exact at " + axes[k].variable + " = " + to_text(end), {}});
-    }
+/// The largest error at the places that a rule accepts.
+template <class Rule>
+double largest_error_where(const SampledCurve& curve, const Rule& is_wanted) {
+  double largest = 0;
+  for (std::size_t i = 0; i < curve.form.size(); ++i)
+    if (is_wanted(i)) largest = std::fmax(largest, error_at(curve, i));
+  return largest;
+}
+
+/// How far the form may move at each place if each printed constant moves by half a unit of its last digit.
+std::vector<double> reach_of_digits(const ReadStudy& study, const std::vector<std::string>& printed,
+                                    const std::vector<std::vector<double>>& places) {
+  std::vector<double> values;
+  for (const std::string& text : printed) values.push_back(constant<double>(text));
+  const std::vector<double> form = form_at(study, values, places);
+  std::vector<double> reach(places.size(), 0.0);
+  for (std::size_t k = 0; k < printed.size(); ++k) {
+    std::vector<double> moved = values;
+    moved[k] += last_unit(printed[k]) / 2;
+    const std::vector<double> other = form_at(study, moved, places);
+    for (std::size_t i = 0; i < places.size(); ++i) reach[i] += std::abs(other[i] - form[i]);
   }
+  return reach;
+}
+
+/// Appends that the form is exact at all places of an end of a variable, if it is.
+void append_end(const ReadStudy& study, const SampledCurve& curve, const std::vector<std::string>& printed,
+                std::size_t axis, double end, std::vector<StudyProperty>& properties) {
+  const auto is_at_end = [&](std::size_t i) { return curve.places[i][axis] == end; };
+  const double error = largest_error_where(curve, is_at_end);
+  StudyProperty exact{"exact at " + study.axes[axis].variable + " = " + to_text(end), {}};
+  if (study.axes.size() == 1) exact.constraints.exact_at = {end};
+  if (error <= exact_slack * size_of(curve)) {
+    properties.push_back(exact);
+    return;
+  }
+  const double largest = largest_error_where(curve, [](std::size_t) { return true; });
+  if (printed.empty() || !(error <= share_by_chance * largest)) return;
+  const std::vector<double> reach = reach_of_digits(study, printed, curve.places);
+  for (std::size_t i = 0; i < curve.places.size(); ++i) {
+    if (!is_at_end(i)) continue;
+    if (!(error_at(curve, i) <= reach[i])) return;
+    exact.digits = std::max(exact.digits, reach[i]);
+  }
+  properties.push_back(exact);
 }
 
 /// Properties after each other, each with what a function adds to it.
@@ -54,7 +81,8 @@ template <class Added>
 std::string listed(const std::vector<StudyProperty>& properties, const Added& added) {
   std::string text;
   for (const StudyProperty& property : properties)
-    text += (text.empty() ? "" : ", ") + property.words + added(property);
+    text += (text.empty() ? "" : ", ") + property.words + (property.digits > 0 ? " to its digits" : "") +
+            added(property);
   return text.empty() ? "none" : text;
 }
 
@@ -67,17 +95,20 @@ double size_of(const SampledCurve& curve) {
   return largest;
 }
 
-std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCurve& curve) {
-  const double largest = size_of(curve), slack = shape_slack * largest;
+std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCurve& curve,
+                                         const std::vector<std::string>& printed) {
+  const double slack = shape_slack * size_of(curve);
   std::vector<StudyProperty> properties;
+  for (std::size_t k = 0; k < study.axes.size() && !study.rows; ++k) {
+    for (const double end : {study.axes[k].lower, study.axes[k].upper})
+      append_end(study, curve, printed, k, end, properties);
+  }
   if (study.axes.size() == 1 && !study.rows) {
-    append_ends(study.axes.front(), curve, largest, properties);
     if (never_falls(curve.target, slack) && never_falls(curve.form, slack))
       properties.push_back({"rises", {.monotone = Course::rises}});
     if (never_rises(curve.target, slack) && never_rises(curve.form, slack))
       properties.push_back({"falls", {.monotone = Course::falls}});
   }
-  if (study.axes.size() > 1 && !study.rows) append_edges(study.axes, curve, largest, properties);
   if (are_all(curve.target, 0, HUGE_VAL) && are_all(curve.form, -slack, HUGE_VAL))
     properties.push_back({"not negative", {.at_least = 0}});
   if (are_all(curve.target, -HUGE_VAL, 1) && are_all(curve.form, -HUGE_VAL, 1 + slack))

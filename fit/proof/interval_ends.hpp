@@ -25,6 +25,19 @@ inline Interval any_number() {
   return span_of(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
 }
 
+/// Whether two intervals have the same ends.
+inline bool are_same(const Interval& x, const Interval& y) {
+  const auto &a = x.backend().data()[0], &b = y.backend().data()[0];
+  return mpfr_equal_p(&a.left, &b.left) != 0 && mpfr_equal_p(&a.right, &b.right) != 0;
+}
+
+/// The numbers that are in both; there must be one.
+inline Interval shared_by(const Interval& x, const Interval& y) {
+  Interval result;
+  mpfi_intersect(result.backend().data(), x.backend().data(), y.backend().data());
+  return result;
+}
+
 /// The largest double that is at most every number of x; NaN if x is NaN.
 inline double lower_end(const Interval& x) {
   return mpfr_get_d(&x.backend().data()->left, MPFR_RNDD);

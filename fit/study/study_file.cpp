@@ -12,6 +12,10 @@ std::string_view name(StatedError error) {
       return "max_abs_error";
     case StatedError::max_rel_error:
       return "max_rel_error";
+    case StatedError::mean_abs_error:
+      return "mean_abs_error";
+    case StatedError::mean_rel_error:
+      return "mean_rel_error";
     case StatedError::rms_error:
       return "rms_error";
     case StatedError::mean_square_error:

@@ -22,10 +22,18 @@ struct StudyForm {
 using PrintedValues = std::vector<std::pair<std::string, std::string>>;
 
 /// An error that a source states.
-enum class StatedError { max_abs_error, max_rel_error, rms_error, mean_square_error };
+enum class StatedError {
+  max_abs_error,
+  max_rel_error,
+  mean_abs_error,
+  mean_rel_error,
+  rms_error,
+  mean_square_error
+};
 
-inline constexpr std::array stated_errors{StatedError::max_abs_error, StatedError::max_rel_error,
-                                          StatedError::rms_error, StatedError::mean_square_error};
+inline constexpr std::array stated_errors{StatedError::max_abs_error,  StatedError::max_rel_error,
+                                          StatedError::mean_abs_error, StatedError::mean_rel_error,
+                                          StatedError::rms_error,      StatedError::mean_square_error};
 
 /// Its key in the file of a study: "max_abs_error" ..
 std::string_view name(StatedError error);
@@ -34,7 +42,8 @@ std::string_view name(StatedError error);
 struct ErrorClaim {
   StatedError error = StatedError::max_abs_error;
   std::string printed;
-  std::string says = {};  ///< the words of the source
+  std::string says = {};              ///< the words of the source
+  std::vector<StudyRange> over = {};  ///< other ranges than those of the study
 };
 
 /// A copy with another digit, or with a value that its source has replaced.

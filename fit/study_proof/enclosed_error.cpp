@@ -33,15 +33,21 @@ Symbolic separated(const Symbolic& e, std::vector<Symbolic>& integrals) {
 
 }  // namespace
 
-/// The tapes of the value and of the slopes by the variables and by the integrals.
+/// The tapes of the value, of the slopes by the variables and by the integrals, and of the second derivatives
+/// by pairs of these.
 struct EnclosedError::Programs {
   explicit Programs(const ReadStudy& study)
       : error(separated(error_formula(study), integrals)),
         graph(inputs_of(study, integrals.size())),
         value{graph.add(error)},
-        jumps(graph) {
+        jumps(graph),
+        kinks(graph) {
     for (std::size_t i = 0; i < study.axes.size() + integrals.size(); ++i)
       slopes.push_back(graph.derivative(value.front(), i));
+    kinks = Jumps(graph);
+    for (std::size_t i = 0; i < slopes.size() && study.axes.size() == 1; ++i)
+      for (std::size_t k = 0; k <= i; ++k) curvatures.push_back(graph.derivative(slopes[i], k));
+    for (const int node : kinks.deciding_nodes()) slopes.push_back(node);
     for (const int node : jumps.deciding_nodes()) value.push_back(node);
     for (std::size_t i = 0; i < graph.inputs().size(); ++i) given.push_back(graph.add(input(i)));
   }
@@ -59,8 +65,8 @@ struct EnclosedError::Programs {
   std::vector<Symbolic> integrals;
   Symbolic error;
   Graph graph;
-  std::vector<int> value, slopes, given;
-  Jumps jumps;
+  std::vector<int> value, slopes, curvatures, given;
+  Jumps jumps, kinks;
 };
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters)
@@ -68,8 +74,10 @@ EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> p
 
 EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, Programs programs)
     : jumps_(std::move(programs.jumps)),
+      kinks_(std::move(programs.kinks)),
       value_(programs.tape(programs.value), parameters),
-      slopes_(programs.tape(programs.slopes), parameters) {
+      slopes_(programs.tape(programs.slopes), parameters),
+      curvatures_(programs.tape(programs.curvatures), parameters) {
   for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
   for (const Symbolic& integral : programs.integrals) integrals_.emplace_back(study, integral, parameters);
 }
@@ -93,6 +101,43 @@ std::vector<Interval> EnclosedError::slopes_for(std::vector<Interval> variables)
     const std::vector<Interval> inner = integrals_[k].slopes(std::span(variables).first(count));
     for (std::size_t i = 0; i < count; ++i) slopes[i] = slopes[i] + slopes_.output(count + k) * inner[i];
   }
+  return slopes;
+}
+
+/// The second derivative by the only variable. Each integral k is a function of it: the error is e(x, k(x)).
+Interval EnclosedError::curvature_for(std::vector<Interval> variables) {
+  std::vector<Interval> by_variable{Interval(1)};  // of x and of the integrals
+  Interval sum(0);
+  const std::size_t count = variables.size();
+  for (StudyIntegral& integral : integrals_) {
+    variables.push_back(integral.value(std::span(variables).first(count)));
+    by_variable.push_back(integral.slopes(std::span(variables).first(count)).front());
+  }
+  curvatures_.run(variables);
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < by_variable.size(); ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      const Interval term = curvatures_.output(pair++) * by_variable[i] * by_variable[k];
+      sum = sum + (k < i ? Interval(Interval(2) * term) : term);
+    }
+  }
+  slopes_.run(variables);
+  for (std::size_t k = 0; k < integrals_.size(); ++k)
+    sum = sum + slopes_.output(count + k) * integrals_[k].curvature(std::span(variables).first(count));
+  return sum;
+}
+
+std::vector<Interval> EnclosedError::slopes_on(const StudyBox& box) {
+  std::vector<Interval> slopes = slopes_for(numbers_on(box));
+  if (box.size() > 1 || !is_bounded(slopes[0]) || has_one_sign(slopes[0])) return slopes;
+  if (kinks_.may_happen(slopes_, 1 + integrals_.size())) return slopes;
+  const Interval curvature = curvature_for(numbers_on(box));
+  if (!is_bounded(curvature)) return slopes;
+  const Stretch middle = middle_of(box[0]);
+  const Interval in_middle = slopes_for(numbers_on({middle})).front();
+  const Interval moved =
+      in_middle + curvature * (span_of(box[0].lower, box[0].upper) - Interval(middle.lower));
+  if (is_bounded(moved)) slopes[0] = shared_by(slopes[0], moved);
   return slopes;
 }
 
@@ -124,7 +169,7 @@ BoxBound EnclosedError::bound_on(const StudyBox& box, double enough) {
   BoxBound result{natural, widest(box), place_in(box, ranges_)};
   if (natural <= enough || !is_bounded(value) || jumps_.may_happen(value_, 1)) return result;
 
-  const std::vector<Interval> slopes = slopes_for(numbers_on(box));
+  const std::vector<Interval> slopes = slopes_on(box);
   // Where the value is largest and smallest, as far as the slopes tell, and the rest of the sum.
   StudyBox high = box, low = box;
   Interval rest(0);

@@ -41,7 +41,9 @@ class EnclosedError {
 
   /// A bound on a box: by the values of the formula, or by the mean value theorem, f(x) = f(p) + sum of
   /// slope_i (x_i - p_i). p_i is an end of the box if f rises or falls with x_i, otherwise the middle. A
-  /// variable without a bounded slope keeps its whole interval. Stops early if a bound is at most `enough`.
+  /// variable without a bounded slope keeps its whole interval. In one variable the slope is bounded by its
+  /// own mean value theorem too: slopes of form and target cancel at a place, but not on a box. Stops early
+  /// if a bound is at most `enough`.
   BoxBound bound_on(const StudyBox& box, double enough);
 
  private:
@@ -50,13 +52,18 @@ class EnclosedError {
 
   const Interval& value_for(std::vector<Interval> variables);
   std::vector<Interval> slopes_for(std::vector<Interval> variables);
+  std::vector<Interval> slopes_on(const StudyBox& box);
+  Interval curvature_for(std::vector<Interval> variables);
   std::vector<Interval> numbers_on(const StudyBox& box) const;
   std::size_t widest(const StudyBox& box) const;
 
   std::vector<Domain> ranges_;
-  Jumps jumps_;  ///< the outputs of `value_` after the error are those of their deciding nodes
+  /// Of the error and of its slopes, where kinks are jumps. Their deciding nodes are the last outputs of
+  /// `value_` and of `slopes_`.
+  Jumps jumps_, kinks_;
   std::vector<StudyIntegral> integrals_;
-  TapeProgram<Interval> value_, slopes_;  ///< functions of the variables and the integrals
+  /// Functions of the variables and the integrals. The last has the second derivatives of one variable.
+  TapeProgram<Interval> value_, slopes_, curvatures_;
 };
 
 }  // namespace shadefit

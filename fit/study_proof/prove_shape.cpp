@@ -131,7 +131,8 @@ ShapeProof prove_rise(FormGraph form, int node, double slack, const Checkpoint& 
   return prove(rule, true, form.ranges, slack, checkpoint);
 }
 
-/// Proves that the form equals its target at an end.
+}  // namespace
+
 ShapeProof prove_exact(const StudySubject& subject, double end, double slack) {
   StudySubject plain = subject;
   plain.study.weight = "1";
@@ -146,8 +147,6 @@ ShapeProof prove_exact(const StudySubject& subject, double end, double slack) {
   if (smallest_magnitude_in(difference) > slack) return {Proof::refuted, place, 1};
   return {Proof::open, {}, 1};
 }
-
-}  // namespace
 
 ShapeProof prove_shape(const StudySubject& subject, const Constraints& constraint, double scale,
                        const Checkpoint& checkpoint) {

@@ -45,4 +45,8 @@ struct ShapeProof {
 ShapeProof prove_shape(const StudySubject& subject, const Constraints& constraint, double scale,
                        const Checkpoint& checkpoint = keep_going);
 
+/// Proves that the form of a subject of one variable differs from its target at an end by at most `slack`.
+/// The answer is `open` for measured rows, and if the target has an integral inside another one.
+ShapeProof prove_exact(const StudySubject& subject, double end, double slack);
+
 }  // namespace shadefit

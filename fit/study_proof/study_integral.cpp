@@ -66,7 +66,17 @@ class StudyIntegral::Panels {
         series_(series, as_series(parameters)),
         jumps_(std::move(jumps)) {}
 
-  std::vector<Interval> of(std::span<const Interval> variables) {
+  /// A bound on a box asks for the same integrals several times, so the last ones are kept.
+  const std::vector<Interval>& of(std::span<const Interval> variables) {
+    if (!std::equal(variables.begin(), variables.end(), last_.begin(), last_.end(), are_same)) {
+      integrals_ = computed(variables);
+      last_.assign(variables.begin(), variables.end());
+    }
+    return integrals_;
+  }
+
+ private:
+  std::vector<Interval> computed(std::span<const Interval> variables) {
     std::vector<Panel> panels{panel(variables, 0, 1)};
     while (panels.size() < most_inner_panels) {
       const auto worst = std::max_element(panels.begin(), panels.end(), [](const Panel& a, const Panel& b) {
@@ -85,7 +95,6 @@ class StudyIntegral::Panels {
     return sums;
   }
 
- private:
   struct Panel {
     double lower, upper;  ///< exact: sums of powers of two
     std::vector<Interval> values;
@@ -158,6 +167,7 @@ class StudyIntegral::Panels {
   }
 
   std::size_t count_;
+  std::vector<Interval> last_, integrals_;  ///< variables and what was computed for them
   TapeProgram<Interval> range_;
   TapeProgram<Series> series_;
   Jumps jumps_;
@@ -172,12 +182,15 @@ StudyIntegral::StudyIntegral(const ReadStudy& study, const Symbolic& integral,
   std::vector<int> bodies{body}, bodies_and_jumps{body}, by_variable, given;
   for (const int node : jumps.deciding_nodes()) bodies_and_jumps.push_back(node);
   for (std::size_t i = 0; i < study.axes.size(); ++i) by_variable.push_back(graph.derivative(body, 1 + i));
+  const bool is_smooth = Jumps(graph).empty();  // no slope of a kink jumps
+  const std::vector<int> twice{graph.derivative(by_variable.front(), 1)};
   for (const std::string& input : inputs) given.push_back(graph.add(Symbolic::variable(input)));
   const auto tape = [&](const std::vector<int>& outputs) { return Tape(graph, outputs, given); };
   value_ = std::make_unique<Panels>(bodies.size(), tape(bodies_and_jumps), tape(bodies), jumps, parameters);
-  if (jumps.empty())
-    slopes_ =
-        std::make_unique<Panels>(by_variable.size(), tape(by_variable), tape(by_variable), jumps, parameters);
+  if (!jumps.empty()) return;
+  slopes_ =
+      std::make_unique<Panels>(by_variable.size(), tape(by_variable), tape(by_variable), jumps, parameters);
+  if (is_smooth) curvature_ = std::make_unique<Panels>(1, tape(twice), tape(twice), jumps, parameters);
 }
 
 StudyIntegral::StudyIntegral(StudyIntegral&&) noexcept = default;
@@ -189,6 +202,10 @@ Interval StudyIntegral::value(std::span<const Interval> variables) {
 
 std::vector<Interval> StudyIntegral::slopes(std::span<const Interval> variables) {
   return slopes_ ? slopes_->of(variables) : std::vector<Interval>(variables.size(), any_number());
+}
+
+Interval StudyIntegral::curvature(std::span<const Interval> variables) {
+  return curvature_ ? curvature_->of(variables).front() : any_number();
 }
 
 }  // namespace shadefit

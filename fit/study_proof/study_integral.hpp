@@ -31,9 +31,12 @@ class StudyIntegral {
   /// Its derivatives by the variables. They are unbounded if the body may jump.
   std::vector<Interval> slopes(std::span<const Interval> variables);
 
+  /// Its second derivative by the first variable. It is unbounded if the body may jump or has a kink.
+  Interval curvature(std::span<const Interval> variables);
+
  private:
   class Panels;
-  std::unique_ptr<Panels> value_, slopes_;  ///< no slopes if the body may jump
+  std::unique_ptr<Panels> value_, slopes_, curvature_;  ///< only the first if the body may jump
 };
 
 }  // namespace shadefit

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "fit/support/decimal.hpp"
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
@@ -161,6 +162,74 @@ void append_densities_of_two(const StudyObjective& asked, const ReadStudy& read,
   }
 }
 
+/// Parts of a range that a fit may have used, as shares of it: a half, or all but 1 % or 5 % at its ends,
+/// where a function may be steep.
+constexpr std::array usual_parts{Domain{0.5, 1},  Domain{0, 0.5},     Domain{0.01, 1},
+                                 Domain{0.05, 1}, Domain{0.01, 0.99}, Domain{0.05, 0.95}};
+
+/// The study on the same part of the range of each variable.
+StudyObjective on_part(const StudyObjective& asked, const ReadStudy& read, const Domain& part) {
+  constexpr int digits = 6;  // of an end
+  StudyObjective objective = asked;
+  for (std::size_t i = 0; i < read.axes.size(); ++i) {
+    const auto end = [&, lower = read.axes[i].lower, upper = read.axes[i].upper](double share) {
+      return decimal(lower + (upper - lower) * share, digits);
+    };
+    StudyRange& range = objective.study.over[i];
+    range.lower = end(part.lower);
+    range.upper = end(part.upper);
+    objective.words += ", " + range.variable + " in " + range.lower + ":" + range.upper;
+  }
+  return objective;
+}
+
+/// Appends fits to parts of the range. In two variables a fit takes tenths of a second: there only least
+/// squares with the asked error is tried.
+void append_parts(const StudyObjective& asked, const ReadStudy& read,
+                  std::vector<StudyObjective>& objectives) {
+  const bool is_of_one = read.axes.size() == 1;
+  for (const Domain& part : usual_parts) {
+    for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
+      for (const Error error : {Error::absolute, Error::relative}) {
+        if (!is_of_one && (norm == Norm::minimax || error != asked.study.error)) continue;
+        Study study = asked.study;
+        study.error = error;
+        objectives.push_back(on_part(objective_of(study, norm, {}), read, part));
+      }
+    }
+  }
+}
+
+/// Appends least squares under the usual densities of a variable in [0, 1].
+void append_densities(const StudyObjective& asked, const StudyAxis& axis,
+                      std::vector<StudyObjective>& objectives) {
+  if (!is_in_unit(axis)) return;
+  for (const auto& [words, density] : usual_densities(axis.variable)) {
+    for (const Error error : {Error::absolute, Error::relative}) {
+      Study study = asked.study;
+      study.error = error;
+      StudyObjective objective = objective_of(study, Norm::least_squares, {});
+      objective.study.over.front().density = density;
+      objective.words += ", " + words;
+      objectives.push_back(std::move(objective));
+    }
+  }
+}
+
+/// Appends minimax that is exact at one end, or at both.
+void append_exact_ends(const StudyObjective& asked, const StudyAxis& axis,
+                       std::vector<StudyObjective>& objectives) {
+  for (const auto& ends :
+       {std::vector{axis.lower}, std::vector{axis.upper}, std::vector{axis.lower, axis.upper}}) {
+    for (const Error error : {Error::absolute, Error::relative}) {
+      Study study = asked.study;
+      study.error = error;
+      StudyObjective objective = objective_of(study, Norm::minimax, {.exact_at = ends});
+      if (objective.words != asked.words) objectives.push_back(std::move(objective));
+    }
+  }
+}
+
 }  // namespace
 
 StudyFit fit_study(const StudyObjective& objective, const Checkpoint& checkpoint) {
@@ -190,57 +259,41 @@ StudyObjective holding(StudyObjective objective, const std::string& parameter, d
   return objective;
 }
 
-std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
+std::vector<StudyObjective> plain_objectives(const StudyObjective& asked) {
   std::vector<StudyObjective> objectives;
-  const auto add = [&](StudyObjective objective, const std::string& more = "") {
-    objective.words += more;
-    if (objective.words != asked.words) objectives.push_back(std::move(objective));
-  };
-  const std::array errors{Error::absolute, Error::relative};
   std::vector<std::string> weights{asked.study.weight};
   if (weights.front() != "1") weights.emplace_back("1");
   for (const std::string& weight : weights) {
-    for (const Error error : errors) {
-      Study study = asked.study;
-      study.error = error;
-      study.weight = weight;
-      const std::string words = weight == weights.front() ? "" : ", without the weight";
-      add(objective_of(study, Norm::least_squares, {}), words);
-      add(objective_of(study, Norm::minimax, {}), words);
-    }
-  }
-  const ReadStudy read = read_study(asked.study);
-  if (read.axes.size() == 2) {
-    if (!asked.study.rows) append_densities_of_two(asked, read, objectives);
-    if (asked.recompute) {
-      append_samples(asked, read, read_recompute(asked.study, *asked.recompute), usual_grids, objectives);
-    } else if (!asked.study.rows) {
-      append_samples(asked, read, read.target, usual_grids, objectives);
-    }
-  }
-  if (asked.study.rows || read.axes.size() > 1) return objectives;
-  const StudyAxis& axis = read.axes.front();
-  if (is_in_unit(axis)) {
-    for (const auto& [words, density] : usual_densities(axis.variable)) {
-      for (const Error error : errors) {
-        StudyObjective objective = asked;
-        objective.study.error = error;
-        objective = objective_of(objective.study, Norm::least_squares, {});
-        objective.study.over.front().density = density;
-        objective.words += ", " + words;
-        add(std::move(objective));
+    for (const Error error : {Error::absolute, Error::relative}) {
+      for (const Norm norm : {Norm::least_squares, Norm::minimax}) {
+        Study study = asked.study;
+        study.error = error;
+        study.weight = weight;
+        StudyObjective objective = objective_of(study, norm, {});
+        if (weight != weights.front()) objective.words += ", without the weight";
+        if (objective.words != asked.words) objectives.push_back(std::move(objective));
       }
     }
   }
-  for (const auto& ends :
-       {std::vector{axis.lower}, std::vector{axis.upper}, std::vector{axis.lower, axis.upper}}) {
-    for (const Error error : errors) {
-      Study study = asked.study;
-      study.error = error;
-      add(objective_of(study, Norm::minimax, {.exact_at = ends}));
-    }
+  return objectives;
+}
+
+std::vector<StudyObjective> other_objectives(const StudyObjective& asked) {
+  std::vector<StudyObjective> objectives = plain_objectives(asked);
+  const ReadStudy read = read_study(asked.study);
+  const std::size_t variables = read.axes.size();
+  if (variables == 2 && asked.recompute)
+    append_samples(asked, read, read_recompute(asked.study, *asked.recompute), usual_grids, objectives);
+  if (asked.study.rows || variables > 2) return objectives;
+  if (variables == 1) {
+    append_densities(asked, read.axes.front(), objectives);
+    append_exact_ends(asked, read.axes.front(), objectives);
+    append_samples(asked, read, read.target, usual_samples(read.axes.front()), objectives);
+  } else {
+    append_densities_of_two(asked, read, objectives);
+    append_samples(asked, read, read.target, usual_grids, objectives);
   }
-  append_samples(asked, read, read.target, usual_samples(axis), objectives);
+  append_parts(asked, read, objectives);
   return objectives;
 }
 

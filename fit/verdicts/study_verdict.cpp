@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "approx/scalar.hpp"
-#include "fit/quadrature/rule_choice.hpp"
-#include "fit/study/largest_error.hpp"
-#include "fit/study/require_values.hpp"
 #include "fit/support/decimal.hpp"
 #include "fit/support/user_error.hpp"
 
@@ -40,30 +36,40 @@ long worst_units_off(const std::vector<std::string>& printed, const std::vector<
   return worst;
 }
 
-/// The share of the tried values of a parameter that one unit of its last printed digit covers. Half of the
-/// values lie between their quartiles; if there are only a few, all lie in their range.
-double share_in_a_unit(std::vector<double> values, double unit) {
+/// The share of the tried values of a parameter that some units of its last printed digit cover. Half of the
+/// values lie between their quartiles; if there are only a few, all lie in their range; a single one might as
+/// well be 0 or twice as large.
+double share_in(std::vector<double> values, double units) {
   std::sort(values.begin(), values.end());
   constexpr std::size_t few = 4;
-  const bool is_few = values.size() < few;
-  const double width = is_few ? values.back() - values.front()
-                              : 2 * (values[values.size() * 3 / 4] - values[values.size() / 4]);
-  return width > unit ? unit / width : 1;
+  const double width = values.size() == 1 ? 2 * std::abs(values.front())
+                       : values.size() < few
+                           ? values.back() - values.front()
+                           : 2 * (values[values.size() * 3 / 4] - values[values.size() / 4]);
+  return width > units ? units / width : 1;
 }
 
-/// The expected number of trials that have all printed digits by chance, if the digits were drawn from where
-/// the trials lie. Counts the trials that hold the same constant, or none.
-double expected_chance_hits(const std::vector<TriedFit>& trials, const std::vector<std::string>& printed,
-                            std::optional<std::size_t> held) {
-  double expected = 0;
-  for (const TriedFit& trial : trials) expected += trial.held == held ? 1 : 0;
+/// The chance that one trial has all printed digits, off by `most_off` at most, if the digits were drawn from
+/// where the trials lie that hold the same constant, or none.
+double chance_of_one(const std::vector<TriedFit>& trials, const std::vector<std::string>& printed,
+                     std::optional<std::size_t> held, long most_off) {
+  double chance = 1;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     std::vector<double> values;
     for (const TriedFit& trial : trials)
       if (trial.held == held) values.push_back(trial.values[i]);
-    if (held != i) expected *= share_in_a_unit(std::move(values), last_unit(printed[i]));
+    const double units = static_cast<double>(1 + 2 * most_off) * last_unit(printed[i]);
+    if (held != i) chance *= share_in(std::move(values), units);
   }
-  return expected;
+  return chance;
+}
+
+/// The expected number of trials that hold the same constant, or none, and have all printed digits by chance.
+double expected_chance_hits(const std::vector<TriedFit>& trials, const std::vector<std::string>& printed,
+                            std::optional<std::size_t> held) {
+  const auto count =
+      std::count_if(trials.begin(), trials.end(), [&](const TriedFit& trial) { return trial.held == held; });
+  return static_cast<double>(count) * chance_of_one(trials, printed, held, 0);
 }
 
 bool has_other_densities(const Study& study, const Study& asked) {
@@ -71,9 +77,16 @@ bool has_other_densities(const Study& study, const Study& asked) {
                      [](const StudyRange& a, const StudyRange& b) { return a.density == b.density; });
 }
 
+bool has_other_ranges(const Study& study, const Study& asked) {
+  return !std::equal(
+      study.over.begin(), study.over.end(), asked.over.begin(), asked.over.end(),
+      [](const StudyRange& a, const StudyRange& b) { return a.lower == b.lower && a.upper == b.upper; });
+}
+
 /// Each objective with each parameter in turn held at its printed value. Objectives that are exact at a place
 /// are left out, because they hold a constant already; those on samples are left out, because they are close
-/// to the integral; those with other densities of two variables, because there are many and they take long.
+/// to the integral; those on parts of the range, and with other densities of two variables, because there are
+/// many and they take long.
 std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all, const PublishedSet& set) {
   std::vector<StudyObjective> objectives;
   if (set.values.size() < 2) return objectives;
@@ -81,7 +94,8 @@ std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all
     const bool is_sampled = objective.study.rows != all.front().study.rows;
     const bool is_of_two =
         objective.study.over.size() == 2 && has_other_densities(objective.study, all.front().study);
-    if (!objective.constraints.exact_at.empty() || is_sampled || is_of_two) continue;
+    const bool is_on_part = !is_sampled && has_other_ranges(objective.study, all.front().study);
+    if (!objective.constraints.exact_at.empty() || is_sampled || is_of_two || is_on_part) continue;
     for (const auto& [parameter, printed] : set.values) {
       StudyObjective held = holding(objective, parameter, constant<double>(printed));
       held.words += " with " + parameter + " = " + printed;
@@ -91,11 +105,17 @@ std::vector<StudyObjective> with_one_held(const std::vector<StudyObjective>& all
   return objectives;
 }
 
-/// Whether a fit goes through all its samples of the target. Then the samples cannot tell objectives apart:
-/// the target is the form except for a part that no sample sees.
-bool meets_all_samples(const StudyObjective& objective, const StudyObjective& asked, const StudyFit& fit) {
-  constexpr double no_error = 1e-12;
-  return objective.study.rows != asked.study.rows && fit.rms_error < no_error;
+/// Whether a fit is its target but for rounding.
+bool has_no_error(const StudyFit& fit) {
+  constexpr double rounding = 1e-12;
+  return fit.rms_error < rounding;
+}
+
+/// Whether a fit has no error although it sees only a part of the target: samples, or a part of the range.
+/// Then it cannot tell objectives apart: the target is the form except where the fit does not see it.
+bool meets_a_part(const StudyObjective& objective, const StudyObjective& asked, const StudyFit& fit) {
+  return (objective.study.rows != asked.study.rows || has_other_ranges(objective.study, asked.study)) &&
+         has_no_error(fit);
 }
 
 /// Whether the constant that an objective holds is near the best one when it is free. That is so for a
@@ -184,9 +204,10 @@ TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const
     checkpoint();
     ++tried.attempts;
     const auto fit = fit_if_any(objective, checkpoint);
-    if (!fit || meets_all_samples(objective, asked, *fit)) return std::nullopt;
+    if (!fit || meets_a_part(objective, asked, *fit)) return std::nullopt;
     const std::vector<double> values = all_values(*fit, objective, parameters);
-    tried.fits.push_back({objective.words, values, held_of(objective, asked, parameters)});
+    tried.fits.push_back(
+        {objective.words, values, held_of(objective, asked, parameters), has_no_error(*fit)});
     return worst_units_off(printed, values);
   };
   // Another objective counts if it has an optimum near the printed constants.
@@ -199,7 +220,10 @@ TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set, const
   usual.study.starts = starts_at(set, asked.study.held);
   const auto off = attempt(usual);
   tried.has_asked = off.has_value();
-  if (off && *off <= 1) return tried;
+  if (off && *off <= 1) {
+    for (const StudyObjective& other : plain_objectives(asked)) hits_nearby(other);
+    return tried;
+  }
 
   // All are tried, even after one has the right digits: chance is counted among all.
   const std::vector<StudyObjective> others = other_objectives(asked);
@@ -218,58 +242,33 @@ StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::strin
   if (tried.fits.empty()) return {Verdict::refuted, "", {}, tried.attempts};
   std::vector<long> off;  // for each fit
   for (const TriedFit& fit : tried.fits) off.push_back(worst_units_off(printed, fit.values));
+  const bool is_asked = tried.has_asked && off.front() <= 1;
   const auto chance_of = [&](std::size_t i) {
-    return expected_chance_hits(tried.fits, printed, tried.fits[i].held);
+    const TriedFit& fit = tried.fits[i];
+    if (!is_asked) return expected_chance_hits(tried.fits, printed, fit.held);
+    return fit.has_no_error ? 0 : chance_of_one(tried.fits, printed, fit.held, off[i]);
   };
   const auto judgement = [&](Verdict verdict, std::size_t i) {
-    return StudyJudgement{
-        verdict, tried.fits[i].words, tried.fits[i].values, tried.attempts, chance_of(i), {}, off[i]};
+    StudyJudgement found{verdict, tried.fits[i].words, tried.fits[i].values, tried.attempts, chance_of(i), {},
+                         off[i]};
+    if (verdict == Verdict::refuted) return found;
+    for (std::size_t k = 0; k < off.size(); ++k)
+      if (off[k] == 0 && k != i) found.also.push_back(tried.fits[k].words);
+    if (found.chance >= most_chance_hits) found.verdict = Verdict::undecidable;
+    return found;
   };
-  if (tried.has_asked && off.front() == 0) return judgement(Verdict::confirmed, 0);
-  if (tried.has_asked && off.front() == 1) return judgement(Verdict::rounding, 0);
+  if (is_asked) return judgement(off.front() == 0 ? Verdict::confirmed : Verdict::rounding, 0);
   const auto nearest = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
   if (off[nearest] != 0) return judgement(Verdict::refuted, nearest);
   // Of the fits that have all digits, the first of those with the least chance.
   std::size_t best = nearest;
   for (std::size_t i = nearest + 1; i < off.size(); ++i)
     if (off[i] == 0 && chance_of(i) < chance_of(best)) best = i;
-  StudyJudgement found = judgement(Verdict::other_objective, best);
-  for (std::size_t i = 0; i < off.size(); ++i)
-    if (off[i] == 0 && i != best) found.also.push_back(tried.fits[i].words);
-  if (found.chance >= most_chance_hits) found.verdict = Verdict::undecidable;
-  return found;
+  return judgement(Verdict::other_objective, best);
 }
 
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set, const Checkpoint& checkpoint) {
   return judge_digits(tried_fits(asked, set, checkpoint), values_of(set, read_study(asked.study).parameters));
-}
-
-JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters) {
-  Study asked = study;
-  asked.weight = "1";
-  asked.error = claim.error == StatedError::max_rel_error ? Error::relative : Error::absolute;
-  JudgedError judged{claim, std::numeric_limits<double>::quiet_NaN(), Verdict::refuted};
-  try {
-    const ReadStudy read = read_study(asked);
-    std::vector<std::vector<StudyEdge>> edges;
-    for (std::size_t i = 0; i < read.axes.size() && !read.rows; ++i) edges.push_back(edges_of(read, i));
-    require_values(read, nodes_of(read, edges, fit_rules.front()));
-    const bool is_largest =
-        claim.error == StatedError::max_abs_error || claim.error == StatedError::max_rel_error;
-    const double rms = is_largest ? 0 : rms_error(read, StudyError(read), parameters);
-    judged.computed = is_largest ? largest_weighted_error(read, parameters).magnitude
-                      : claim.error == StatedError::rms_error ? rms
-                                                              : rms * rms;
-  } catch (const UserError&) {
-    return judged;
-  }
-  const long off = units_off(claim.printed, judged.computed);
-  if (off == 0 || judged.computed <= constant<double>(claim.printed)) {
-    judged.verdict = Verdict::confirmed;
-  } else if (off == 1) {
-    judged.verdict = Verdict::rounding;
-  }
-  return judged;
 }
 
 }  // namespace shadefit

@@ -26,6 +26,7 @@ struct StudyJudgement {
   std::vector<double> computed;  ///< under that objective
   std::size_t tried = 0;         ///< how many fits were tried
   /// The expected number of fits that hold the same constant, or none, and have all printed digits by chance.
+  /// Of the asked fit alone if that has them. 0 if a fit meets its target: its digits are no choice.
   double chance = 0;
   std::vector<std::string> also = {};  ///< the other objectives that have the same digits
   long units_off = 0;  ///< of the worst constant under `objective`, in units of its last printed digit
@@ -39,6 +40,7 @@ struct TriedFit {
   std::string words;                ///< of its objective
   std::vector<double> values;       ///< of all parameters, a held one at its printed value
   std::optional<std::size_t> held;  ///< the parameter that is held in addition to those of the study
+  bool has_no_error = false;        ///< its form is its target
 };
 
 struct TriedFits {
@@ -47,32 +49,24 @@ struct TriedFits {
   std::size_t attempts = 0;
 };
 
-/// The fits that may have a set's digits. First under the asked objective; if its digits differ, under the
-/// others; and if none of these has the digits, with each constant in turn held at its printed value, if that
-/// is near the best one. Throws UserError if the set lacks a parameter of the form, or has another.
+/// The fits that may have a set's digits. First under the asked objective. If that has the digits, under the
+/// plain ones, which tell how much the constants depend on an objective; otherwise under all others; and if
+/// none of these has the digits, with each constant in turn held at its printed value, if that is near the
+/// best one. Throws UserError if the set lacks a parameter of the form, or has another.
 TriedFits tried_fits(const StudyObjective& asked, const PublishedSet& set,
                      const Checkpoint& checkpoint = keep_going);
 
 /// Compares printed constants, in the order of the parameters, with each fit. `confirmed`: the asked fit has
 /// all printed digits; `rounding`: some last digits are off by one; `other-objective`: another fit has them
-/// all; `undecidable`: another fit has them, but among so many fits that it could be chance; otherwise
-/// `refuted`.
+/// all; `undecidable`: a fit has them or is off by one, but that could be chance; otherwise `refuted`.
+///
+/// The chance of other objectives is counted among all fits that were tried, because each had its try. The
+/// asked objective stands in the file of the study: it has one try. Its chance is that of one fit.
 StudyJudgement judge_digits(const TriedFits& tried, const std::vector<std::string>& printed);
 
 /// The verdict on a set, by the fits that are tried for it. Throws as `tried_fits` does.
 StudyJudgement judge_set(const StudyObjective& asked, const PublishedSet& set,
                          const Checkpoint& checkpoint = keep_going);
-
-/// A stated error and the verdict on it: `confirmed` if the computed error has the same digits or is smaller,
-/// `rounding` if its last digit is off by one, otherwise `refuted`.
-struct JudgedError {
-  ErrorClaim claim;
-  double computed;  ///< infinite or NaN if the error does not exist: no relative error where the target is 0
-  Verdict verdict;
-};
-
-/// Judges a stated error of a form with these parameters.
-JudgedError judge_error(const ErrorClaim& claim, const Study& study, const std::vector<double>& parameters);
 
 /// The values of a set in the order of the parameters. Throws as `judge_set` does.
 std::vector<std::string> values_of(const PublishedSet& set, const std::vector<std::string>& parameters);

@@ -29,19 +29,35 @@ std::string origin_of(const StudyContender& contender) {
 }
 
 std::string_view short_name(StatedError error) {
-  return error == StatedError::max_rel_error ? " relative"
-         : error == StatedError::rms_error   ? " rms"
-                                             : " mean square";
+  switch (error) {
+    case StatedError::max_abs_error:
+      return "";
+    case StatedError::max_rel_error:
+      return " relative";
+    case StatedError::mean_abs_error:
+      return " mean";
+    case StatedError::mean_rel_error:
+      return " mean relative";
+    case StatedError::rms_error:
+      return " rms";
+    case StatedError::mean_square_error:
+      return " mean square";
+  }
+  return "";
 }
 
 std::string claim_text(const StudyContender& contender) {
   std::vector<std::string> parts;
   for (const JudgedError& judged : contender.claims)
-    parts.push_back(
-        fmt::format("{}{}: {}", judged.claim.printed,
-                    judged.claim.error == StatedError::max_abs_error ? "" : short_name(judged.claim.error),
-                    name(judged.verdict)));
+    parts.push_back(fmt::format("{}{}{}: {}", judged.claim.printed, short_name(judged.claim.error),
+                                ranges_text(judged.claim), name(judged.verdict)));
   return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+Json ranges_json(const ErrorClaim& claim) {
+  Json ranges = Json::object();
+  for (const StudyRange& range : claim.over) ranges[range.variable] = {range.lower, range.upper};
+  return ranges;
 }
 
 std::string beaten(const StudyContender& contender) {
@@ -83,6 +99,13 @@ Table without_empty_columns(const Table& table) {
 }
 
 }  // namespace
+
+std::string ranges_text(const ErrorClaim& claim) {
+  std::string text;
+  for (const StudyRange& range : claim.over)
+    text += fmt::format(", {} in {}:{}", range.variable, range.lower, range.upper);
+  return text;
+}
 
 std::string error_in_words(std::string_view key) {
   std::string words(key);
@@ -146,6 +169,7 @@ Json study_comparison_json(const StudyComparison& comparison) {
     Json claims = Json::array();
     for (const JudgedError& judged : contender.claims)
       claims.push_back({{"error", name(judged.claim.error)},
+                        {"over", ranges_json(judged.claim)},
                         {"printed", judged.claim.printed},
                         {"computed", judged.computed},
                         {"verdict", name(judged.verdict)}});

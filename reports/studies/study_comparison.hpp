@@ -10,6 +10,9 @@
 /// The published constants of a study and the alternatives, as rows and as JSON.
 namespace shadefit {
 
+/// ", n in 2:10": the ranges of a claim that are not those of its study, to follow a word.
+std::string ranges_text(const ErrorClaim& claim);
+
 /// "acos(x), x in 0:1", with the given constants.
 std::string target_of(const StudyComparison& comparison);
 

@@ -27,6 +27,10 @@ std::string words_of(StatedError error) {
       return "Largest error";
     case StatedError::max_rel_error:
       return "Largest relative error";
+    case StatedError::mean_abs_error:
+      return "Mean error";
+    case StatedError::mean_rel_error:
+      return "Mean relative error";
     case StatedError::rms_error:
       return "Rms error";
     case StatedError::mean_square_error:
@@ -35,9 +39,12 @@ std::string words_of(StatedError error) {
   return "Error";
 }
 
-/// How many objectives were tried, and what came out.
+/// What came of the fits that were tried.
 std::string trials_text(const StudyJudgement& judgement) {
   if (judgement.objective.empty()) return fmt::format("Fits tried: {}. None converged", judgement.tried);
+  if (judgement.chance == 0)
+    return fmt::format("Fits tried: {}. The fit has no error: its constants are those of the target",
+                       judgement.tried);
   if (judgement.verdict == Verdict::refuted)
     return fmt::format("Fits tried: {}. The nearest, {}, is off by {} {} of a last digit", judgement.tried,
                        judgement.objective, judgement.units_off, judgement.units_off == 1 ? "unit" : "units");
@@ -122,17 +129,17 @@ std::vector<std::string> published_lines(const PublishedSet& set,
   for (const StudyComparison& comparison : comparisons) {
     const StudyContender* contender = contender_of(comparison, set);
     if (contender == nullptr) continue;
-    lines.push_back(fmt::format("Verdict: {}", verdict_text(*contender->judgement)));
-    if (contender->judgement->tried > 1) lines.push_back(trials_text(*contender->judgement));
+    lines.push_back(fmt::format("Verdict: {}", verdict_in_words(*contender->judgement)));
+    lines.push_back(trials_text(*contender->judgement));
     lines.push_back("Properties of the target that it keeps: " + text_with_proofs(contender->properties));
     lines.push_back("Largest change of the target: " + effect_text(comparison, *contender));
     if (contender->proof) lines.push_back("Largest error, proven: " + proof_text(*contender->proof));
     if (!contender->unproven.empty()) lines.push_back("Largest error, sampled: " + contender->unproven);
     append_better(comparison, *contender, lines);
     for (const JudgedError& judged : contender->claims)
-      lines.push_back(fmt::format("{}: stated {}, computed {}: {}", words_of(judged.claim.error),
-                                  judged.claim.printed, text(Number{judged.computed, 4}, Precision::report),
-                                  name(judged.verdict)));
+      lines.push_back(fmt::format("{}{}: stated {}, computed {}: {}", words_of(judged.claim.error),
+                                  ranges_text(judged.claim), judged.claim.printed,
+                                  text(Number{judged.computed, 4}, Precision::report), name(judged.verdict)));
   }
   if (!set.where.empty()) lines.push_back(fmt::format("Used in: {}", fmt::join(set.where, "; ")));
   for (const MistypedCopy& copy : set.variants)

@@ -100,7 +100,8 @@ Json published_json(const FittedStudy& study) {
     array.push_back({{"values", values},
                      {"source", set.source},
                      {"verdict", name(judgement.verdict)},
-                     {"objective", judgement.objective.empty() ? Json() : Json(judgement.objective)}});
+                     {"objective", judgement.objective.empty() ? Json() : Json(judgement.objective)},
+                     {"fits_tried", judgement.tried}});
   }
   return array;
 }
@@ -159,11 +160,15 @@ void add_row_fields(Json& object, const FittedStudy& study) {
 
 }  // namespace
 
-std::string verdict_text(const StudyJudgement& judgement) {
+std::string verdict_in_words(const StudyJudgement& judgement) {
   const std::string verdict(name(judgement.verdict));
   const bool has_objective =
       judgement.verdict == Verdict::other_objective || judgement.verdict == Verdict::undecidable;
   return has_objective ? verdict + ": " + judgement.objective : verdict;
+}
+
+std::string verdict_text(const StudyJudgement& judgement) {
+  return fmt::format("{} ({} tried)", verdict_in_words(judgement), judgement.tried);
 }
 
 std::string short_source(const std::string& source) {

@@ -30,6 +30,9 @@ struct FittedStudy {
 };
 
 /// "other-objective: minimax, exact at x = 0", "confirmed".
+std::string verdict_in_words(const StudyJudgement& judgement);
+
+/// The same with the number of fits that were tried: "refuted (92 tried)".
 std::string verdict_text(const StudyJudgement& judgement);
 
 /// A source for a table: the authors and the year; without a year up to the first comma or colon.

@@ -222,6 +222,50 @@ TEST(StudyProof, BoundsEachPlaceOfABox) {
   }
 }
 
+/// In one variable the slope is bounded by the second derivative. Where the slope jumps, at a kink of the
+/// form, of the target or of an integral, the second derivative knows nothing of the jump.
+TEST(StudyProof, BoundsEachPlaceNextToAKink) {
+  const StudyRange unit{"x", "0", "1"};
+  for (const Study& study :
+       {Study{.target = "10 abs(x - 1/3) + x^3", .form = "5 x", .over = {unit}},
+        Study{.target = "max(x^2, 7 (x - 1/3)) - min(sin(9 x), 0.3)", .form = "x", .over = {unit}},
+        Study{.target = "x < 1/3 ? 1 - 3 x : (x - 1/3)^2", .form = "x^2", .over = {unit}},
+        Study{.target = "integral(abs(x - t) + t x^3, t, 0, 1)", .form = "x", .over = {unit}},
+        Study{.target = "exp(integral(cos(3 t x)/(1 + x t^2), t, 0, 1))", .form = "x", .over = {unit}}}) {
+    const ReadStudy read = read_formulas(study);
+    EnclosedError error(read, {});
+    std::vector<StudyBox> boxes = corners_of(error.ranges());
+    for (std::size_t i = 0; i < 60; ++i) {
+      const Stretch side = boxes[i][0];
+      const double bound = error.bound_on(boxes[i], 0).bound, end = side.is_from_upper ? 1 : 0;
+      for (const double u : {0.0, 0.21, 0.5, 0.83, 1.0}) {
+        const std::array place{end + side.lower + u * (side.upper - side.lower)};
+        EXPECT_LE(smallest_magnitude_in(error.at(place)), bound) << study.target << " at " << place[0];
+      }
+      const auto halves = halves_of(boxes[i], 0);
+      ASSERT_TRUE(halves);
+      boxes.insert(boxes.end(), halves->begin(), halves->end());
+    }
+  }
+}
+
+/// Where form and target are near each other their slopes cancel at a place, not on a box: without the second
+/// derivative each of these needs more than 1000 boxes.
+TEST(StudyProof, NeedsFewBoxesForASmallError) {
+  const StudyRange unit{"x", "0", "1"};
+  for (const Study& study : {Study{.target = "exp(x)",
+                            .form = "1 + x (1 + x (1/2 + x (1/6 + x (1/24 + x (1/120 + x/720)))))",
+                            .over = {unit}},
+                             Study{.target = "integral(exp(t x), t, 0, 1)",
+                             .form = "1 + x (1/2 + x (1/6 + x (1/24 + x (1/120 + x/720))))",
+                             .over = {unit}}}) {
+    const CertifiedStudy proof = certify_study({study, {}}, 1e-4);
+    EXPECT_TRUE(proof.is_reached);
+    EXPECT_LT(count_boxes(proof.certificate), 300U) << study.target;
+    EXPECT_EQ(reason_to_refuse(proof.certificate), "");
+  }
+}
+
 TEST(StudyProof, SaysThatThereIsNoBound) {
   const auto reason = [](const Study& study) -> std::string {
     try {

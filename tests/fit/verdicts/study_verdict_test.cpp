@@ -66,8 +66,8 @@ TEST(StudyVerdict, CallsFewDigitsUndecidable) {
 TEST(StudyVerdict, FindsObjectivesOfTwoVariables) {
   const StudyObjective asked = objective_of(surface, Norm::least_squares, {});
   const std::vector<StudyObjective> others = other_objectives(asked);
-  // Two norms with two errors but the asked one; 10 pairs of densities; 6 grids with two errors.
-  EXPECT_EQ(others.size(), 3U + 10 + 2 * 6);
+  // Two norms with two errors but the asked one; 10 pairs of densities; 6 grids with two errors; 6 parts.
+  EXPECT_EQ(others.size(), 3U + 10 + 2 * 6 + 6);
   std::set<std::string> words;
   for (std::size_t i = 0; i < others.size(); ++i) {
     words.insert(others[i].words);
@@ -88,7 +88,7 @@ TEST(StudyVerdict, TriesNoDensityOfOtherVariables) {
   Study longer = surface;
   longer.over[1].upper = "2";
   const auto others = other_objectives(objective_of(longer, Norm::least_squares, {}));
-  EXPECT_EQ(others.size(), 3U + 3 + 2 * 6);
+  EXPECT_EQ(others.size(), 3U + 3 + 2 * 6 + 6);
 }
 
 // A table whose formula is known may have been fitted with other rows.
@@ -182,29 +182,35 @@ TEST(StudyVerdict, NoticesEachChangedDigit) {
   }
 }
 
-TEST(StudyVerdict, JudgesStatedErrors) {
-  const Study line{.target = "x + 1", .form = "a x + b", .over = {{"x", "0", "1"}}};
-  const auto verdict = [&](StatedError error, const char* text) {
-    const JudgedError judged = judge_error({error, text}, line, {1.0, 1.5});
-    return fmt::format("{:.12g} {}", judged.computed, name(judged.verdict));
-  };
-  // The error is 1/2 everywhere; the largest relative one is 1/2 at x = 0.
-  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.5"), "0.5 confirmed");
-  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.6"), "0.5 confirmed");
-  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.4"), "0.5 rounding");
-  EXPECT_EQ(verdict(StatedError::max_abs_error, "0.3"), "0.5 refuted");
-  EXPECT_EQ(verdict(StatedError::max_rel_error, "0.5"), "0.5 confirmed");
-  EXPECT_EQ(verdict(StatedError::rms_error, "0.50"), "0.5 confirmed");
-  EXPECT_EQ(verdict(StatedError::mean_square_error, "0.25"), "0.25 confirmed");
-  EXPECT_EQ(verdict(StatedError::mean_square_error, "0.10"), "0.25 refuted");
-  // x + 1 by 2.5 x + 1.5: the largest absolute error is 2, at 1; the largest relative one is 1, there too.
-  const JudgedError relative = judge_error({StatedError::max_rel_error, "1.0"}, line, {2.5, 1.5});
-  EXPECT_NEAR(relative.computed, 1, 1e-12);
-  EXPECT_EQ(name(relative.verdict), "confirmed");
-  const Study zero{.target = "x", .form = "a x + b", .over = {{"x", "0", "1"}}};
-  const JudgedError none = judge_error({StatedError::max_rel_error, "0.1"}, zero, {1.0, 0.5});
-  EXPECT_FALSE(std::isfinite(none.computed));
-  EXPECT_EQ(name(none.verdict), "refuted");
+TEST(StudyVerdict, FewDigitsDecideNothingUnderTheAskedObjective) {
+  const PublishedSet many = printed(objective_of(arc_cosine, Norm::least_squares, {}), 6);
+  const StudyJudgement right = judged(many);
+  EXPECT_EQ(name(right.verdict), "confirmed");
+  EXPECT_EQ(right.tried, 4U) << "both norms, both errors";
+  EXPECT_GT(right.chance, 0);
+  // With one decimal minimax has the same digits: 1.6 and -0.2.
+  const StudyJudgement few = judged(printed(objective_of(arc_cosine, Norm::least_squares, {}), 1));
+  EXPECT_EQ(name(few.verdict), "undecidable");
+  EXPECT_EQ(few.objective, "least squares");
+  EXPECT_EQ(few.units_off, 0);
+  EXPECT_EQ(few.also.front(), "minimax");
+}
+
+// Each objective gives the constants of a target that has the form: no chance.
+TEST(StudyVerdict, TheConstantsOfTheTargetAreConfirmed) {
+  const Study line{.target = "0.5 x + 2", .form = "a x + b", .over = {{"x", "0", "1"}}};
+  const PublishedSet set{.form = "form", .values = {{"a", "0.5"}, {"b", "2"}}, .source = "a test"};
+  const StudyJudgement judgement = judge_set(objective_of(line, Norm::least_squares, {}), set);
+  EXPECT_EQ(name(judgement.verdict), "confirmed");
+  EXPECT_EQ(judgement.chance, 0);
+}
+
+TEST(StudyVerdict, FindsAFitToAPartOfTheRange) {
+  Study part = arc_cosine;
+  part.over[0] = {"x", "0.05", "0.95"};
+  const StudyJudgement judgement = judged(printed(objective_of(part, Norm::least_squares, {}), 9));
+  EXPECT_EQ(name(judgement.verdict), "other-objective");
+  EXPECT_EQ(judgement.objective, "least squares, x in 0.05:0.95");
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+#include "fit/better/study_properties.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "approx/scalar.hpp"
+#include "fit/better/better_study.hpp"
+#include "fit/better/prove_contenders.hpp"
+
+namespace shadefit {
+namespace {
+
+/// x^2 by a + b x on [0, 1], or by another form. Its largest error is about 1/4.
+std::string properties_for(const std::vector<std::string>& printed, const std::string& form = "a + b x") {
+  const ReadStudy study = read_study({.target = "x^2", .form = form, .over = {{"x", "0", "1"}}});
+  std::vector<double> values;
+  for (const std::string& text : printed) values.push_back(constant<double>(text));
+  return to_text(properties_of(study, sample_curve(study, values), printed));
+}
+
+TEST(StudyProperties, AnEndMayBeExactToItsDigits) {
+  EXPECT_EQ(properties_for({"0", "1"}), "exact at x = 0, exact at x = 1, rises, not negative, at most 1");
+  // At x = 1 the sum is 0.9997; half units of its two constants allow 0.0005 + 0.00005.
+  EXPECT_EQ(properties_for({"0.0007", "0.999"}),
+            "exact at x = 1 to its digits, rises, not negative, at most 1");
+  EXPECT_EQ(properties_for({"0.0007", "0.9990"}), "rises, not negative, at most 1") << "a digit more";
+  EXPECT_EQ(properties_for({"0.0007", "0.998"}), "rises, not negative, at most 1") << "beyond the digits";
+  // Half a unit allows 0.05 at x = 0, but an error of 0.04 of 0.29 is there by chance.
+  EXPECT_EQ(properties_for({"-0.04", "1.0"}), "rises, at most 1");
+  EXPECT_EQ(properties_for({"-0.002", "1.0"}), "exact at x = 1 to its digits, rises, at most 1");
+}
+
+/// Constants that do not move the form at an end do not make it exact there.
+TEST(StudyProperties, OnlyDigitsThatMoveTheEndCount) {
+  EXPECT_EQ(properties_for({"1.0"}, "a x + 0.002 (1 - x)"), "exact at x = 1, rises, not negative, at most 1");
+}
+
+TEST(StudyProperties, AnEdgeMayBeExactToItsDigits) {
+  const ReadStudy study = read_study(
+      {.target = "x + y - x^2 y^2", .form = "a x + y - b x y", .over = {{"x", "0", "1"}, {"y", "0", "1"}}});
+  const std::vector<std::string> printed{"1.0001", "0.300"};
+  EXPECT_EQ(to_text(properties_of(study, sample_curve(study, {1.0001, 0.3}), printed)),
+            "exact at x = 0, not negative")
+      << "1.0001 has one more digit than half a unit allows";
+  EXPECT_EQ(to_text(properties_of(study, sample_curve(study, {1.0001, 0.3}), {"1.000", "0.300"})),
+            "exact at x = 0, exact at y = 0 to its digits, not negative");
+}
+
+/// A better set is exact where the published one is exact to its digits, and both are proven.
+TEST(StudyProperties, ABetterSetIsExactWhereThePublishedOneIsToItsDigits) {
+  StudyFile file;
+  file.id = "arc";
+  file.study = {.target = "atan(x)", .form = "", .over = {{"x", "0", "1"}}};
+  file.forms = {{"free", "x (s + (a + b x x) x x)"}};
+  file.published = {
+      {.form = "free",
+       .values = {{"s", "1.0000"}, {"a", "-0.301895"}, {"b", "0.0872929"}},
+       .source = "Doe 2020"},
+      {.form = "free", .values = {{"s", "1.0"}, {"a", "-0.30"}, {"b", "0.08"}}, .source = "Roe 2021"}};
+  StudyComparison comparison = compare_study(file, file.study);
+  const StudyContender& published = *first_published(comparison);
+  EXPECT_EQ(
+      text_with_proofs(published.properties),
+      "exact at x = 0 (proven), exact at x = 1 to its digits (proven), rises (proven), not negative (proven), "
+      "at most 1 (proven)");
+  const StudyContender* best = better_at_the_same_cost(comparison, published);
+  ASSERT_NE(best, nullptr);
+  EXPECT_EQ(best->origin, "minimax, exact at x = 0, exact at x = 1, form rises");
+  EXPECT_TRUE(lost_properties(published.properties, best->properties).empty());
+  const StudyContender* least = least_error_at_the_same_cost(comparison, published);
+  EXPECT_EQ(to_text(lost_properties(published.properties, least->properties)),
+            "exact at x = 1 to its digits");
+  // Each published set is proven, and what is better than each.
+  prove_contenders(comparison);
+  for (const StudyContender& contender : comparison.contenders) {
+    const bool is_wanted = contender.published != nullptr || &contender == best || &contender == least;
+    EXPECT_EQ(contender.proof.has_value(), is_wanted) << contender.origin;
+  }
+}
+
+}  // namespace
+}  // namespace shadefit
