@@ -128,8 +128,8 @@ TEST(CertifyStudy, SaysWhereThereIsNoBound) {
 
 // Both formulas are the same function, but intervals cannot see it.
 TEST(CertifyStudy, SaysWhichWidthWasNotReached) {
-  const Outcome outcome =
-      run_command_line({"certify", "--target", "(x + 1)^3", "--form", "x^3 + 3 x^2 + 3 x + 1", "--over", "x=0:1"});
+  const Outcome outcome = run_command_line(
+      {"certify", "--target", "(x + 1)^3", "--form", "x^3 + 3 x^2 + 3 x + 1", "--over", "x=0:1"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_EQ(outcome.err.substr(0, 82),
             "shadefit: the proof: the width 1e-09 was not reached: the largest error is in [0, ");
