@@ -52,8 +52,7 @@ inline DrawnInputs drawn_cosines() {
 
 /// As many in each of some boxes; `box` draws one.
 template <class Box>
-DrawnInputs drawn_in(const Box& box, std::size_t count = drawn_count) {
-  constexpr std::uint32_t boxes = 1U << 12;
+DrawnInputs drawn_in(const Box& box, std::size_t count = drawn_count, std::uint32_t boxes = 1U << 12) {
   Sequence sequence(2);
   DrawnInputs drawn;
   for (std::uint32_t i = 0; i < boxes; ++i) {

@@ -25,7 +25,7 @@ DrawnInputs drawn_over(const std::vector<StudyAxis>& axes) {
         }
         return box;
       },
-      1U << 16);
+      1U << 14, 1U << 10);
 }
 
 /// A form with what its results must be.
