@@ -29,9 +29,9 @@ inline constexpr double share_by_chance = 0.01;
 /// exact at an end, and that it never falls or never rises. In several: that it is exact at an end of one of
 /// them, which no fit can be asked for and is not proven. Always: that it is not negative, and at most 1.
 ///
-/// Exact is an error of at most 2^-24 of the largest target, the last place of a float. Constants that were
-/// published, `printed`, may be exact to their digits instead: the error is no larger than half units of the
-/// last digits can make it, and no larger than `share_by_chance` of the largest error.
+/// Exact is an error of at most 2^-24 of the largest target, the last place of a float. Published
+/// constants, `printed`, have another limit: half a unit of each last digit moves the form by so much. The
+/// error also has to be at most `share_by_chance` of the largest one.
 std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCurve& curve,
                                          const std::vector<std::string>& printed = {});
 

@@ -17,8 +17,8 @@ struct JudgedError {
   Verdict verdict;
 };
 
-/// What a claim is about: a study with the ranges and the kind of error of the claim, without a weight. Of
-/// measured rows it has those inside the ranges. Throws UserError if there are none.
+/// What a claim is about: a study with the ranges and the kind of error of the claim, without a weight. It
+/// keeps the measured rows inside the ranges. Throws UserError if no row is inside.
 Study study_of(const ErrorClaim& claim, const Study& study);
 
 /// Judges a stated error of a form with these parameters. A mean is even over the ranges, or has the density

@@ -30,7 +30,7 @@ class PowerFolder {
     return whole.is_bare || !is_uniform_ ? std::nullopt : std::optional(whole.formula);
   }
 
-  /// The exponent of the power; 0 if there is none.
+  /// The exponent of the power of ten that was folded; 0 if the formula has no such power.
   int exponent() const { return exponent_; }
 
  private:

@@ -65,7 +65,7 @@ std::vector<KnownSet> multiples_of(const std::vector<KnownSet>& sets);
 std::vector<double> published_values(const KnownSet& set);
 
 /// The values with which a form compares a variable: 0.04045 for u in u <= t ? a : b. The constants are in
-/// the order of the set. A value that is no number stands for one that depends on other variables.
+/// the order of the set. The result is NaN for a value that depends on other variables.
 std::vector<double> thresholds_of(const KnownSet& set, const Symbolic& form,
                                   const std::vector<double>& constants, const std::string& variable);
 
