@@ -80,7 +80,7 @@ class SiteJudge {
     return site_.numbers.size() == set_.constants.size() &&
            std::all_of(site_.numbers.begin(), site_.numbers.end(), [&](const SiteNumber& number) {
              return number.match <= DigitMatch::float32 ||
-                    digits_of(text_, literals_[number.literal]).text.size() ==
+                    literals_[number.literal].digits.text.size() ==
                         digits_of(set_.constants[number.constant].printed).text.size();
            });
   }
@@ -91,7 +91,7 @@ class SiteJudge {
     for (const SiteNumber& number : site_.numbers) {
       const Grade grade = lint::grade_of(set_, number);
       if (is_by_expression(number)) {
-        const double found = number_of(digits_of(text_, literals_[number.literal]));
+        const double found = number_of(literals_[number.literal].digits);
         numbers.push_back(by_expression(number.constant, found, grade).value());
         continue;
       }
@@ -158,7 +158,7 @@ class SiteJudge {
   ExpressionMatch replaced_by(std::size_t literal) const {
     const std::size_t constant = reader_.missing().front();
     std::vector<double> found = reader_.constants();
-    found[constant] = std::copysign(number_of(digits_of(text_, literals_[literal])), found[constant]);
+    found[constant] = std::copysign(number_of(literals_[literal].digits), found[constant]);
     return {.form = set_.formula, .constants = found, .replaced = constant};
   }
 
@@ -256,7 +256,7 @@ std::vector<JudgedSite> judge_text(std::string_view text, CommentStyle style, co
   // Half of all numbers of three digits are near a constant.
   constexpr std::size_t least_digits = 4;
   const auto is_telling = [&](const Literal& literal) {
-    const std::vector<NumberMatch> matches = known.index.find(digits_of(text, literal));
+    const std::vector<NumberMatch> matches = known.index.find(literal.digits);
     return std::any_of(matches.begin(), matches.end(), [&](const NumberMatch& match) {
       return match.match == DigitMatch::same || literal.significant >= least_digits;
     });

@@ -63,6 +63,7 @@ PartOfText part_with(std::string_view text, const std::vector<Literal>& literals
     if (std::find(changed.begin(), changed.end(), i) != changed.end()) digits = rewritten(digits, number);
     literal.offset = part.text.size();
     literal.length = digits.size();
+    literal.digits = digits_of(digits);
     part.literals.push_back(literal);
     part.text += digits;
   }
@@ -80,7 +81,7 @@ SiteReader::SiteReader(std::string_view text, CommentStyle style, const std::vec
       set_(set),
       site_(site),
       memory_(memory),
-      constants_(constants_at(set, site, text, literals)),
+      constants_(constants_at(set, site, literals)),
       missing_(missing_constants(set, site)) {}
 
 std::optional<ExpressionMatch> SiteReader::read() const {
@@ -143,7 +144,7 @@ std::vector<std::size_t> SiteReader::candidates(std::size_t constant, double val
     const bool is_taken = std::any_of(
         site_.numbers.begin(), site_.numbers.end(),
         [&](const SiteNumber& number) { return number.literal == i && number.constant != constant; });
-    if (!is_taken && number_of(digits_of(text_, literals_[i])) == value) found.push_back(i);
+    if (!is_taken && number_of(literals_[i].digits) == value) found.push_back(i);
   }
   std::stable_sort(found.begin(), found.end(),
                    [&](std::size_t a, std::size_t b) { return distance(a) < distance(b); });

@@ -58,7 +58,7 @@ bool is_in_other_units(const Site& site) {
                        [](const SiteNumber& number) { return number.match == DigitMatch::shifted; }) > 1;
 }
 
-std::vector<double> constants_at(const KnownSet& set, const Site& site, std::string_view text,
+std::vector<double> constants_at(const KnownSet& set, const Site& site,
                                  const std::vector<Literal>& literals) {
   std::vector<double> values = published_values(set);
   const bool has_other_units = is_in_other_units(site);
@@ -66,7 +66,7 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site, std::str
     if (number.match < DigitMatch::rounded) continue;
     if (has_other_units && number.match == DigitMatch::shifted) continue;
     const Literal& literal = literals[number.literal];
-    const double found = number_of(digits_of(text, literal));
+    const double found = number_of(literal.digits);
     double& value = values[number.constant];
     value = std::copysign(found, value);
   }

@@ -53,8 +53,7 @@ bool is_in_other_units(const Site& site);
 
 /// The constants of a set as found at a site, with the signs of the published ones: the expression has the
 /// sign. A number that only has more digits, or those of a float, counts as the published one.
-std::vector<double> constants_at(const KnownSet& set, const Site& site, std::string_view text,
-                                 const std::vector<Literal>& literals);
+std::vector<double> constants_at(const KnownSet& set, const Site& site, const std::vector<Literal>& literals);
 
 /// The grade of a form with the constants found at a site.
 GradedSite grade_of(const KnownSet& set, const Site& site, const ExpressionMatch& found,

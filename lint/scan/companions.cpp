@@ -41,7 +41,7 @@ void Companions::add_near(Site& site) {
                     end = std::min(literals_.size(), last + most_literals + 1);
   const KnownSet& set = sets_[site.set];
   const auto matched = [&](std::size_t i, const Digits& published, std::size_t enough) {
-    const Digits found = digits_at(i);
+    const Digits& found = digits_at(i);
     if (found == published) return std::optional(DigitMatch::same);
     return set.times.empty() ? std::nullopt : match_multiple(found, published, enough);
   };

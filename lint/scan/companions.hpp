@@ -51,7 +51,7 @@ class Companions {
   bool take_edited_repetitions(Site& site);
 
   std::vector<std::size_t> missing_of(const Site& site) const;
-  Digits digits_at(std::size_t literal) const { return digits_of(text_, literals_[literal]); }
+  const Digits& digits_at(std::size_t literal) const { return literals_[literal].digits; }
 
   std::string_view text_;
   const std::vector<Literal>& literals_;

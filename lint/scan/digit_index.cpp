@@ -17,9 +17,15 @@ std::uint64_t key_of(std::string_view text, std::size_t skipped) {
   return hash ^ (hash >> 29);
 }
 
-/// 0.TEXT
+/// 0.TEXT to the first 15 digits, which a double has.
 double mantissa_of(const Digits& digits) {
-  return number_of({digits.text, 0});
+  constexpr std::size_t digits_of_a_double = 15;
+  double first = 0, power = 1;
+  for (const char digit : std::string_view(digits.text).substr(0, digits_of_a_double)) {
+    first = 10 * first + (digit - '0');
+    power *= 10;
+  }
+  return first / power;
 }
 
 constexpr std::size_t least_digits = 3;
@@ -96,18 +102,19 @@ void DigitIndex::add_multiple(const KnownConstant& constant, const ConstantPlace
 std::vector<NumberMatch> DigitIndex::find(const Digits& found) const {
   std::vector<NumberMatch> matches;
   if (found.text.size() < least_digits) return matches;
-  look_near(found, matches);
+  const double mantissa = mantissa_of(found);
+  look_near(found, mantissa, matches);
   look_edited(found, matches);
-  look_multiple(found, matches);
+  look_multiple(found, mantissa, matches);
   return matches;
 }
 
-void DigitIndex::look_multiple(const Digits& found, std::vector<NumberMatch>& matches) const {
+void DigitIndex::look_multiple(const Digits& found, double mantissa,
+                               std::vector<NumberMatch>& matches) const {
   if (found.text.size() < digits_of_multiple) return;
   if (!has_multiple_[first_digits(found.text)]) return;
   // Numbers that agree in six digits are closer than this.
   constexpr double near = 1.1e-5;
-  const double mantissa = mantissa_of(found);
   auto entry = std::lower_bound(multiples_.begin(), multiples_.end(), mantissa * (1 - near),
                                 [](const Multiple& one, double value) { return one.mantissa < value; });
   for (; entry != multiples_.end() && entry->mantissa <= mantissa * (1 + near); ++entry)
@@ -115,10 +122,10 @@ void DigitIndex::look_multiple(const Digits& found, std::vector<NumberMatch>& ma
       matches.push_back({entry->place, *match});
 }
 
-void DigitIndex::look_near(const Digits& found, std::vector<NumberMatch>& matches) const {
-  // Numbers that agree in three digits are closer than this.
-  constexpr double near = 0.011;
-  const double mantissa = mantissa_of(found);
+void DigitIndex::look_near(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const {
+  // Numbers that agree in three digits are closer than this; those that agree in four, and a half with the
+  // number that it rounds, are closer than a tenth of it.
+  const double near = found.text.size() == least_digits ? 0.011 : 0.0011;
   auto entry = std::lower_bound(entries_.begin(), entries_.end(), mantissa * (1 - near),
                                 [](const Entry& one, double value) { return one.mantissa < value; });
   for (; entry != entries_.end() && entry->mantissa <= mantissa * (1 + near); ++entry) {

@@ -53,13 +53,13 @@ class DigitIndex {
   };
 
   void add_multiple(const KnownConstant& constant, const ConstantPlace& place);
-  void look_near(const Digits& found, std::vector<NumberMatch>& matches) const;
+  void look_near(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
   void look_edited(const Digits& found, std::vector<NumberMatch>& matches) const;
-  void look_multiple(const Digits& found, std::vector<NumberMatch>& matches) const;
+  void look_multiple(const Digits& found, double mantissa, std::vector<NumberMatch>& matches) const;
 
   std::vector<Entry> entries_;                                 ///< by rising mantissa
   std::vector<std::pair<std::uint64_t, std::uint32_t>> keys_;  ///< of shortened texts, sorted; the entry
-  std::bitset<1 << 16> has_key_;                               ///< by the last bits of a key
+  std::bitset<1 << 20> has_key_;                               ///< by the last bits of a key
   std::vector<Multiple> multiples_;                            ///< by rising mantissa
   std::bitset<1'000'000> has_multiple_;                        ///< by the first six digits
 };

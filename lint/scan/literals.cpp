@@ -140,8 +140,10 @@ class LiteralReader {
       ++at_;
       while (is_digit(peek(0))) ++at_;
     }
-    if (is_number && !is_version && significant > 0 && at_ - first <= most_digits)
-      literals_.push_back({first, at_ - first, significant, comment_ != '\0', is_before_power_of_ten()});
+    const std::size_t length = at_ - first;
+    if (is_number && !is_version && significant > 0 && length <= most_digits)
+      literals_.push_back({first, length, significant, comment_ != '\0', is_before_power_of_ten(),
+                           digits_of(text_.substr(first, length))});
   }
 
   std::string_view text_;
@@ -197,10 +199,6 @@ Digits digits_of(std::string_view number) {
   }
   result.exponent = result.text.empty() ? 0 : point;
   return result;
-}
-
-Digits digits_of(std::string_view text, const Literal& literal) {
-  return digits_of(text.substr(literal.offset, literal.length));
 }
 
 std::vector<Literal> literals_of(std::string_view text, CommentStyle style) {

@@ -41,10 +41,8 @@ struct Literal {
   std::uint32_t significant = 0;       ///< digits
   bool is_in_comment = false;
   bool has_power_of_ten = false;  ///< "5.4856 \times 10^{-13}": its decimal point says nothing
+  Digits digits = {};
 };
-
-/// The digits of a number of a text.
-Digits digits_of(std::string_view text, const Literal& literal);
 
 /// The numbers of a text in order, except those with a hexadecimal prefix, those inside a word or a version
 /// (1.2.3), and those with more than `most_digits` digits.

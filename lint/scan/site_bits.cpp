@@ -38,7 +38,7 @@ class SiteBits {
   std::size_t first() const { return site_.numbers.front().literal; }
   std::size_t last() const { return site_.numbers.back().literal; }
 
-  Digits digits_at(std::size_t literal) const { return digits_of(text_, literals_[literal]); }
+  const Digits& digits_at(std::size_t literal) const { return literals_[literal].digits; }
 
   /// The bits of one number: log2 of 10 for each digit but the first, since small first digits are common.
   double bits_of(const SiteNumber& number) const {

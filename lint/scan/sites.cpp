@@ -17,12 +17,11 @@ struct Hit {
   NumberMatch match;
 };
 
-std::vector<Hit> hits_of(std::string_view text, const std::vector<Literal>& literals,
-                         const DigitIndex& index) {
+std::vector<Hit> hits_of(const std::vector<Literal>& literals, const DigitIndex& index) {
   std::vector<Hit> hits;
   for (std::size_t i = 0; i < literals.size(); ++i) {
     if (literals[i].significant < least_digits_alone) continue;
-    for (NumberMatch match : index.find(digits_of(text, literals[i]))) {
+    for (NumberMatch match : index.find(literals[i].digits)) {
       if (match.match == DigitMatch::shifted && literals[i].has_power_of_ten) match.match = DigitMatch::same;
       hits.push_back({match.place.set, i, match});
     }
@@ -113,7 +112,7 @@ class SiteFinder {
     const std::size_t last = numbers_.back().literal;
     return hit.literal == last + 1 && literals_[hit.literal].offset <= literals_[last].offset + most_gap &&
            literals_[hit.literal].is_in_comment == literals_[last].is_in_comment &&
-           digits_at(hit.literal) == digits_at(last);
+           literals_[hit.literal].digits == literals_[last].digits;
   }
 
   /// Several constants of a set may have the same digits. Then the number is the next of them in the
@@ -133,8 +132,6 @@ class SiteFinder {
       if (is_free(hit)) return hit;
     return hits.front();
   }
-
-  Digits digits_at(std::size_t literal) const { return digits_of(text_, literals_[literal]); }
 
   /// Drops numbers in a comment if others are in code: they are not computed with.
   void drop_comments(Site& site) const {
@@ -158,7 +155,7 @@ class SiteFinder {
 
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
                            const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read) {
-  const std::vector<Hit> hits = hits_of(text, literals, index);
+  const std::vector<Hit> hits = hits_of(literals, index);
   if (hits.empty()) return {};
   SiteFinder finder(text, literals, sets);
   for (std::size_t i = 0, end = 0; i < hits.size(); i = end) {
