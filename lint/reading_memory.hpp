@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "fit/support/memory.hpp"
 #include "lint/expression/compare.hpp"
 #include "lint/expression/source_expression.hpp"
-#include "lint/known/memory.hpp"
 
 namespace shadefit::lint {
 

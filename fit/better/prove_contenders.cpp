@@ -17,11 +17,12 @@ bool has_integral(const Symbolic& formula) {
          std::any_of(formula.parts().begin(), formula.parts().end(), has_integral);
 }
 
-void prove(StudyContender& contender, const StudySubject& subject, const Checkpoint& checkpoint) {
+void prove(StudyContender& contender, const StudySubject& subject, const KnownIntegrals& known,
+           const Checkpoint& checkpoint) {
   constexpr double width = 1e-4;  // the pages show four digits
   const std::size_t most = has_integral(read_formulas(subject.study).target) ? 1'500 : 20'000;
   try {
-    const auto [certificate, is_reached] = certify_study(subject, width, checkpoint, most);
+    const auto [certificate, is_reached] = certify_study(subject, width, checkpoint, most, known);
     contender.bound = certificate.upper;
     if (is_reached) {
       contender.proof = {certificate.lower, certificate.upper, count_boxes(certificate)};
@@ -33,14 +34,15 @@ void prove(StudyContender& contender, const StudySubject& subject, const Checkpo
   }
 }
 
-void prove_error(const Study& study, StudyContender& contender, const Checkpoint& checkpoint) {
+void prove_error(const Study& study, StudyContender& contender, const KnownIntegrals& known,
+                 const Checkpoint& checkpoint) {
   if (study.rows) {
     contender.unproven = "the error is known at the rows alone";
     return;
   }
   const StudySubject subject = subject_of(study, contender);
   contender.unproven = fault_of(subject);
-  if (contender.unproven.empty()) prove(contender, subject, checkpoint);
+  if (contender.unproven.empty()) prove(contender, subject, known, checkpoint);
 }
 
 /// The published contenders, and what is better than each.
@@ -58,10 +60,11 @@ std::set<const StudyContender*> contenders_to_prove(const StudyComparison& compa
 
 void prove_contenders(StudyComparison& comparison, const Checkpoint& checkpoint) {
   const std::set<const StudyContender*> wanted = contenders_to_prove(comparison);
+  const KnownIntegrals known;  // contenders have one target
   for (StudyContender& contender : comparison.contenders) {
     if (wanted.count(&contender) == 0) continue;
     checkpoint();
-    prove_error(comparison.study, contender, checkpoint);
+    prove_error(comparison.study, contender, known, checkpoint);
   }
 }
 

@@ -31,7 +31,7 @@ void prove_properties(const Study& study, double size, StudyContender& contender
     const Constraints& constraints = property.constraints;
     const Proof proof = property.digits > 0 && !constraints.exact_at.empty()
                             ? prove_exact(subject, constraints.exact_at.front(), property.digits).proof
-                            : prove_shape(subject, constraints, size, checkpoint).proof;
+                            : prove_shape(subject, constraints, size, property.variable, checkpoint).proof;
     property.is_proven = proof == Proof::proven;
     return proof == Proof::refuted;
   });

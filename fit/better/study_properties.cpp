@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "approx/scalar.hpp"
 #include "fit/study_proof/prove_shape.hpp"
@@ -10,15 +12,51 @@
 namespace shadefit {
 namespace {
 
-/// Whether no value is below the one before it, by more than `slack`.
-bool never_falls(const std::vector<double>& values, double slack) {
-  return std::adjacent_find(values.begin(), values.end(),
-                            [&](double a, double b) { return !(b >= a - slack); }) == values.end();
+/// Two places that follow each other along a variable: all others are the same.
+struct Neighbours {
+  std::size_t first, second;
+};
+
+/// All neighbours along a variable. Empty if most places have none: scattered rows are no lines.
+std::vector<Neighbours> neighbours_along(std::size_t variable,
+                                         const std::vector<std::vector<double>>& places) {
+  const auto beside = [&](std::size_t i) {  // the place in the plane of the other variables
+    std::vector<double> place = places[i];
+    place.erase(place.begin() + static_cast<std::ptrdiff_t>(variable));
+    return place;
+  };
+  std::vector<std::size_t> order(places.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(beside(a), places[a][variable]) < std::pair(beside(b), places[b][variable]);
+  });
+  std::vector<Neighbours> result;
+  for (std::size_t i = 0; i + 1 < order.size(); ++i)
+    if (beside(order[i]) == beside(order[i + 1])) result.push_back({order[i], order[i + 1]});
+  return 2 * result.size() > places.size() ? result : std::vector<Neighbours>{};
 }
 
-bool never_rises(const std::vector<double>& values, double slack) {
-  return std::adjacent_find(values.begin(), values.end(),
-                            [&](double a, double b) { return !(b <= a + slack); }) == values.end();
+/// Whether no value is below its neighbour before it, by more than `slack`.
+bool never_falls(const std::vector<double>& values, const std::vector<Neighbours>& line, double slack) {
+  return std::all_of(line.begin(), line.end(),
+                     [&](const Neighbours& at) { return values[at.second] >= values[at.first] - slack; });
+}
+
+bool never_rises(const std::vector<double>& values, const std::vector<Neighbours>& line, double slack) {
+  return std::all_of(line.begin(), line.end(),
+                     [&](const Neighbours& at) { return values[at.second] <= values[at.first] + slack; });
+}
+
+/// Appends that the form rises or falls along a variable, if it does as its target does.
+void append_course(const ReadStudy& study, const SampledCurve& curve, std::size_t variable, double slack,
+                   std::vector<StudyProperty>& properties) {
+  const std::vector<Neighbours> line = neighbours_along(variable, curve.places);
+  if (line.empty()) return;
+  const std::string along = study.axes.size() > 1 ? " in " + study.axes[variable].variable : "";
+  if (never_falls(curve.target, line, slack) && never_falls(curve.form, line, slack))
+    properties.push_back({"rises" + along, {.monotone = Course::rises}, variable});
+  if (never_rises(curve.target, line, slack) && never_rises(curve.form, line, slack))
+    properties.push_back({"falls" + along, {.monotone = Course::falls}, variable});
 }
 
 bool are_all(const std::vector<double>& values, double lower, double upper) {
@@ -103,12 +141,7 @@ std::vector<StudyProperty> properties_of(const ReadStudy& study, const SampledCu
     for (const double end : {study.axes[k].lower, study.axes[k].upper})
       append_end(study, curve, printed, k, end, properties);
   }
-  if (study.axes.size() == 1 && !study.rows) {
-    if (never_falls(curve.target, slack) && never_falls(curve.form, slack))
-      properties.push_back({"rises", {.monotone = Course::rises}});
-    if (never_rises(curve.target, slack) && never_rises(curve.form, slack))
-      properties.push_back({"falls", {.monotone = Course::falls}});
-  }
+  for (std::size_t k = 0; k < study.axes.size(); ++k) append_course(study, curve, k, slack, properties);
   if (are_all(curve.target, 0, HUGE_VAL) && are_all(curve.form, -slack, HUGE_VAL))
     properties.push_back({"not negative", {.at_least = 0}});
   if (are_all(curve.target, -HUGE_VAL, 1) && are_all(curve.form, -HUGE_VAL, 1 + slack))

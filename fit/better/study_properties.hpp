@@ -11,8 +11,10 @@ namespace shadefit {
 
 /// A property that a form shares with its target.
 struct StudyProperty {
-  std::string words;        ///< "exact at x = 0", "rises", "falls", "not negative", "at most 1"
-  Constraints constraints;  ///< under which a fit has it; none if there are no such
+  /// "exact at x = 0", "rises", "falls", "not negative", "at most 1"; of several variables "rises in x".
+  std::string words;
+  Constraints constraints;   ///< that the form keeps; none if there are no such
+  std::size_t variable = 0;  ///< along which it rises or falls
   /// Of a form that is exact at an end only to its printed digits: how far they may move it there. Else 0.
   double digits = 0;
   bool is_proven = false;  ///< by `prove_properties`, on the whole range; else it is sampled
@@ -25,9 +27,10 @@ double size_of(const SampledCurve& curve);
 /// hundred cases.
 inline constexpr double share_by_chance = 0.01;
 
-/// The properties of a curve that its target has too, sampled at its places. In one variable: that it is
-/// exact at an end, and that it never falls or never rises. In several: that it is exact at an end of one of
-/// them, which no fit can be asked for and is not proven. Always: that it is not negative, and at most 1.
+/// The properties of a curve that its target has too, sampled at its places: that it is exact at an end of a
+/// variable, that it never falls or never rises along one, that it is not negative, and at most 1. Of
+/// measured rows the ends are not looked at, and rows count as a line along a variable if they differ in it
+/// alone. In several variables no fit can be asked to be exact or monotone, and exact ends are not proven.
 ///
 /// Exact is an error of at most 2^-24 of the largest target, the last place of a float. Published
 /// constants, `printed`, have another limit: half a unit of each last digit moves the form by so much. The

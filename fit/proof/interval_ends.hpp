@@ -25,10 +25,11 @@ inline Interval any_number() {
   return span_of(-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity());
 }
 
-/// Whether two intervals have the same ends.
-inline bool are_same(const Interval& x, const Interval& y) {
+/// An order of intervals without NaN, by their lower ends, then by their upper ones.
+inline bool comes_before(const Interval& x, const Interval& y) {
   const auto &a = x.backend().data()[0], &b = y.backend().data()[0];
-  return mpfr_equal_p(&a.left, &b.left) != 0 && mpfr_equal_p(&a.right, &b.right) != 0;
+  const int by_lower = mpfr_cmp(&a.left, &b.left);
+  return by_lower != 0 ? by_lower < 0 : mpfr_less_p(&a.right, &b.right) != 0;
 }
 
 /// The numbers that are in both; there must be one.

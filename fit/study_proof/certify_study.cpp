@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <queue>
+#include <utility>
 
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/proof/enclosure.hpp"
@@ -141,13 +142,13 @@ double usual_study_width(std::size_t variables) {
 }
 
 CertifiedStudy certify_study(const StudySubject& subject, double width, const Checkpoint& checkpoint,
-                             std::size_t box_limit) {
+                             std::size_t box_limit, KnownIntegrals known) {
   require_width(width);
   if (const std::string fault = fault_of(subject); !fault.empty()) throw UserError(fault);
   const ReadStudy study = read_formulas(subject.study);
   std::vector<Interval> parameters;
   for (const auto& [name, text] : subject.parameters) parameters.push_back(enclosed_constant(text).value());
-  EnclosedError error(study, parameters);
+  EnclosedError error(study, parameters, std::move(known));
   LargestStudyError largest(error);
   CertifiedStudy result;
   // One variable never needs more than the search of a built-in family (fit/proof/enclosure.hpp).

@@ -69,36 +69,39 @@ struct EnclosedError::Programs {
   Jumps jumps, kinks;
 };
 
-EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters)
-    : EnclosedError(study, parameters, Programs(study)) {}
+EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
+                             KnownIntegrals known)
+    : EnclosedError(study, parameters, std::move(known), Programs(study)) {}
 
-EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, Programs programs)
+EnclosedError::EnclosedError(const ReadStudy& study, std::span<const Interval> parameters,
+                             KnownIntegrals known, Programs programs)
     : jumps_(std::move(programs.jumps)),
       kinks_(std::move(programs.kinks)),
       value_(programs.tape(programs.value), parameters),
       slopes_(programs.tape(programs.slopes), parameters),
       curvatures_(programs.tape(programs.curvatures), parameters) {
   for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
-  for (const Symbolic& integral : programs.integrals) integrals_.emplace_back(study, integral, parameters);
+  for (const Symbolic& integral : programs.integrals)
+    integrals_.push_back(known.of(study, integral, parameters));
 }
 
 const Interval& EnclosedError::value_for(std::vector<Interval> variables) {
   const std::size_t count = variables.size();
-  for (StudyIntegral& integral : integrals_)
-    variables.push_back(integral.value(std::span(variables).first(count)));
+  for (const auto& integral : integrals_)
+    variables.push_back(integral->value(std::span(variables).first(count)));
   value_.run(variables);
   return value_.output(0);
 }
 
 std::vector<Interval> EnclosedError::slopes_for(std::vector<Interval> variables) {
   const std::size_t count = variables.size();
-  for (StudyIntegral& integral : integrals_)
-    variables.push_back(integral.value(std::span(variables).first(count)));
+  for (const auto& integral : integrals_)
+    variables.push_back(integral->value(std::span(variables).first(count)));
   slopes_.run(variables);
   std::vector<Interval> slopes;
   for (std::size_t i = 0; i < count; ++i) slopes.push_back(slopes_.output(i));
   for (std::size_t k = 0; k < integrals_.size(); ++k) {
-    const std::vector<Interval> inner = integrals_[k].slopes(std::span(variables).first(count));
+    const std::vector<Interval> inner = integrals_[k]->slopes(std::span(variables).first(count));
     for (std::size_t i = 0; i < count; ++i) slopes[i] = slopes[i] + slopes_.output(count + k) * inner[i];
   }
   return slopes;
@@ -109,9 +112,9 @@ Interval EnclosedError::curvature_for(std::vector<Interval> variables) {
   std::vector<Interval> by_variable{Interval(1)};  // of x and of the integrals
   Interval sum(0);
   const std::size_t count = variables.size();
-  for (StudyIntegral& integral : integrals_) {
-    variables.push_back(integral.value(std::span(variables).first(count)));
-    by_variable.push_back(integral.slopes(std::span(variables).first(count)).front());
+  for (const auto& integral : integrals_) {
+    variables.push_back(integral->value(std::span(variables).first(count)));
+    by_variable.push_back(integral->slopes(std::span(variables).first(count)).front());
   }
   curvatures_.run(variables);
   std::size_t pair = 0;
@@ -123,7 +126,7 @@ Interval EnclosedError::curvature_for(std::vector<Interval> variables) {
   }
   slopes_.run(variables);
   for (std::size_t k = 0; k < integrals_.size(); ++k)
-    sum = sum + slopes_.output(count + k) * integrals_[k].curvature(std::span(variables).first(count));
+    sum = sum + slopes_.output(count + k) * integrals_[k]->curvature(std::span(variables).first(count));
   return sum;
 }
 

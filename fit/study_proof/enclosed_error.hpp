@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,8 @@ struct BoxBound {
 /// atan2 may jump on a box, only values are enclosed.
 class EnclosedError {
  public:
-  /// `parameters` in the order of those of the study.
-  EnclosedError(const ReadStudy& study, std::span<const Interval> parameters);
+  /// `parameters` in the order of those of the study. `known` has what other proofs computed.
+  EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, KnownIntegrals known = {});
 
   std::span<const Domain> ranges() const { return ranges_; }
   bool has_integrals() const { return !integrals_.empty(); }
@@ -48,7 +49,8 @@ class EnclosedError {
 
  private:
   struct Programs;
-  EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, Programs programs);
+  EnclosedError(const ReadStudy& study, std::span<const Interval> parameters, KnownIntegrals known,
+                Programs programs);
 
   const Interval& value_for(std::vector<Interval> variables);
   std::vector<Interval> slopes_for(std::vector<Interval> variables);
@@ -61,7 +63,7 @@ class EnclosedError {
   /// Of the error and of its slopes, where kinks are jumps. Their deciding nodes are the last outputs of
   /// `value_` and of `slopes_`.
   Jumps jumps_, kinks_;
-  std::vector<StudyIntegral> integrals_;
+  std::vector<std::shared_ptr<StudyIntegral>> integrals_;
   /// Functions of the variables and the integrals. The last has the second derivatives of one variable.
   TapeProgram<Interval> value_, slopes_, curvatures_;
 };

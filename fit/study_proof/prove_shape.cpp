@@ -102,29 +102,33 @@ ShapeProof prove_bound(const FormGraph& form, int node, double bound, double sla
   return prove(rule, false, form.ranges, slack, checkpoint);
 }
 
-/// How far a function of one variable may fall within a box.
-double largest_fall(LowestValue& value, LowestValue& slope, const StudyBox& box) {
+/// How far a function may fall along a variable within a box.
+Violation largest_fall(LowestValue& value, LowestValue& slope, const StudyBox& box, std::size_t variable) {
   const LowestOnBox values = value.on(box);
   // At a pole that two boxes share it may fall between them.
-  if (values.may_have_pole) return HUGE_VAL;
+  if (values.may_have_pole) return {HUGE_VAL, values.axis};
   const double by_values = width_of(values.values);
-  if (values.may_jump) return by_values;
+  if (values.may_jump) return {by_values, values.axis};
   const LowestOnBox slopes = slope.on(box, 0);
-  if (!is_bounded(slopes.values)) return by_values;
-  const Interval width = Interval(box[0].upper) - Interval(box[0].lower);
-  return std::fmin(by_values, upper_end(Interval(width * Interval(std::fmax(0, -slopes.lowest)))));
+  if (!is_bounded(slopes.values)) return {by_values, values.axis};
+  const Interval width = Interval(box[variable].upper) - Interval(box[variable].lower);
+  return {std::fmin(by_values, upper_end(Interval(width * Interval(std::fmax(0, -slopes.lowest))))),
+          slopes.axis};
 }
 
-/// Proves that a node of the form's graph never falls.
-ShapeProof prove_rise(FormGraph form, int node, double slack, const Checkpoint& checkpoint) {
+/// Proves that a node of the form's graph never falls along a variable.
+ShapeProof prove_rise(FormGraph form, int node, std::size_t variable, double slack,
+                      const Checkpoint& checkpoint) {
   LowestValue value = form.lowest_of(node);
-  LowestValue slope = form.lowest_of(form.graph.derivative(node, 0));
+  LowestValue slope = form.lowest_of(form.graph.derivative(node, variable));
   const auto rule = [&](const StudyBox& box) {
-    Violation result{largest_fall(value, slope, box)};
+    Violation result = largest_fall(value, slope, box, variable);
     if (result.amount <= 0) return result;
-    StudyBox from = box, to = box;
-    from[0].upper = from[0].lower;
-    to[0].lower = to[0].upper;
+    // Along one edge of the box.
+    StudyBox from = box;
+    for (auto& side : from) side.upper = side.lower;
+    StudyBox to = from;
+    to[variable].lower = to[variable].upper = box[variable].upper;
     if (lower_end(value.on(from).values - value.on(to).values) > slack) result.place = from;
     return result;
   };
@@ -149,7 +153,7 @@ ShapeProof prove_exact(const StudySubject& subject, double end, double slack) {
 }
 
 ShapeProof prove_shape(const StudySubject& subject, const Constraints& constraint, double scale,
-                       const Checkpoint& checkpoint) {
+                       std::size_t variable, const Checkpoint& checkpoint) {
   if (!constraint.at_least && !constraint.at_most && !constraint.monotone) {
     if (constraint.exact_at.empty()) return {};
     return prove_exact(subject, constraint.exact_at.front(), exact_slack * scale);
@@ -163,8 +167,7 @@ ShapeProof prove_shape(const StudySubject& subject, const Constraints& constrain
   const double slack = shape_slack * scale;
   if (constraint.at_least) return prove_bound(form, value, *constraint.at_least, slack, checkpoint);
   if (constraint.at_most) return prove_bound(form, turned, -*constraint.at_most, slack, checkpoint);
-  if (study.axes.size() > 1) return {Proof::open};
-  return prove_rise(form, constraint.monotone == Course::rises ? value : turned, slack, checkpoint);
+  return prove_rise(form, constraint.monotone == Course::rises ? value : turned, variable, slack, checkpoint);
 }
 
 }  // namespace shadefit

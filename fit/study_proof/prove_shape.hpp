@@ -32,18 +32,19 @@ struct ShapeProof {
 /// Proves in interval arithmetic, at all numbers of the ranges, that the form of a subject keeps a
 /// constraint, where `scale` is the size of its values:
 /// - `at_least`, `at_most`: it crosses the bound by no more than `shape_slack * scale`;
-/// - `monotone`, in one variable: it never falls, or never rises, by more than that, however many times;
+/// - `monotone`: along the variable of this index it never falls, or never rises, by more than that, however
+///   many times;
 /// - `exact_at` an end, in one variable: it differs from the target by no more than `exact_slack * scale`.
 /// Of several constraints only the first one in this order is proven. Other constraints are not proven.
 ///
-/// A bound is proven on boxes, which are cut until it holds on each. For `monotone` the proof sums over boxes
-/// how far the form may run the wrong way: the width of the box times the wrong part of the slope. If there
-/// is no slope, as at the end of sqrt(1 - x) or where a choice may jump, it is the width of the values. The
-/// answer is `open` if that needs more than `most_shape_boxes`, if a monotone form may have a pole, if the
-/// form has an integral, or if the target at an end has an integral inside another one. Throws UserError for
-/// formulas that cannot be read, and for parameters other than those of the form.
+/// A bound is proven on boxes, which are cut until it holds on each. For `monotone` the proof sums over all
+/// boxes how far the form may run the wrong way: the width of the box times the wrong part of the slope. If
+/// there is no slope, as at the end of sqrt(1 - x) or where a choice may jump, it is the width of the values.
+/// The answer is `open` if that needs more than `most_shape_boxes`, if a monotone form may have a pole, if
+/// the form has an integral, or if the target at an end has an integral inside another one. Throws UserError
+/// for formulas that cannot be read, and for parameters other than those of the form.
 ShapeProof prove_shape(const StudySubject& subject, const Constraints& constraint, double scale,
-                       const Checkpoint& checkpoint = keep_going);
+                       std::size_t variable = 0, const Checkpoint& checkpoint = keep_going);
 
 /// Proves that the form of a subject of one variable differs from its target at an end by at most `slack`.
 /// The answer is `open` for measured rows, and if the target has an integral inside another one.

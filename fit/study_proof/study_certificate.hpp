@@ -9,6 +9,7 @@
 #include "fit/proof/constants.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study_proof/study_integral.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// Proofs of the largest error of a user's own form.
@@ -54,11 +55,12 @@ inline constexpr std::size_t most_boxes_of_integrals = 4'000;
 
 /// Proves bounds of the largest error by branch and bound over boxes of the variables. Their relative width
 /// is `width`, or as near to it as `box_limit` boxes allow. The checkpoint is called for each box that is
-/// cut. Throws UserError if `fault_of` finds a fault in the subject, and for a width outside [least_width,
-/// 1); CheckFailed, with the place, if no finite bound was proven.
+/// cut. `known` has the integrals of earlier proofs. Throws UserError if `fault_of` finds a fault in the
+/// subject, and for a width outside [least_width, 1); CheckFailed, with the place, if no finite bound was
+/// proven.
 CertifiedStudy certify_study(const StudySubject& subject, double width,
                              const Checkpoint& checkpoint = keep_going,
-                             std::size_t box_limit = most_study_boxes);
+                             std::size_t box_limit = most_study_boxes, KnownIntegrals known = {});
 
 /// Whether a formula of numbers is exactly that double, as far as 50 digits tell.
 bool is_exactly(const std::string& formula, double value);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "fit/proof/interval_ends.hpp"
 #include "fit/proof/taylor.hpp"
 #include "fit/study_proof/jumps.hpp"
+#include "fit/support/memory.hpp"
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
@@ -66,16 +68,19 @@ class StudyIntegral::Panels {
         series_(series, as_series(parameters)),
         jumps_(std::move(jumps)) {}
 
-  /// A bound on a box asks for the same integrals several times, so the last ones are kept.
-  const std::vector<Interval>& of(std::span<const Interval> variables) {
-    if (!std::equal(variables.begin(), variables.end(), last_.begin(), last_.end(), are_same)) {
-      integrals_ = computed(variables);
-      last_.assign(variables.begin(), variables.end());
-    }
-    return integrals_;
+  /// A bound on a box asks for the same integrals several times, neighbours share an end, and other proofs
+  /// come to the same boxes.
+  std::vector<Interval> of(std::span<const Interval> variables) {
+    return known_.get({variables.begin(), variables.end()}, [&] { return computed(variables); });
   }
 
  private:
+  struct BoxesBefore {
+    bool operator()(const std::vector<Interval>& a, const std::vector<Interval>& b) const {
+      return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), comes_before);
+    }
+  };
+
   std::vector<Interval> computed(std::span<const Interval> variables) {
     std::vector<Panel> panels{panel(variables, 0, 1)};
     while (panels.size() < most_inner_panels) {
@@ -167,10 +172,10 @@ class StudyIntegral::Panels {
   }
 
   std::size_t count_;
-  std::vector<Interval> last_, integrals_;  ///< variables and what was computed for them
   TapeProgram<Interval> range_;
   TapeProgram<Series> series_;
   Jumps jumps_;
+  Memory<std::vector<Interval>, std::vector<Interval>, BoxesBefore> known_;  ///< by the variables
 };
 
 StudyIntegral::StudyIntegral(const ReadStudy& study, const Symbolic& integral,
@@ -206,6 +211,21 @@ std::vector<Interval> StudyIntegral::slopes(std::span<const Interval> variables)
 
 Interval StudyIntegral::curvature(std::span<const Interval> variables) {
   return curvature_ ? curvature_->of(variables).front() : any_number();
+}
+
+std::shared_ptr<StudyIntegral> KnownIntegrals::of(const ReadStudy& study, const Symbolic& integral,
+                                                  std::span<const Interval> parameters) {
+  const std::set<std::string> names = free_variables(integral);
+  const bool has_parameters = std::any_of(study.parameters.begin(), study.parameters.end(),
+                                          [&](const std::string& name) { return names.contains(name); });
+  if (has_parameters) return std::make_shared<StudyIntegral>(study, integral, parameters);
+  std::shared_ptr<StudyIntegral>& known = (*known_)[to_text(integral)];
+  if (known == nullptr) {
+    ReadStudy plain = study;
+    plain.parameters.clear();
+    known = std::make_shared<StudyIntegral>(plain, integral, std::span<const Interval>{});
+  }
+  return known;
 }
 
 }  // namespace shadefit

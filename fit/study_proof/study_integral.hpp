@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "fit/proof/interval.hpp"
@@ -37,6 +39,18 @@ class StudyIntegral {
  private:
   class Panels;
   std::unique_ptr<Panels> value_, slopes_, curvature_;  ///< only the first if the body may jump
+};
+
+/// The integrals of several proofs about the same variables. One without a parameter is the same in all of
+/// them, and is enclosed once on each box. Copies share what they know.
+class KnownIntegrals {
+ public:
+  std::shared_ptr<StudyIntegral> of(const ReadStudy& study, const Symbolic& integral,
+                                    std::span<const Interval> parameters);
+
+ private:
+  using ByText = std::map<std::string, std::shared_ptr<StudyIntegral>>;
+  std::shared_ptr<ByText> known_ = std::make_shared<ByText>();
 };
 
 }  // namespace shadefit

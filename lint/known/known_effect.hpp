@@ -4,8 +4,8 @@
 #include <tuple>
 #include <vector>
 
+#include "fit/support/memory.hpp"
 #include "lint/known/known_set.hpp"
-#include "lint/known/memory.hpp"
 
 namespace shadefit::lint {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "approx/encoding.hpp"
 #include "fit/better/sampled_curve.hpp"
@@ -36,17 +37,55 @@ std::string ramp(const std::vector<double>& values, bool is_encoded, double top,
   return svg;
 }
 
+/// How far the codes of form and target differ at a sample.
+double codes_apart(const SampledCurve& curve, std::size_t i, bool is_encoded) {
+  return static_cast<double>(
+      std::abs(grey_of(curve.form[i], is_encoded) - grey_of(curve.target[i], is_encoded)));
+}
+
+/// The samples of a line of rising x: of one variable all, of two those with this y.
+SampledCurve line_of(const SampledCurve& curve, const std::optional<double>& y) {
+  if (!y) return curve;
+  std::map<double, std::size_t> by_x;
+  for (std::size_t i = 0; i < curve.places.size(); ++i)
+    if (curve.places[i][1] == *y) by_x[curve.places[i][0]] = i;
+  SampledCurve line;
+  for (const auto& [x, i] : by_x) {
+    line.places.push_back(curve.places[i]);
+    line.form.push_back(curve.form[i]);
+    line.target.push_back(curve.target[i]);
+  }
+  return line;
+}
+
 }  // namespace
+
+std::optional<double> seen_line(const StudyComparison& comparison, const StudyContender& published) {
+  if (comparison.variables.size() != 2) return std::nullopt;
+  const SampledCurve curve = sample_curve(formulas_of(comparison, published), published.values);
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < curve.places.size(); ++i)
+    if (codes_apart(curve, i, comparison.is_encoded) > codes_apart(curve, worst, comparison.is_encoded))
+      worst = i;
+  return curve.places[worst][1];
+}
 
 std::string grey_ramps_svg(const StudyComparison& comparison,
                            const std::vector<const StudyContender*>& contenders) {
-  const bool is_seen = comparison.variables.size() == 1 && !comparison.study.rows && !contenders.empty() &&
-                       contenders.front()->is_shown && codes_of(comparison, *contenders.front()) >= 1;
+  // Rows of one variable may be anywhere; those of two are a grid if a line has enough of them.
+  const std::size_t variables = comparison.variables.size();
+  const bool has_lines = variables == 2 || (variables == 1 && !comparison.study.rows);
+  const bool is_seen = has_lines && !contenders.empty() && contenders.front()->is_shown &&
+                       codes_of(comparison, *contenders.front()) >= 1;
   if (!is_seen) return "";
+  const std::optional<double> y = seen_line(comparison, *contenders.front());
   std::string ramps;
   double top = 0;
   for (const StudyContender* contender : contenders) {
-    const SampledCurve curve = sample_curve(formulas_of(comparison, *contender), contender->values);
+    const SampledCurve curve =
+        line_of(sample_curve(formulas_of(comparison, *contender), contender->values), y);
+    constexpr std::size_t least_samples = 8;
+    if (curve.form.size() < least_samples) return "";
     // The target is between the two, so that it touches both.
     ramps += ramp(curve.form, comparison.is_encoded, top, top == 0 ? "published" : "better");
     top += ramp_height;

@@ -57,11 +57,21 @@ std::string keys_of(const std::vector<const StudyContender*>& contenders) {
   return "<ul>\n" + keys + "</ul>\n";
 }
 
+/// "x, at r = 0.446, where the published set is seen to be off most".
+std::string line_in_words(const StudyComparison& comparison, const StudyContender& published) {
+  const std::string& first = comparison.variables.front();
+  const auto y = seen_line(comparison, published);
+  if (!y) return first;
+  return fmt::format("{}, at {} = {}, where the published values are off by the most codes", first,
+                     comparison.variables[1], text(Number{*y, 3}, Precision::report));
+}
+
 std::string ramps(const StudyComparison& comparison, const std::vector<const StudyContender*>& contenders) {
   const std::string svg = grey_ramps_svg(comparison, contenders);
   if (svg.empty()) return "";
   return "<h2>As greys</h2>\n" + svg +
-         fmt::format("<p class=\"soft\">Left to right over the range. {}</p>\n",
+         fmt::format("<p class=\"soft\">Left to right over {}. {}</p>\n",
+                     line_in_words(comparison, *contenders.front()),
                      comparison.is_encoded
                          ? "Values are a signal for a display: 255 times a value is its code."
                          : "Values are linear, shown in 8-bit sRGB.");
@@ -77,7 +87,8 @@ std::string picture(const StudyComparison& comparison) {
   if (maps.empty()) return "";
   std::string words = "Blue is too large, red too small; the strongest colour is the largest error of both.";
   if (contenders.size() > 1) words += " Right: " + words_of(*contenders[1]) + ".";
-  return fmt::format("<h2>Error map{}</h2>\n{}<p>{}</p>\n", behind(comparison), maps, html_text(words));
+  return fmt::format("<h2>Error map{}</h2>\n{}<p>{}</p>\n{}", behind(comparison), maps, html_text(words),
+                     ramps(comparison, contenders));
 }
 
 std::string evidence_in_words(const ContenderInFormat& in_format) {

@@ -218,6 +218,9 @@ TEST(Gallery, HasAMapOfTwoVariables) {
       svg.find("class=\"over\" x=\"90.0\" y=\"320.0\" width=\"12.0\" height=\"12.0\" fill-opacity=\"0.33\""),
       std::string::npos)
       << "the lower left cell";
+  // 0.25 is code 137: 137 from the target at the origin, 118 from it at (1, 1).
+  EXPECT_NE(judged_study(entry).page.find("Left to right over x, at y = 0, where the published values"),
+            std::string::npos);
 }
 
 /// x + y - a x y is x + y where x or y is 0, and at no other edge of the square.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,24 @@ TEST(StudyProperties, AnEdgeMayBeExactToItsDigits) {
       << "1.0001 has one more digit than half a unit allows";
   EXPECT_EQ(to_text(properties_of(study, sample_curve(study, {1.0001, 0.3}), {"1.000", "0.300"})),
             "exact at x = 0, exact at y = 0 to its digits, not negative");
+}
+
+TEST(StudyProperties, SeveralVariablesRiseOrFallInEach) {
+  const ReadStudy study = read_study(
+      {.target = "x - y^2", .form = "a x - b y + 0.1", .over = {{"x", "0", "1"}, {"y", "0", "1"}}});
+  SampledCurve curve = sample_curve(study, {0.8, 1.2});
+  EXPECT_EQ(to_text(properties_of(study, curve)), "rises in x, falls in y, at most 1");
+  // A value that leaves its line in x rises or falls in neither.
+  for (std::size_t i = 0; i < curve.places.size(); ++i)
+    if (curve.places[i] == std::vector{0.5, 0.5}) curve.form[i] += 0.02;
+  EXPECT_EQ(to_text(properties_of(study, curve)), "falls in y, at most 1");
+  // Scattered places are on no lines. Those of the edges stay.
+  for (std::size_t i = 0; i < curve.places.size(); ++i) {
+    std::vector<double>& place = curve.places[i];
+    if (std::any_of(place.begin(), place.end(), [](double x) { return x == 0 || x == 1; })) continue;
+    for (double& x : place) x += 1e-6 * static_cast<double>(i + 1);
+  }
+  EXPECT_EQ(to_text(properties_of(study, curve)), "at most 1");
 }
 
 /// A better set is exact where the published one is exact to its digits, and both are proven.

@@ -58,7 +58,6 @@ std::vector<ShapeCase> shapes() {
       {"a pole between clamps: from -5 to 5 at 0", form_of("max(min(a/x, 5), -5)", around), falls,
        Proof::open},
       {"the same up to the pole", form_of("1/(1 + exp(a/x))"), rises, Proof::open},
-      {"two variables have no course", form_of("a x + y"), rises, Proof::open},
 
       {"a square, multiplied out", form_of("a x^2 - (2/3) x + 1/9"), not_negative, Proof::proven},
       {"it is 0 at 1/3, less 1e-13", form_of("a x^2 - (2/3) x + 1/9 - 1e-13"), not_negative, Proof::proven},
@@ -113,6 +112,23 @@ TEST(ProveShape, NamesThePlace) {
   EXPECT_NEAR(place(form_of("4.000004 a x (1 - x)"), at_most_one).at(0), 0.5, 0.001);
   const auto corner = place(form_of("a x y - 1e-9"), not_negative);
   EXPECT_LT(corner.at(0) * corner.at(1), 1e-9);
+}
+
+TEST(ProveShape, ACourseIsAlongOneVariable) {
+  const auto prove = [](const std::string& form, const Constraints& constraint, std::size_t variable) {
+    return prove_shape(form_of(form), constraint, 1, variable);
+  };
+  EXPECT_EQ(prove("a x - y^2", rises, 0).proof, Proof::proven);
+  EXPECT_EQ(prove("a x - y^2", rises, 1).proof, Proof::refuted);
+  EXPECT_EQ(prove("a x - y^2", falls, 1).proof, Proof::proven);
+  EXPECT_EQ(prove("a x y", rises, 0).proof, Proof::proven) << "constant where y = 0";
+  EXPECT_EQ(prove("max(a x, 2 x - y)", rises, 0).proof, Proof::proven) << "a kink along a line";
+  EXPECT_EQ(prove("max(a x, 2 x - y)", rises, 1).proof, Proof::refuted);
+  // It falls with x up to 1/2, unless y is 0.
+  const ShapeProof dip = prove("a (x - 0.5)^2 y", rises, 0);
+  EXPECT_EQ(dip.proof, Proof::refuted);
+  EXPECT_LT(dip.place.at(0), 0.5);
+  EXPECT_GT(dip.place.at(1), 0);
 }
 
 /// The slack is a part of the scale.

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 
-namespace shadefit::lint {
+namespace shadefit {
 
-/// Answers that are computed once: generated programs have one expression thousands of times. All are
-/// forgotten when there are too many.
-template <class Key, class Answer>
+/// Answers that are computed once: generated programs have one expression thousands of times, and proofs ask
+/// for one integral on the same boxes. All are forgotten when there are too many.
+template <class Key, class Answer, class Before = std::less<Key>>
 class Memory {
  public:
   /// The answer of an earlier call with this key, or that of `compute`.
@@ -21,7 +22,7 @@ class Memory {
 
  private:
   static constexpr std::size_t most_answers = 4096;
-  std::map<Key, Answer> answers_;
+  std::map<Key, Answer, Before> answers_;
 };
 
-}  // namespace shadefit::lint
+}  // namespace shadefit
