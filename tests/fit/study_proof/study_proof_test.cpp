@@ -193,6 +193,26 @@ TEST(StudyProof, HoldsTheMinimaxLevelOfTheArcCosine) {
   EXPECT_GE(certificate.upper, 0.003206963815473165);
 }
 
+/// Proofs that share the integral of their target find what they find alone. One with a parameter is not
+/// shared.
+TEST(StudyProof, ProofsMayShareIntegrals) {
+  const auto subject = [](const std::string& form, const std::string& a) {
+    return StudySubject{
+        {.target = "integral(1/(1 + x + (1 - x) t^2), t, 0, 1)", .form = form, .over = {{"x", "0", "1"}}},
+        {{"a", a}}};
+  };
+  const KnownIntegrals known;
+  for (const StudySubject& one :
+       {subject("a - 0.3 x", "0.78"), subject("a - 0.3 x", "0.79"),
+        subject("integral(t^2 (a - x), t, 0, 1)", "2"), subject("integral(t^2 (a - x), t, 0, 1)", "3")}) {
+    const StudyCertificate shared = certify_study(one, 1e-6, keep_going, 500, known).certificate,
+                           alone = certify_study(one, 1e-6, keep_going, 500).certificate;
+    EXPECT_EQ(shared.lower, alone.lower) << one.study.form;
+    EXPECT_EQ(shared.upper, alone.upper) << one.study.form;
+    EXPECT_EQ(shared.boxes, alone.boxes) << one.study.form;
+  }
+}
+
 /// The bound on a box holds for each place in it.
 TEST(StudyProof, BoundsEachPlaceOfABox) {
   const ReadStudy study = read_formulas({.target = "max(x, y^2) + floor(2 x) sign(y)",
