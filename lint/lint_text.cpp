@@ -89,7 +89,12 @@ class SiteJudge {
     const bool has_other_units = is_in_other_units(site_);
     std::vector<JudgedNumber> numbers;
     for (const SiteNumber& number : site_.numbers) {
-      const Grade grade = lint::grade_of(set_, number);
+      const Digits published = digits_of(set_.constants[number.constant].printed);
+      const bool is_shifted = number.match == DigitMatch::shifted;
+      const bool is_of_units =
+          has_other_units &&
+          (is_shifted || !have_near_exponents(literals_[number.literal].digits, published));
+      const Grade grade = is_of_units && is_shifted ? Grade::right : lint::grade_of(set_, number);
       if (is_by_expression(number)) {
         const double found = number_of(literals_[number.literal].digits);
         numbers.push_back(by_expression(number.constant, found, grade).value());
@@ -98,8 +103,7 @@ class SiteJudge {
       std::vector<std::size_t> at;
       for (std::size_t i = number.literal - number.repeats; i <= number.literal; ++i) at.push_back(i);
       numbers.push_back(judged_number(at, number.constant, grade));
-      if (has_other_units && number.match == DigitMatch::shifted)
-        numbers.back().evidence = NumberEvidence::none;
+      if (is_of_units) numbers.back().evidence = NumberEvidence::none;
     }
     return numbers;
   }

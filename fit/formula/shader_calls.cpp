@@ -30,6 +30,12 @@ Symbolic truncated(const Symbolic& x) {
   return with_sign_of(x, floor(abs(x)));
 }
 
+/// log(x + sqrt(x^2 + 1)), with 1 taken from the argument of the logarithm, which is near 1 for a small x.
+Symbolic area_sine(const Symbolic& x) {
+  const Symbolic a = abs(x), square = a * a;
+  return with_sign_of(x, log1p(a + square / (whole(1) + sqrt(square + whole(1)))));
+}
+
 struct Composed {
   std::string_view name;
   std::size_t arguments;
@@ -38,6 +44,14 @@ struct Composed {
 
 constexpr std::array composed_functions{
     Composed{"log10", 1, [](Arguments x) { return log(x[0]) / log(whole(10)); }},
+    Composed{"radians", 1, [](Arguments x) { return x[0] * pi<Symbolic>() / whole(180); }},
+    Composed{"degrees", 1, [](Arguments x) { return x[0] * whole(180) / pi<Symbolic>(); }},
+    Composed{"asinh", 1, [](Arguments x) { return area_sine(x[0]); }},
+    Composed{"acosh", 1, [](Arguments x) { return log(x[0] + sqrt((x[0] - whole(1)) * (x[0] + whole(1)))); }},
+    Composed{"atanh", 1, [](Arguments x) { return log1p(whole(2) * x[0] / (whole(1) - x[0])) / whole(2); }},
+    Composed{"cbrt", 1,
+             [](Arguments x) { return with_sign_of(x[0], power(abs(x[0]), whole(1) / whole(3))); }},
+    Composed{"hypot", 2, [](Arguments x) { return sqrt(x[0] * x[0] + x[1] * x[1]); }},
     Composed{"rsqrt", 1, [](Arguments x) { return whole(1) / sqrt(x[0]); }},
     Composed{"inversesqrt", 1, [](Arguments x) { return whole(1) / sqrt(x[0]); }},
     Composed{"rcp", 1, [](Arguments x) { return whole(1) / x[0]; }},

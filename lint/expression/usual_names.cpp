@@ -55,13 +55,17 @@ bool is_number_type(std::string_view word) {
 std::string usual_name(std::string_view word) {
   word = plain_name(word);
   const std::string small = lower_case_of(word);
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 13> names{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 17> names{{
       {"powr", "pow"},
       {"spow", "pow"},
       {"powi", "pow"},
       {"power", "pow"},
       {"muladd", "fma"},
       {"madd", "fma"},
+      {"deg2rad", "radians"},
+      {"degtorad", "radians"},
+      {"rad2deg", "degrees"},
+      {"radtodeg", "degrees"},
       {"arccos", "acos"},
       {"arctan", "atan"},
       {"frcp", "rcp"},  // of CUDA

@@ -53,11 +53,6 @@ Grade grade_of_other(const KnownConstant& constant, double found) {
   return is_shortened(digits, digits_of(constant.printed)) ? Grade::truncated : Grade::typo;
 }
 
-bool is_in_other_units(const Site& site) {
-  return std::count_if(site.numbers.begin(), site.numbers.end(),
-                       [](const SiteNumber& number) { return number.match == DigitMatch::shifted; }) > 1;
-}
-
 std::vector<double> constants_at(const KnownSet& set, const Site& site,
                                  const std::vector<Literal>& literals) {
   std::vector<double> values = published_values(set);
@@ -65,10 +60,11 @@ std::vector<double> constants_at(const KnownSet& set, const Site& site,
   for (const SiteNumber& number : site.numbers) {
     if (number.match < DigitMatch::rounded) continue;
     if (has_other_units && number.match == DigitMatch::shifted) continue;
-    const Literal& literal = literals[number.literal];
-    const double found = number_of(literal.digits);
+    Digits digits = literals[number.literal].digits;
+    const Digits published = digits_of(set.constants[number.constant].printed);
+    if (has_other_units && !have_near_exponents(digits, published)) digits.exponent = published.exponent;
     double& value = values[number.constant];
-    value = std::copysign(found, value);
+    value = std::copysign(number_of(digits), value);
   }
   return values;
 }

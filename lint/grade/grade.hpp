@@ -47,12 +47,9 @@ Grade grade_of(const KnownSet& set, const SiteNumber& number);
 /// 0.00232, otherwise `typo`.
 Grade grade_of_other(const KnownConstant& constant, double found);
 
-/// Whether the decimal points of several numbers are shifted: then they are in other units, such as 1000
-/// kelvin, and right.
-bool is_in_other_units(const Site& site);
-
 /// The constants of a set as found at a site, with the signs of the published ones: the expression has the
-/// sign. A number that only has more digits, or those of a float, counts as the published one.
+/// sign. A number that only has more digits, or those of a float, counts as the published one. In other units
+/// the decimal point of a number says nothing.
 std::vector<double> constants_at(const KnownSet& set, const Site& site, const std::vector<Literal>& literals);
 
 /// The grade of a form with the constants found at a site.

@@ -132,6 +132,10 @@ bool Companions::add_rounded_and_edited(Site& site) {
   const std::size_t count = site.numbers.size();
   const std::size_t first = site.numbers.front().literal, last = site.numbers.back().literal;
   const KnownSet& set = sets_[site.set];
+  const bool has_other_units = is_in_other_units(site);
+  const auto is_edited_in_other_units = [&](const Digits& found, const Digits& published) {
+    return has_other_units && match_digits({found.text, published.exponent}, published) == DigitMatch::edited;
+  };
   for (std::size_t c = 0; c < set.constants.size(); ++c) {
     if (set.constants[c].is_common || has_constant(site, c)) continue;
     const Digits published = digits_of(set.constants[c].printed);
@@ -146,6 +150,8 @@ bool Companions::add_rounded_and_edited(Site& site) {
         site.numbers.push_back({i, c, *match});
       else if (is_rounded_and_edited(digits_at(i), published))
         site.numbers.push_back({i, c, DigitMatch::rounded_and_edited});
+      else if (is_edited_in_other_units(digits_at(i), published))
+        site.numbers.push_back({i, c, DigitMatch::edited});
     }
   }
   std::sort(site.numbers.begin(), site.numbers.end(),

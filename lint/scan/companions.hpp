@@ -42,8 +42,8 @@ class Companions {
   bool are_in_one_function(std::size_t a, std::size_t b);
 
  private:
-  /// Adds missing constants as numbers that were rounded and then mistyped, between or beside the others.
-  /// True if there is one.
+  /// Adds missing constants as numbers that were rounded and then mistyped, or mistyped in other units,
+  /// between or beside the others. True if there is one.
   bool add_rounded_and_edited(Site& site);
 
   /// A constant that the form has at several places may have a wrong digit or exponent at one of them only.

@@ -33,12 +33,6 @@ Digits cut_to(const Digits& digits, std::size_t n) {
   return result;
 }
 
-/// Whether the numbers may be equal but for rounding, which may add a leading digit. Most numbers that are
-/// compared differ in this, and the other comparisons are slow.
-bool have_near_exponents(const Digits& found, const Digits& published) {
-  return std::abs(found.exponent - published.exponent) <= 1;
-}
-
 bool is_same_float(const Digits& found, const Digits& published) {
   constexpr std::size_t digits_of_a_float = 7;
   return found.text.size() >= digits_of_a_float && have_near_exponents(found, published) &&
@@ -99,6 +93,10 @@ bool is_one_edit(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+bool have_near_exponents(const Digits& found, const Digits& published) {
+  return std::abs(found.exponent - published.exponent) <= 1;
+}
 
 double number_of(const Digits& digits) {
   const std::string text = "0." + digits.text + "e" + std::to_string(digits.exponent);

@@ -43,6 +43,10 @@ bool is_usual_slip(const Digits& found, const Digits& published);
 /// Whether one edit turns the published number, rounded or cut off to five digits or more, into the digits.
 bool is_rounded_and_edited(const Digits& found, const Digits& published);
 
+/// Whether the numbers may be equal but for rounding, which may add a leading digit. Most numbers that are
+/// compared differ in this, and the other comparisons are slow.
+bool have_near_exponents(const Digits& found, const Digits& published);
+
 /// The number with these digits.
 double number_of(const Digits& digits);
 

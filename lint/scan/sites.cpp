@@ -153,6 +153,11 @@ class SiteFinder {
 
 }  // namespace
 
+bool is_in_other_units(const Site& site) {
+  return std::count_if(site.numbers.begin(), site.numbers.end(),
+                       [](const SiteNumber& number) { return number.match == DigitMatch::shifted; }) > 1;
+}
+
 std::vector<Site> sites_of(std::string_view text, const std::vector<Literal>& literals,
                            const std::vector<KnownSet>& sets, const DigitIndex& index, const ReadSite& read) {
   const std::vector<Hit> hits = hits_of(literals, index);

@@ -29,6 +29,10 @@ struct Site {
   double bits = 0;
 };
 
+/// Whether the decimal points of several numbers are shifted: then they are in other units, such as 1000
+/// kelvin, and right.
+bool is_in_other_units(const Site& site);
+
 /// Sites with at least this many bits need no other evidence. A tree of 10 000 files has some 2^22 numbers,
 /// and there are some 2^8 sets of constants.
 inline constexpr double telling_bits = 24;

@@ -203,6 +203,23 @@ TEST(Sites, SeveralShiftedNumbersAreOtherUnits) {
       Words{"planck-u right"});
 }
 
+// Kang's cubic of kelvin: only the number with a wrong digit is named, whether it is in other units or not.
+TEST(Sites, ASlipAmongOtherUnitsIsFound) {
+  const auto wrong = [](const std::string& thousand, const std::string& one) {
+    const auto sites =
+        lint_glsl("x = -0.2661239e9/(T*T*T) - 0.2343580e6/(T*T) + " + thousand + "/T + " + one);
+    Words constants;
+    if (sites.size() != 1 || sites[0].effect.absolute.magnitude > 1e-4) return constants;
+    for (const LintedNumber& number : sites[0].numbers)
+      if (number.grade != Grade::right) constants.push_back(number.published);
+    return constants;
+  };
+  EXPECT_EQ(wrong("0.8776956e3", "0.179910"), Words{});
+  EXPECT_EQ(wrong("0.8776956e3", "0.179901"), Words{"0.179910"});
+  EXPECT_EQ(wrong("0.8776965e3", "0.179910"), Words{"0.8776956"});
+  EXPECT_EQ(wrong("877.6965", "0.179910"), Words{"0.8776956"});
+}
+
 // The encoder's threshold is a mistake in a decoder, but not if it stands in an encoder above one.
 TEST(Sites, AVariantThatAnotherSetPublishesTellsNothing) {
   const std::string text = R"(

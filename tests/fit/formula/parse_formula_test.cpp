@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -121,6 +122,23 @@ TEST(ParseFormula, ReadsShaderCode) {
       error_of("sqr(a)"),
       "formula 'sqr(a)': expected one of a, b, cos_theta, pi, ln2 and the functions, not 'sqr' (did you "
       "mean 'sqrt'?) at place 1");
+}
+
+/// Within some roundings of C's own functions, where these cancel too: next to 0.
+TEST(ParseFormula, ReadsTheOtherFunctionsOfShaders) {
+  constexpr double few = 1e-15;
+  const auto expect = [](std::string_view text, double expected) {
+    EXPECT_NEAR(value_of(text), expected, few * std::abs(expected)) << text;
+  };
+  expect("radians(180.)", std::numbers::pi);
+  expect("degrees(PI/2)", 90);
+  expect("asinh(a)", std::asinh(3.0));
+  expect("asinh(-a/1e9)", std::asinh(-3e-9));
+  expect("acosh(a)", std::acosh(3.0));
+  expect("atanh(b)", std::atanh(0.5));
+  expect("atanh(-a/1e9)", std::atanh(-3e-9));
+  expect("cbrt(a - 11)", -2);
+  expect("hypot(a, -4.)", 5);
 }
 
 // A line of a shader: casts, C's constants, suffixes and the end of a statement.
