@@ -104,11 +104,11 @@ std::vector<std::vector<T>> narrowed(const std::vector<std::vector<long double>>
 
 template <class T>
 SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes)
-    : count_(error.parameter_count()),
+    : error_(&error),
+      count_(error.parameter_count()),
+      coordinates_(narrowed<T>(nodes.coordinates)),
       weights_(nodes.weights.begin(), nodes.weights.end()),
-      gradient_(error.gradient(), narrowed<T>(nodes.coordinates)),
-      hessian_(error.hessian(), narrowed<T>(nodes.coordinates)) {
-  const auto coordinates = narrowed<T>(nodes.coordinates);
+      gradient_(error.gradient(), coordinates_) {
   roots_.resize(static_cast<Eigen::Index>(size()));
   for (std::size_t i = 0; i < size(); ++i) roots_[static_cast<Eigen::Index>(i)] = std::sqrt(weights_[i]);
   constexpr std::size_t lanes = Batch<T>::lanes;
@@ -119,12 +119,25 @@ SampledStudy<T>::SampledStudy(const StudyError& error, const StudyNodes& nodes)
     packed_weights_.push_back(Batch<T>::Lanes::joined(group));
   }
   for (const StagedTape& denominator : error.denominators())
-    denominators_.emplace_back(denominator, coordinates);
-  std::vector<S> target;
-  Batch<T>(error.target(), coordinates)(std::vector<T>(count_), target);
-  T square = 0;
-  for (std::size_t i = 0; i < size(); ++i) square += weights_[i] * lane(target, 0, i) * lane(target, 0, i);
-  target_norm_ = std::sqrt(square);
+    denominators_.emplace_back(denominator, coordinates_);
+}
+
+template <class T>
+const Batch<T>& SampledStudy<T>::hessian() const {
+  if (!hessian_) hessian_.emplace(error_->hessian(), coordinates_);
+  return *hessian_;
+}
+
+template <class T>
+T SampledStudy<T>::target_norm() const {
+  if (!target_norm_) {
+    std::vector<S> target;
+    Batch<T>(error_->target(), coordinates_)(std::vector<T>(count_), target);
+    T square = 0;
+    for (std::size_t i = 0; i < size(); ++i) square += weights_[i] * lane(target, 0, i) * lane(target, 0, i);
+    target_norm_ = std::sqrt(square);
+  }
+  return *target_norm_;
 }
 
 template <class T>
@@ -198,7 +211,7 @@ StudySums<T> SampledStudy<T>::gradient(std::span<const T> parameters) const {
 template <class T>
 StudySums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
   std::vector<S> results;
-  hessian_(parameters, results);
+  hessian()(parameters, results);
   const auto n = static_cast<Eigen::Index>(count_);
   StudySums<T> sums{0, VectorOf<T>::Zero(n), MatrixOf<T>::Zero(n, n)};
   for (std::size_t node = 0; node < size(); ++node) {
@@ -223,7 +236,7 @@ StudySums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
 template <class T>
 MatrixOf<T> SampledStudy<T>::curvature(std::span<const T> parameters, std::span<const T> shares) const {
   std::vector<S> results;
-  hessian_(parameters, results);
+  hessian()(parameters, results);
   const auto n = static_cast<Eigen::Index>(count_);
   MatrixOf<T> sum = MatrixOf<T>::Zero(n, n);
   for (std::size_t node = 0; node < size(); ++node) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -65,10 +66,11 @@ struct StudySums {
   MatrixOf<T> hessian;   ///< if asked for
 };
 
-/// The error at nodes.
+/// The error at nodes. One thread uses it at a time.
 template <class T>
 class SampledStudy {
  public:
+  /// Keeps a pointer to the error.
   SampledStudy(const StudyError& error, const StudyNodes& nodes);
 
   std::size_t size() const { return weights_.size(); }
@@ -91,7 +93,7 @@ class SampledStudy {
   MatrixOf<T> curvature(std::span<const T> parameters, std::span<const T> shares) const;
 
   /// The root mean square of the error of a form that is 0: the scale of the problem.
-  T target_norm() const { return target_norm_; }
+  T target_norm() const;
 
   /// Whether a denominator of the form vanishes or changes its sign between nodes.
   bool has_pole(std::span<const T> parameters) const;
@@ -100,14 +102,19 @@ class SampledStudy {
   using S = typename Batch<T>::S;
 
   T lane(const std::vector<S>& results, std::size_t row, std::size_t node) const;
+  const Batch<T>& hessian() const;
 
+  const StudyError* error_;
   std::size_t count_;
+  std::vector<std::vector<T>> coordinates_;
   std::vector<T> weights_;
   std::vector<S> packed_weights_;  ///< 0 for a node that is repeated
   VectorOf<T> roots_;
-  Batch<T> gradient_, hessian_;
+  Batch<T> gradient_;
   std::vector<Batch<T>> denominators_;
-  T target_norm_;
+  // When first needed: many rules are only for the errors.
+  mutable std::optional<Batch<T>> hessian_;
+  mutable std::optional<T> target_norm_;
 };
 
 template <>
