@@ -1,9 +1,7 @@
 #include "fit/tape/tape.hpp"
 
-#include <charconv>
 #include <map>
 #include <stdexcept>
-#include <string>
 
 #include "fit/scalars/in_50_digits.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -11,16 +9,7 @@
 namespace shadefit {
 namespace {
 
-/// A number is rounded from its text, a hundred times as fast as by 50 digits, which then are for expressions
-/// and for numbers beyond long double.
 long double rounded_once(const Symbolic& expression) {
-  if (expression.kind() == Symbolic::Kind::number) {
-    const std::string& text = expression.name();
-    const char* end = text.data() + text.size();
-    long double value = 0;
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error == std::errc{} && stop == end) return value;
-  }
   return static_cast<long double>(in_50_digits(expression));
 }
 
