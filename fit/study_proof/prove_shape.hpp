@@ -38,8 +38,8 @@ struct ShapeProof {
 /// Of several constraints only the first one in this order is proven. Other constraints are not proven.
 ///
 /// A bound is proven on boxes, which are cut until it holds on each. For `monotone` the proof sums over all
-/// boxes how far the form may run the wrong way: the width of the box times the wrong part of the slope. If
-/// there is no slope, as at the end of sqrt(1 - x) or where a choice may jump, it is the width of the values.
+/// boxes how far the form may run the wrong way: the width of the box times the wrong part of the slope. The
+/// end of sqrt(1 - x) and the jump of a choice have no slope; there the proof takes the width of the values.
 /// The answer is `open` if that needs more than `most_shape_boxes`, if a monotone form may have a pole, if
 /// the form has an integral, or if the target at an end has an integral inside another one. Throws UserError
 /// for formulas that cannot be read, and for parameters other than those of the form.

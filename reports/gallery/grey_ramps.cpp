@@ -58,9 +58,8 @@ SampledCurve line_of(const SampledCurve& curve, const std::optional<double>& y) 
   return line;
 }
 
-}  // namespace
-
-std::optional<double> seen_line(const StudyComparison& comparison, const StudyContender& published) {
+/// The value of the second of two variables where the codes of form and target differ most.
+std::optional<double> worst_line(const StudyComparison& comparison, const StudyContender& published) {
   if (comparison.variables.size() != 2) return std::nullopt;
   const SampledCurve curve = sample_curve(formulas_of(comparison, published), published.values);
   std::size_t worst = 0;
@@ -70,22 +69,24 @@ std::optional<double> seen_line(const StudyComparison& comparison, const StudyCo
   return curve.places[worst][1];
 }
 
-std::string grey_ramps_svg(const StudyComparison& comparison,
-                           const std::vector<const StudyContender*>& contenders) {
+}  // namespace
+
+GreyRamps grey_ramps(const StudyComparison& comparison,
+                     const std::vector<const StudyContender*>& contenders) {
   // Rows of one variable may be anywhere; those of two are a grid if a line has enough of them.
   const std::size_t variables = comparison.variables.size();
   const bool has_lines = variables == 2 || (variables == 1 && !comparison.study.rows);
   const bool is_seen = has_lines && !contenders.empty() && contenders.front()->is_shown &&
                        codes_of(comparison, *contenders.front()) >= 1;
-  if (!is_seen) return "";
-  const std::optional<double> y = seen_line(comparison, *contenders.front());
+  if (!is_seen) return {};
+  const std::optional<double> y = worst_line(comparison, *contenders.front());
   std::string ramps;
   double top = 0;
   for (const StudyContender* contender : contenders) {
     const SampledCurve curve =
         line_of(sample_curve(formulas_of(comparison, *contender), contender->values), y);
     constexpr std::size_t least_samples = 8;
-    if (curve.form.size() < least_samples) return "";
+    if (curve.form.size() < least_samples) return {};
     // The target is between the two, so that it touches both.
     ramps += ramp(curve.form, comparison.is_encoded, top, top == 0 ? "published" : "better");
     top += ramp_height;
@@ -94,9 +95,11 @@ std::string grey_ramps_svg(const StudyComparison& comparison,
       top += ramp_height;
     }
   }
-  return fmt::format(
-      "<svg viewBox=\"0 0 720 {:.0f}\" role=\"img\" shape-rendering=\"crispEdges\" aria-label=\"values as greys\">\n{}</svg>\n",
-      top, ramps);
+  return {
+      fmt::format(
+          "<svg viewBox=\"0 0 720 {:.0f}\" role=\"img\" shape-rendering=\"crispEdges\" aria-label=\"values as greys\">\n{}</svg>\n",
+          top, ramps),
+      y};
 }
 
 }  // namespace shadefit

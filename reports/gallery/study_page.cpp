@@ -57,21 +57,19 @@ std::string keys_of(const std::vector<const StudyContender*>& contenders) {
   return "<ul>\n" + keys + "</ul>\n";
 }
 
-/// "x, at r = 0.446, where the published set is seen to be off most".
-std::string line_in_words(const StudyComparison& comparison, const StudyContender& published) {
+/// "x, at r = 0.446, where the published values are off by the most codes".
+std::string line_in_words(const StudyComparison& comparison, const std::optional<double>& y) {
   const std::string& first = comparison.variables.front();
-  const auto y = seen_line(comparison, published);
   if (!y) return first;
   return fmt::format("{}, at {} = {}, where the published values are off by the most codes", first,
                      comparison.variables[1], text(Number{*y, 3}, Precision::report));
 }
 
 std::string ramps(const StudyComparison& comparison, const std::vector<const StudyContender*>& contenders) {
-  const std::string svg = grey_ramps_svg(comparison, contenders);
+  const auto [svg, line] = grey_ramps(comparison, contenders);
   if (svg.empty()) return "";
   return "<h2>As greys</h2>\n" + svg +
-         fmt::format("<p class=\"soft\">Left to right over {}. {}</p>\n",
-                     line_in_words(comparison, *contenders.front()),
+         fmt::format("<p class=\"soft\">Left to right over {}. {}</p>\n", line_in_words(comparison, line),
                      comparison.is_encoded
                          ? "Values are a signal for a display: 255 times a value is its code."
                          : "Values are linear, shown in 8-bit sRGB.");
