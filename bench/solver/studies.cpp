@@ -2,15 +2,18 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/solver/benchmarks.hpp"
 #include "fit/families/families.hpp"
+#include "fit/formula/parse_formula.hpp"
 #include "fit/least_squares/sampled_problem.hpp"
 #include "fit/quadrature/gauss.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
+#include "fit/tape/tape_program.hpp"
 #include "fit/truths/albedos.hpp"
 #include "fit/truths/truths.hpp"
 
@@ -75,12 +78,34 @@ void time_of_value(benchmark::State& state, const Albedo& albedo) {
   for (auto _ : state) benchmark::DoNotOptimize(value = albedo_value(albedo, 0.3, 0.2));
 }
 
+/// A truth that is a formula, also one with an integral, at one place: cosines, roughness and albedos are
+/// 0.3, the indices of refraction those of a metal.
+void time_of_formula(benchmark::State& state, const Truth& truth) {
+  std::string call(truth.name);
+  std::vector<double> place;
+  for (const std::string& name : truth.arguments) {
+    call += (place.empty() ? "(" : ", ") + name;
+    place.push_back(name == "n" ? 1.5 : name == "k" ? 3 : 0.3);
+  }
+  const std::vector<std::string_view> names(truth.arguments.begin(), truth.arguments.end());
+  const Symbolic formula = parse_formula(call + ")", names);
+  TapeProgram<double> program(tape_of(formula, truth.arguments), {});
+  for (auto _ : state) {
+    program.run(place);
+    benchmark::DoNotOptimize(program.output(0));
+  }
+}
+
 }  // namespace
 
 void register_studies() {
   for (const Truth& truth : truths()) {
-    if (!truth.formula.empty()) continue;  // a formula costs what its operations cost
     const std::string name(truth.name);
+    if (!truth.formula.empty()) {
+      benchmark::RegisterBenchmark(("truth/formula/" + name).c_str(), time_of_formula, truth)
+          ->Unit(benchmark::kMicrosecond);
+      continue;
+    }
     const Albedo albedo = *find_albedo(name);
     benchmark::RegisterBenchmark(("truth/rule/" + name).c_str(), time_of_rule, albedo)
         ->Unit(benchmark::kMicrosecond);
