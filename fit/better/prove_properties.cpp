@@ -29,8 +29,10 @@ void prove_properties(const Study& study, double size, StudyContender& contender
   const StudySubject subject = subject_of(study, contender);
   std::erase_if(contender.properties, [&](StudyProperty& property) {
     const Constraints& constraints = property.constraints;
-    const Proof proof = property.digits > 0 && !constraints.exact_at.empty()
-                            ? prove_exact(subject, constraints.exact_at.front(), property.digits).proof
+    const Proof proof = property.digits > 0
+                            ? prove_exact(subject, property.variable, constraints.exact_at.front(),
+                                          property.digits, checkpoint)
+                                  .proof
                             : prove_shape(subject, constraints, size, property.variable, checkpoint).proof;
     property.is_proven = proof == Proof::proven;
     return proof == Proof::refuted;

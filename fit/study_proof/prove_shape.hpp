@@ -48,6 +48,7 @@ ShapeProof prove_shape(const StudySubject& subject, const Constraints& constrain
 
 /// Proves that the form of a subject of one variable differs from its target at an end by at most `slack`.
 /// The answer is `open` for measured rows, and if the target has an integral inside another one.
-ShapeProof prove_exact(const StudySubject& subject, double end, double slack);
+ShapeProof prove_exact(const StudySubject& subject, std::size_t axis, double end, double slack,
+                       const Checkpoint& checkpoint = keep_going);
 
 }  // namespace shadefit
