@@ -165,7 +165,8 @@ std::string to_text(const std::vector<StudyProperty>& properties) {
 
 std::string text_with_proofs(const std::vector<StudyProperty>& properties) {
   return listed(properties, [](const StudyProperty& property) {
-    return property.is_proven ? " (proven)" : " (sampled)";
+    if (property.is_proven) return std::string(" (proven)");
+    return property.unproven.empty() ? std::string(" (sampled)") : " (sampled: " + property.unproven + ")";
   });
 }
 

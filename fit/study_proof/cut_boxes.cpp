@@ -78,6 +78,36 @@ bool are_beside(const StudyBox& a, const StudyBox& b, std::size_t variable) {
   return true;
 }
 
+std::vector<JudgedBox> chosen(std::vector<JudgedBox> boxes, const BoxesToCut& to_cut) {
+  const std::vector<bool> is_cut = to_cut(boxes);
+  std::vector<JudgedBox> result;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    if (is_cut[i]) result.push_back(std::move(boxes[i]));
+  return result;
+}
+
+std::vector<StudyBox> halves_of_all(std::span<const JudgedBox> boxes) {
+  std::vector<StudyBox> result;
+  for (const JudgedBox& judged : boxes) {
+    if (const auto halves = halves_of(judged.box, judged.axis)) {
+      result.insert(result.end(), halves->begin(), halves->end());
+    } else {
+      result.push_back(judged.box);  // others may still be cut
+    }
+  }
+  return result;
+}
+
+/// The answer for boxes that would have to be cut on.
+ShapeProof open_at(std::span<const JudgedBox> boxes, std::span<const Domain> ranges, std::size_t count,
+                   std::size_t most) {
+  const auto worst = std::max_element(
+      boxes.begin(), boxes.end(), [](const JudgedBox& a, const JudgedBox& b) { return a.amount < b.amount; });
+  return {Proof::open, place_in(worst->box, ranges), count,
+          std::isfinite(worst->amount) ? "a proof needs more than " + std::to_string(most) + " boxes"
+                                       : "a proof finds no finite bound"};
+}
+
 }  // namespace
 
 BoxesToCut each_above(double slack) {
@@ -103,34 +133,24 @@ BoxesToCut lines_above(double slack, std::size_t variable, std::span<const Domai
 }
 
 ShapeProof prove_on_boxes(std::span<const Domain> ranges, const ShapeRule& rule, const BoxesToCut& to_cut,
-                          const Checkpoint& checkpoint) {
-  ShapeProof result{Proof::open};
+                          const Checkpoint& checkpoint, std::size_t most) {
+  std::size_t count = 0;
   std::vector<StudyBox> open = corners_of(ranges);
-  while (result.boxes + open.size() <= most_shape_boxes) {
-    std::vector<JudgedBox> judged;
-    std::vector<std::size_t> axes;
+  std::vector<JudgedBox> judged;
+  while (count + open.size() <= most) {
+    judged.clear();
     for (StudyBox& box : open) {
       checkpoint();
-      ++result.boxes;
+      ++count;
       const Violation found = rule(box);
-      if (found.place) return {Proof::refuted, *found.place, result.boxes};
-      judged.push_back({std::move(box), found.amount});
-      axes.push_back(found.axis);
+      if (found.place) return {Proof::refuted, *found.place, count};
+      judged.push_back({std::move(box), found.amount, found.axis});
     }
-    const std::vector<bool> is_cut = to_cut(judged);
-    open.clear();
-    for (std::size_t i = 0; i < judged.size(); ++i) {
-      if (!is_cut[i]) continue;
-      const auto halves = halves_of(judged[i].box, axes[i]);
-      if (halves) {
-        open.insert(open.end(), halves->begin(), halves->end());
-      } else {
-        open.push_back(judged[i].box);  // others of its line may still be cut
-      }
-    }
-    if (open.empty()) return {Proof::proven, {}, result.boxes};
+    judged = chosen(std::move(judged), to_cut);
+    if (judged.empty()) return {Proof::proven, {}, count};
+    open = halves_of_all(judged);
   }
-  return result;
+  return open_at(judged, ranges, count, most);
 }
 
 }  // namespace shadefit

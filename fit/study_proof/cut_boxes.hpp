@@ -28,6 +28,7 @@ using ShapeRule = std::function<Violation(const StudyBox&)>;
 struct JudgedBox {
   StudyBox box;
   double amount;
+  std::size_t axis;  ///< the variable at which to cut the box
 };
 
 /// Which boxes have to be cut. No box: the constraint holds.
@@ -41,8 +42,9 @@ BoxesToCut each_above(double slack);
 BoxesToCut lines_above(double slack, std::size_t variable, std::span<const Domain> ranges);
 
 /// Proves a constraint on boxes that cover the ranges. They are judged by the rule and cut, until none has to
-/// be cut, or there are more than `most_shape_boxes`.
+/// be cut, or there are more than `most`. Then the answer is `open`, with a place in the box of the largest
+/// violation.
 ShapeProof prove_on_boxes(std::span<const Domain> ranges, const ShapeRule& rule, const BoxesToCut& to_cut,
-                          const Checkpoint& checkpoint);
+                          const Checkpoint& checkpoint, std::size_t most = most_shape_boxes);
 
 }  // namespace shadefit

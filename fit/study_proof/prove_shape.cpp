@@ -36,6 +36,10 @@ FormInputs inputs_of_form(const StudySubject& subject, const ReadStudy& study) {
   return inputs;
 }
 
+ShapeProof without_boxes(const std::string& reason) {
+  return {Proof::open, {}, 0, reason};
+}
+
 /// Proves that a form is at least a bound.
 ShapeProof prove_bound(const Symbolic& form, const FormInputs& inputs, double bound, double slack,
                        const Checkpoint& checkpoint) {
@@ -55,7 +59,7 @@ ShapeProof judge_place(EnclosedError& error, const std::vector<double>& place, d
   const Interval difference = error.at(place);
   if (largest_magnitude_in(difference) <= slack) return {Proof::proven, {}, 1};
   if (smallest_magnitude_in(difference) > slack) return {Proof::refuted, place, 1};
-  return {Proof::open, {}, 1};
+  return {Proof::open, place, 1, "a proof finds no finite bound"};
 }
 
 /// Proves that |error| is within a slack where one of several variables is at an end: there it is a constant.
@@ -74,7 +78,8 @@ ShapeProof prove_edge(ReadStudy study, std::vector<Interval> parameters, std::si
     }
     return result;
   };
-  return prove_on_boxes(error.ranges(), rule, each_above(slack), checkpoint);
+  return prove_on_boxes(error.ranges(), rule, each_above(slack), checkpoint,
+                        error.has_integrals() ? most_edge_boxes_of_integrals : most_shape_boxes);
 }
 
 }  // namespace
@@ -84,7 +89,8 @@ ShapeProof prove_exact(const StudySubject& subject, std::size_t axis, double end
   StudySubject plain = subject;
   plain.study.weight = "1";
   plain.study.error = Error::absolute;
-  if (plain.study.rows || !fault_of(plain).empty()) return {Proof::open};
+  if (plain.study.rows) return without_boxes("the target is known at the rows alone");
+  if (const std::string fault = fault_of(plain); !fault.empty()) return without_boxes(fault);
   const ReadStudy study = read_formulas(plain.study);
   std::vector<Interval> parameters = parameters_of(plain, study);
   if (study.axes.size() > 1) return prove_edge(study, std::move(parameters), axis, end, slack, checkpoint);
@@ -99,7 +105,7 @@ ShapeProof prove_shape(const StudySubject& subject, const Constraints& constrain
     return prove_exact(subject, variable, constraint.exact_at.front(), exact_slack * scale, checkpoint);
   }
   const ReadStudy study = read_formulas(subject.study);
-  if (integral_depth(study.form) > 0) return {Proof::open};
+  if (integral_depth(study.form) > 0) return without_boxes("the form has an integral");
   const FormInputs inputs = inputs_of_form(subject, study);
   const double slack = shape_slack * scale;
   if (constraint.at_least) return prove_bound(study.form, inputs, *constraint.at_least, slack, checkpoint);
