@@ -45,7 +45,8 @@ class LineSums {
     if (rest.empty()) return;
     const std::size_t axis = *narrower_axis(rest.front(), region);
     // Boxes are cut at the same middles, so a narrower box lies in one half.
-    for (const StudyBox& half : halves_of(region, axis).value()) {
+    const auto halves = halves_of(region, axis).value();
+    for (const StudyBox& half : halves) {
       std::vector<std::size_t> inside_half;
       std::copy_if(rest.begin(), rest.end(), std::back_inserter(inside_half), [&](std::size_t i) {
         const Stretch& side = boxes_[i].box[axis];
