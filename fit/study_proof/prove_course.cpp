@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "fit/proof/interval_ends.hpp"
 #include "fit/study_proof/cut_boxes.hpp"
@@ -63,19 +64,15 @@ class FormCourse {
   LowestValue value_, slope_;
 };
 
-/// How the condition of a choice changes along a variable.
-enum class Switching { never, at_most_once_on, at_most_once_off };
-
-/// The only choice of a form, where it may switch.
+/// A form whose only choice may switch along the variable, from one side to the other.
 class SwitchedCourse {
  public:
-  SwitchedCourse(const Symbolic& form, const FormInputs& inputs, std::size_t variable, Switching switching)
-      : is_crossed_(switching != Switching::never),
-        before_(side_of_choice(form, switching == Switching::at_most_once_off ? 2 : 3), inputs, variable),
-        after_(side_of_choice(form, switching == Switching::at_most_once_off ? 3 : 2), inputs, variable),
-        step_(inputs.lowest_of(switching == Switching::at_most_once_off
-                                   ? side_of_choice(form, 3) - side_of_choice(form, 2)
-                                   : side_of_choice(form, 2) - side_of_choice(form, 3))) {}
+  SwitchedCourse(const Symbolic& before, const Symbolic& after, bool is_crossed, const FormInputs& inputs,
+                 std::size_t variable)
+      : is_crossed_(is_crossed),
+        before_(before, inputs, variable),
+        after_(after, inputs, variable),
+        step_(inputs.lowest_of(after - before)) {}
 
   Fall largest_fall(const StudyBox& box) {
     const Fall before = before_.largest_fall(box), after = after_.largest_fall(box);
@@ -88,12 +85,15 @@ class SwitchedCourse {
   }
 
  private:
-  bool is_crossed_;
+  bool is_crossed_;  ///< else the choice is of the other variables
   FormCourse before_, after_;
   LowestValue step_;  ///< from the one to the other
 };
 
-/// How the condition of a choice changes along a variable in all ranges; empty if it may change twice.
+/// How the condition of a choice changes along a variable.
+enum class Switching { never, on, off };
+
+/// How the condition of a choice changes in all ranges; empty if it may change twice.
 std::optional<Switching> switching_of(const Symbolic& choice, const FormInputs& inputs,
                                       std::size_t variable) {
   const Symbolic difference = choice.part(1) - choice.part(0);
@@ -107,8 +107,8 @@ std::optional<Switching> switching_of(const Symbolic& choice, const FormInputs& 
     falls = falls && is_never_positive(slopes);
   }
   if (rises && falls) return Switching::never;
-  if (rises) return Switching::at_most_once_on;
-  if (falls) return Switching::at_most_once_off;
+  if (rises) return Switching::on;
+  if (falls) return Switching::off;
   return std::nullopt;
 }
 
@@ -119,7 +119,10 @@ std::optional<SwitchedCourse> switched_course(const Symbolic& form, const FormIn
   if (choices.size() != 1) return std::nullopt;
   const auto switching = switching_of(choices.front(), inputs, variable);
   if (!switching) return std::nullopt;
-  return SwitchedCourse(form, inputs, variable, *switching);
+  const Symbolic chosen = side_of_choice(form, 2), other = side_of_choice(form, 3);
+  const bool is_off = *switching == Switching::off;
+  return SwitchedCourse(is_off ? chosen : other, is_off ? other : chosen, *switching != Switching::never,
+                        inputs, variable);
 }
 
 }  // namespace

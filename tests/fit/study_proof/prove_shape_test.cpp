@@ -53,6 +53,9 @@ std::vector<ShapeCase> shapes() {
       {"a choice that jumps down by 1e-6", form_of("x < 0.5 ? a x : 2 x - 0.500001"), rises, Proof::refuted},
       {"a choice that jumps up", form_of("x < 1/3 ? a x : 2 x"), rises, Proof::proven},
       {"the same, written from above", form_of("x > 1/3 ? 2 x : a x"), rises, Proof::proven},
+      {"a choice that jumps down by 1e-6 inside a box", form_of("x < 1/3 ? a x : 2 x - 1/3 - 1e-6"), rises,
+       Proof::refuted},
+      {"the same, written from above", form_of("x > 1/3 ? 2 x - 1/3 - 1e-6 : a x"), rises, Proof::refuted},
       {"a choice that jumps up, then falls", form_of("x < 1/3 ? a x : 2 - x"), rises, Proof::refuted},
       // Only one choice is taken apart, and only if it switches once. No interval tells a jump up from a jump
       // down where both sides meet.
