@@ -1,12 +1,27 @@
 #include "fit/better/prove_properties.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "fit/proof/constants.hpp"
 #include "fit/study_proof/prove_shape.hpp"
 #include "fit/support/hex_float.hpp"
 
 namespace shadefit {
+namespace {
+
+/// " near x = 0.333, y = 0.2"; empty without a place.
+std::string near_text(const Study& study, const std::vector<double>& place) {
+  std::string text;
+  for (std::size_t i = 0; i < place.size(); ++i)
+    text += fmt::format("{} {} = {:.3g}", i == 0 ? " near" : ",", study.over[i].variable, place[i]);
+  return text;
+}
+
+}  // namespace
 
 StudySubject subject_of(const Study& study, const StudyContender& contender) {
   StudySubject subject{study, {}};
@@ -29,11 +44,13 @@ void prove_properties(const Study& study, double size, StudyContender& contender
   const StudySubject subject = subject_of(study, contender);
   std::erase_if(contender.properties, [&](StudyProperty& property) {
     const Constraints& constraints = property.constraints;
-    const Proof proof = property.digits > 0 && !constraints.exact_at.empty()
-                            ? prove_exact(subject, constraints.exact_at.front(), property.digits).proof
-                            : prove_shape(subject, constraints, size, property.variable, checkpoint).proof;
-    property.is_proven = proof == Proof::proven;
-    return proof == Proof::refuted;
+    const ShapeProof found = property.digits > 0
+                                 ? prove_exact(subject, property.variable, constraints.exact_at.front(),
+                                               property.digits, checkpoint)
+                                 : prove_shape(subject, constraints, size, property.variable, checkpoint);
+    property.is_proven = found.proof == Proof::proven;
+    if (found.proof == Proof::open) property.unproven = found.reason + near_text(study, found.place);
+    return found.proof == Proof::refuted;
   });
 }
 

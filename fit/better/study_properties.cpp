@@ -97,8 +97,8 @@ void append_end(const ReadStudy& study, const SampledCurve& curve, const std::ve
                 std::size_t axis, double end, std::vector<StudyProperty>& properties) {
   const auto is_at_end = [&](std::size_t i) { return curve.places[i][axis] == end; };
   const double error = largest_error_where(curve, is_at_end);
-  StudyProperty exact{"exact at " + study.axes[axis].variable + " = " + to_text(end), {}};
-  if (study.axes.size() == 1) exact.constraints.exact_at = {end};
+  StudyProperty exact{
+      "exact at " + study.axes[axis].variable + " = " + to_text(end), {.exact_at = {end}}, axis};
   if (error <= exact_slack * size_of(curve)) {
     properties.push_back(exact);
     return;
@@ -165,7 +165,8 @@ std::string to_text(const std::vector<StudyProperty>& properties) {
 
 std::string text_with_proofs(const std::vector<StudyProperty>& properties) {
   return listed(properties, [](const StudyProperty& property) {
-    return property.is_proven ? " (proven)" : " (sampled)";
+    if (property.is_proven) return std::string(" (proven)");
+    return property.unproven.empty() ? std::string(" (sampled)") : " (sampled: " + property.unproven + ")";
   });
 }
 

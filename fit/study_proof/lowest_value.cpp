@@ -1,5 +1,6 @@
 #include "fit/study_proof/lowest_value.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,10 @@ std::size_t widest_axis(const StudyBox& box, std::span<const Domain> ranges) {
 StudyBox middle_of_all(StudyBox box) {
   for (Stretch& side : box) side = middle_of(side);
   return box;
+}
+
+bool is_one_place(const Stretch& side) {
+  return side.lower == side.upper;
 }
 
 /// The lower end; -infinity instead of NaN.
@@ -108,29 +113,41 @@ LowestOnBox LowestValue::on(const StudyBox& box, double enough) {
 }
 
 void LowestValue::improve_by_mean_value(const StudyBox& box, LowestOnBox& result) {
-  slopes_.run(numbers_on(box, ranges_));
-  StudyBox low = box;  // where the value is least, as far as the slopes tell
+  StudyBox low = least_face(box);
   Interval rest(0);
   double widest_term = -1;
-  for (std::size_t i = 0; i < box.size(); ++i) {
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    if (is_one_place(low[i])) continue;
     const Interval& slope = slopes_.output(i);
     if (!is_bounded(slope)) continue;  // the variable keeps its whole interval
-    if (is_never_negative(slope)) {
-      low[i].upper = low[i].lower;
-    } else if (is_never_positive(slope)) {
-      low[i].lower = low[i].upper;
-    } else {
-      low[i] = middle_of(box[i]);
-      const Interval term = slope * (span_of(box[i].lower, box[i].upper) - Interval(low[i].lower));
-      rest = rest + term;
-      if (width_of(term) > widest_term) {
-        widest_term = width_of(term);
-        result.axis = i;
-      }
+    const Stretch side = low[i];
+    low[i] = middle_of(side);
+    const Interval term = slope * (span_of(side.lower, side.upper) - Interval(low[i].lower));
+    rest = rest + term;
+    if (width_of(term) > widest_term) {
+      widest_term = width_of(term);
+      result.axis = i;
     }
   }
   result.place = middle_of_all(low);
   result.lowest = std::fmax(result.lowest, lowest_in(values_on(low) + rest));
+}
+
+StudyBox LowestValue::least_face(StudyBox box) {
+  bool is_narrower = true;
+  while (is_narrower && !std::all_of(box.begin(), box.end(), is_one_place)) {
+    is_narrower = false;
+    slopes_.run(numbers_on(box, ranges_));
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      const Interval& slope = slopes_.output(i);
+      if (is_one_place(box[i]) || !is_bounded(slope)) continue;
+      if (!is_never_negative(slope) && !is_never_positive(slope)) continue;
+      (is_never_negative(slope) ? box[i].upper : box[i].lower) =
+          is_never_negative(slope) ? box[i].lower : box[i].upper;
+      is_narrower = true;
+    }
+  }
+  return box;
 }
 
 }  // namespace shadefit

@@ -32,8 +32,8 @@ class LowestValue {
 
   /// A bound by the values of the formula, or, without pole and jump, by the mean value theorem, f(x) = f(p)
   /// + sum of slope_i (x_i - p_i). p_i is the lower end of the box if f rises with x_i, the upper one if it
-  /// falls, otherwise the middle. A variable without a bounded slope keeps its whole interval. Stops early if
-  /// no value is below `enough`.
+  /// falls, otherwise the middle. A variable without a bounded slope keeps its whole interval. Slopes are
+  /// those on the face of these ends. Stops early if no value is below `enough`.
   LowestOnBox on(const StudyBox& box, double enough = -std::numeric_limits<double>::infinity());
 
  private:
@@ -43,6 +43,9 @@ class LowestValue {
   const Interval& values_on(const StudyBox& box);
   bool may_have_pole() const;  ///< on the box of the last values
   void improve_by_mean_value(const StudyBox& box, LowestOnBox& result);
+  /// The face of a box on which the least value is, as far as slopes tell: on a face they are narrower, and
+  /// may tell more. The last slopes are those on it, unless it is a single place.
+  StudyBox least_face(StudyBox box);
 
   std::vector<Domain> ranges_;
   Jumps jumps_;

@@ -51,8 +51,17 @@ std::vector<ShapeCase> shapes() {
       {"a kink", form_of("max(a x, 2 x - 0.5)"), rises, Proof::proven},
       {"a choice that does not jump", form_of("x < 0.5 ? a x : 2 x - 0.5"), rises, Proof::proven},
       {"a choice that jumps down by 1e-6", form_of("x < 0.5 ? a x : 2 x - 0.500001"), rises, Proof::refuted},
-      // No interval tells a jump up from a jump down where both sides meet.
-      {"a choice that jumps up", form_of("x < 1/3 ? a x : 2 x"), rises, Proof::open},
+      {"a choice that jumps up", form_of("x < 1/3 ? a x : 2 x"), rises, Proof::proven},
+      {"the same, written from above", form_of("x > 1/3 ? 2 x : a x"), rises, Proof::proven},
+      {"a choice that jumps down by 1e-6 inside a box", form_of("x < 1/3 ? a x : 2 x - 1/3 - 1e-6"), rises,
+       Proof::refuted},
+      {"the same, written from above", form_of("x > 1/3 ? 2 x - 1/3 - 1e-6 : a x"), rises, Proof::refuted},
+      {"a choice that jumps up, then falls", form_of("x < 1/3 ? a x : 2 - x"), rises, Proof::refuted},
+      // Only one choice is taken apart, and only if it switches once. No interval tells a jump up from a jump
+      // down where both sides meet.
+      {"two choices that jump up", form_of("x < 1/3 ? a x : (x < 2/3 ? 2 x : 3 x)"), rises, Proof::open},
+      {"a choice that switches twice", form_of("(x - 0.5)^2 < 0.03 ? 2 a x : x"), falls, Proof::refuted},
+      {"a floor that jumps up", form_of("a x + floor(3 x)"), rises, Proof::open},
       // Its slope is positive where it has one. At 0 it falls from 1 to 0.
       {"a jump at a pole inside", form_of("1/(1 + exp(a/x))", around), rises, Proof::open},
       {"a pole between clamps: from -5 to 5 at 0", form_of("max(min(a/x, 5), -5)", around), falls,
@@ -90,6 +99,26 @@ std::vector<ShapeCase> shapes() {
        form_of("a + 9e-8 - x", {"x", "0", "1"}, "1 - x"),
        {.exact_at = {0}},
        Proof::refuted},
+      {"a whole edge",
+       form_of("a y + x - x y", {"x", "0", "1"}, "sqrt(x^2 + y^2 (1 - x^2))"),
+       {.exact_at = {0}},
+       Proof::proven},
+      {"the opposite edge",
+       form_of("a y + x - x y", {"x", "0", "1"}, "sqrt(x^2 + y^2 (1 - x^2))"),
+       {.exact_at = {1}},
+       Proof::proven},
+      {"an edge of an integral",
+       form_of("a x y + y^3", {"x", "0", "1"}, "integral(3 t^2 + x, t, 0, y)"),
+       {.exact_at = {0}},
+       Proof::proven},
+      {"its other edge",
+       form_of("a x y + y^4", {"x", "0", "1"}, "integral(3 t^2 + x, t, 0, y)"),
+       {.exact_at = {1}},
+       Proof::refuted},
+      {"an edge without values",
+       form_of("a x y", {"x", "0", "1"}, "x/x + y"),
+       {.exact_at = {0}},
+       Proof::open},
       {"nothing asked for", form_of("a x"), {}, Proof::none},
   };
 }
@@ -131,6 +160,69 @@ TEST(ProveShape, ACourseIsAlongOneVariable) {
   EXPECT_GT(dip.place.at(1), 0);
 }
 
+/// A choice that the variable does not switch has no step along it.
+TEST(ProveShape, AChoiceIsCrossedAlongItsOwnVariable) {
+  const auto prove = [](const std::string& form, std::size_t variable) {
+    return prove_shape(form_of(form), rises, 1, variable).proof;
+  };
+  EXPECT_EQ(prove("y < 1/3 ? a x + 1 : 2 x", 0), Proof::proven) << "it falls only along y";
+  EXPECT_EQ(prove("y < 1/3 ? a x + 1 : 2 x", 1), Proof::refuted);
+  EXPECT_EQ(prove("y < 1/3 ? a x : 2 x", 1), Proof::proven) << "no step where x = 0";
+  EXPECT_EQ(prove("y < 1/3 ? a x : 2 - x", 0), Proof::refuted) << "one side falls";
+}
+
+/// The slope is (x - y)^2. Each line crosses the diagonal once, the boxes along it are many.
+TEST(ProveShape, ACourseIsProvenLineByLine) {
+  const StudySubject subject = form_of("a x^3/3 - x^2 y + x y^2");
+  EXPECT_EQ(prove_shape(subject, rises, 1e5).proof, Proof::proven);
+  EXPECT_EQ(prove_shape(form_of("a x^3/3 - x^2 y + x y^2 - 1e-4 x"), rises, 1e5).proof, Proof::refuted);
+}
+
+/// Along the edge y = 0 the form is off by a part of 2^-24 = 5.96e-8.
+TEST(ProveShape, AnEdgeIsExactWithinItsSlack) {
+  const auto prove = [](const std::string& off) {
+    const StudySubject subject = form_of("a x + y + " + off + "*4 x (1 - x)", {"x", "0", "1"}, "x + y");
+    return prove_shape(subject, {.exact_at = {0}}, 1, 1);
+  };
+  EXPECT_EQ(prove("5.9e-8").proof, Proof::proven);
+  const ShapeProof refuted = prove("6e-8");
+  EXPECT_EQ(refuted.proof, Proof::refuted);
+  ASSERT_EQ(refuted.place.size(), 2U);
+  EXPECT_NEAR(refuted.place[0], 0.5, 0.05);
+  EXPECT_EQ(refuted.place[1], 0);
+  // With a slack of its own, as of printed digits.
+  const StudySubject subject = form_of("a x + y + 6e-8", {"x", "0", "1"}, "x + y");
+  EXPECT_EQ(prove_exact(subject, 1, 0, 7e-8).proof, Proof::proven);
+  EXPECT_EQ(prove_exact(subject, 1, 0, 5e-8).proof, Proof::refuted);
+}
+
+TEST(ProveShape, AFaceOfThreeVariables) {
+  const auto prove = [](const std::string& form, std::size_t axis) {
+    const StudySubject subject{{.target = "x + y z + z^2",
+                                .form = form,
+                                .over = {{"x", "0", "1"}, {"y", "0", "1"}, {"z", "0", "2"}}},
+                               {{"a", "1"}}};
+    return prove_shape(subject, {.exact_at = {axis == 1 ? 1.0 : 2.0}}, 1, axis);
+  };
+  EXPECT_EQ(prove("a x + y z + 2 z", 2).proof, Proof::proven);
+  const ShapeProof refuted = prove("a x + y z + 2 z", 1);
+  EXPECT_EQ(refuted.proof, Proof::refuted);
+  ASSERT_EQ(refuted.place.size(), 3U);
+  EXPECT_EQ(refuted.place[1], 1);
+}
+
+/// An open proof says why.
+TEST(ProveShape, SaysWhyItIsOpen) {
+  const auto reason = [](const std::string& form, const Constraints& constraint) {
+    return prove_shape(form_of(form), constraint, 1).reason;
+  };
+  EXPECT_EQ(reason("integral(a x t, t, 0, 1)", not_negative), "the form has an integral");
+  EXPECT_EQ(reason("a x^2 - 2 x y + y^2", not_negative), "a proof needs more than 5000 boxes");
+  EXPECT_EQ(reason("1/(1 + exp(a/x))", rises), "a proof finds no finite bound");
+  EXPECT_EQ(reason("a x", rises), "");
+  EXPECT_NEAR(prove_shape(form_of("a x + floor(3 x)"), rises, 1).place.at(0), 1.0 / 3, 1e-9);
+}
+
 /// The slack is a part of the scale.
 TEST(ProveShape, MeasuresInTheScale) {
   const StudySubject subject = form_of("a x^2 - (2/3) x + 1/9 - 1e-11");
@@ -160,8 +252,10 @@ TEST(CompareStudy, DropsWhatIsRefuted) {
   EXPECT_EQ(properties("x", "a x", "1"), ends + "rises (proven), " + bounds);
   EXPECT_EQ(properties("sqrt(x)", "(1 + a) sqrt(sqrt(x)) - a sqrt(sqrt(sqrt(x)))", "0.3"),
             ends + "at most 1 (proven)");
-  // An interval does not know how a choice jumps.
-  EXPECT_EQ(properties("x", "x < 1/3 ? a x : x", "0.5"), ends + "rises (sampled), " + bounds);
+  EXPECT_EQ(properties("x", "x < 1/3 ? a x : x", "0.5"), ends + "rises (proven), " + bounds);
+  // An interval does not know how a floor jumps.
+  EXPECT_EQ(properties("x", "a x + floor(3 x)/10", "0.7"),
+            ends + "rises (sampled: a proof needs more than 5000 boxes near x = 0.333), " + bounds);
 }
 
 }  // namespace
