@@ -17,7 +17,7 @@ Tape tape_of_code(const ShaderFunction& function, ShaderPrecision precision) {
 }
 
 template <class Format>
-constexpr ShaderPrecision precision_of =
+constexpr ShaderPrecision shader_precision =
     std::is_same_v<Format, HalfFormat> ? ShaderPrecision::float16 : ShaderPrecision::float32;
 
 }  // namespace
@@ -43,7 +43,7 @@ void FormInDouble::operator()(std::span<const double* const> arguments, double* 
 
 template <class Format>
 FormBound<Format>::FormBound(const ShaderFunction& function, const GpuModel& gpu)
-    : gpu_(gpu), program_(tape_of_code(function, precision_of<Format>), {}) {}
+    : gpu_(gpu), program_(tape_of_code(function, shader_precision<Format>), {}) {}
 
 template <class Format>
 double FormBound<Format>::on(std::span<const Domain> box) {

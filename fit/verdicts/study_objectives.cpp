@@ -131,14 +131,14 @@ struct DensityOfTwo {
 /// The even densities of a cosine and its angle, and of a roughness r, of alpha = r^2, and of r where the
 /// variable is alpha.
 std::vector<DensityOfTwo> densities_of_two(const StudyRange& range, const StudyAxis& axis) {
-  using Kind = DensityOfTwo::Kind;
-  std::vector<DensityOfTwo> densities{{Kind::plain, "", range.density}};
+  using Density = DensityOfTwo::Kind;
+  std::vector<DensityOfTwo> densities{{Density::plain, "", range.density}};
   if (!is_in_unit(axis)) return densities;
   const std::string& x = axis.variable;
-  if (range.density != "1") densities.push_back({Kind::plain, "even in " + x, "1"});
-  densities.push_back({Kind::cosine, "measure angle of " + x, density_of("angle", x)});
-  densities.push_back({Kind::roughness, "even in the square of " + x, x});
-  densities.push_back({Kind::roughness, "even in the square root of " + x, "1/sqrt(" + x + ")"});
+  if (range.density != "1") densities.push_back({Density::plain, "even in " + x, "1"});
+  densities.push_back({Density::cosine, "measure angle of " + x, density_of("angle", x)});
+  densities.push_back({Density::roughness, "even in the square of " + x, x});
+  densities.push_back({Density::roughness, "even in the square root of " + x, "1/sqrt(" + x + ")"});
   return densities;
 }
 

@@ -8,7 +8,7 @@ namespace shadefit {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Kind = Contender::Kind;
+using ContenderKind = Contender::Kind;
 
 /// "a = -5.55473, b = -6.98316": published ones as printed, fitted ones with ten digits or all.
 std::string constants_text(const Contender& contender, Precision precision, int most_digits = all_digits) {
@@ -17,7 +17,8 @@ std::string constants_text(const Contender& contender, Precision precision, int 
     const auto& [name, printed] = contender.parameters[i];
     Number fitted = converged(contender.values[i]);
     fitted.digits = std::min(fitted.digits, most_digits);
-    parts.push_back(name + " = " + (contender.kind == Kind::published ? printed : text(fitted, precision)));
+    parts.push_back(name + " = " +
+                    (contender.kind == ContenderKind::published ? printed : text(fitted, precision)));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
@@ -46,13 +47,13 @@ std::string beaten(const Contender& contender, const char* separator) {
 /// "fresnel-quadratic-a", "schlick", "target", "fresnel-cubic minimax absolute error": the name of a curve
 /// for programs.
 std::string curve_id(const Contender& contender) {
-  if (contender.kind == Kind::published) return std::string(contender.published);
-  if (contender.kind == Kind::target) return "target";
+  if (contender.kind == ContenderKind::published) return std::string(contender.published);
+  if (contender.kind == ContenderKind::target) return "target";
   return fmt::format("{} {}", contender.family, contender.origin);
 }
 
 std::string origin_of(const Contender& contender) {
-  if (contender.kind != Kind::published) return contender.origin;
+  if (contender.kind != ContenderKind::published) return contender.origin;
   return fmt::format("{}, {}", contender.published, contender.origin);
 }
 
@@ -83,7 +84,7 @@ Json contender_json(const Contender& contender) {
   for (std::size_t i = 0; i < contender.parameters.size(); ++i) {
     const auto& [name, text] = contender.parameters[i];
     parameters[name] = contender.values[i];
-    if (contender.kind == Kind::published) printed[name] = text;
+    if (contender.kind == ContenderKind::published) printed[name] = text;
   }
   const auto or_null = [](std::string_view text) { return text.empty() ? Json() : Json(text); };
   return {{"kind", kinds[static_cast<std::size_t>(contender.kind)]},

@@ -9,12 +9,6 @@
 namespace shadefit {
 namespace {
 
-/// A constant's text in decimals.
-std::string decimal_of(const std::string& text) {
-  const auto exact = parse_hex(text);
-  return exact ? fmt::format("{}", *exact) : text;
-}
-
 /// A formula of the family with values for exponent and parameters; c stays.
 std::string with_constants(const Symbolic& formula, const Subject& subject) {
   const auto value_of = [&](const std::string& variable) {
@@ -63,6 +57,11 @@ std::string places_text(const Certificate& certificate) {
 }
 
 }  // namespace
+
+std::string decimal_of(const std::string& text) {
+  const auto exact = parse_hex(text);
+  return exact ? fmt::format("{}", *exact) : text;
+}
 
 std::string statement_of(const Certificate& certificate) {
   const Subject& subject = certificate.subject;

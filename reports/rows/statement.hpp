@@ -12,4 +12,7 @@ namespace shadefit {
 /// no `fault_of`.
 std::string statement_of(const Certificate& certificate);
 
+/// A constant's text in decimals: of a hexadecimal double its shortest decimal, any other text as it is.
+std::string decimal_of(const std::string& text);
+
 }  // namespace shadefit

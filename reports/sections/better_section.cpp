@@ -13,7 +13,7 @@
 namespace shadefit {
 namespace {
 
-using Kind = Contender::Kind;
+using ContenderKind = Contender::Kind;
 
 /// The curve with the least error that beats a published one, or null.
 const Contender* best_against(const Comparison& comparison, std::string_view published) {
@@ -27,7 +27,7 @@ const Contender* best_against(const Comparison& comparison, std::string_view pub
 }
 
 std::string origin(const Contender& contender) {
-  return contender.kind == Kind::published ? std::string(contender.published) : contender.origin;
+  return contender.kind == ContenderKind::published ? std::string(contender.published) : contender.origin;
 }
 
 /// "- `fresnel-one-term`, off by 0.03006 in 2 instructions: $2^{-A c}$ (minimax absolute error), off by
@@ -39,8 +39,9 @@ std::string sentence(const Contender& published, const Contender* best) {
   const std::string what = fmt::format("- `{}`, off by {} in {} instructions: ", published.published,
                                        error(published), published.operations.total());
   if (best == nullptr) return what + "nothing here is better at its cost.\n";
-  const std::string whose = fmt::format("{} ({}{})", mathematics(best->form),
-                                        best->kind == Kind::published ? "published as " : "", origin(*best));
+  const std::string whose =
+      fmt::format("{} ({}{})", mathematics(best->form),
+                  best->kind == ContenderKind::published ? "published as " : "", origin(*best));
   return what + fmt::format("{}, off by {} in {}.\n", whose, error(*best), best->operations.total());
 }
 
@@ -92,7 +93,7 @@ std::string better_section(const std::vector<Comparison>& comparisons) {
            comparison_block(comparison) +
            "For each published curve, the best curve that needs no more instructions:\n\n";
     for (const Contender& contender : comparison.contenders) {
-      if (contender.kind == Kind::published)
+      if (contender.kind == ContenderKind::published)
         out += sentence(contender, best_against(comparison, contender.published));
     }
     out += "\n";

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "fit/support/hex_float.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
+#include "reports/rows/statement.hpp"
 #include "reports/studies/study_rows.hpp"
 
 namespace shadefit {
@@ -15,11 +15,6 @@ using Json = nlohmann::ordered_json;
 
 Cell all_of(double value) {
   return Number{value, all_digits};
-}
-
-std::string decimal_of(const std::string& text) {
-  const auto exact = parse_hex(text);
-  return exact ? fmt::format("{}", *exact) : text;
 }
 
 std::string error_text(const Study& study) {
