@@ -175,7 +175,9 @@ Outcome list_command(const ListOptions& options, const Checkpoint& checkpoint) {
     throw UserError(fmt::format("--family '{}' has no claims: see 'shadefit better {}'", *options.family,
                                 *options.family));
   const bool is_narrow = !options.json && !options.csv && !options.latex;
-  Table list = is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts);
+  const Formulas formulas = options.latex ? Formulas::marked : Formulas::plain;
+  Table list =
+      is_narrow ? claims_for_a_terminal(claims, with_verdicts) : claims_list(claims, with_verdicts, formulas);
   const bool is_file = options.id && options.id->ends_with(".toml");
   if (is_file) {
     list.rows.clear();

@@ -10,9 +10,8 @@ namespace shadefit {
 
 inline constexpr std::array arithmetic_claims{
     Claim{.id = "sg-nonzero-at-zero",
-          .statement =
-              "the exponential never reaches zero and the power does: exp(1000*0 - 1000) != 0, pow(0, 1000) "
-              "== 0",
+          .statement = "the exponential never reaches zero and the power does: `exp(1000*0 - 1000) != 0`, "
+                       "`pow(0, 1000) == 0`",
           .inputs = {{"power", "1000"}, {"formats", "half, float, double"}},
           .derivation =
               "exp(-k) is never exactly 0. In a format whose least positive number is 2^-m it rounds to 0 "
@@ -22,8 +21,8 @@ inline constexpr std::array arithmetic_claims{
           .source = sources::lagarde_2012},
     Claim{.id = "pow-nan-at-zero",
           .statement =
-              "c^b as exp2(log2(c) b) gives NaN at c = 0; the spherical Gaussian exp2(A c - A), A = k/ln 2, "
-              "never does",
+              "`c^b` as `exp2(log2(c) b)` gives NaN at `c = 0`; the spherical Gaussian `exp2(A c - A)`, "
+              "`A = k/ln 2`, never does",
           .inputs = {{"exponents", "0, 0.5, 1, 1000"},
                      {"formats", "half, float, double"},
                      {"powers up to", "100000"}},

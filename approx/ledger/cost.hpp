@@ -12,7 +12,7 @@ namespace shadefit {
 /// instructions and their kinds.
 inline constexpr std::array cost_claims{
     Claim{.id = "cost-pow",
-          .statement = "c^k as exp2(log2(c) k) is three instructions",
+          .statement = "`c^k` as `exp2(log2(c) k)` is three instructions",
           .printed = {{"c^k", "3"}, {"namely", "LOG2 MUL EXP2"}},
           .inputs = {{"c^k", "pow"}},
           .derivation =
@@ -22,8 +22,8 @@ inline constexpr std::array cost_claims{
           .source = sources::lagarde_2012},
     Claim{.id = "cost-sg",
           .statement =
-              "the spherical Gaussian exp2(A c - A): with A given, with A = k/ln 2 computed, and with an "
-              "offset x/ln 2 added to a given A",
+              "the spherical Gaussian `exp2(A c - A)`: with `A` given, with `A = k/ln 2` computed, and with "
+              "an offset `x/ln 2` added to a given `A`",
           .printed = {{"A given", "2"},
                       {"namely", "MAD EXP2"},
                       {"A computed", "3"},
@@ -37,24 +37,23 @@ inline constexpr std::array cost_claims{
               "Counted from the expression. A division by ln 2 is a multiplication by a constant; x/ln 2 is "
               "one constant.",
           .source = sources::lagarde_2012},
-    Claim{
-        .id = "cost-gloss-decode",
-        .statement =
-            "the gloss decode 2^(10 g + 1), the same with 1/ln 2 in it, and the normalisation A ln 2/8 + 1/4",
-        .printed = {{"to a power", "2"},
-                    {"namely", "MAD EXP2"},
-                    {"to a sharpness", "2"},
-                    {"namely", "MAD EXP2"},
-                    {"normalisation", "1"},
-                    {"namely", "MAD"}},
-        .inputs = {{"to a power", "gloss-decode"},
-                   {"to a sharpness", "gloss-decode-to-sharpness"},
-                   {"normalisation", "normalisation-of-sharpness"}},
-        .derivation = "Counted from the expression: 1 + log2(1/ln 2) and ln 2/8 are constants.",
-        .source = sources::lagarde_2012},
+    Claim{.id = "cost-gloss-decode",
+          .statement = "the gloss decode `2^(10 g + 1)`, the same with `1/ln 2` in it, and the normalisation "
+                       "`A ln 2/8 + 1/4`",
+          .printed = {{"to a power", "2"},
+                      {"namely", "MAD EXP2"},
+                      {"to a sharpness", "2"},
+                      {"namely", "MAD EXP2"},
+                      {"normalisation", "1"},
+                      {"namely", "MAD"}},
+          .inputs = {{"to a power", "gloss-decode"},
+                     {"to a sharpness", "gloss-decode-to-sharpness"},
+                     {"normalisation", "normalisation-of-sharpness"}},
+          .derivation = "Counted from the expression: 1 + log2(1/ln 2) and ln 2/8 are constants.",
+          .source = sources::lagarde_2012},
     Claim{.id = "cost-saved",
           .statement =
-              "the spherical Gaussian saves one instruction over pow once 1/ln 2 is part of the gloss "
+              "the spherical Gaussian saves one instruction over pow once `1/ln 2` is part of the gloss "
               "decode; the one-term Fresnel saves half",
           .printed = {{"saved by the Gaussian", "1"}, {"percent saved by the one-term Fresnel", "50"}},
           .inputs = {{"with pow", "specular-pow"},
@@ -69,7 +68,7 @@ inline constexpr std::array cost_claims{
           .source = sources::lagarde_2012},
     Claim{.id = "cost-power-four",
           .statement =
-              "(1-c)^4 is two instructions on the PS3, whose LOG2 multiplies by 4 for free, and three by "
+              "`(1-c)^4` is two instructions on the PS3, whose LOG2 multiplies by 4 for free, and three by "
               "squaring",
           .printed =
               {{"by exp2", "2"}, {"namely", "LOG2 EXP2"}, {"by squaring", "3"}, {"namely", "SUB MUL MUL"}},
@@ -84,7 +83,8 @@ inline constexpr std::array cost_claims{
           .source = sources::lagarde_2012},
     Claim{.id = "cost-phong-per-light",
           .statement =
-              "with the four-vector (A r, -A) shared by all lights, each further light is a DOT4 and an EXP2",
+              "with the four-vector (`A r`, `-A`) shared by all lights, each further light is a DOT4 and an "
+              "EXP2",
           .printed = {{"per light", "2"}, {"namely", "DOT4 EXP2"}},
           .inputs = {{"per light", "phong-gaussian"}, {"with pow", "phong-pow"}, {"lights", "4"}},
           .derivation =
@@ -93,7 +93,7 @@ inline constexpr std::array cost_claims{
               "left out on both sides.",
           .source = sources::lagarde_2012},
     Claim{.id = "cost-fresnel",
-          .statement = "(1-c)^5 by pow, exp2(-A c), exp2((a c + b) c), and (1-c)^5 by squaring",
+          .statement = "`(1-c)^5` by pow, `exp2(-A c)`, `exp2((a c + b) c)`, and `(1-c)^5` by squaring",
           .printed = {{"pow", "4"},
                       {"namely", "SUB LOG2 MUL EXP2"},
                       {"one term", "2"},
@@ -111,8 +111,8 @@ inline constexpr std::array cost_claims{
           .source = sources::lagarde_2012},
     Claim{.id = "cost-mip",
           .statement =
-              "m = log2(w sqrt 3) - 1/2 log2(s + 1) is one logarithm and one fused multiply-add per pixel, "
-              "with log2(w sqrt 3) precomputed",
+              "`m = log2(w sqrt 3) - 1/2 log2(s + 1)` is one logarithm and one fused multiply-add per "
+              "pixel, with `log2(w sqrt 3)` precomputed",
           .printed = {{"level", "2"}, {"namely", "LOG2 MAD"}},
           .inputs = {{"level", "mip-level"}, {"level, s + 1 given", "mip-level-of-successor"}},
           .derivation =

@@ -12,8 +12,8 @@ namespace shadefit {
 inline constexpr std::array dither_claims{
     Claim{.id = "bayer-4x4",
           .statement =
-              "the 4 x 4 dither matrix, 0.22 in its second row and second column, holds each of 0/16 to "
-              "15/16 once",
+              "the 4 x 4 dither matrix, 0.22 in its second row and second column, holds each of `0/16` to "
+              "`15/16` once",
           .printed = {{"x", printed_dither_entry}},
           .inputs = {{"matrix", printed_dither_pattern}},
           .derivation =
@@ -38,7 +38,7 @@ inline constexpr std::array dither_claims{
           .source = sources::pestana_volumes_2014},
     Claim{.id = "bilateral-epsilon",
           .statement =
-              "in the bilateral upsampling, color/(weight + 0.0001) guards against a division by zero and "
+              "in the bilateral upsampling, `color/(weight + 0.0001)` guards against a division by zero and "
               "does not darken by as much as one 8-bit sRGB code",
           .printed = {{"epsilon", "0.0001"}},
           .inputs = {{"taps", "4"}, {"falloff", "0.05"}, {"visible codes", "1"}, {"second reading", "0.5"}},

@@ -10,25 +10,25 @@ namespace shadefit {
 
 inline constexpr std::array environment_map_claims{
     Claim{.id = "cap-solid-angle",
-          .statement = "a cap of half-angle phi covers 2 pi (1 - cos(phi)) steradians",
+          .statement = "a cap of half-angle `phi` covers `2 pi (1 - cos(phi))` steradians",
           .inputs = {{"half-angles in degrees", "1,10,30,60,90,120,180"}, {"tolerance", "1e-10"}},
           .derivation =
               "The integral of 2 pi sin(theta) from 0 to phi. It is integrated by two rules. The tolerance "
               "is relative: at one degree 1 - cos(phi) = 1.5e-4 loses four of the sixteen digits of a "
               "double. 4 pi sin^2(phi/2) is the same and loses no digits.",
           .source = sources::mcguire_2013},
-    Claim{
-        .id = "lobe-solid-angle",
-        .statement = "2 pi times the integral of cos^s(theta) sin(theta) over the hemisphere is 2 pi/(s + 1)",
-        .inputs = {{"powers", "0.1,1,2,8,32,128,512,2048,16000,100000"}, {"tolerance", "1e-12"}},
-        .derivation =
-            "With c = cos(theta) it is 2 pi times the integral of c^s dc over [0, 1]. It is integrated by "
-            "two rules in two variables, Gauss-Kronrod over the cosine and tanh-sinh over the angle.",
-        .source = sources::mcguire_2013},
+    Claim{.id = "lobe-solid-angle",
+          .statement =
+              "`2 pi` times the integral of `cos^s(theta) sin(theta)` over the hemisphere is `2 pi/(s + 1)`",
+          .inputs = {{"powers", "0.1,1,2,8,32,128,512,2048,16000,100000"}, {"tolerance", "1e-12"}},
+          .derivation =
+              "With c = cos(theta) it is 2 pi times the integral of c^s dc over [0, 1]. It is integrated by "
+              "two rules in two variables, Gauss-Kronrod over the cosine and tanh-sinh over the angle.",
+          .source = sources::mcguire_2013},
     Claim{.id = "texel-solid-angle",
           .statement =
-              "a texel of level m of a cube map of width w covers 4 pi/(6 (w 2^-m)^2) steradians on average, "
-              "less in a face's corners, more at its centre",
+              "a texel of level `m` of a cube map of width `w` covers `4 pi/(6 (w 2^-m)^2)` steradians on "
+              "average, less in a face's corners, more at its centre",
           .inputs = {{"width", "128"}, {"level", "0"}, {"tolerance", "1e-10"}},
           .derivation =
               "A face is the square [-1, 1]^2 at distance 1. A small area on it covers (1 + x^2 + "
@@ -39,9 +39,8 @@ inline constexpr std::array environment_map_claims{
               "The closed form and a product of two Gauss-Kronrod rules have to agree.",
           .source = sources::mcguire_2013},
     Claim{.id = "mip-level",
-          .statement =
-              "the level whose mean texel covers as much as the lobe of power s is m = log2(w sqrt(3)) - 0.5 "
-              "log2(s + 1)",
+          .statement = "the level whose mean texel covers as much as the lobe of power `s` is "
+                       "`m = log2(w sqrt(3)) - 0.5 log2(s + 1)`",
           .printed = {{"under the root", "3"}, {"factor of the second logarithm", "0.5"}},
           .inputs = {{"widths", "16,128,1024"}, {"powers", "2,32,2048,16000"}, {"tolerance", "1e-10"}},
           .derivation =
@@ -75,8 +74,9 @@ inline constexpr std::array environment_map_claims{
               "verdict is other-objective.",
           .source = sources::lagarde_2011_adopting},
     Claim{.id = "mip-gloss-chain",
-          .statement = "a chain of levels from 128 down to 4 texels, of which level m is made for the power "
-                       "round(2^(10 g + 1)) with g = 1 - m/(levels - 1)",
+          .statement =
+              "a chain of levels from 128 down to 4 texels, of which level `m` is made for the power "
+              "`round(2^(10 g + 1))` with `g = 1 - m/(levels - 1)`",
           .printed = {{"", "2048"}, {"", "512"}, {"", "128"}, {"", "32"}, {"", "8"}, {"", "2"}},
           .inputs = {{"width", "128"}, {"last width", "4"}, {"octaves", "10"}, {"first octave", "1"}},
           .derivation =
@@ -88,7 +88,7 @@ inline constexpr std::array environment_map_claims{
               "level.",
           .source = sources::lagarde_2011_adopting},
     Claim{.id = "mip-sphere-powers",
-          .statement = "eleven spheres of gloss 1, 0.9 .. 0 have the powers 2^(10 g + 1)",
+          .statement = "eleven spheres of gloss 1, 0.9 .. 0 have the powers `2^(10 g + 1)`",
           .printed = {{"", "2048"},
                       {"", "1024"},
                       {"", "512"},
@@ -113,31 +113,29 @@ inline constexpr std::array environment_map_claims{
             "2^(-octaves/(levels - 1)) per level. For the printed number of levels this is the same chain; "
             "for another number it is not.",
         .source = sources::lagarde_2012_cubemapgen},
-    Claim{
-        .id = "mip-select",
-        .statement =
-            "a shader reads the level with the number (1 - g) times the count of levels, from a chain whose "
-            "level "
-            "m is made for g = 1 - m/(levels - 1): it finds the power of its gloss",
-        .inputs = {{"levels", "6"},
-                   {"octaves", "10"},
-                   {"first octave", "1"},
-                   {"gloss bits", "8"},
-                   {"gloss steps that count as found", "1"}},
-        .derivation =
-            "The level belongs to the gloss g' = 1 - (1 - g) levels/(levels - 1), so the power found is "
-            "2^(-octaves (1 - g)/(levels - 1)) of the power wanted, down to g = 1/levels, where it is "
-            "2^(-octaves/levels); below, the level is clamped to the last one. Between two levels the "
-            "chain is assumed to hold the power of the formula; trilinear filtering mixes two lobes there, "
-            "which is not exactly one lobe. A power within one step of the stored gloss counts as found. A "
-            "shader that finds it only at the two ends of the gloss, where any count reads the first and "
-            "the last level, would be `refuted`. With levels - 1 as its count, the shader inverts the "
-            "generator.",
-        .source = sources::lagarde_2011_adopting},
+    Claim{.id = "mip-select",
+          .statement =
+              "a shader reads the level with the number (`1 - g`) times the count of levels, from a chain "
+              "whose level `m` is made for `g = 1 - m/(levels - 1)`: it finds the power of its gloss",
+          .inputs = {{"levels", "6"},
+                     {"octaves", "10"},
+                     {"first octave", "1"},
+                     {"gloss bits", "8"},
+                     {"gloss steps that count as found", "1"}},
+          .derivation =
+              "The level belongs to the gloss g' = 1 - (1 - g) levels/(levels - 1), so the power found is "
+              "2^(-octaves (1 - g)/(levels - 1)) of the power wanted, down to g = 1/levels, where it is "
+              "2^(-octaves/levels); below, the level is clamped to the last one. Between two levels the "
+              "chain is assumed to hold the power of the formula; trilinear filtering mixes two lobes there, "
+              "which is not exactly one lobe. A power within one step of the stored gloss counts as found. A "
+              "shader that finds it only at the two ends of the gloss, where any count reads the first and "
+              "the last level, would be `refuted`. With levels - 1 as its count, the shader inverts the "
+              "generator.",
+          .source = sources::lagarde_2011_adopting},
     Claim{.id = "power-range",
           .statement =
-              "specular powers of real surfaces run from 0.1 to more than 100000, too much for the 8 bits of "
-              "a texture; we derive the step of an 8-bit gloss over [2, 2048]",
+              "specular powers of real surfaces run from 0.1 to more than 100000, too much for the 8 bits "
+              "of a texture; we derive the step of an 8-bit gloss over `[2, 2048]`",
           .printed = {{"step in % (derived)", "2.76"}},
           .inputs = {{"least", "0.1"},
                      {"most", "100000"},

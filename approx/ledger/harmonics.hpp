@@ -11,7 +11,8 @@ namespace shadefit {
 inline constexpr std::array harmonics_claims{
     Claim{.id = "sh-basis",
           .statement =
-              "the real spherical harmonics of bands 0 and 1 are 0.282095 and 0.488603 times -y, z and -x",
+              "the real spherical harmonics of bands 0 and 1 are 0.282095 and 0.488603 times `-y`, `z` and "
+              "`-x`",
           .printed = {{"band 0", "0.282095"}, {"band 1", "0.488603"}},
           .inputs = {{"tolerance", "1e-12"}},
           .derivation =

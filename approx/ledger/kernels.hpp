@@ -11,10 +11,10 @@ namespace shadefit {
 inline constexpr std::array kernels_claims{
     Claim{.id = "other-kernels",
           .statement =
-              "a reader asks why not the Gauss-Weierstrass kernel exp(-x^2/(2t)) or the Abel-Poisson kernel "
-              "(1-t^2)/(1-2tc+t^2). We test our own guess, not the reader's: among these kernels and their "
-              "forms on the sphere, the spherical Gaussian has the smallest error against c^k at every k = 3 "
-              ".. 2048",
+              "a reader asks why not the Gauss-Weierstrass kernel `exp(-x^2/(2t))` or the Abel-Poisson "
+              "kernel `(1-t^2)/(1-2tc+t^2)`. We test our own guess, not the reader's: among these kernels "
+              "and their forms on the sphere, the spherical Gaussian has the smallest error against `c^k` "
+              "at every `k = 3 .. 2048`",
           .inputs = {{"exponents", "3,4,5,8,16,32,64,128,256,512,1024,2048"},
                      {"shown", "3,8,32,256,2048"},
                      {"kernels",

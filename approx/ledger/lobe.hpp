@@ -11,22 +11,23 @@ namespace shadefit {
 
 inline constexpr std::array lobe_claims{
     claim_of(
-        sg_offset_published[0], "c^k ~ exp((k+x)(c-1)): the mean of the best x over integer k = 3..15",
+        sg_offset_published[0], "`c^k ~ exp((k+x)(c-1))`: the mean of the best `x` over integer `k = 3..15`",
         "Each x is a continuous least-squares fit, uniform in the cosine; the mean is over the exponents "
         "of the input.",
         "offset"),
-    claim_of(sg_offset_published[1], "the best x of exp((k+x)(c-1)) as k grows",
+    claim_of(sg_offset_published[1], "the best `x` of `exp((k+x)(c-1))` as `k` grows",
              "With t = k(1-c) the condition of the minimum is an integral of powers of t times exp(-2t): x = "
              "(p+2)/4, p = 1 for dc. The fits at k = 1e4, 1e5, 1e6, extrapolated in 1/k, have to agree.",
              "offset"),
-    claim_of(sg_offset_published[2], "the best x of exp((k+x)(c-1)) at k = 5",
+    claim_of(sg_offset_published[2], "the best `x` of `exp((k+x)(c-1))` at `k = 5`",
              "A continuous least-squares fit, uniform in the cosine; the published one-term Fresnel form is "
              "this lobe in 1 - c.",
              "offset"),
     Claim{.id = "sg-offset-bounds",
           .statement =
-              "the best x of exp((k+x)(c-1)) lies between 0 and 1 for every specular power k; x = 1 is the "
-              "literature's choice (the concentration of a von Mises-Fisher density), x = 0 the plain form",
+              "the best `x` of `exp((k+x)(c-1))` lies between 0 and 1 for every specular power `k`; `x = 1` "
+              "is the literature's choice (the concentration of a von Mises-Fisher density), `x = 0` the "
+              "plain form",
           .printed = {{"lowest", "0"}, {"highest", "1"}},
           .inputs = {{"exponents", "0.001,0.1,0.5,1:15:1,25,100,1000,100000"}},
           .derivation =
@@ -39,8 +40,8 @@ inline constexpr std::array lobe_claims{
           .source = sources::lagarde_2012},
     Claim{.id = "sg-plain-accurate",
           .statement =
-              "exp(k(c-1)) is accurate above k = 15 and poor below 8; among the whole powers only k = 1 and "
-              "2 are bad for every offset x of exp((k+x)(c-1))",
+              "`exp(k(c-1))` is accurate above `k = 15` and poor below 8; among the whole powers only "
+              "`k = 1` and 2 are bad for every offset `x` of `exp((k+x)(c-1))`",
           .printed = {{"accurate above", "15"}, {"poor below", "8"}, {"bad up to", "2"}},
           .inputs = {{"offset", "0"},
                      {"accurate", "0.02"},
@@ -58,8 +59,8 @@ inline constexpr std::array lobe_claims{
     Claim{
         .id = "sg-plain-peak",
         .statement =
-            "near the peak exp(k(c-1)) is closer to c^k than exp((k+x)(c-1)) with the published mean of x: "
-            "above some cosine c that depends on k",
+            "near the peak `exp(k(c-1))` is closer to `c^k` than `exp((k+x)(c-1))` with the published "
+            "mean of `x`: above some cosine `c` that depends on `k`",
         .inputs = {{"offset", sg_offset_published[0].printed}, {"exponents", "1:15:1,25,50,100,1000,10000"}},
         .derivation =
             "Both errors are equal where 1 + exp(-x y) = 2 c^k/exp(-k y), y = 1-c. The logarithm of their "
@@ -69,7 +70,7 @@ inline constexpr std::array lobe_claims{
         .source = sources::lagarde_2012},
     Claim{.id = "sg-offset-one-low",
           .statement =
-              "exp((k+1)(c-1)) fits low specular powers nicely, and at high powers the +1 can be dropped",
+              "`exp((k+1)(c-1))` fits low specular powers nicely, and at high powers the +1 can be dropped",
           .printed = {{"x", "1"}},
           .inputs = {{"low from", "3"},
                      {"low to", "15"},
@@ -89,7 +90,8 @@ inline constexpr std::array lobe_claims{
           .source = sources::lagarde_2011_adopting},
     Claim{.id = "sg-offset-matters-below",
           .statement =
-              "from k = 10 on the offsets x = 0, the published mean and 1 of exp((k+x)(c-1)) differ subtly",
+              "from `k = 10` on the offsets `x = 0`, the published mean and 1 of `exp((k+x)(c-1))` differ "
+              "subtly",
           .printed = {{"k", "10"}},
           .inputs = {{"plain", "0"},
                      {"fitted", sg_offset_published[0].printed},

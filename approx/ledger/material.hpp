@@ -38,8 +38,8 @@ inline constexpr std::array material_claims{
     Claim{.id = "chart-range-typo",
           .statement =
               "the linear range of the specular of dielectrics is given twice and should end at the same "
-              "number; it "
-              "ends at 0.067 where materials are explained, and at 0.063 where it is remapped to [0, 1]",
+              "number; it ends at 0.067 where materials are explained, and at 0.063 where it is remapped to "
+              "`[0, 1]`",
           .printed = {{"first", "0.067"}, {"second", "0.063"}},
           .inputs = {{"code", "75"},
                      {"convention", chart_convention},
@@ -78,8 +78,8 @@ inline constexpr std::array material_claims{
           .source = sources::lagarde_2011_feeding},
     Claim{.id = "metallic-workflow",
           .statement =
-              "the metallic workflow's albedo (1-m) c and specular F0 = lerp(0.03, c, m), for a base colour "
-              "c and metallic m, reflect no more than comes in: albedo + F0 <= 1",
+              "the metallic workflow's albedo `(1-m) c` and specular `F0 = lerp(0.03, c, m)`, for a base "
+              "colour `c` and metallic `m`, reflect no more than comes in: `albedo + F0 <= 1`",
           .printed = {{"F0 of dielectrics", "0.03"}},
           .inputs = {{"codes", "256"}},
           .derivation =
@@ -97,8 +97,8 @@ inline constexpr std::array material_claims{
           .source = sources::pestana_workflows_2014},
     Claim{.id = "diffuse-fresnel",
           .statement =
-              "a Lambertian term times (1-F_i)(1-F_o), or times its cheaper stand-in 1-F0, keeps specular + "
-              "diffuse <= 1 at every angle (F_i, F_o: Fresnel towards light and view)",
+              "a Lambertian term times `(1-F_i)(1-F_o)`, or times its cheaper stand-in `1-F0`, keeps "
+              "`specular + diffuse <= 1` at every angle (`F_i`, `F_o`: Fresnel towards light and view)",
           .inputs = {{"factor", TransmittedBothWays::name},
                      {"stand-in", TransmittedAtNormal::name},
                      {"beside", TransmittedIn::name},

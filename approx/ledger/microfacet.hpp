@@ -29,8 +29,8 @@ inline constexpr std::string_view masking_derivation =
 inline constexpr std::array microfacet_claims{
     Claim{.id = "ndf-blinn-phong",
           .statement =
-              "1/(pi alpha^2) (n.m)^(2/alpha^2 - 2), the Blinn-Phong distribution with Beckmann's width "
-              "alpha: the integral of D(m) (n.m) over the microfacet normals m is 1",
+              "`1/(pi alpha^2)` `(n.m)^(2/alpha^2 - 2)`, the Blinn-Phong distribution with Beckmann's width "
+              "`alpha`: the integral of `D(m) (n.m)` over the microfacet normals `m` is 1",
           .printed = {{"", "1"}},
           .inputs = {detail::roughnesses, detail::width_of_roughness},
           .derivation =
@@ -41,8 +41,8 @@ inline constexpr std::array microfacet_claims{
           .source = sources::karis_2013},
     Claim{.id = "ndf-beckmann",
           .statement =
-              "exp(-tan^2/alpha^2)/(pi alpha^2 cos^4), Beckmann's distribution, angles between m and n: the "
-              "integral of D(m) (n.m) over the microfacet normals m is 1",
+              "`exp(-tan^2/alpha^2)/(pi alpha^2 cos^4)`, Beckmann's distribution, angles between `m` and "
+              "`n`: the integral of `D(m) (n.m)` over the microfacet normals `m` is 1",
           .printed = {{"", "1"}},
           .inputs = {detail::roughnesses, detail::width_of_roughness},
           .derivation =
@@ -52,8 +52,8 @@ inline constexpr std::array microfacet_claims{
           .source = sources::walter_2007},
     Claim{.id = "ndf-ggx",
           .statement =
-              "alpha^2/(pi ((n.m)^2 (alpha^2 - 1) + 1)^2), GGX (Trowbridge-Reitz): the integral of D(m) "
-              "(n.m) over the microfacet normals m is 1",
+              "`alpha^2/(pi ((n.m)^2 (alpha^2 - 1) + 1)^2)`, GGX (Trowbridge-Reitz): the integral of "
+              "`D(m) (n.m)` over the microfacet normals `m` is 1",
           .printed = {{"", "1"}},
           .inputs = {detail::roughnesses, detail::width_of_roughness},
           .derivation =
@@ -64,9 +64,9 @@ inline constexpr std::array microfacet_claims{
           .source = sources::walter_2007},
     Claim{.id = "ndf-gtr1",
           .statement =
-              "(alpha^2 - 1)/(pi log(alpha^2)) / (1 + (alpha^2 - 1)(n.m)^2), generalised Trowbridge-Reitz of "
-              "exponent 1: the integral of D(m) (n.m) over the microfacet normals m is 1, and at alpha = 1, "
-              "where the formula is 0/0, D is its limit 1/pi",
+              "`(alpha^2 - 1)/(pi log(alpha^2)) / (1 + (alpha^2 - 1)(n.m)^2)`, generalised Trowbridge-Reitz "
+              "of exponent 1: the integral of `D(m) (n.m)` over the microfacet normals `m` is 1, and at "
+              "`alpha = 1`, where the formula is `0/0`, `D` is its limit `1/pi`",
           .printed = {{"integral", "1"}, {"limit", "1/pi"}},
           .inputs = {detail::roughnesses, detail::width_of_roughness, {"distance from alpha = 1", "1e-10"}},
           .derivation =
@@ -78,9 +78,9 @@ inline constexpr std::array microfacet_claims{
           .source = sources::burley_2012},
     Claim{.id = "smith-beckmann",
           .statement =
-              "Beckmann's distribution with Smith's G1 of its own Lambda, (erf(a) - 1)/2 + exp(-a^2)/(2 a "
-              "sqrt(pi)), a = 1/(alpha tan(theta_v)): the integral of G1 D(m) max(v.m, 0) is v.n for every "
-              "view v",
+              "Beckmann's distribution with Smith's `G1` of its own `Lambda`, "
+              "`(erf(a) - 1)/2 + exp(-a^2)/(2 a sqrt(pi))`, `a = 1/(alpha tan(theta_v))`: the integral of "
+              "`G1 D(m) max(v.m, 0)` is `v.n` for every view `v`",
           .inputs = {{"distribution", "beckmann"},
                      {"masking", "beckmann"},
                      detail::roughnesses,
@@ -90,8 +90,8 @@ inline constexpr std::array microfacet_claims{
           .source = sources::heitz_2014},
     Claim{.id = "smith-ggx",
           .statement =
-              "GGX with Smith's G1 of its own Lambda, (sqrt(1 + alpha^2 tan^2(theta_v)) - 1)/2: the integral "
-              "of G1 D(m) max(v.m, 0) is v.n for every view v",
+              "GGX with Smith's `G1` of its own `Lambda`, `(sqrt(1 + alpha^2 tan^2(theta_v)) - 1)/2`: the "
+              "integral of `G1 D(m) max(v.m, 0)` is `v.n` for every view `v`",
           .inputs = {{"distribution", "ggx"},
                      {"masking", "ggx"},
                      detail::roughnesses,
@@ -101,8 +101,8 @@ inline constexpr std::array microfacet_claims{
           .source = sources::heitz_2014},
     Claim{.id = "smith-borrowed",
           .statement =
-              "Blinn-Phong is commonly combined with Beckmann's G1, and GTR1 with GGX's: we test how far the "
-              "integral of G1 D(m) max(v.m, 0) then is from v.n",
+              "Blinn-Phong is commonly combined with Beckmann's `G1`, and GTR1 with GGX's: we test how far "
+              "the integral of `G1 D(m) max(v.m, 0)` then is from `v.n`",
           .inputs = {{"blinn-phong", "beckmann"},
                      {"gtr1", "ggx"},
                      detail::roughnesses,

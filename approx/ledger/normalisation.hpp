@@ -30,42 +30,41 @@ inline constexpr std::string_view reflectance_derivation =
 /// The printed values are formulas, which are parsed and evaluated; a = alpha.
 inline constexpr std::array normalisation_claims{
     Claim{.id = LambertLobe::record.id,
-          .statement = "Lambert's BRDF is normalised by 1/pi",
+          .statement = "Lambert's BRDF is normalised by `1/pi`",
           .printed = {{"", LambertLobe::record.printed}},
           .derivation =
               "1 over the integral of n.l over the hemisphere of lights, 2 pi times that of c dc. It is the "
               "same for every view, as the lobe does not depend on the view.",
           .source = sources::lagarde_2011_adopting},
     Claim{.id = PhongLobe::record.id,
-          .statement = "the Phong lobe (r.v)^a is normalised by (a+1)/(2 pi)",
+          .statement = "the Phong lobe `(r.v)^a` is normalised by `(a+1)/(2 pi)`",
           .printed = {{"", PhongLobe::record.printed}},
           .inputs = {detail::normal_exponents, detail::view_exponents, detail::other_views},
           .derivation = detail::reflectance_derivation,
           .source = sources::lagarde_2011_adopting},
     Claim{.id = PhongBrdfLobe::record.id,
-          .statement = "the Phong BRDF with its cosine, (r.v)^a (n.l), is normalised by (a+2)/(2 pi)",
+          .statement = "the Phong BRDF with its cosine, `(r.v)^a (n.l)`, is normalised by `(a+2)/(2 pi)`",
           .printed = {{"", PhongBrdfLobe::record.printed}},
           .inputs = {detail::normal_exponents, detail::view_exponents, detail::other_views},
           .derivation = detail::reflectance_derivation,
           .source = sources::lagarde_2011_adopting},
     Claim{.id = BlinnPhongLobe::record.id,
-          .statement = "the Blinn-Phong lobe (n.h)^a is normalised by (a+2)/(4 pi (2 - 2^(-a/2)))",
+          .statement = "the Blinn-Phong lobe `(n.h)^a` is normalised by `(a+2)/(4 pi (2 - 2^(-a/2)))`",
           .printed = {{"", BlinnPhongLobe::record.printed}},
           .inputs = {detail::normal_exponents, detail::view_exponents, detail::other_views},
           .derivation = detail::reflectance_derivation,
           .source = sources::lagarde_2011_adopting},
     Claim{.id = BlinnPhongBrdfLobe::record.id,
-          .statement =
-              "the Blinn-Phong BRDF with its cosine, (n.h)^a (n.l), is normalised by (a+2)(a+4)/(8 pi "
-              "(2^(-a/2) + a))",
+          .statement = "the Blinn-Phong BRDF with its cosine, `(n.h)^a (n.l)`, is normalised by "
+                       "`(a+2)(a+4)/(8 pi (2^(-a/2) + a))`",
           .printed = {{"", BlinnPhongBrdfLobe::record.printed}},
           .inputs = {detail::normal_exponents, detail::view_exponents, detail::other_views},
           .derivation = detail::reflectance_derivation,
           .source = sources::lagarde_2011_adopting},
     Claim{.id = BlinnPhongCheapLobe::record.id,
           .statement =
-              "(a+8)/(8 pi) is a cheap stand-in for the constant of the Blinn-Phong BRDF with its cosine: "
-              "its reflectance is close to 1, and closest at low powers a",
+              "`(a+8)/(8 pi)` is a cheap stand-in for the constant of the Blinn-Phong BRDF with its cosine: "
+              "its reflectance is close to 1, and closest at low powers `a`",
           .printed = {{"", BlinnPhongCheapLobe::record.printed}},
           .inputs = {{"close", "0.1"},
                      {"low power", "1"},
@@ -83,8 +82,8 @@ inline constexpr std::array normalisation_claims{
           .source = sources::lagarde_2011_adopting},
     Claim{.id = DistributionLobe::record.id,
           .statement =
-              "the Blinn-Phong distribution D(m) = (n.m)^a is normalised by (a+2)/(2 pi): the integral of "
-              "D(m) (n.m) over the sphere of microfacet normals m is 1",
+              "the Blinn-Phong distribution `D(m) = (n.m)^a` is normalised by `(a+2)/(2 pi)`: the integral "
+              "of `D(m) (n.m)` over the sphere of microfacet normals `m` is 1",
           .printed = {{"", DistributionLobe::record.printed}},
           .inputs = {detail::normal_exponents},
           .derivation =
@@ -94,8 +93,8 @@ inline constexpr std::array normalisation_claims{
           .source = sources::lagarde_2011_adopting},
     Claim{.id = MicrofacetLobe::record.id,
           .statement =
-              "the microfacet BRDF with the Blinn-Phong distribution has the constant (a+2)/(8 pi), a "
-              "quarter of the distribution's; in a game's light unit, in which pi drops out, (a+2)/8",
+              "the microfacet BRDF with the Blinn-Phong distribution has the constant `(a+2)/(8 pi)`, a "
+              "quarter of the distribution's; in a game's light unit, in which `pi` drops out, `(a+2)/8`",
           .printed = {{"", MicrofacetLobe::record.printed}, {"in a game's light unit", "(a+2)/8"}},
           .inputs = {detail::normal_exponents, {"light unit", "pi"}},
           .derivation =
@@ -105,8 +104,8 @@ inline constexpr std::array normalisation_claims{
               "first.",
           .source = sources::lagarde_2011_adopting},
     Claim{.id = "norm-game-light-unit",
-          .statement = "a light whose brightness is multiplied by pi cancels the 1/pi of Lambert's BRDF: pi "
-                       "(c_diff/pi) = c_diff, so that a game shades with c_diff alone",
+          .statement = "a light whose brightness is multiplied by `pi` cancels the `1/pi` of Lambert's BRDF: "
+                       "`pi (c_diff/pi) = c_diff`, so that a game shades with `c_diff` alone",
           .inputs = {{"with pi", "pi (c_diff/pi)"}, {"without", "c_diff"}},
           .derivation =
               "Both sides are linear in c_diff, so they agree everywhere if they do at two values; all 255 "

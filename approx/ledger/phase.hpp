@@ -11,7 +11,7 @@ namespace shadefit {
 inline constexpr std::array phase_claims{
     Claim{.id = "hg-normalisation",
           .statement =
-              "the Henyey-Greenstein function (1-g^2)/(4 pi (1+g^2-2 g c)^1.5), as written in the loop, "
+              "the Henyey-Greenstein function `(1-g^2)/(4 pi (1+g^2-2 g c)^1.5)`, as written in the loop, "
               "integrates to 1 over the sphere",
           .printed = {{"integral", "1"}},
           .inputs = {{"g", "-0.999, -0.99, -0.9, -0.5, 0, 0.2, 0.5, 0.76, 0.9, 0.99, 0.999"}},

@@ -10,7 +10,7 @@ namespace shadefit {
 
 inline constexpr std::array von_mises_fisher_claims{
     Claim{.id = "vmf-normalisation",
-          .statement = "k/(4 pi sinh k) e^(k c) integrates to 1 over the sphere",
+          .statement = "`k/(4 pi sinh k)` `e^(k c)` integrates to 1 over the sphere",
           .printed = {{"", "1"}},
           .inputs = {{"exponents", "0.001,0.01,0.1,1,2,10,100,1000,10000,100000"}},
           .derivation =
@@ -20,7 +20,7 @@ inline constexpr std::array von_mises_fisher_claims{
           .figure = {},
           .source = sources::lagarde_2012},
     Claim{.id = "vmf-large-k",
-          .statement = "for k > 2 the density is about k/(2 pi) e^(-k(1-c))",
+          .statement = "for `k > 2` the density is about `k/(2 pi)` `e^(-k(1-c))`",
           .printed = {{"k", "2"}},
           .inputs = {{"about", "0.02"}, {"no longer about", "0.05"}, {"y", "0.001,1,2"}},
           .derivation =

@@ -53,8 +53,8 @@ class Quantities {
 /// right.
 struct Claim {
   std::string_view id;
-  std::string_view
-      statement;            ///< the statement in our words, with its formula and the meaning of its letters
+  /// The statement in our words, with the meaning of its letters. Its formulas stand between ` and `.
+  std::string_view statement;
   Quantities printed = {};  ///< its numbers as printed; none for an identity or a comparison
   Quantities inputs =
       {};  ///< the inputs of the computation: exponents, domains, readings of words ("accurate": 0.02)

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "approx/fresnel.hpp"
 #include "bench/peers/run.hpp"
 #include "bench/peers/tables.hpp"
 #include "bench/peers/truth.hpp"
@@ -166,7 +167,14 @@ std::string load() {
   return words.at(0);
 }
 
+/// Gives the published Fresnel pair to the programs that are not C++: task_program.hpp.
+void export_published_pair() {
+  ::setenv("PUBLISHED_A", std::string(fresnel_published[2].printed).c_str(), 1);
+  ::setenv("PUBLISHED_B", std::string(fresnel_published[3].printed).c_str(), 1);
+}
+
 int compare(Options options) {
+  export_published_pair();
   const std::vector<Task> all = tasks(options.references);
   std::vector<TaskRun> by_tool;
   for (Tool& tool : options.tools) {

@@ -62,7 +62,9 @@ std::string text(const Decimal50& value) {
 /// The largest |error| of the published pair: a root of the error's slope, by Newton from the place that
 /// every tool finds. One more step changes no shown digit.
 std::string largest_error() {
-  const Decimal50 a("-5.55473"), b("-6.98316"), ln2 = Scalar<Decimal50>::ln2();
+  const auto number = [](const Published& record) { return constant<Decimal50>(record.printed); };
+  const Decimal50 a = number(fresnel_published[2]), b = number(fresnel_published[3]),
+                  ln2 = Scalar<Decimal50>::ln2();
   Decimal50 c("0.055");
   for (int i = 0; i < 12; ++i) {
     const Decimal50 form = exp(ln2 * (a * c + b) * c), rest = 1 - c, inner = ln2 * (2 * a * c + b);

@@ -126,15 +126,25 @@ std::string latex_parentheses(const std::string& s) {
   return "\\left(" + s + "\\right)";
 }
 
-/// A Greek letter by its name, a letter with its index, any other word upright.
+bool is_greek(const std::string& name) {
+  constexpr std::array greek{"alpha", "beta", "eta", "theta", "kappa", "rho", "phi", "Lambda"};
+  return std::find(greek.begin(), greek.end(), name) != greek.end();
+}
+
+/// A Greek letter by its name, a letter with its index (n1, theta_v), any other word upright.
 std::string latex_variable(const std::string& name) {
-  constexpr std::array greek{"alpha", "beta", "eta", "theta", "kappa", "rho", "phi"};
-  if (std::find(greek.begin(), greek.end(), name) != greek.end()) return "\\" + name;
+  if (is_greek(name)) return "\\" + name;
   if (name.size() == 1) return name;
-  const bool has_index =
+  const bool has_number =
       std::all_of(name.begin() + 1, name.end(), [](char c) { return '0' <= c && c <= '9'; });
-  if (has_index) return name.substr(0, 1) + "_{" + name.substr(1) + "}";
-  return "\\mathrm{" + name + "}";
+  if (has_number) return name.substr(0, 1) + "_{" + name.substr(1) + "}";
+  const std::size_t bar = name.find('_', 1);
+  const std::string letter = name.substr(0, bar);
+  const bool has_index = bar < name.size() - 1 && (is_greek(letter) || (bar == 1 && letter != "_"));
+  if (has_index) return latex_variable(letter) + "_{" + latex_variable(name.substr(bar + 1)) + "}";
+  std::string word;
+  for (const char c : name) word += c == '_' ? "\\_" : std::string(1, c);
+  return "\\mathrm{" + word + "}";
 }
 
 std::pair<std::string, Binding> latex_function(const std::string& name, const std::vector<std::string>& x) {

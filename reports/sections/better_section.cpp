@@ -8,6 +8,7 @@
 
 #include "fit/run/results.hpp"
 #include "reports/rows/comparisons.hpp"
+#include "reports/table/mathematics.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {

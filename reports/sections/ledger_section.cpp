@@ -7,6 +7,7 @@
 
 #include "reports/rows/citation.hpp"
 #include "reports/sections/prose.hpp"
+#include "reports/table/mathematics.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {
@@ -33,8 +34,8 @@ std::string topic_section(const Topic& topic, const std::vector<JudgedClaim>& cl
   std::string out = fmt::format("### {}\n\n", topic.title) + markdown_block(claims_overview(claims));
   for (const auto& [_, claim, finding] : claims) {
     out += fmt::format("- **`{}`** ({}): {}.\n  - **{}**: {}.\n  - Effect: {}.\n", claim->id,
-                       linked(claim->source), claim->statement, verdict_text(finding), finding.evidence,
-                       finding.effect);
+                       linked(claim->source), with_mathematics(claim->statement), verdict_text(finding),
+                       finding.evidence, finding.effect);
     const std::string_view name = claim->figure;  // clang 14 captures no structured binding
     const bool is_drawn = std::any_of(figures.begin(), figures.end(),
                                       [&](const Figure& figure) { return figure.name == name; });
@@ -59,7 +60,7 @@ Table claims_table(const std::vector<JudgedClaim>& claims) {
   for (const auto& [topic, claim, finding] : claims) {
     table.rows.push_back({word(claim->id), printed_text(*claim), finding.computed, verdict_text(finding),
                           finding.effect, finding.evidence, citation(claim->source), word(topic->title),
-                          word(claim->statement)});
+                          without_marks(claim->statement)});
   }
   return table;
 }
@@ -71,12 +72,13 @@ Table claims_overview(const std::vector<JudgedClaim>& claims) {
   return table;
 }
 
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts) {
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Formulas formulas) {
   Table table{{"id", "printed", "of", "source"}, {}};
   if (with_verdicts) table.columns.insert(table.columns.begin() + 2, {"computed", "verdict"});
   for (const auto& [_, claim, finding] : claims) {
-    std::vector<Cell> row{word(claim->id), printed_text(*claim), word(claim->statement),
-                          citation(claim->source)};
+    const std::string statement =
+        formulas == Formulas::marked ? std::string(claim->statement) : without_marks(claim->statement);
+    std::vector<Cell> row{word(claim->id), printed_text(*claim), statement, citation(claim->source)};
     if (with_verdicts) row.insert(row.begin() + 2, {finding.computed, verdict_text(finding)});
     table.rows.push_back(row);
   }
@@ -154,7 +156,7 @@ std::string explanation(const JudgedClaim& judged, const Terminal& terminal) {
     for (const std::string& sentence : sentences) line(std::exchange(label, ""), sentence);
   };
   line("topic", std::string(topic->title));
-  line("says", std::string(claim->statement));
+  line("says", without_marks(claim->statement));
   line("printed", printed_text(*claim));
   line("source", citation(claim->source));
   line("given", quantities_text(claim->inputs));
@@ -179,7 +181,7 @@ nlohmann::ordered_json explanation_json(const JudgedClaim& judged) {
       {"schema", 1},
       {"claim", claim->id},
       {"topic", topic->title},
-      {"statement", claim->statement},
+      {"statement", without_marks(claim->statement)},
       {"printed", pairs(claim->printed)},
       {"source",
        {{"author", claim->source.author},

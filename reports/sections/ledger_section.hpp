@@ -23,8 +23,11 @@ Table claims_table(const std::vector<JudgedClaim>& claims);
 /// The table for people: claim, printed, computed, verdict.
 Table claims_overview(const std::vector<JudgedClaim>& claims);
 
+/// Whether a statement keeps the marks of its formulas, as LaTeX needs them (reports/table/mathematics.hpp).
+enum class Formulas { plain, marked };
+
 /// Every record, with its verdict if claims are judged: `shadefit list`.
-Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts);
+Table claims_list(const std::vector<JudgedClaim>& claims, bool with_verdicts, Formulas formulas);
 
 /// The same without statements, each source as "author year".
 Table claims_for_a_terminal(const std::vector<JudgedClaim>& claims, bool with_verdicts);

@@ -8,6 +8,7 @@
 #include "reports/rows/citation.hpp"
 #include "reports/sections/ledger_section.hpp"
 #include "reports/sections/prose.hpp"
+#include "reports/table/mathematics.hpp"
 
 namespace shadefit {
 namespace {
@@ -23,7 +24,7 @@ std::string news_of(const std::vector<JudgedClaim>& claims, std::string_view lea
   for (const auto& [topic, claim, finding] : claims) {
     const bool is_refuted = finding.verdict == Verdict::refuted;
     out += fmt::format("- [`{}`](#{}) ({}): {}.\n  - Found: {}.\n  - Effect: {}.\n", claim->id,
-                       anchor(topic->title), linked(claim->source), claim->statement,
+                       anchor(topic->title), linked(claim->source), with_mathematics(claim->statement),
                        is_refuted ? finding.evidence : finding.computed,
                        without_full_stop(sentences_of(finding.effect).front()));
   }

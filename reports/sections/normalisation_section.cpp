@@ -7,6 +7,7 @@
 #include "approx/normalisation.hpp"
 #include "reports/rows/citation.hpp"
 #include "reports/rows/tables.hpp"
+#include "reports/table/mathematics.hpp"
 #include "reports/table/writers.hpp"
 
 namespace shadefit {

@@ -40,8 +40,9 @@ std::string short_lines_of(const std::string& line) {
   const std::string indentation(spaces + (is_item ? 2 : 0), ' ');
   std::string out;
   for (const std::string& sentence : sentences_of(line)) {
+    const char end = sentence.find("; ") != std::string::npos ? ';' : ':';
     for (const std::string& part :
-         sentence.size() > longest_line ? parts_of(sentence, ';') : std::vector{sentence})
+         sentence.size() > longest_line ? parts_of(sentence, end) : std::vector{sentence})
       out += (out.empty() ? "" : indentation) + part + "\n";
   }
   return out;

@@ -11,7 +11,7 @@ namespace shadefit {
 std::vector<std::string> sentences_of(std::string_view text);
 
 /// A Markdown text with one sentence per line. Lists keep their indentation; tables and headings are
-/// unchanged. A sentence over 400 letters is also broken at its semicolons.
+/// unchanged. A sentence over 400 letters is also broken at its semicolons, or at its colons if it has none.
 std::string with_short_lines(std::string_view markdown);
 
 /// GitHub's anchor of a heading: "Exact Fresnel (`a`)" gives "exact-fresnel-a".

@@ -11,11 +11,10 @@
 #include <string_view>
 #include <utility>
 
-#include "fit/formula/parse_formula.hpp"
 #include "fit/least_squares/status.hpp"
-#include "fit/support/decimal.hpp"
 #include "fit/verdicts/verdict.hpp"
 #include "reports/io/utf8.hpp"
+#include "reports/table/mathematics.hpp"
 
 namespace shadefit {
 namespace {
@@ -104,74 +103,36 @@ std::string latex_character(char c) {
   return is_special ? std::string{'\\', c} : std::string(1, is_control ? ' ' : c);
 }
 
-std::string latex_number(const std::string& s) {
-  const auto e = s.find_first_of("eE");
-  if (e == std::string::npos) return s;
-  std::string power = s.substr(e + 1);
-  const bool is_negative = power.starts_with('-');
-  power.erase(0, std::min(power.find_first_not_of("+-0"), power.size() - 1));
-  return s.substr(0, e) + "\\times10^{" + (is_negative ? "-" : "") + power + "}";
+std::string latex_words(const std::string& s) {
+  std::string out;
+  for (const char c : s) out += latex_character(c);
+  return out;
 }
 
-/// The names that are variables and parameters, not words.
-using Names = std::vector<std::string_view>;
-
-/// Cosines, exponents and parameters of the catalogue.
-Names catalogue_names() {
-  return {"a", "b", "c", "d", "g", "k", "n", "s", "x", "A"};
-}
-
-/// The LaTeX of a number or a formula such as "c^k", without the dollars; nothing for any other text.
-std::optional<std::string> latex_formula(const std::string& s, const Names& names) {
-  if (parse_number(s)) return latex_number(s);
+/// "`c^k` falls" as "$c^{k}$ falls"; nothing for a text without marks, or whose marks hold no formulas.
+std::optional<std::string> latex_statement(const std::string& s) {
+  if (s.find('`') == std::string::npos) return {};
   try {
-    return to_latex(parse_formula(s, names));
+    return with_mathematics(s, latex_words);
   } catch (const std::invalid_argument&) {
     return {};
   }
 }
 
-/// A formula or a relation of two: "k = 12", "c^k ~ exp((k + x) (c - 1))".
-std::optional<std::string> latex_relation(const std::string& s, const Names& names) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> relations{
-      {{" = ", " = "}, {" ~ ", " \\approx "}}};
-  for (const auto& [text, latex] : relations) {
-    const std::size_t at = s.find(text);
-    if (at == std::string::npos) continue;
-    const auto left = latex_formula(s.substr(0, at), names),
-               right = latex_formula(s.substr(at + text.size()), names);
-    return left && right ? std::optional(*left + std::string(latex) + *right) : std::nullopt;
-  }
-  return latex_formula(s, names);
-}
+using MoreNames = std::span<const std::string>;
 
-/// Formulas and relations between commas or semicolons: "a = 1.2e-05, b = 2".
-std::optional<std::string> latex_mathematics(const std::string& s, const Names& names) {
-  std::string out;
-  for (std::size_t from = 0;;) {
-    const std::size_t to = std::min(s.find(", ", from), s.find("; ", from));
-    const auto part = latex_relation(s.substr(from, to == std::string::npos ? to : to - from), names);
-    if (!part) return {};
-    out += "$" + *part + "$";
-    if (to == std::string::npos) return out;
-    out += s.substr(to, 2);
-    from = to + 2;
-  }
-}
-
-std::string latex_cell(const std::string& s, const Names& names) {
+std::string latex_cell(const std::string& s, MoreNames names) {
   if (const auto mathematics = latex_mathematics(s, names)) return *mathematics;
   // "at c": the title of a column of places.
   if (s.starts_with("at ")) {
     if (const auto place = latex_mathematics(s.substr(3), names)) return "at " + *place;
   }
   // At the start of a row, LaTeX reads [..] and * as arguments of the row before.
-  std::string out = s.starts_with('[') || s.starts_with('*') ? "{}" : "";
-  for (const char c : s) out += latex_character(c);
-  return out;
+  const std::string start = s.starts_with('[') || s.starts_with('*') ? "{}" : "";
+  return start + latex_statement(s).value_or(latex_words(s));
 }
 
-std::string latex_line(const std::vector<std::string>& cells, const Names& names) {
+std::string latex_line(const std::vector<std::string>& cells, MoreNames names) {
   std::string line;
   for (const auto& cell : cells) line += (&cell == &cells.front() ? "" : " & ") + latex_cell(cell, names);
   return line + " \\\\\n";
@@ -289,18 +250,12 @@ std::string write_markdown(const Table& table, Precision precision) {
   return out;
 }
 
-std::string mathematics(const std::string& text) {
-  return latex_mathematics(text, catalogue_names()).value_or(text);
-}
-
 std::string write_latex(const Table& table, Precision precision, std::span<const std::string> more_names) {
-  Names names = catalogue_names();
-  names.insert(names.end(), more_names.begin(), more_names.end());
   const std::vector<bool> are_numeric = numeric_columns(table);
   std::string out = "% needs \\usepackage{booktabs}\n\\begin{tabular}{";
   for (std::size_t i = 0; i < table.columns.size(); ++i) out += are_numeric[i] ? 'r' : 'l';
-  out += "}\n\\toprule\n" + latex_line(in_words(table.columns), names) + "\\midrule\n";
-  for (const auto& row : texts(table, precision)) out += latex_line(row, names);
+  out += "}\n\\toprule\n" + latex_line(in_words(table.columns), more_names) + "\\midrule\n";
+  for (const auto& row : texts(table, precision)) out += latex_line(row, more_names);
   return out + "\\bottomrule\n\\end{tabular}\n";
 }
 

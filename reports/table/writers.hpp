@@ -19,17 +19,13 @@ std::string write_markdown(const Table& table, Precision precision);
 
 /// A LaTeX tabular with the rules of booktabs, for \input; titles in words, columns of numbers right-aligned.
 /// A cell is set as mathematics if it is a number, a formula, a relation, or a list of those: 1.2e-05 as
-/// $1.2\times10^{-5}$, "x = 0.775" as $x = 0.775$. Its names are those of the catalogue, single letters, and
-/// `more_names`; any other is a word. In other cells what LaTeX would read as a command is escaped, and other
+/// $1.2\times10^{-5}$, "x = 0.775" as $x = 0.775$; so are the marked formulas of a statement
+/// (reports/table/mathematics.hpp). In other cells what LaTeX would read as a command is escaped, and other
 /// UTF-8 left as it is.
 std::string write_latex(const Table& table, Precision precision,
                         std::span<const std::string> more_names = {});
 
-/// "c^k" as $c^{k}$: the cell that LaTeX shows, for Markdown too. Any other text than the mathematics of
-/// `write_latex` is returned as it is.
-std::string mathematics(const std::string& text);
-
-/// The same for a report: titles in words, report precision, and an empty line at the end.
+/// A Markdown table for a report: titles in words, report precision, and an empty line at the end.
 std::string markdown_block(Table table);
 
 /// The device of a text.

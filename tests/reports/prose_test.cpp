@@ -21,10 +21,12 @@ TEST(Prose, TablesHeadingsAndPicturesStay) {
   EXPECT_EQ(with_short_lines(text), text);
 }
 
-TEST(Prose, ALongSentenceIsBrokenAtItsSemicolons) {
+TEST(Prose, ALongSentenceIsBrokenAtItsSemicolonsOrColons) {
   const std::string half(250, 'x');
   EXPECT_EQ(with_short_lines(half + "; " + half + "."), half + ";\n" + half + ".\n");
-  EXPECT_EQ(with_short_lines("a; b."), "a; b.\n");
+  EXPECT_EQ(with_short_lines("- a: " + half + ": " + half + "."), "- a:\n  " + half + ":\n  " + half + ".\n");
+  EXPECT_EQ(with_short_lines("a: b; " + half + half + "."), "a: b;\n" + half + half + ".\n");
+  EXPECT_EQ(with_short_lines("a; b: c."), "a; b: c.\n");
 }
 
 TEST(Prose, AnAnchorIsThatOfGitHub) {

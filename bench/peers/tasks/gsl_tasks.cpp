@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "approx/fresnel.hpp"
 #include "task_program.hpp"
 
 namespace {
@@ -313,6 +314,11 @@ double pair_error(double c, double a, double b) {
   return std::exp2((a * c + b) * c) - std::pow(1 - c, 5);
 }
 
+std::array<double, 2> published_pair() {
+  return {shadefit::constant<double>(shadefit::fresnel_published[2].printed),
+          shadefit::constant<double>(shadefit::fresnel_published[3].printed)};
+}
+
 double largest(const gsl_vector* p, void* is_relative) {
   double most = 0;
   for (std::size_t i = 0; i < samples; ++i) {
@@ -326,8 +332,9 @@ double largest(const gsl_vector* p, void* is_relative) {
 
 Answer minimax(bool is_relative) {
   gsl_multimin_function f{largest, 2, &is_relative};
-  double start[2] = {-5.55473, -6.98316}, steps[2] = {0.1, 0.1};
-  const gsl_vector_view from = gsl_vector_view_array(start, 2), by = gsl_vector_view_array(steps, 2);
+  std::array<double, 2> start = published_pair();
+  double steps[2] = {0.1, 0.1};
+  const gsl_vector_view from = gsl_vector_view_array(start.data(), 2), by = gsl_vector_view_array(steps, 2);
   gsl_multimin_fminimizer* solver = gsl_multimin_fminimizer_alloc(gsl_multimin_fminimizer_nmsimplex2, 2);
   gsl_multimin_fminimizer_set(solver, &f, &from.vector, &by.vector);
   for (int i = 0; i < 500; ++i) {
@@ -343,7 +350,8 @@ Answer minimax(bool is_relative) {
 
 Answer largest_error() {
   std::size_t best = 1;
-  const auto error = [](double c) { return -std::abs(pair_error(c, -5.55473, -6.98316)); };
+  const std::array<double, 2> p = published_pair();
+  const auto error = [p](double c) { return -std::abs(pair_error(c, p[0], p[1])); };
   const auto place = [](std::size_t i) { return static_cast<double>(i) / (samples - 1); };
   for (std::size_t i = 1; i + 1 < samples; ++i) {
     if (error(place(i)) < error(place(best))) best = i;

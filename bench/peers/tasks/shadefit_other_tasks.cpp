@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "approx/fresnel.hpp"
 #include "approx/normalisation.hpp"
 #include "bench/peers/tasks/shadefit_tasks.hpp"
 #include "fit/families/families.hpp"
@@ -34,8 +35,13 @@ Answer minimax(Error error) {
   return answer;
 }
 
+/// The records of the published pair.
+constexpr const shadefit::Published& published_a = shadefit::fresnel_published[2];
+constexpr const shadefit::Published& published_b = shadefit::fresnel_published[3];
+
 Answer search() {
-  constexpr std::array published{-5.55473, -6.98316};
+  const std::array published{shadefit::constant<double>(published_a.printed),
+                             shadefit::constant<double>(published_b.printed)};
   Answer answer;
   const auto* family = shadefit::find_family("fresnel-quadratic");
   answer.add("level", family->max_abs_error({}, {}, published).magnitude);
@@ -43,8 +49,9 @@ Answer search() {
 }
 
 Answer prove(double width) {
-  const shadefit::Subject pair{.family = "fresnel-quadratic",
-                               .parameters = {{"a", "-5.55473"}, {"b", "-6.98316"}}};
+  const shadefit::Subject pair{
+      .family = "fresnel-quadratic",
+      .parameters = {{"a", std::string(published_a.printed)}, {"b", std::string(published_b.printed)}}};
   const auto certified = shadefit::certify(pair, width);
   Answer answer;
   answer.add("level", certified.certificate.lower);

@@ -18,7 +18,9 @@
 ///   PROGRAM TASK VARIANT SECONDS    does the task once and prints `value NAME EXPONENT NUMBER` (`-` for no
 ///                                   exponent) and `note TEXT`; with SECONDS > 0 repeats it for so long,
 ///                                   three times at least, and prints `seconds` of the quickest
-/// `expert` is judged too: a method that needs a derivation by hand or own nodes.
+/// `expert` is judged too: a method that needs a derivation by hand or own nodes. The published Fresnel pair
+/// is in the record; other languages find it in the environment, as PUBLISHED_A and PUBLISHED_B
+/// (peers/main.cpp).
 namespace peer_tasks {
 
 struct Answer {

@@ -35,7 +35,9 @@ TEST(Symbolic, FormulasPrintThemselvesInLatex) {
   EXPECT_EQ(to_latex(blinn_lobe_of_cosine(c, k, x)), R"(\left(\frac{1 + c}{2}\right)^{\frac{x k}{2}})");
   EXPECT_EQ(to_latex(one_term_sharpness(v("alpha"))), R"(\frac{5 + \alpha}{\ln 2})");
   EXPECT_EQ(to_latex(reflectance_at_normal(v("n1"))), R"(\left(\frac{n_{1} - 1}{n_{1} + 1}\right)^{2})");
-  EXPECT_EQ(to_latex(sqrt(v("cos_theta"))), R"(\sqrt{\mathrm{cos_theta}})");
+  EXPECT_EQ(to_latex(sqrt(v("cos_theta"))), R"(\sqrt{\mathrm{cos\_theta}})");
+  EXPECT_EQ(to_latex(v("theta_v") * v("F_i")), R"(\theta_{v} F_{i})");
+  EXPECT_EQ(to_latex(v("c_diff") * v("Lambda")), R"(c_{\mathrm{diff}} \Lambda)");
   EXPECT_EQ(to_latex(atan(v("x"))), R"(\arctan\left(x\right))");
   EXPECT_EQ(to_latex(erfc(x)), R"(\operatorname{erfc}\left(x\right))");
   EXPECT_EQ(to_latex(log1p_remainder(x)), R"(\ln\left(1 + x\right) - \left(x\right))");
