@@ -152,19 +152,20 @@ bool comes_before(const StudyContender& a, const StudyContender& b) {
   return of_a != of_b ? of_a < of_b : a.operations.total() < b.operations.total();
 }
 
-/// The fit with the smallest error that costs no more than a published contender; of those that have its
-/// properties, or of all.
+/// The fit with the smallest error that costs no more than a published contender, of those with these
+/// properties.
 const StudyContender* best_at_the_same_cost(const StudyComparison& comparison,
-                                            const StudyContender& published, bool keeps_properties) {
+                                            const StudyContender& published,
+                                            const std::vector<StudyProperty>& wanted) {
   constexpr double worth = 0.99;  // a smaller gain is rounding of the printed digits
   constexpr double most_rms = 2;  // a smaller peak is not worth a larger error everywhere else
   const StudyContender* best = nullptr;
   for (const StudyContender& contender : comparison.contenders) {
-    const bool is_candidate =
-        contender.published == nullptr && contender.operations.total() <= published.operations.total() &&
-        contender.max_error.magnitude < worth * published.max_error.magnitude &&
-        contender.rms_error <= most_rms * published.rms_error &&
-        (!keeps_properties || lost_properties(published.properties, contender.properties).empty());
+    const bool is_candidate = contender.published == nullptr &&
+                              contender.operations.total() <= published.operations.total() &&
+                              contender.max_error.magnitude < worth * published.max_error.magnitude &&
+                              contender.rms_error <= most_rms * published.rms_error &&
+                              lost_properties(wanted, contender.properties).empty();
     if (is_candidate && (best == nullptr || comes_before(contender, *best))) best = &contender;
   }
   return best;
@@ -197,6 +198,15 @@ std::vector<KeepingFit> keeping_fits(const StudyComparison& comparison, const St
   return fits;
 }
 
+/// The properties that a target shares with itself.
+std::vector<StudyProperty> properties_of_target(const StudyForm& form, const Study& study,
+                                                const std::vector<double>& values) {
+  const ReadStudy read = read_study(with_form(study, form));
+  SampledCurve curve = sample_curve(read, values);
+  curve.form = curve.target;
+  return properties_of(read, curve, {});
+}
+
 bool is_better(const StudyContender& contender, const StudyContender& published) {
   return contender.max_error.magnitude < published.max_error.magnitude &&
          contender.operations.total() <= published.operations.total();
@@ -227,12 +237,17 @@ const StudyContender* first_published(const StudyComparison& comparison) {
 
 const StudyContender* least_error_at_the_same_cost(const StudyComparison& comparison,
                                                    const StudyContender& published) {
-  return best_at_the_same_cost(comparison, published, false);
+  return best_at_the_same_cost(comparison, published, {});
 }
 
 const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
                                               const StudyContender& published) {
-  return best_at_the_same_cost(comparison, published, true);
+  return best_at_the_same_cost(comparison, published, published.properties);
+}
+
+const StudyContender* better_with_all_properties(const StudyComparison& comparison,
+                                                 const StudyContender& published) {
+  return best_at_the_same_cost(comparison, published, comparison.properties);
 }
 
 std::size_t steps_to_compare(const StudyFile& file, const Study& study) {
@@ -251,8 +266,11 @@ StudyComparison compare_study(const StudyFile& file, const Study& study, const C
       .study = study, .error = error_of(study), .variables = {}, .is_encoded = file.is_encoded};
   for (const StudyRange& range : study.over) comparison.variables.push_back(range.variable);
   for (const StudyForm& form : file.forms) {
+    const bool is_first = comparison.contenders.empty();
     append_published(comparison, file, form, checkpoint, next);
     append_fits(comparison, file, form, checkpoint, next);
+    if (is_first && !comparison.contenders.empty())
+      comparison.properties = properties_of_target(form, study, comparison.contenders.front().values);
   }
   next();
   for (const KeepingFit& fit : keeping_fits(comparison, file)) {

@@ -72,7 +72,8 @@ struct StudyComparison {
   std::vector<std::string> variables;
   bool is_encoded = false;  ///< as in `StudyFile`
   std::vector<StudyContender> contenders = {};
-  std::vector<std::string> left_out = {};  ///< fits that did not converge: form, objective and reason
+  std::vector<StudyProperty> properties = {};  ///< of the target
+  std::vector<std::string> left_out = {};      ///< fits that did not converge: form, objective and reason
 };
 
 /// The formulas of a comparison, with the form of a contender.
@@ -93,6 +94,11 @@ const StudyContender* least_error_at_the_same_cost(const StudyComparison& compar
 /// The same among the fits that have all properties of the published contender.
 const StudyContender* better_at_the_same_cost(const StudyComparison& comparison,
                                               const StudyContender& published);
+
+/// The same among the fits that have all properties of the target, also those that the published contender
+/// lacks.
+const StudyContender* better_with_all_properties(const StudyComparison& comparison,
+                                                 const StudyContender& published);
 
 /// Compares the published sets of a study with the fits of each of its forms: least squares, minimax, and
 /// what the file asks for. Where the best of these loses a property of a published

@@ -52,6 +52,7 @@ std::set<const StudyContender*> contenders_to_prove(const StudyComparison& compa
     if (contender.published == nullptr) continue;
     wanted.insert(&contender);
     if (const StudyContender* best = better_at_the_same_cost(comparison, contender)) wanted.insert(best);
+    if (const StudyContender* all = better_with_all_properties(comparison, contender)) wanted.insert(all);
   }
   return wanted;
 }

@@ -82,16 +82,18 @@ void append_better(const StudyComparison& comparison, const StudyContender& publ
   const auto words = [&](const StudyContender& contender) {
     return fmt::format("{}, {}: {}", contender.form, contender.origin, effect_text(comparison, contender));
   };
-  if (best != nullptr)
-    lines.push_back("Better at no more instructions, with these properties: " + words(*best));
-  if (best != nullptr && best->proof)
-    lines.push_back("Its largest error, proven: " + proof_text(*best->proof));
-  if (best != nullptr && !best->unproven.empty())
-    lines.push_back("Its largest error, sampled: " + best->unproven);
-  if (best != nullptr) lines.push_back("Its properties: " + text_with_proofs(best->properties));
+  const auto append = [&](const std::string& what, const StudyContender& contender) {
+    lines.push_back(what + words(contender));
+    if (contender.proof) lines.push_back("Its largest error, proven: " + proof_text(*contender.proof));
+    if (!contender.unproven.empty()) lines.push_back("Its largest error, sampled: " + contender.unproven);
+    lines.push_back("Its properties: " + text_with_proofs(contender.properties));
+  };
+  if (best != nullptr) append("Better at no more instructions, with these properties: ", *best);
   if (best == nullptr)
     lines.push_back(fmt::format("No fit here is better at no more instructions{}",
                                 least == nullptr ? "" : " and keeps these properties"));
+  const StudyContender* all = better_with_all_properties(comparison, published);
+  if (all != nullptr && all != best) append("With all properties of the target: ", *all);
   if (least != nullptr && least != best)
     lines.push_back(fmt::format("Smaller yet: {}; it loses: {}", words(*least),
                                 to_text(lost_properties(published.properties, least->properties))));
