@@ -99,5 +99,26 @@ TEST(StudyProperties, ABetterSetIsExactWhereThePublishedOneIsToItsDigits) {
   }
 }
 
+/// A form may have properties of the target that the published set lacks.
+TEST(StudyProperties, ABetterSetMayHaveAllOfTheTarget) {
+  StudyFile file;
+  file.id = "quarter-wave";
+  file.study = {.target = "sin(pi x/2)", .form = "", .over = {{"x", "0", "1"}}};
+  file.forms = {{"free", "a + x (b + d x)"}, {"ends", "x (a + (1 - a) x)"}};
+  file.published = {
+      {.form = "free", .values = {{"a", "-0.05"}, {"b", "1.7"}, {"d", "-0.7"}}, .source = "Doe 2020"}};
+  const StudyComparison comparison = compare_study(file, file.study);
+  const StudyContender& published = *first_published(comparison);
+  EXPECT_EQ(to_text(comparison.properties), "exact at x = 0, exact at x = 1, rises, not negative, at most 1");
+  EXPECT_EQ(better_at_the_same_cost(comparison, published)->form, "free");
+  const StudyContender* all = better_with_all_properties(comparison, published);
+  ASSERT_NE(all, nullptr);
+  EXPECT_EQ(all->form, "ends");
+  EXPECT_TRUE(lost_properties(comparison.properties, all->properties).empty());
+  file.forms.pop_back();
+  const StudyComparison without = compare_study(file, file.study);
+  EXPECT_EQ(better_with_all_properties(without, *first_published(without)), nullptr);
+}
+
 }  // namespace
 }  // namespace shadefit
