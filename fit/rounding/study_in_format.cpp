@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fit/rounding/lattice.hpp"
+#include "fit/study/study_problem.hpp"
 
 namespace shadefit {
 namespace {
@@ -37,6 +38,37 @@ double rounded_to(double x) {
   return static_cast<double>(NarrowResult<Format>::rounded(x));
 }
 
+/// The values of `node_variables` at every number of the range.
+template <class Format>
+std::vector<std::vector<double>> number_nodes(const ReadStudy& study) {
+  if (study.axes.size() > 1) throw std::logic_error("the numbers of two ranges are too many");
+  std::vector<std::vector<double>> nodes;
+  for (const double x : numbers_in<Format>(study.axes.front())) nodes.push_back({x});
+  return nodes;
+}
+
+/// The values of `node_variables` at every row.
+std::vector<std::vector<double>> row_nodes(const ReadStudy& study) {
+  const MeasuredRows& rows = *study.rows;
+  std::vector<std::vector<double>> nodes;
+  for (std::size_t row = 0; row < rows.value.size(); ++row) {
+    std::vector<double> node;
+    for (const auto& column : rows.places) node.push_back(column[row]);
+    node.push_back(rows.value[row]);
+    if (!rows.sigma.empty()) node.push_back(rows.sigma[row]);
+    nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
+/// The factor of form - target in the error by which the sets of a study are compared. The weight 1/sigma of
+/// rows comes with their table.
+Symbolic factor_of_sets(const ReadStudy& study) {
+  const std::string weight = to_text(study.weight);
+  const bool is_residual = study.rows && (weight == "1" || weight == "1/sigma");
+  return is_residual ? Symbolic::number("1") : error_factor(study);
+}
+
 }  // namespace
 
 template <class Format>
@@ -50,25 +82,18 @@ StudyInFormat<Format>::StudyInFormat(const ReadStudy& study, const Checkpoint& c
 template <class Format>
 auto StudyInFormat<Format>::places_of(const ReadStudy& study, const Checkpoint& checkpoint)
     -> std::vector<Sample> {
+  const std::vector<std::string> variables = node_variables(study);
+  TapeProgram<double> target(tape_of(study.target, variables), {}),
+      factor(tape_of(factor_of_sets(study), variables), {});
   std::vector<Sample> places;
-  if (study.rows) {
-    for (std::size_t row = 0; row < study.rows->value.size(); ++row) {
-      std::vector<double> variables;
-      for (const auto& column : study.rows->places) variables.push_back(rounded_to<Format>(column[row]));
-      places.push_back({std::move(variables), study.rows->value[row], 1});
-    }
-    return places;
-  }
-  if (study.axes.size() > 1) throw std::logic_error("the numbers of two ranges are too many");
-  const std::vector<std::string> variable{study.axes.front().variable};
-  TapeProgram<double> target(tape_of(study.target, variable), {}),
-      weight(tape_of(study.weight, variable), {});
-  for (const double x : numbers_in<Format>(study.axes.front())) {
+  for (const std::vector<double>& node : study.rows ? row_nodes(study) : number_nodes<Format>(study)) {
     checkpoint();
-    target.run(std::array{x});
-    weight.run(std::array{x});
-    const double truth = target.output(0), factor = weight.output(0);
-    places.push_back({{x}, truth, study.error == Error::relative ? factor / truth : factor});
+    target.run(node);
+    factor.run(node);
+    Sample place{{}, target.output(0), factor.output(0)};
+    for (std::size_t i = 0; i < study.axes.size(); ++i)
+      place.variables.push_back(rounded_to<Format>(node[i]));
+    places.push_back(std::move(place));
   }
   return places;
 }

@@ -20,7 +20,8 @@ struct ErrorInFormat {
 };
 
 /// The error of a form at every sample: at all numbers of the format in the range of the one variable, or at
-/// all rows, with their variables rounded. The target is computed in double, for the variables as they are.
+/// all rows, with their variables rounded. The target and the weight are computed in double, for the
+/// variables as they are.
 template <class Format>
 class StudyInFormat {
  public:
@@ -30,8 +31,10 @@ class StudyInFormat {
   /// How many places there are; none if no number of the format lies in the range.
   std::size_t size() const { return places_.size(); }
 
-  /// The largest |weight * (form - target)|, or that divided by the target; of rows |form - value|.
-  /// `constants` are numbers of the format. From `enough` on, the first error that reaches it is the answer.
+  /// The largest |weight * (form - target)|, divided by the target if the error is relative: the error by
+  /// which the sets of a study are compared. Rows without a weight that is asked for are compared by
+  /// |form - value|: in their unit, also if they have sigma. `constants` are numbers of the format. From
+  /// `enough` on, the first error that reaches it is the answer.
   ErrorInFormat largest_error(std::span<const double> constants, double enough = HUGE_VAL);
 
   /// The error at the first number of the format that is not below x.

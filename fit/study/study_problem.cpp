@@ -45,6 +45,10 @@ Symbolic error_formula(const ReadStudy& study) {
   return weighted(study, study.error == Error::relative ? difference / study.target : difference);
 }
 
+Symbolic error_factor(const ReadStudy& study) {
+  return study.error == Error::relative ? study.weight / study.target : study.weight;
+}
+
 struct StudyError::Parts {
   Parts(const ReadStudy& study, IntegralRule rule)
       : graph(formula_inputs(study), rule), variables(node_variables(study).size()) {

@@ -30,6 +30,9 @@ using ProductVector = Eigen::Matrix<T, Eigen::Dynamic, 1, 0, most_product_column
 /// weight * (form - target), divided by the target if the error is relative.
 Symbolic error_formula(const ReadStudy& study);
 
+/// The factor of form - target in that error.
+Symbolic error_factor(const ReadStudy& study);
+
 /// The error of a study with its derivatives by the parameters. Its integrals are computed by `rule`.
 class StudyError {
  public:

@@ -8,6 +8,7 @@
 
 #include "fit/proof/enclosed_constant.hpp"
 #include "fit/scalars/integral.hpp"
+#include "fit/study/study_problem.hpp"
 #include "fit/study_proof/running_narrow.hpp"
 #include "fit/study_proof/study_box.hpp"
 #include "fit/tape/tape_program.hpp"
@@ -28,11 +29,6 @@ std::vector<RunningNarrow<Format>> rounded_constants(const Constants& constants)
   return rounded;
 }
 
-/// The factor of the difference of form and target.
-Symbolic scale_of(const ReadStudy& study) {
-  return study.error == Error::relative ? study.weight / study.target : study.weight;
-}
-
 /// The bound on boxes. The variables are exact: they are numbers of the format.
 template <class Format>
 class RoundingOnBoxes {
@@ -40,7 +36,7 @@ class RoundingOnBoxes {
   RoundingOnBoxes(const ReadStudy& study, const Constants& constants,
                   const std::vector<std::string>& variables)
       : form_(tape_of(study.form, with_parameters(variables, study)), rounded_constants<Format>(constants)),
-        scale_(tape_of(scale_of(study), variables), {}) {
+        scale_(tape_of(error_factor(study), variables), {}) {
     for (const StudyAxis& axis : study.axes) ranges_.push_back({axis.lower, axis.upper});
   }
 
@@ -119,7 +115,7 @@ template <class Format>
 double bound_of_rounding(const StudySubject& subject, const Checkpoint& checkpoint, std::size_t box_limit) {
   const ReadStudy study = read_formulas(subject.study);
   // An integral stands for a sum, and in intervals that sum does not enclose it.
-  if (integral_depth(study.form) > 0 || integral_depth(scale_of(study)) > 0)
+  if (integral_depth(study.form) > 0 || integral_depth(error_factor(study)) > 0)
     return std::numeric_limits<double>::infinity();
   return bound_on_boxes(RoundingOnBoxes<Format>(study, subject.parameters, node_variables(study)), checkpoint,
                         box_limit);

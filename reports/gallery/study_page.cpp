@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "fit/better/prove_properties.hpp"
+#include "fit/study_proof/study_certificate.hpp"
 #include "fit/support/user_error.hpp"
 #include "reports/code/shader_code.hpp"
 #include "reports/gallery/error_curve.hpp"
@@ -119,6 +121,21 @@ void append_formats(const StudyContender& contender, Table& table) {
   }
 }
 
+/// Why a page has no constants in float and half; empty if nothing speaks against them.
+std::string reason_without_formats(const StudyComparison& comparison) {
+  const StudyContender* published = first_published(comparison);
+  if (published == nullptr) return "the study has no published set";
+  return fault_of(subject_of(comparison.study, *published));
+}
+
+std::string without_formats(const StudyComparison& comparison) {
+  const std::string reason = reason_without_formats(comparison);
+  if (reason.empty()) return "";
+  return fmt::format(
+      "<h2>In float and half{}</h2>\n<p>The constants are not rounded to float and half: {}.</p>\n",
+      behind(comparison), html_text(reason));
+}
+
 std::string formats(const StudyComparison& comparison) {
   Table table{
       {"set", "form", "format", "constants", error_in_words(comparison.error) + " at most", "known by"}, {}};
@@ -128,7 +145,7 @@ std::string formats(const StudyComparison& comparison) {
     for (const ContenderInFormat& in_format : contender->formats)
       has_search = has_search || in_format.is_moved;
   }
-  if (table.rows.empty()) return "";
+  if (table.rows.empty()) return without_formats(comparison);
   return fmt::format(
       "<h2>In float and half{}</h2>\n{}<p class=\"soft\">All constants, numbers, operations and functions are rounded to nearest.{}</p>\n",
       behind(comparison), html_table(table, false),

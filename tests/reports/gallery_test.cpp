@@ -179,6 +179,22 @@ TEST(Gallery, ShowsConstantsInFloatAndHalf) {
   EXPECT_EQ(formats[1].reason, "b overflows: the largest is 65504");
 }
 
+TEST(Gallery, SaysWhyConstantsAreNotRounded) {
+  GalleryEntry entry = parabola();
+  const auto page = [&entry] {
+    entry.comparisons = {compare_study(entry.file, entry.file.study)};
+    round_contenders(entry.comparisons.front());
+    return judged_study(entry).page;
+  };
+  constexpr const char* lead = "The constants are not rounded to float and half: ";
+  EXPECT_EQ(page().find(lead), std::string::npos);
+  entry.file.study.target = "2 integral(integral(1, t, 0, s), s, 0, x)";
+  EXPECT_NE(page().find(std::string(lead) + "an 'integral' inside another one has no proof"),
+            std::string::npos);
+  entry.file.published.clear();
+  EXPECT_NE(page().find(std::string(lead) + "the study has no published set."), std::string::npos);
+}
+
 /// Of x^2 shown as greys, a line is off by many codes; of x^2 + 3 nothing is shown.
 TEST(Gallery, ShowsGreysWhereTheyAreSeen) {
   GalleryEntry entry = parabola();

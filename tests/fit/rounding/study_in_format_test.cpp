@@ -12,6 +12,7 @@
 
 #include "fit/rounding/lattice.hpp"
 #include "fit/scalars/half.hpp"
+#include "fit/study/largest_error.hpp"
 #include "fit/study_proof/rounding_bound.hpp"
 #include "fit/support/hex_float.hpp"
 
@@ -240,6 +241,68 @@ TEST(StudyInFormat, RoundsTheVariablesOfRows) {
   const ErrorInFormat error = in_half.largest_error(std::array{1.0});
   EXPECT_EQ(error.magnitude, std::abs(rounded - 0.1));
   EXPECT_EQ(error.at, std::vector<double>{rounded});
+}
+
+/// a x at three rows whose x are halves: with a = 1 the residuals are -1/8, 1/4 and 1/2.
+Study three_rows() {
+  Study study{.target = "", .form = "a x", .over = {{"x", "", ""}}};
+  study.rows = std::make_shared<const MeasuredRows>(MeasuredRows{.file = "rows.csv",
+                                                                 .places = {{0.125, 0.5, 1}},
+                                                                 .value = {0.25, 0.25, 0.5},
+                                                                 .sigma = {0.015625, 0.5, 1}});
+  return study;
+}
+
+double error_of_three_rows(const Study& study) {
+  return StudyInFormat<HalfFormat>(read_study(study)).largest_error(std::array{1.0}).magnitude;
+}
+
+TEST(StudyInFormat, WeightsRowsAsTheStudyAsks) {
+  Study study = three_rows();
+  EXPECT_EQ(error_of_three_rows(study), 0.5);
+  study.weight = "3 - 2 x";
+  EXPECT_EQ(error_of_three_rows(study), 0.5) << "11/32, 1/2 and 1/2";
+  study.weight = "1 - x";
+  EXPECT_EQ(error_of_three_rows(study), 0.125) << "7/64, 1/8 and 0";
+  study.weight = "1/(value + sigma)";
+  EXPECT_NEAR(error_of_three_rows(study), 0.125 / 0.265625, 1e-15) << "8/17, 1/3 and 1/3";
+  study.error = Error::relative;
+  study.weight = "1 - x";
+  EXPECT_EQ(error_of_three_rows(study), 0.5) << "7/16, 1/2 and 0";
+  study.weight = "x";
+  EXPECT_EQ(error_of_three_rows(study), 1) << "1/16, 1/2 and 1";
+}
+
+// The error at the rows is the one by which the sets of the study are compared.
+TEST(StudyInFormat, IsTheErrorOfTheStudyAtRows) {
+  for (const Error error : {Error::absolute, Error::relative}) {
+    Study study = three_rows();
+    study.error = error;
+    study.weight = "exp(x) + value";
+    EXPECT_NEAR(error_of_three_rows(study), largest_weighted_error(read_study(study), {1}).magnitude, 1e-15);
+  }
+}
+
+// Without a weight that is asked for the sets are compared by the residual, in the unit of the rows.
+TEST(StudyInFormat, LeavesTheUnitOfRowsWithoutAWeight) {
+  for (const Error error : {Error::absolute, Error::relative}) {
+    for (const char* weight : {"1", "1/sigma"}) {
+      Study study = three_rows();
+      study.error = error;
+      study.weight = weight;
+      EXPECT_EQ(error_of_three_rows(study), largest_error(read_study(study), {1}).magnitude) << weight;
+    }
+  }
+}
+
+// The last row counts for next to nothing: a = 0.8 fits the other two best.
+TEST(StudyInFormat, SearchesWithTheWeightOfRows) {
+  Study study = three_rows();
+  study.weight = "x < 1 ? 1 : 0.0001";
+  StudyInFormat<HalfFormat> in_half(read_study(study));
+  const std::vector<double> moved = moved_constants(in_half, {1}, {});
+  // |a/8 - 1/4| and |a/2 - 1/4| are equal at a = 0.8
+  EXPECT_NEAR(moved.front(), 0.8, 0.001);
 }
 
 }  // namespace
