@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "app/options/bench_options.hpp"
+#include "bench/device/half_probe.hpp"
 #include "bench/device/probe.hpp"
 #include "fit/support/hex_float.hpp"
 #include "reports/table/table.hpp"
@@ -24,7 +25,7 @@ std::vector<Cell> row(const std::string& function, const std::string& range, con
 Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint) {
   device::VulkanDevice vulkan({.place = options.device.value()});
   const device::Probe found = device::probe(vulkan, device::ProbeExtent::all, checkpoint);
-  const Table table{
+  Table table{
       {"function", "arguments", "tried", "largest error", "unit", "at"},
       {row("exp2(x)", "-126 .. 128", found.exp2, "ulp"),
        row("log2(x)", "outside of 1/2 .. 2", found.log2, "ulp"),
@@ -32,6 +33,15 @@ Outcome probe_command(const BenchOptions& options, const Checkpoint& checkpoint)
        row("sqrt(x)", "normal", found.root, "ulp"), row("1/x", "2^-126 .. 2^126", found.reciprocal, "ulp"),
        row("x/y", "2^-60 .. 2^60", found.quotient, "ulp"),
        row("pow(x, y)", "1/256 .. 1, 1 .. 64", found.power, "ulp")}};
+  if (vulkan.info().has_half) {
+    const device::HalfProbe half = device::probe_halves(vulkan);
+    constexpr const char* ulp = "ulp of a half";
+    table.rows.push_back(row("exp2(x) in half", "-14 .. 16", half.exp2, ulp));
+    table.rows.push_back(row("log2(x) in half", "outside of 1/2 .. 2", half.log2, ulp));
+    table.rows.push_back(row("log2(x) in half", "1/2 .. 2", half.log2_near_one, "absolute"));
+    table.rows.push_back(row("sqrt(x) in half", "normal", half.root, ulp));
+    table.rows.push_back(row("1/x in half", "2^-14 .. 2^14", half.reciprocal, ulp));
+  }
   const auto kept = [](bool is_kept) { return is_kept ? "kept" : "flushed to zero"; };
   return {0,
           fmt::format("{}, {}\n{}x y + z is {}; subnormal operands are {}, subnormal results {}\n{}",

@@ -8,7 +8,6 @@
 #include "app/shards/ulps_table.hpp"
 #include "bench/device/form_functions.hpp"
 #include "bench/device/half_errors.hpp"
-#include "bench/device/probe.hpp"
 #include "bench/timing/timing.hpp"
 #include "fit/support/hex_float.hpp"
 #include "reports/io/files.hpp"
@@ -50,9 +49,6 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
   const std::vector<SweptForm> swept =
       is_all ? all_of_one_cosine(catalogue) : std::vector{chosen_by(catalogue, options)};
   device::VulkanDevice vulkan({.place = *options.device});
-  device::require_half(vulkan.info());  // before exp2 and log2 are measured, which takes long
-  const GpuModel model =
-      device::model_for(is_all ? forms::Function::pow : swept.front().form->function, vulkan, checkpoint);
   Table table{{"form", "constants", "halves", "max abs error", "at c", "max ulps", "at c ", "NaN", "beyond",
                "without bound"},
               {}};
@@ -64,7 +60,7 @@ Outcome halves_command(const BenchOptions& options, const Checkpoint& checkpoint
     if (share > 0) progress(progress_line("halves", share, bench::now().real - start));
     const device::FormFunction on_device = device::form_function(*form.target, *form.form, *form.constants);
     const device::HalfErrors found =
-        device::errors_in_half(vulkan, on_device.function, subject_of(catalogue, form).truth, model);
+        device::errors_in_half(vulkan, on_device.function, subject_of(catalogue, form).truth, usual_gpu);
     table.rows.push_back(row_of(form, found));
     beyond += places_text(form, found.beyond);
     if (!is_all)

@@ -79,6 +79,15 @@ class NarrowResult {
     return NarrowResult(is_beyond ? std::copysign(infinity, x) : std::copysign(value, x));
   }
 
+  /// The number of the format next to x towards 0: x without the digits that it has too many. What overflows
+  /// is the largest number.
+  static NarrowResult cut_off(double x) {
+    if (!std::isfinite(x)) return NarrowResult(x);
+    const int e = std::max(std::ilogb(x), Format::least_exponent);
+    const double q = std::ldexp(1.0, e - Format::digits + 1), value = std::trunc(x / q) * q;
+    return NarrowResult(std::clamp(value, -largest_of<Format>, largest_of<Format>));
+  }
+
   friend NarrowResult operator+(NarrowResult a, NarrowResult b) { return rounded(a.value_ + b.value_); }
   friend NarrowResult operator-(NarrowResult a, NarrowResult b) { return rounded(a.value_ - b.value_); }
   friend NarrowResult operator*(NarrowResult a, NarrowResult b) { return rounded(a.value_ * b.value_); }

@@ -64,39 +64,45 @@ struct OutwardArithmetic {
   }
 };
 
-/// A GPU that computes in a format, with the errors of `usual_gpu`.
+/// A GPU that computes in a format, with the errors of `usual_gpu`. Functions, quotients and roots are made
+/// in float. A narrower format may round these floats or cut them off.
 template <class Format>
 struct GpuArithmetic {
   static constexpr bool contracts = true;
   static Ends operand(Ends x) { return flushed<Format>(x); }
-  static Ends basic(Ends x) { return narrowed<Format>(x); }
-  static Ends quotient(Ends x) { return narrowed<Format>(relaxed(x, usual_gpu.quotient_ulps * float_ulp)); }
-  static Ends exp2(Ends x) { return narrowed<Format>(float_exp2(x)); }
-  static Ends log2(Ends x) { return narrowed<Format>(float_log2(x)); }
+  static Ends basic(Ends x) { return rounded<Format>(x); }
+  static Ends quotient(Ends x) { return narrowed(relaxed(x, usual_gpu.quotient_ulps * float_ulp)); }
+  static Ends exp2(Ends x) { return narrowed(float_exp2(x)); }
+  static Ends log2(Ends x) { return narrowed(float_log2(x)); }
   /// exp2(x log2 e): the product of two floats, each rounded.
   static Ends exp(Ends x) {
     constexpr double log2_of_e = 1.4426950408889634;
-    return narrowed<Format>(float_exp2(relaxed({x.lower * log2_of_e, x.upper * log2_of_e}, float_ulp)));
+    return narrowed(float_exp2(relaxed({x.lower * log2_of_e, x.upper * log2_of_e}, float_ulp)));
   }
   /// log2(x) ln 2, likewise.
   static Ends log(Ends x) {
     const Ends y = float_log2(x);
     const double ln2 = Scalar<double>::ln2();
-    return narrowed<Format>(relaxed({y.lower * ln2, y.upper * ln2}, float_ulp));
+    return narrowed(relaxed({y.lower * ln2, y.upper * ln2}, float_ulp));
   }
   static Ends sqrt(Ends x) {
-    return narrowed<Format>(
-        relaxed({std::sqrt(x.lower), std::sqrt(x.upper)}, usual_gpu.root_ulps * float_ulp));
+    return narrowed(relaxed({std::sqrt(x.lower), std::sqrt(x.upper)}, usual_gpu.root_ulps * float_ulp));
   }
   static Ends power_by_logarithm(Ends x, Ends p) {
-    return narrowed<Format>(narrowed<FloatFormat>(gpu_power(x, p, usual_gpu)));
+    return narrowed(rounded<FloatFormat>(gpu_power(x, p, usual_gpu)));
   }
 
  private:
   template <class F>
-  static Ends narrowed(Ends x) {
+  static Ends rounded(Ends x) {
     const auto round = [](double v) { return static_cast<double>(NarrowResult<F>::rounded(v)); };
     return flushed<F>({round(x.lower), round(x.upper)});
+  }
+  static Ends narrowed(Ends x) {
+    const Ends nearest = rounded<Format>(x);
+    if constexpr (Format::digits == FloatFormat::digits) return nearest;
+    const auto cut = [](double v) { return static_cast<double>(NarrowResult<Format>::cut_off(v)); };
+    return flushed<Format>({std::min(nearest.lower, cut(x.lower)), std::max(nearest.upper, cut(x.upper))});
   }
   /// A subnormal number may have become zero.
   template <class F>
@@ -106,8 +112,8 @@ struct GpuArithmetic {
     return x;
   }
   static Ends relaxed(Ends x, double relative) { return widened_by_gpu(x, relative); }
-  static Ends float_exp2(Ends x) { return narrowed<FloatFormat>(gpu_exp2(x, usual_gpu)); }
-  static Ends float_log2(Ends x) { return narrowed<FloatFormat>(gpu_log2(x, usual_gpu)); }
+  static Ends float_exp2(Ends x) { return rounded<FloatFormat>(gpu_exp2(x, usual_gpu)); }
+  static Ends float_log2(Ends x) { return rounded<FloatFormat>(gpu_log2(x, usual_gpu)); }
 };
 
 /// All results that an arithmetic can return for operands in intervals. A result that may be NaN is the whole

@@ -66,12 +66,12 @@ struct RunningNarrow {
   }
 
   /// A function of a GPU: its results lie between `results`, and are off by at most `own`. They are floats; a
-  /// narrower format rounds them once more.
+  /// narrower format rounds them once more, or cuts them off.
   static RunningNarrow of_gpu(const Interval& value, Ends results, const Interval& own,
                               const Interval& inherited, const GpuModel* gpu) {
     const Interval rounding =
-        is_narrow ? Interval(largest_magnitude_in(span_of(results))) * Interval(unit_roundoff) : Interval(0);
-    return enclosed(value, with_flushed(to_format(span_of(results)), gpu),
+        is_narrow ? Interval(largest_magnitude_in(span_of(results))) * Interval(cut) : Interval(0);
+    return enclosed(value, with_flushed(to_format(span_of(with_cut(results))), gpu),
                     largest_magnitude_in(Interval(inherited + own + rounding + Interval(least_normal))), gpu);
   }
 
@@ -129,13 +129,14 @@ struct RunningNarrow {
 
   /// The relative error of a GPU's function with a normal result.
   static constexpr double of_function(double ulps) {
-    return is_narrow ? unit_roundoff + ulps * float_ulp * (1 + unit_roundoff) : ulps * float_ulp;
+    return is_narrow ? cut + ulps * float_ulp * (1 + cut) : ulps * float_ulp;
   }
 
   static constexpr bool is_narrow = Format::digits < FloatFormat::digits;
 
  private:
   static constexpr double unit_roundoff = power_of_two(-Format::digits);  ///< of a result, relative
+  static constexpr double cut = 2 * unit_roundoff;                        ///< of a result that is cut off
   static constexpr double half_least = least_of<Format> / 2;              ///< of a subnormal one
   static constexpr double least_normal = least_normal_of<Format>;
 
@@ -146,6 +147,13 @@ struct RunningNarrow {
     const double lower = round(lower_end(result)), upper = round(upper_end(result));
     if (!(std::isfinite(lower) && std::isfinite(upper))) return any_number();
     return Scalar<Interval>::hull(result, shadefit::span_of(lower, upper));
+  }
+  static Ends with_cut(Ends x) {
+    if constexpr (is_narrow) {
+      const auto cut_off = [](double v) { return static_cast<double>(NarrowResult<Format>::cut_off(v)); };
+      x = {std::fmin(x.lower, cut_off(x.lower)), std::fmax(x.upper, cut_off(x.upper))};
+    }
+    return x;
   }
   static Interval span_of(Ends x) {
     return x.lower <= x.upper ? shadefit::span_of(x.lower, x.upper) : any_number();
@@ -267,17 +275,27 @@ struct Scalar<RunningNarrow<Format>> {
  private:
   static constexpr double unbounded_error = std::numeric_limits<double>::infinity();
 
-  /// On a GPU pow(x, p) is exp2(p log2 x). In half the product is a half too. 0^p is 0, for p > 0.
+  /// On a GPU pow(x, p) is exp2(p log2 x). In half the product is a half too. 0^p is 0, for p > 0. A compiler
+  /// may make p - 1 multiplications of a whole p that is a number of the code, as NVIDIA's does of 5: each
+  /// rounds by half an ulp, in any order.
   static T narrow_power(const T& x, const T& p, const Interval& value, const GpuModel* gpu) {
     const auto [lower, upper] = ends_of(x);
     if (lower > 0) {
       const T result = exp2(p * log2(x));
-      return T::enclosed(value, result.computed, result.error, gpu);
+      if (!is_whole_number(p)) return T::enclosed(value, result.computed, result.error, gpu);
+      T product = x;
+      for (int factors = 1; factors < ends_of(p).lower; ++factors) product = product * x;
+      return T::enclosed(value, hull(result.computed, product.computed),
+                         std::fmax(result.error, product.error), gpu);
     }
     if (!(lower == 0 && ends_of(p).lower > 0)) return T::enclosed(value, any_number(), unbounded_error, gpu);
     const Interval none(0);
     const Interval most = upper > 0 ? exp2(p * log2(T::exact(Interval(upper), gpu))).computed : none;
     return T::enclosed(value, hull(none, most), unbounded_error, gpu);
+  }
+  static bool is_whole_number(const T& p) {
+    const auto [lower, upper] = ends_of(p);
+    return p.gpu == nullptr && p.error == 0 && lower == upper && lower >= 2 && lower == std::floor(lower);
   }
   static Ends ends_of(const T& x) { return T::ends(x.computed); }
   static Interval one() { return Interval(1); }

@@ -69,6 +69,47 @@ TEST(FormBound, HoldsOnAnImitatedDevice) {
   }
 }
 
+// NVIDIA's compiler makes multiplications of pow(x, 5). Near 1 they are coarser than exp2(5 log2 x).
+TEST(FormBound, HoldsForAWholePowerByMultiplications) {
+  const ShaderFunction form{"form", {"c"}, power(Symbolic::variable("c"), number("5"))};
+  FormBound<HalfFormat> bound(form, usual_gpu);
+  double part = 0;
+  for (int i = 1; i <= 1024; ++i) {  // the halves of (1/2, 1]
+    const auto c = static_cast<Eigen::half>(0.5F + static_cast<float>(i) / 2048);
+    const auto x = static_cast<double>(static_cast<float>(c));
+    const Domain place{x, x};
+    const Eigen::half product = c * c * c * c * c;
+    const double off = std::abs(static_cast<double>(static_cast<float>(product)) - std::pow(x, 5));
+    part = std::max(part, off / bound.on(std::span(&place, 1)));
+  }
+  EXPECT_LE(part, 1);
+  EXPECT_GT(part, 0.5);
+}
+
+// As an H200 does. Each form with what it may compute of a half: exp2, a root and a quotient.
+TEST(FormBound, HoldsWhereHalvesAreCutOff) {
+  using Half = NarrowResult<HalfFormat>;
+  const Symbolic c = Symbolic::variable("c");
+  const auto used = [](const Symbolic& form, const auto& truth) {
+    const ShaderFunction function{"form", {"c"}, form};
+    FormBound<HalfFormat> bound(function, usual_gpu);
+    double part = 0;
+    for (int i = 1; i <= 1024; ++i) {  // the halves of (1/2, 1]
+      const double x = 0.5 + static_cast<double>(i) / 2048, exact = truth(x);
+      const Domain place{x, x};
+      part = std::max(
+          part, std::abs(static_cast<double>(Half::cut_off(exact)) - exact) / bound.on(std::span(&place, 1)));
+    }
+    return part;
+  };
+  for (const double part : {used(exp2(c), [](double x) { return std::exp2(x); }),
+                            used(sqrt(c), [](double x) { return std::sqrt(x); }),
+                            used(number("1") / c, [](double x) { return 1 / x; })}) {
+    EXPECT_LE(part, 1);
+    EXPECT_GT(part, 0.5) << "a rounded half would leave the bound twice as large as needed";
+  }
+}
+
 TEST(FormBound, KnowsNothingOfOtherFunctions) {
   const ShaderFunction form{"form", {"c"}, atan(Symbolic::variable("c"))};
   const Domain box{0.25, 0.26};

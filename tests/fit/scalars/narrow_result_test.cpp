@@ -61,6 +61,30 @@ TEST(NarrowResult, OfFloatIsTheConversionOfTheProcessor) {
   }
 }
 
+// The cut number is not farther from 0, and its neighbour is.
+template <class Format>
+void expect_cut() {
+  using T = NarrowResult<Format>;
+  const BinaryLattice<Format> lattice;
+  const auto cut = [](double x) { return static_cast<double>(T::cut_off(x)); };
+  for (std::int64_t i = 0; i < lattice.last(); i += 5) {
+    const double x = lattice.value(i), next = lattice.value(i + 1);
+    for (const double part : {0.0, 1e-9, 0.5, 1 - 1e-9}) {
+      const double between = x + part * (next - x);
+      ASSERT_EQ(cut(between), x) << part;
+      ASSERT_EQ(cut(-between), -x) << part;
+    }
+  }
+  EXPECT_EQ(cut(2 * largest_of<Format>), largest_of<Format>);
+  EXPECT_EQ(cut(-infinity), -infinity);
+  EXPECT_TRUE(std::isnan(cut(NAN)));
+}
+
+TEST(NarrowResult, CutsOffTowardsZero) {
+  expect_cut<HalfFormat>();
+  expect_cut<Bfloat16Format>();
+}
+
 // Eigen computes with bfloat16 as float and rounds that, for one operation the same.
 TEST(NarrowResult, OfBfloat16IsTheArithmeticOfEigen) {
   using T = NarrowResult<Bfloat16Format>;

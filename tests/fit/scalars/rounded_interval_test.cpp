@@ -149,8 +149,10 @@ TEST(GpuArithmetic, ContainsWhatAGpuMayReturn) {
     contraction_matters = contraction_matters || separate != fused;
     for (const double exponent : {separate, fused}) {
       for (const int ulps : {-3, 0, 3}) {
-        const double result = half(gpu_exp2(exponent, ulps, false));
+        const double power = gpu_exp2(exponent, ulps, false), result = half(power);
         EXPECT_TRUE(contains(form, result)) << c << " " << ulps;
+        const auto cut = static_cast<double>(NarrowResult<HalfFormat>::cut_off(power));
+        EXPECT_TRUE(contains(form, cut)) << c << " " << ulps << ", cut off";
         if (result < 0x1p-14) {
           EXPECT_TRUE(contains(form, 0)) << "flushed at c = " << c;
         }
