@@ -47,7 +47,6 @@ class Tape {
   std::size_t input_count() const { return input_count_; }
   std::size_t output_count() const { return outputs_.size(); }
   std::size_t register_count() const { return register_count_; }
-  std::size_t instruction_count() const { return code_.size(); }
 
   template <class T>
   std::vector<T> constants() const {
