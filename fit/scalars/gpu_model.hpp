@@ -47,8 +47,8 @@ inline constexpr GpuModel usual_gpu{.exp2_ulps = 4,
                                     .root_ulps = 5,
                                     .wave_error = 0x1p-11};
 
-/// `usual_gpu` in words. In half, functions, quotients and roots may be cut off: on an H200 they are, by
-/// driver 580.159.04 (reports/devices/h200).
+/// `usual_gpu` in words. In half, functions, quotients and roots may be cut off: on an H200 all of them are
+/// but log2, by driver 580.159.04 (reports/devices/h200).
 inline constexpr std::string_view gpu_assumption =
     "exp2 within 4 ulp of a float, log2 within 3, between 1/2 and 2 within 2^-21; exp and pow made of them in "
     "float, then rounded to the format or cut off; subnormals kept or flushed to zero; a multiplication and an "
