@@ -181,18 +181,19 @@ TEST(Gallery, ShowsConstantsInFloatAndHalf) {
 
 TEST(Gallery, SaysWhyConstantsAreNotRounded) {
   GalleryEntry entry = parabola();
-  const auto page = [&entry] {
+  const auto page = [&entry](const char* target) {
     entry.comparisons = {compare_study(entry.file, entry.file.study)};
+    entry.comparisons.front().study.target = target;  // now, because fits to a nested integral take long
     round_contenders(entry.comparisons.front());
     return judged_study(entry).page;
   };
   constexpr const char* lead = "The constants are not rounded to float and half: ";
-  EXPECT_EQ(page().find(lead), std::string::npos);
-  entry.file.study.target = "2 integral(integral(1, t, 0, s), s, 0, x)";
-  EXPECT_NE(page().find(std::string(lead) + "an 'integral' inside another one has no proof"),
+  EXPECT_EQ(page("x^2").find(lead), std::string::npos);
+  EXPECT_NE(page("2 integral(integral(1, t, 0, s), s, 0, x)")
+                .find(std::string(lead) + "an 'integral' inside another one has no proof"),
             std::string::npos);
   entry.file.published.clear();
-  EXPECT_NE(page().find(std::string(lead) + "the study has no published set."), std::string::npos);
+  EXPECT_NE(page("x^2").find(std::string(lead) + "the study has no published set."), std::string::npos);
 }
 
 /// Of x^2 shown as greys, a line is off by many codes; of x^2 + 3 nothing is shown.
