@@ -12,6 +12,7 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/determined.hpp"
 #include "fit/study_exchange/top_polish.hpp"
 #include "fit/support/decimal.hpp"
@@ -56,11 +57,11 @@ struct Support {
 class SurfaceExchange {
  public:
   SurfaceExchange(const ReadStudy& study, const StudyError& error, const SampledStudy<double>& sampled,
-                  std::vector<double> start)
+                  const std::vector<double>& start)
       : error_(error),
         sampled_(sampled),
         weighted_(weighted_error_of(study)),
-        parameters_(std::move(start)),
+        parameters_(start),
         size_(parameters_.size()),
         edges_(all_edges_of(study)),
         polish_(weighted_, edges_) {}
@@ -100,6 +101,22 @@ class SurfaceExchange {
                                              decimal(level_, 4));
   }
 
+  /// Where the exchange ended.
+  const std::vector<double>& parameters() const { return parameters_; }
+
+  /// Returns the largest error, infinite at a pole, and adds its tops to the set.
+  double look(const std::vector<double>& parameters) {
+    if (sampled_.has_pole(parameters)) return HUGE_VAL;
+    double largest = 0;
+    ++look_;
+    for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3)) {
+      if (!std::isfinite(top.magnitude)) return HUGE_VAL;
+      largest = std::max(largest, top.magnitude);
+      add(polish_(top.at, parameters));
+    }
+    return largest;
+  }
+
  private:
   static constexpr int most_steps = 40;
   /// Newton's method starts when the programme and the search for tops agree on the level to this share of
@@ -135,19 +152,6 @@ class SurfaceExchange {
     }
     places_ = places;
     looks_.assign(places_.size(), look_);
-  }
-
-  /// Returns the largest error, and adds its tops to the set.
-  double look(const std::vector<double>& parameters) {
-    if (sampled_.has_pole(parameters)) return HUGE_VAL;
-    double largest = 0;
-    ++look_;
-    for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3)) {
-      if (!std::isfinite(top.magnitude)) return HUGE_VAL;
-      largest = std::max(largest, top.magnitude);
-      add(polish_(top.at, parameters));
-    }
-    return largest;
   }
 
   /// The distance of two places: the largest share of a range between them.
@@ -339,10 +343,21 @@ StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& 
   const SearchedStudy searched = search_study(study, error, all_edges_of(study), starts, checkpoint);
 
   std::optional<StudyFit> lowest;
-  for (const StudyCandidate& candidate : lowest_basins(searched)) {
-    StudyFit fit = SurfaceExchange(study, error, searched.sampled, candidate.parameters).solve(checkpoint);
+  const auto exchange_from = [&](const std::vector<double>& start) {
+    SurfaceExchange exchange(study, error, searched.sampled, start);
+    StudyFit fit = exchange.solve(checkpoint);
+    const auto other_side =
+        fit.status == Status::converged
+            ? std::nullopt
+            : beyond_infinity(start, exchange.parameters(), [&](const std::vector<double>& parameters) {
+                return exchange.look(parameters);
+              });
     const bool is_better = !lowest || (fit.level && (!lowest->level || *fit.level < *lowest->level));
     if (is_better) lowest = std::move(fit);
+    return other_side;
+  };
+  for (const StudyCandidate& candidate : lowest_basins(searched)) {
+    if (const auto other_side = exchange_from(candidate.parameters)) exchange_from(*other_side);
   }
   StudyFit best = std::move(*lowest);
   best.names = study.parameters;
