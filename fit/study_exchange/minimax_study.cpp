@@ -33,7 +33,7 @@ double level_at(const ReadStudy& study, const std::vector<double>& parameters) {
 }
 
 /// The exchange from one start. Its range is split at the kinks of the form. If parameters move them, it
-/// begins again where it ended, until they stay.
+/// begins again where it ended, until they stay or the level no longer falls.
 ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, const Constraints& constraints,
                            const std::vector<StudyEdge>& first_edges, const ExchangedStudy& first_exchanged,
                            const std::vector<double>& start) {
@@ -42,18 +42,25 @@ ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, cons
   constexpr double same = 1e-13;
   ExchangeEnd end{{}, first_edges, HUGE_VAL};
   std::vector<double> from = start;
-  double distance = HUGE_VAL;
+  double distance = HUGE_VAL, reached = HUGE_VAL;
   for (int pass = 0; pass < most_passes && distance > same; ++pass) {
     MinimaxParameters p{};
     std::copy(from.begin(), from.end(), p.begin());
     if (has_moving_kinks) {
       end.edges = resolved_edges(study, error, from);
-      const ExchangedStudy exchanged(study, error, end.edges, constraints);
+      const ExchangedStudy exchanged(study, error, end.edges, from, constraints);
       end.optimum = solve_minimax(exchanged.problem(), p);
     } else {
       end.optimum = solve_minimax(first_exchanged.problem(), p);
     }
-    if (end.optimum.status != Status::converged) break;
+    if (end.optimum.status != Status::converged) {
+      // Far from where its kinks were the exchange sees them only roughly.
+      const auto at = end.optimum.parameters.begin();
+      const std::vector<double> last(at, at + static_cast<std::ptrdiff_t>(from.size()));
+      const double level = has_moving_kinks ? level_at(study, last) : HUGE_VAL;
+      if (!(level < reached)) break;
+      reached = level;
+    }
     distance = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
       distance = std::max(distance, std::abs(p[i] - end.optimum.parameters[i]) / std::abs(p[i]));
@@ -110,8 +117,9 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts, checkpoint);
   checkpoint();
-  const auto edges = resolved_edges(study, error, searched.candidates.front().parameters);
-  const ExchangedStudy exchanged(study, error, edges, constraints);
+  const std::vector<double>& first = searched.candidates.front().parameters;
+  const auto edges = resolved_edges(study, error, first);
+  const ExchangedStudy exchanged(study, error, edges, first, constraints);
 
   constexpr std::size_t most_basins = 8;  // as many as a search has: the lowest level may be in any
   std::optional<ExchangeEnd> found;

@@ -91,5 +91,18 @@ TEST(MinimaxStudy, GoesBeyondInfinity) {
   }
 }
 
+// The error of max(a x - b, 0) is -b^2/a^2 at its kink, a^2/4 - b at x = a/2, and a - b - 1 at x = 1. These
+// are -r^2, r^2 and -r^2 for r = 1/(1 + 2 sqrt(2)): then b/a = r, and a = 1 + r.
+TEST(MinimaxStudy, LevelsAnErrorAtAKinkThatMoves) {
+  const StudyFit fit = minimax_of({.target = "x^2", .form = "max(a x - b, 0)", .over = {{"x", "0", "1"}}});
+  ASSERT_EQ(name(fit.status), "converged") << fit.why;
+  const double r = 1 / (1 + 2 * std::sqrt(2.0));
+  EXPECT_NEAR(fit.parameters[0], 1 + r, 1e-14);
+  EXPECT_NEAR(fit.parameters[1], r * (1 + r), 1e-14);
+  EXPECT_NEAR(*fit.level / (r * r), 1, 1e-14);
+  ASSERT_EQ(fit.alternation.size(), 3);
+  EXPECT_NEAR(fit.alternation.front().at.cos_theta, r, 1e-12);
+}
+
 }  // namespace
 }  // namespace shadefit
