@@ -44,7 +44,9 @@ struct StudyFit {
   int starts = 0;                  ///< from how many starts the optimum was looked for
   bool is_global = false;          ///< proven to be the best of all: the form is linear in its parameters
   std::vector<double> other = {};  ///< of an ambiguous fit: the other curve, as good
-  std::optional<double> level = std::nullopt;      ///< of a minimax fit: the largest |weighted error|
+  std::optional<double> level = std::nullopt;  ///< of a minimax fit: the largest |weighted error|
+  /// Of a minimax fit. If not, other parameters have the level too, and these the least mean square of all.
+  bool is_unique = true;
   std::vector<AlternationPoint> alternation = {};  ///< of a minimax fit, with x for the cosine; rising
   std::vector<StudyContact> touching =
       {};  ///< of a minimax fit in several variables: where it is at its level

@@ -354,8 +354,9 @@ StudyFit solve_constrained_study(const ReadStudy& study, const Constraints& cons
   require_possible(study, constraints);
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts, checkpoint);
-  const auto edges = resolved_edges(study, error, searched.candidates.front().parameters);
-  const ExchangedStudy exchanged(study, error, edges, constraints);
+  const std::vector<double>& lowest = searched.candidates.front().parameters;
+  const auto edges = resolved_edges(study, error, lowest);
+  const ExchangedStudy exchanged(study, error, edges, lowest, constraints);
 
   std::optional<StudyFit> best;
   for (const StudyCandidate& candidate : lowest_basins(searched)) {

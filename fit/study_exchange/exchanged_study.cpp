@@ -25,15 +25,17 @@ const char* option_of(const Constraints& constraints) {
 }  // namespace
 
 ExchangedStudy::ExchangedStudy(const ReadStudy& study, const StudyError& error,
-                               const std::vector<StudyEdge>& edges, const Constraints& constraints)
-    : panels_(panels_between(edges)), sampled_(error, nodes_of(study, {edges}, gauss_sizes[4])) {
+                               const std::vector<StudyEdge>& edges, const std::vector<double>& parameters,
+                               const Constraints& constraints)
+    : panels_(std::make_shared<SearchPanels>(study, edges, parameters)),
+      sampled_(error, nodes_of(study, {edges}, gauss_sizes[4])) {
   std::vector<SearchPlace>& places = problem_.places;
-  for (std::size_t panel = 0; panel < panels_.size(); ++panel) {
+  for (std::size_t panel = 0; panel < panels_->size(); ++panel) {
     for (const double s : chebyshev_places()) places.push_back({panel, s});
   }
   problem_.size = study.parameters.size();
   problem_.cosine_at = [this](const SearchPlace& place) {
-    const double x = panels_[place.panel].at(place.s);
+    const double x = panels_->first(place.panel).at(place.s);
     return Cosine<double>{x, 1 - x};
   };
   problem_.error = panel_curve(study, error_formula(study), CurveOf::formula, panels_, places);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "fit/minimax/minimax_problem.hpp"
@@ -12,14 +13,15 @@ namespace shadefit {
 /// form's slope, and its constraints. It must not move while its `problem()` is in use.
 class ExchangedStudy {
  public:
-  /// `edges` are those of the range, with cuts where the form needs them (`resolved_edges`).
+  /// `edges` are those of the range at these parameters, with cuts where the form needs them
+  /// (`resolved_edges`).
   ExchangedStudy(const ReadStudy& study, const StudyError& error, const std::vector<StudyEdge>& edges,
-                 const Constraints& constraints);
+                 const std::vector<double>& parameters, const Constraints& constraints);
 
   const MinimaxProblem& problem() const { return problem_; }
 
  private:
-  std::vector<SearchPanel> panels_;
+  std::shared_ptr<SearchPanels> panels_;
   SampledStudy<double> sampled_;  ///< detects poles
   MinimaxProblem problem_;
 };

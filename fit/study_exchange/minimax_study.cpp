@@ -10,6 +10,7 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/require_values.hpp"
 #include "fit/study/search.hpp"
+#include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
 #include "fit/study_exchange/minimax_rows.hpp"
 #include "fit/study_exchange/minimax_surface.hpp"
@@ -25,8 +26,14 @@ struct ExchangeEnd {
   double lowest;
 };
 
+/// The largest error at some parameters; infinite where it has no finite value.
+double level_at(const ReadStudy& study, const std::vector<double>& parameters) {
+  const double level = largest_weighted_error(study, parameters).magnitude;
+  return std::isfinite(level) ? level : HUGE_VAL;
+}
+
 /// The exchange from one start. Its range is split at the kinks of the form. If parameters move them, it
-/// begins again where it ended, until they stay.
+/// begins again where it ended, until they stay or the level no longer falls.
 ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, const Constraints& constraints,
                            const std::vector<StudyEdge>& first_edges, const ExchangedStudy& first_exchanged,
                            const std::vector<double>& start) {
@@ -35,36 +42,39 @@ ExchangeEnd exchanged_from(const ReadStudy& study, const StudyError& error, cons
   constexpr double same = 1e-13;
   ExchangeEnd end{{}, first_edges, HUGE_VAL};
   std::vector<double> from = start;
-  double distance = HUGE_VAL;
+  double distance = HUGE_VAL, reached = HUGE_VAL;
   for (int pass = 0; pass < most_passes && distance > same; ++pass) {
     MinimaxParameters p{};
     std::copy(from.begin(), from.end(), p.begin());
     if (has_moving_kinks) {
       end.edges = resolved_edges(study, error, from);
-      const ExchangedStudy exchanged(study, error, end.edges, constraints);
+      const ExchangedStudy exchanged(study, error, end.edges, from, constraints);
       end.optimum = solve_minimax(exchanged.problem(), p);
     } else {
       end.optimum = solve_minimax(first_exchanged.problem(), p);
     }
-    if (end.optimum.status != Status::converged) break;
+    if (end.optimum.status != Status::converged) {
+      // Far from where its kinks were the exchange sees them only roughly.
+      const auto at = end.optimum.parameters.begin();
+      const std::vector<double> last(at, at + static_cast<std::ptrdiff_t>(from.size()));
+      const double level = has_moving_kinks ? level_at(study, last) : HUGE_VAL;
+      if (!(level < reached)) break;
+      reached = level;
+    }
     distance = 0;
     for (std::size_t i = 0; i < from.size(); ++i)
       distance = std::max(distance, std::abs(p[i] - end.optimum.parameters[i]) / std::abs(p[i]));
     std::copy_n(end.optimum.parameters.begin(), from.size(), from.begin());
   }
-  const auto level_at = [&](const std::vector<double>& parameters) {
-    const double level = largest_weighted_error(study, parameters).magnitude;
-    return std::isfinite(level) ? level : HUGE_VAL;
-  };
   if (end.optimum.status == Status::converged && !has_moving_kinks) {
     end.lowest = end.optimum.level;
     return end;
   }
   std::copy_n(end.optimum.parameters.begin(), from.size(), from.begin());
-  end.lowest = std::min(level_at(start), level_at(from));
+  end.lowest = std::min(level_at(study, start), level_at(study, from));
   constexpr double equal = 1e-9;
   const bool is_lost =
-      end.optimum.status == Status::converged && level_at(from) > end.optimum.level * (1 + equal);
+      end.optimum.status == Status::converged && level_at(study, from) > end.optimum.level * (1 + equal);
   if (is_lost || (has_moving_kinks && end.optimum.status == Status::converged && distance > same)) {
     end.optimum.status = Status::not_converged;
     end.optimum.why =
@@ -83,6 +93,19 @@ bool is_better(const ExchangeEnd& a, const ExchangeEnd& b, bool is_constrained) 
   return a.lowest < b.lowest;
 }
 
+/// Parameters on the other side of infinity, if the exchange from a start ran there.
+std::optional<std::vector<double>> other_side(const ReadStudy& study, const ExchangedStudy& exchanged,
+                                              const std::vector<double>& start, const ExchangeEnd& end) {
+  if (end.optimum.status == Status::converged) return std::nullopt;
+  const auto& at = end.optimum.parameters;
+  const std::vector<double> last(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(start.size()));
+  return beyond_infinity(start, last, [&](const std::vector<double>& parameters) {
+    MinimaxParameters p{};
+    std::copy(parameters.begin(), parameters.end(), p.begin());
+    return exchanged.problem().is_admissible(p) ? level_at(study, parameters) : HUGE_VAL;
+  });
+}
+
 }  // namespace
 
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
@@ -94,15 +117,21 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   const StudyError error(study);
   const SearchedStudy searched = search_study(study, error, {edges_of(study, 0)}, starts, checkpoint);
   checkpoint();
-  const auto edges = resolved_edges(study, error, searched.candidates.front().parameters);
-  const ExchangedStudy exchanged(study, error, edges, constraints);
+  const std::vector<double>& first = searched.candidates.front().parameters;
+  const auto edges = resolved_edges(study, error, first);
+  const ExchangedStudy exchanged(study, error, edges, first, constraints);
 
   constexpr std::size_t most_basins = 8;  // as many as a search has: the lowest level may be in any
   std::optional<ExchangeEnd> found;
   for (const StudyCandidate& candidate : lowest_basins(searched, most_basins)) {
-    ExchangeEnd end = exchanged_from(study, error, constraints, edges, exchanged, candidate.parameters);
-    checkpoint();
-    if (!found || is_better(end, *found, has_constraints(constraints))) found = std::move(end);
+    const auto from = [&](const std::vector<double>& start) {
+      ExchangeEnd end = exchanged_from(study, error, constraints, edges, exchanged, start);
+      checkpoint();
+      if (!found || is_better(end, *found, has_constraints(constraints))) found = end;
+      return end;
+    };
+    const ExchangeEnd end = from(candidate.parameters);
+    if (const auto start = other_side(study, exchanged, candidate.parameters, end)) from(*start);
   }
   const MinimaxOptimum* best = &found->optimum;
   StudyFit fit;

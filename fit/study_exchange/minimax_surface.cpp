@@ -12,7 +12,9 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/determined.hpp"
+#include "fit/study_exchange/least_at_level.hpp"
 #include "fit/study_exchange/top_polish.hpp"
 #include "fit/support/decimal.hpp"
 
@@ -56,11 +58,13 @@ struct Support {
 class SurfaceExchange {
  public:
   SurfaceExchange(const ReadStudy& study, const StudyError& error, const SampledStudy<double>& sampled,
-                  std::vector<double> start)
+                  const std::vector<double>& start)
       : error_(error),
+        study_(study),
         sampled_(sampled),
+        start_(start),
         weighted_(weighted_error_of(study)),
-        parameters_(std::move(start)),
+        parameters_(start),
         size_(parameters_.size()),
         edges_(all_edges_of(study)),
         polish_(weighted_, edges_) {}
@@ -70,16 +74,27 @@ class SurfaceExchange {
     level_ = look(parameters_);
     std::vector<double> base = parameters_;
     double scale = 1;
+    int stays = 0;  // programmes since the level last rose
     for (int step = 0; step < most_steps; ++step) {
       checkpoint();
       const auto support = programme(base);
       if (!support) return failed(Status::degenerate, "the parameters do not move the error independently");
       support_ = *support;
       const double promised = support_.lowest.unknowns[size_];
+      if (promised > promised_ * (1 + agree)) {
+        promised_ = promised;
+        highest_ = level_support();
+        stays = 0;
+      } else {
+        ++stays;
+      }
       if (!(level_ > 1e-14 * sampled_.target_norm()))
         return failed(Status::degenerate,
                       "the largest error is down to the rounding of the form: it has no level");
       if (level_ - promised <= agree * level_ + rounding_) return checked(settled(base));
+      if (stays == enough_stays && leaves_open(highest_)) {
+        if (const auto fit = least_of_many()) return *fit;
+      }
       for (std::size_t i = 0; i < size_; ++i) parameters_[i] = base[i] + scale * support_.lowest.unknowns[i];
       const Places before = places_;
       const double level = look(parameters_);
@@ -90,18 +105,36 @@ class SurfaceExchange {
         continue;
       }
       // A linear form needs no smaller steps, only the new tops.
-      const bool is_linear =
-          std::find(error_.is_linear().begin(), error_.is_linear().end(), false) == error_.is_linear().end();
-      if (!is_linear) scale /= 2;
-      if (is_linear ? places_ == before : scale < 1e-6) return checked(settled(base));
+      if (!is_linear()) scale /= 2;
+      if (is_linear() ? places_ == before : scale < 1e-6) return checked(settled(base));
     }
-    return failed(Status::not_converged, "fewer than " + std::to_string(size_ + 1) +
-                                             " tops of the error hold the level, about " +
-                                             decimal(level_, 4));
+    const auto fit = least_of_many();
+    return fit ? *fit
+               : failed(Status::not_converged, "fewer than " + std::to_string(size_ + 1) +
+                                                   " tops of the error hold the level, about " +
+                                                   decimal(level_, 4));
+  }
+
+  /// Where the exchange ended.
+  const std::vector<double>& parameters() const { return parameters_; }
+
+  /// Returns the largest error, infinite at a pole, and adds its tops to the set.
+  double look(const std::vector<double>& parameters) {
+    if (sampled_.has_pole(parameters)) return HUGE_VAL;
+    double largest = 0;
+    ++look_;
+    for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3)) {
+      if (!std::isfinite(top.magnitude)) return HUGE_VAL;
+      largest = std::max(largest, top.magnitude);
+      add(polish_(top.at, parameters));
+    }
+    return largest;
   }
 
  private:
   static constexpr int most_steps = 40;
+  /// After so many programmes of one level the tops of the error hardly change it.
+  static constexpr int enough_stays = 3;
   /// Newton's method starts when the programme and the search for tops agree on the level to this share of
   /// it.
   static constexpr double agree = 1e-10;
@@ -110,6 +143,44 @@ class SurfaceExchange {
   static constexpr double same_level = 1e-9;
   /// A top closer than this share of the range to an earlier one is the same top.
   static constexpr double same_top = 0.01;
+
+  bool is_linear() const {
+    const auto& linear = error_.is_linear();
+    return std::find(linear.begin(), linear.end(), false) == linear.end();
+  }
+
+  /// The places of the last programme.
+  LevelSupport level_support() const {
+    LevelSupport result{{}, support_.signs, {}};
+    for (std::size_t i = 0; i <= size_; ++i) {
+      result.places.push_back(places_[support_.places[i]]);
+      result.multipliers.push_back(support_.lowest.multipliers[i]);
+    }
+    return result;
+  }
+
+  /// Whether a support has fewer places with a multiplier than determine the parameters.
+  bool leaves_open(const LevelSupport& support) const {
+    const auto count = std::count_if(support.multipliers.begin(), support.multipliers.end(),
+                                     [](double multiplier) { return multiplier > 1e-9; });
+    return static_cast<std::size_t>(count) <= size_;
+  }
+
+  /// If the form is linear, and many parameters have the least level, those with the least mean square.
+  std::optional<StudyFit> least_of_many() {
+    if (!is_linear()) return std::nullopt;
+    const auto tops = [&](const std::vector<double>& parameters) {
+      Places places;
+      for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3))
+        places.push_back(polish_(top.at, parameters));
+      return places;
+    };
+    const auto fit = least_at_level({study_, weighted_, error_, edges_}, highest_, start_, tops);
+    if (!fit) return std::nullopt;
+    StudyFit result = checked(*fit);
+    if (result.status != Status::converged) return std::nullopt;
+    return result;
+  }
 
   StudyFit failed(Status status, std::string why) const {
     StudyFit fit;
@@ -135,19 +206,6 @@ class SurfaceExchange {
     }
     places_ = places;
     looks_.assign(places_.size(), look_);
-  }
-
-  /// Returns the largest error, and adds its tops to the set.
-  double look(const std::vector<double>& parameters) {
-    if (sampled_.has_pole(parameters)) return HUGE_VAL;
-    double largest = 0;
-    ++look_;
-    for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3)) {
-      if (!std::isfinite(top.magnitude)) return HUGE_VAL;
-      largest = std::max(largest, top.magnitude);
-      add(polish_(top.at, parameters));
-    }
-    return largest;
   }
 
   /// The distance of two places: the largest share of a range between them.
@@ -293,6 +351,7 @@ class SurfaceExchange {
     if (!is_determined(fit)) {
       fit.status = Status::degenerate;
       fit.why = "the level, " + decimal(*fit.level, 10) + ", is the least, but other parameters have it too";
+      return least_of_many().value_or(fit);
     }
     return fit;
   }
@@ -318,7 +377,9 @@ class SurfaceExchange {
   }
 
   const StudyError& error_;
+  const ReadStudy& study_;
   const SampledStudy<double>& sampled_;  ///< detects poles
+  const std::vector<double> start_;
   ReadStudy weighted_;
   std::vector<double> parameters_;
   std::size_t size_;
@@ -329,6 +390,8 @@ class SurfaceExchange {
   int look_ = 0;
   Support support_ = {};
   double level_ = 0, rounding_ = 0;
+  double promised_ = 0;  ///< the highest level of a programme: of a linear form none is lower
+  LevelSupport highest_ = {};
 };
 
 }  // namespace
@@ -339,10 +402,19 @@ StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& 
   const SearchedStudy searched = search_study(study, error, all_edges_of(study), starts, checkpoint);
 
   std::optional<StudyFit> lowest;
-  for (const StudyCandidate& candidate : lowest_basins(searched)) {
-    StudyFit fit = SurfaceExchange(study, error, searched.sampled, candidate.parameters).solve(checkpoint);
+  // Returns where to go on: on the other side of infinity, if the lowest exchange so far ran there.
+  const auto exchange_from = [&](const std::vector<double>& start) -> std::optional<std::vector<double>> {
+    SurfaceExchange exchange(study, error, searched.sampled, start);
+    StudyFit fit = exchange.solve(checkpoint);
     const bool is_better = !lowest || (fit.level && (!lowest->level || *fit.level < *lowest->level));
-    if (is_better) lowest = std::move(fit);
+    if (!is_better) return std::nullopt;
+    lowest = std::move(fit);
+    if (lowest->status == Status::converged) return std::nullopt;
+    const std::vector<double> end = exchange.parameters();
+    return beyond_infinity(start, end, [&](const std::vector<double>& at) { return exchange.look(at); });
+  };
+  for (const StudyCandidate& candidate : lowest_basins(searched)) {
+    if (const auto other_side = exchange_from(candidate.parameters)) exchange_from(*other_side);
   }
   StudyFit best = std::move(*lowest);
   best.names = study.parameters;

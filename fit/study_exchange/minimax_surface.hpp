@@ -20,8 +20,10 @@ namespace shadefit {
 ///
 /// It starts from the least-squares fit and from other basins; the lowest level counts. `digits` are those of
 /// a Newton step in long double on the places that determine the parameters, one more than there are
-/// parameters. In several variables fewer tops may be at the level. Then the fit is degenerate or not
-/// converged, and `why` has the level.
+/// parameters. In several variables fewer tops may be at the level. If the form is linear, many parameters
+/// have it then, and the fit is the one with the least mean square (`least_at_level`). Otherwise the fit is
+/// degenerate or not converged, and `why` has the level. An exchange that runs to infinity also starts beyond
+/// it (`beyond_infinity`).
 StudyFit solve_minimax_surface(const ReadStudy& study, const std::vector<Held>& starts,
                                const Checkpoint& checkpoint = keep_going);
 

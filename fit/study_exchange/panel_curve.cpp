@@ -49,7 +49,7 @@ class CurveTapes {
   /// The outputs at s. At an end where one has no value, such as 0/0 at a zero of the target, its limit along
   /// the panel; NaN if the extrapolation does not settle.
   template <class P>
-  std::vector<T> at(const SearchPanel& panel, double s, const P& parameters) {
+  std::vector<T> at(const PanelOf<T>& panel, double s, const P& parameters) {
     std::vector<T> result = run(value_, panel, s, parameters);
     const auto has_none = [](T value) { return std::isnan(value); };
     if ((s != 0 && s != 1) || std::none_of(result.begin(), result.end(), has_none)) return result;
@@ -70,7 +70,7 @@ class CurveTapes {
 
   /// The slope by s of the first output at an end where it has no value, to a few digits.
   template <class P>
-  T limit_slope(const SearchPanel& panel, double s, const P& parameters) {
+  T limit_slope(const PanelOf<T>& panel, double s, const P& parameters) {
     const T end = at(panel, s, parameters)[0];
     const double distance = distances().back();
     const T beside = run(value_, panel, s == 0 ? distance : 1 - distance, parameters)[0];
@@ -81,10 +81,10 @@ class CurveTapes {
   /// no derivative, though it is smooth in s: there difference quotients are extrapolated to the distance 0,
   /// and what is left is rounding.
   template <class P>
-  std::vector<T> inward(const SearchPanel& panel, double s, const P& parameters) {
+  std::vector<T> inward(const PanelOf<T>& panel, double s, const P& parameters) {
     const bool is_left = s == 0;
     if (!(is_left ? panel.is_rooted_left : panel.is_rooted_right)) {
-      const T direction = is_left ? panel.slope<T>(0) : -panel.slope<T>(1);
+      const T direction = is_left ? panel.slope(0) : -panel.slope(1);
       return combined(run(slope_, panel, s, parameters), direction, std::vector<T>(outputs_), T(0));
     }
     const std::vector<T> end = at(panel, s, parameters);
@@ -118,7 +118,7 @@ class CurveTapes {
   }
 
   template <class P>
-  std::vector<T> run(TapeProgram<T>& program, const SearchPanel& panel, double s, const P& parameters) {
+  std::vector<T> run(TapeProgram<T>& program, const PanelOf<T>& panel, double s, const P& parameters) {
     inputs_[0] = panel.at(T(s));
     std::copy_n(parameters.begin(), inputs_.size() - 1, inputs_.begin() + 1);
     program.run(inputs_);
@@ -142,7 +142,7 @@ class CurveTapes {
 /// All evaluations of a curve that the exchange needs.
 class PanelCurve {
  public:
-  PanelCurve(CurveNodes nodes, std::vector<SearchPanel> panels)
+  PanelCurve(CurveNodes nodes, std::shared_ptr<SearchPanels> panels)
       : panels_(std::move(panels)),
         count_(nodes.inputs.size() - 1),
         curvature_(nodes.program<double>({nodes.value, nodes.slope, nodes.graph.derivative(nodes.slope, 0)})),
@@ -156,36 +156,56 @@ class PanelCurve {
   double value(const SearchPlace& place, const MinimaxParameters& p) {
     value_.run(inputs_at(place, p));
     const double value = value_.output(0);
-    return std::isnan(value) ? across_.at(panels_[place.panel], place.s, p)[0] : value;
+    return std::isnan(value) ? across_.at(panel_at(place, p), place.s, p)[0] : value;
   }
   Along along(const SearchPlace& place, const MinimaxParameters& p) {
-    const SearchPanel& panel = panels_[place.panel];
-    curvature_.run(inputs_at(place, p));
+    const PanelOf<double> panel = panel_at(place, p);
+    const bool has_kink = panels_->has_kink(place.panel);
+    curvature_.run(inputs_at(has_kink ? off_kink(place) : place, p));
     const double slope = panel.slope(place.s), by_x = curvature_.output(1);
     const bool is_end = place.s == 0 || place.s == 1;
     if (is_end && std::isnan(curvature_.output(0))) {
       const double towards = across_.limit_slope(panel, place.s, p);
       return {value(place, p), towards, 0};
     }
-    return {curvature_.output(0), by_x * slope,
-            curvature_.output(2) * slope * slope + by_x * panel.curvature()};
+    const double value_here = has_kink ? value(place, p) : curvature_.output(0);
+    return {value_here, by_x * slope, curvature_.output(2) * slope * slope + by_x * panel.curvature()};
   }
   double across(const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-    return split(across_.at(panels_[place.panel], place.s, p), gradient);
+    const double value = split(across_.at(panel_at(place, p), place.s, p), gradient);
+    if (panels_->has_kink(place.panel)) move_with_panel(place, p, gradient);
+    return value;
   }
   double slope_across(const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-    return split(across_.inward(panels_[place.panel], place.s, p), gradient);
+    return split(across_.inward(panel_at(place, p), place.s, p), gradient);
   }
   long double wide(const SearchPlace& place, const WideParameters& p) {
-    return wide_.at(panels_[place.panel], place.s, p)[0];
+    return wide_.at(panel_at(place, p), place.s, p)[0];
   }
   long double wide_slope(const SearchPlace& place, const WideParameters& p) {
-    return wide_.inward(panels_[place.panel], place.s, p)[0];
+    return wide_.inward(panel_at(place, p), place.s, p)[0];
   }
 
  private:
+  template <class T>
+  PanelOf<T> panel_at(const SearchPlace& place, const std::array<T, most_parameters>& p) {
+    return panels_->at(place.panel, std::span(p).first(count_));
+  }
+  /// A place beside a kink at the end of a panel, on the panel's side of it. At the kink itself rounding
+  /// chooses the side whose slope a formula has.
+  static SearchPlace off_kink(const SearchPlace& place) {
+    constexpr double beside = 1e-9;
+    return {place.panel, std::clamp(place.s, beside, 1 - beside)};
+  }
+  /// The place moves with its panel, and the value changes by its slope there. At a kink the slopes of either
+  /// side give the same.
+  void move_with_panel(const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+    const std::vector<double> speeds = panels_->speeds(place.panel, place.s, std::span(p).first(count_));
+    curvature_.run(inputs_at(place, p));
+    for (std::size_t i = 0; i < count_; ++i) gradient[i] += curvature_.output(1) * speeds[i];
+  }
   const std::vector<double>& inputs_at(const SearchPlace& place, const MinimaxParameters& p) {
-    inputs_[0] = panels_[place.panel].at(place.s);
+    inputs_[0] = panel_at(place, p).at(place.s);
     std::copy_n(p.begin(), count_, inputs_.begin() + 1);
     return inputs_;
   }
@@ -194,7 +214,7 @@ class PanelCurve {
     return outputs[0];
   }
 
-  std::vector<SearchPanel> panels_;
+  std::shared_ptr<SearchPanels> panels_;
   std::size_t count_;
   TapeProgram<double> curvature_, value_;
   CurveTapes<double> across_;
@@ -204,25 +224,9 @@ class PanelCurve {
 
 }  // namespace
 
-std::vector<SearchPanel> panels_between(const std::vector<StudyEdge>& edges) {
-  std::vector<SearchPanel> panels;
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    const StudyEdge &left = edges[i - 1], &right = edges[i];
-    const bool from_left = left.power > 1, from_right = right.power > 1;
-    if (from_left && from_right) {
-      const double middle = left.at + (right.at - left.at) / 2;
-      panels.push_back({left.at, middle, true, false});
-      panels.push_back({middle, right.at, false, true});
-    } else {
-      panels.push_back({left.at, right.at, from_left, from_right});
-    }
-  }
-  return panels;
-}
-
 MinimaxCurve panel_curve(const ReadStudy& study, const Symbolic& formula, CurveOf of,
-                         const std::vector<SearchPanel>& panels, const std::vector<SearchPlace>& places) {
-  const auto curve = std::make_shared<PanelCurve>(CurveNodes(study, formula, of), panels);
+                         std::shared_ptr<SearchPanels> panels, const std::vector<SearchPlace>& places) {
+  const auto curve = std::make_shared<PanelCurve>(CurveNodes(study, formula, of), std::move(panels));
   const auto everywhere = [curve, places](const MinimaxParameters& p, std::span<double> values) {
     for (std::size_t i = 0; i < places.size(); ++i) values[i] = curve->value(places[i], p);
   };

@@ -267,9 +267,11 @@ std::string level_text(const FittedStudy& study) {
   const std::string& variable = study.read.axes.front().variable;
   const std::string touching = touching_lines(fit.alternation, constraints, variable);
   if (!fit.level) return touching;
-  return fmt::format("Level {:.10g}, the error is {}{}\n{}", *fit.level,
+  const char* others =
+      fit.is_unique ? "" : "Other constants have this level too. These have the least mean square of them.\n";
+  return fmt::format("Level {:.10g}, the error is {}{}\n{}{}", *fit.level,
                      level_places(fit.alternation, constraints, variable), contacts_text(fit, variable),
-                     touching);
+                     others, touching);
 }
 
 Table uncertainty_table(const std::vector<FittedStudy>& studies) {

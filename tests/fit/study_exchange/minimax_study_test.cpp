@@ -72,5 +72,37 @@ TEST(MinimaxStudy, NamesAZeroOfTheTargetThatTheFormDoesNotShare) {
   }
 }
 
+// The error of 1/(x - h) is a Chebyshev polynomial of degree 2, which has its level at three places with
+// alternating signs: no other quotient is better. a = d = -1/h, but least squares has positive ones. On the
+// way the level falls until both are infinite, and beyond that they are negative.
+TEST(MinimaxStudy, GoesBeyondInfinity) {
+  for (const double h : {0.01, 0.02}) {
+    for (const double level : {0.02, 0.05, 0.1}) {
+      const std::string bump = std::to_string(level) + " (8 (x - 1.5)^2 - 1)";
+      const Study study{.target = "1/(x - " + std::to_string(h) + ") - " + bump,
+                        .form = "a/(1 + d x)",
+                        .over = {{"x", "1", "2"}}};
+      EXPECT_GT(solve_study(read_study(study), {}).parameters.front(), 0) << bump;
+      const StudyFit fit = minimax_of(study);
+      ASSERT_EQ(name(fit.status), "converged") << bump << ": " << fit.why;
+      for (const double parameter : fit.parameters) EXPECT_NEAR(parameter * -h, 1, 1e-11) << bump;
+      EXPECT_NEAR(*fit.level / level, 1, 1e-12) << bump;
+    }
+  }
+}
+
+// The error of max(a x - b, 0) is -b^2/a^2 at its kink, a^2/4 - b at x = a/2, and a - b - 1 at x = 1. These
+// are -r^2, r^2 and -r^2 for r = 1/(1 + 2 sqrt(2)): then b/a = r, and a = 1 + r.
+TEST(MinimaxStudy, LevelsAnErrorAtAKinkThatMoves) {
+  const StudyFit fit = minimax_of({.target = "x^2", .form = "max(a x - b, 0)", .over = {{"x", "0", "1"}}});
+  ASSERT_EQ(name(fit.status), "converged") << fit.why;
+  const double r = 1 / (1 + 2 * std::sqrt(2.0));
+  EXPECT_NEAR(fit.parameters[0], 1 + r, 1e-14);
+  EXPECT_NEAR(fit.parameters[1], r * (1 + r), 1e-14);
+  EXPECT_NEAR(*fit.level / (r * r), 1, 1e-14);
+  ASSERT_EQ(fit.alternation.size(), 3);
+  EXPECT_NEAR(fit.alternation.front().at.cos_theta, r, 1e-12);
+}
+
 }  // namespace
 }  // namespace shadefit
