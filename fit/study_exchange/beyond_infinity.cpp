@@ -16,7 +16,7 @@ constexpr double scale_step = 8;
 /// is not far above the least.
 constexpr double near_least = 2;
 
-/// The largest factor between two values of a parameter.
+/// How many times larger a parameter became. 0 if it has no size.
 double growth(double from, double to) {
   if (to == 0 || !std::isfinite(to)) return 0;
   return std::abs(to) / std::abs(from);

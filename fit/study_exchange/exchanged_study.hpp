@@ -5,7 +5,7 @@
 
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_exchange/panel_curve.hpp"
+#include "fit/study_panels/panel_curve.hpp"
 
 namespace shadefit {
 

@@ -1,4 +1,4 @@
-#include "fit/study_exchange/search_panels.hpp"
+#include "fit/study_panels/search_panels.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "fit/study_exchange/panel_curve.hpp"
+#include "fit/study_panels/panel_curve.hpp"
 
 #include <algorithm>
 #include <array>

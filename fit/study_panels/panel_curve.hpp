@@ -5,7 +5,7 @@
 
 #include "fit/minimax/minimax.hpp"
 #include "fit/study/study.hpp"
-#include "fit/study_exchange/search_panels.hpp"
+#include "fit/study_panels/search_panels.hpp"
 
 /// Formulas of a study along its variable, as curves of the exchange.
 namespace shadefit {
