@@ -14,7 +14,7 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
-#include "fit/study_exchange/quadratic_programme.hpp"
+#include "fit/minimax/quadratic_programme.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

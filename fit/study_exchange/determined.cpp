@@ -7,14 +7,14 @@ namespace shadefit {
 namespace {
 
 /// Multipliers sum to 1. One below this is the rounding of 0.
-constexpr double none = 1e-9;
+constexpr double vanishing = 1e-9;
 
 /// How large the multiplier of an entering row can become before one of the support reaches 0. `shares`: how
 /// much each multiplier of the support falls for a unit of it.
 double room(const VectorOf<double>& multipliers, const VectorOf<double>& shares) {
   double least = 1;
   for (Eigen::Index i = 0; i < shares.size(); ++i) {
-    if (shares[i] > none) least = std::min(least, std::max(0.0, multipliers[i]) / shares[i]);
+    if (shares[i] > vanishing) least = std::min(least, std::max(0.0, multipliers[i]) / shares[i]);
   }
   return least;
 }
@@ -47,14 +47,14 @@ bool are_determined(const MatrixOf<double>& slopes, std::span<const std::size_t>
       if (is_in[static_cast<std::size_t>(row)]) continue;
       const VectorOf<double> shares = qr.solve(columns.col(row));
       const double step = room(multipliers, shares) / 2;
-      if (step <= none) continue;
+      if (step <= vanishing) continue;
       multipliers -= step * shares;
       is_in[static_cast<std::size_t>(row)] = has_moved = true;
       held.push_back(row);
     }
   }
   for (Eigen::Index i = 0; i <= unknowns; ++i) {
-    if (multipliers[i] > none)
+    if (multipliers[i] > vanishing)
       held.push_back(static_cast<Eigen::Index>(support[static_cast<std::size_t>(i)]));
   }
   MatrixOf<double> spanning(unknowns, static_cast<Eigen::Index>(held.size()));

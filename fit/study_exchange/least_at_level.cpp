@@ -11,7 +11,7 @@
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/study/search.hpp"
-#include "fit/study_exchange/quadratic_programme.hpp"
+#include "fit/minimax/quadratic_programme.hpp"
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {

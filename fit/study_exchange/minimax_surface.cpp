@@ -1,6 +1,5 @@
 #include "fit/study_exchange/minimax_surface.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,51 +7,24 @@
 #include <utility>
 
 #include "fit/least_squares/least_squares.hpp"
-#include "fit/minimax/linear_programme.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/determined.hpp"
 #include "fit/study_exchange/least_at_level.hpp"
+#include "fit/study_exchange/surface_programme.hpp"
 #include "fit/study_exchange/top_polish.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {
 namespace {
 
-using Places = std::vector<std::vector<double>>;
-
 std::vector<std::vector<StudyEdge>> all_edges_of(const ReadStudy& study) {
   std::vector<std::vector<StudyEdge>> edges;
   for (std::size_t i = 0; i < study.axes.size(); ++i) edges.push_back(edges_of(study, i));
   return edges;
 }
-
-StudyNodes nodes_at(const Places& places) {
-  StudyNodes nodes;
-  nodes.coordinates.resize(places.front().size());
-  for (const auto& place : places) {
-    for (std::size_t i = 0; i < place.size(); ++i) nodes.coordinates[i].push_back(place[i]);
-  }
-  nodes.weights.assign(places.size(), 1.0L / static_cast<long double>(places.size()));
-  return nodes;
-}
-
-/// error <= level, and -error <= level, for a step of the parameters from here.
-Condition condition(double error, const VectorOf<double>& slope, double sign) {
-  Condition result{{}, -sign * error};
-  for (Eigen::Index i = 0; i < slope.size(); ++i) result.slope[static_cast<std::size_t>(i)] = sign * slope[i];
-  result.slope[static_cast<std::size_t>(slope.size())] = -1;
-  return result;
-}
-
-/// Where the error is at its level after a step of the linear programme.
-struct Support {
-  LowestLevel lowest;
-  std::vector<std::size_t> places;  ///< indices in the set
-  std::vector<double> signs;        ///< of the errors there
-};
 
 /// The exchange from one start.
 class SurfaceExchange {
@@ -67,17 +39,17 @@ class SurfaceExchange {
         parameters_(start),
         size_(parameters_.size()),
         edges_(all_edges_of(study)),
-        polish_(weighted_, edges_) {}
+        polish_(weighted_, edges_),
+        places_(weighted_) {}
 
   StudyFit solve(const Checkpoint& checkpoint) {
-    add_grid();
     level_ = look(parameters_);
     std::vector<double> base = parameters_;
     double scale = 1;
     int stays = 0;  // programmes since the level last rose
     for (int step = 0; step < most_steps; ++step) {
       checkpoint();
-      const auto support = programme(base);
+      const auto support = level_step(error_, places_.all(), base, sampled_.target_norm());
       if (!support) return failed(Status::degenerate, "the parameters do not move the error independently");
       support_ = *support;
       const double promised = support_.lowest.unknowns[size_];
@@ -91,12 +63,12 @@ class SurfaceExchange {
       if (!(level_ > 1e-14 * sampled_.target_norm()))
         return failed(Status::degenerate,
                       "the largest error is down to the rounding of the form: it has no level");
-      if (level_ - promised <= agree * level_ + rounding_) return checked(settled(base));
+      if (level_ - promised <= agree * level_ + support_.rounding) return checked(settled(base));
       if (stays == enough_stays && leaves_open(highest_)) {
         if (const auto fit = least_of_many()) return *fit;
       }
       for (std::size_t i = 0; i < size_; ++i) parameters_[i] = base[i] + scale * support_.lowest.unknowns[i];
-      const Places before = places_;
+      const Places before = places_.all();
       const double level = look(parameters_);
       if (level < level_) {
         level_ = level;
@@ -106,7 +78,7 @@ class SurfaceExchange {
       }
       // A linear form needs no smaller steps, only the new tops.
       if (!is_linear()) scale /= 2;
-      if (is_linear() ? places_ == before : scale < 1e-6) return checked(settled(base));
+      if (is_linear() ? places_.all() == before : scale < 1e-6) return checked(settled(base));
     }
     const auto fit = least_of_many();
     return fit ? *fit
@@ -122,11 +94,11 @@ class SurfaceExchange {
   double look(const std::vector<double>& parameters) {
     if (sampled_.has_pole(parameters)) return HUGE_VAL;
     double largest = 0;
-    ++look_;
+    places_.look_again();
     for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3)) {
       if (!std::isfinite(top.magnitude)) return HUGE_VAL;
       largest = std::max(largest, top.magnitude);
-      add(polish_(top.at, parameters));
+      places_.add(polish_(top.at, parameters));
     }
     return largest;
   }
@@ -141,8 +113,6 @@ class SurfaceExchange {
   /// A top within this share of the level is at the level. Newton's method moves tops outside the support by
   /// less.
   static constexpr double same_level = 1e-9;
-  /// A top closer than this share of the range to an earlier one is the same top.
-  static constexpr double same_top = 0.01;
 
   bool is_linear() const {
     const auto& linear = error_.is_linear();
@@ -153,7 +123,7 @@ class SurfaceExchange {
   LevelSupport level_support() const {
     LevelSupport result{{}, support_.signs, {}};
     for (std::size_t i = 0; i <= size_; ++i) {
-      result.places.push_back(places_[support_.places[i]]);
+      result.places.push_back(places_.all()[support_.places[i]]);
       result.multipliers.push_back(support_.lowest.multipliers[i]);
     }
     return result;
@@ -190,112 +160,13 @@ class SurfaceExchange {
     return fit;
   }
 
-  /// Adds a coarse grid, so that all parameters are determined from the start.
-  void add_grid() {
-    constexpr int count = 6;
-    Places places{{}};
-    for (const StudyAxis& axis : weighted_.axes) {
-      Places longer;
-      for (const auto& place : places) {
-        for (int i = 0; i <= count; ++i) {
-          longer.push_back(place);
-          longer.back().push_back(axis.lower + (axis.upper - axis.lower) * i / count);
-        }
-      }
-      places = std::move(longer);
-    }
-    places_ = places;
-    looks_.assign(places_.size(), look_);
-  }
-
-  /// The distance of two places: the largest share of a range between them.
-  double distance(const std::vector<double>& a, const std::vector<double>& b) const {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const StudyAxis& axis = weighted_.axes[i];
-      largest = std::max(largest, std::abs(a[i] - b[i]) / (axis.upper - axis.lower));
-    }
-    return largest;
-  }
-
-  /// A top near one of an earlier step is the same top, seen from better parameters, and replaces it. With
-  /// both, the programme would have conditions that differ only by rounding.
-  void add(const std::vector<double>& place) {
-    std::size_t nearest = places_.size();
-    double least = same_top;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      const double away = distance(places_[i], place);
-      if (away < 1e-12 || (looks_[i] < look_ && away < least)) {
-        nearest = i;
-        least = away;
-      }
-    }
-    if (nearest == places_.size()) {
-      places_.push_back(place);
-      looks_.push_back(look_);
-    } else {
-      places_[nearest] = place;
-      looks_[nearest] = look_;
-    }
-  }
-
-  /// The lowest level on the set, linearised at these parameters. Empty if n + 1 places do not determine it.
-  std::optional<Support> programme(const std::vector<double>& base) {
-    VectorOf<double> errors;
-    MatrixOf<double> slopes;
-    SampledStudy<double>(error_, nodes_at(places_)).errors(base, errors, &slopes);
-    // The rounding of form and target in double.
-    rounding_ = 2e-15 * std::max(sampled_.target_norm(), errors.cwiseAbs().maxCoeff());
-    std::vector<Condition> conditions;
-    for (Eigen::Index i = 0; i < errors.size(); ++i) {
-      for (const double sign : {1.0, -1.0}) conditions.push_back(condition(errors[i], slopes.row(i), sign));
-    }
-    const auto reference = first_reference(errors, slopes);
-    if (!reference) return std::nullopt;
-    Support support{lowest_level(conditions, size_ + 1, *reference, rounding_), {}, {}};
-    if (support.lowest.ending != LowestLevel::Ending::found) return std::nullopt;
-    for (std::size_t i = 0; i <= size_; ++i) {
-      support.places.push_back(support.lowest.reference[i] / 2);
-      support.signs.push_back(support.lowest.reference[i] % 2 == 0 ? 1 : -1);
-    }
-    return support;
-  }
-
-  /// n places whose derivatives are independent, and the other place with the largest error. With these signs
-  /// a combination of their derivatives is 0: no step lowers all these errors together.
-  std::optional<std::vector<std::size_t>> first_reference(const VectorOf<double>& errors,
-                                                          const MatrixOf<double>& slopes) const {
-    const auto n = static_cast<Eigen::Index>(size_);
-    if (errors.size() <= n) return std::nullopt;
-    const VectorOf<double> scale = slopes.cwiseAbs().colwise().maxCoeff();
-    if (!(scale.minCoeff() > 0)) return std::nullopt;
-    const MatrixOf<double> columns = (slopes * scale.cwiseInverse().asDiagonal()).transpose();
-    const Eigen::ColPivHouseholderQR<MatrixOf<double>> qr(columns);
-    const Eigen::VectorXi order = qr.colsPermutation().indices();
-    if (qr.rank() < n) return std::nullopt;
-    Eigen::Index extra = order[n];
-    for (Eigen::Index i = n; i < order.size(); ++i) {
-      if (std::abs(errors[order[i]]) > std::abs(errors[extra])) extra = order[i];
-    }
-    MatrixOf<double> chosen(n, n);
-    for (Eigen::Index i = 0; i < n; ++i) chosen.col(i) = columns.col(order[i]);
-    const VectorOf<double> shares = -chosen.colPivHouseholderQr().solve(columns.col(extra));
-    std::vector<std::size_t> reference;
-    const auto refer = [&](Eigen::Index place, double share) {
-      reference.push_back(2 * static_cast<std::size_t>(place) + (share < 0 ? 1 : 0));
-    };
-    for (Eigen::Index i = 0; i < n; ++i) refer(order[i], shares[i]);
-    refer(extra, 1);
-    return reference;
-  }
-
   /// Checks that the error of a fit is nowhere larger than its level.
   StudyFit checked(StudyFit fit) {
     if (fit.status != Status::converged) return fit;
     // The place of a top on an edge has only half of the digits, so the level is checked to 8 digits.
     constexpr double held = 1e-8;
     const double largest = look(fit.parameters);
-    if (largest <= *fit.level * (1 + held) + rounding_) return fit;
+    if (largest <= *fit.level * (1 + held) + support_.rounding) return fit;
     fit.status = Status::not_converged;
     fit.why = "the error exceeds its level, " + to_text(*fit.level) + ", by " + to_text(largest - *fit.level);
     return fit;
@@ -305,7 +176,7 @@ class SurfaceExchange {
   StudyFit settled(const std::vector<double>& base) {
     const std::size_t unknowns = size_ + 1;
     Places support;
-    for (const std::size_t place : support_.places) support.push_back(places_[place]);
+    for (const std::size_t place : support_.places) support.push_back(places_.all()[place]);
     StudyFit fit;
     fit.parameters = base;
     const SampledStudy<double> sampled(error_, nodes_at(support));
@@ -338,7 +209,7 @@ class SurfaceExchange {
         size =
             std::max(size, std::abs(next) / std::max(std::abs(fit.parameters[j]), 1e-3 * level_ / steepest));
         fit.parameters[j] = static_cast<double>(at[j] + next);
-        if (std::abs(fit.parameters[j]) * steepest <= rounding_) fit.parameters[j] = 0;
+        if (std::abs(fit.parameters[j]) * steepest <= support_.rounding) fit.parameters[j] = 0;
       }
       fit.digits = correct_digits(size);
     }
@@ -360,14 +231,14 @@ class SurfaceExchange {
   bool is_determined(const StudyFit& fit) const {
     VectorOf<double> errors;
     MatrixOf<double> slopes;
-    SampledStudy<double>(error_, nodes_at(places_)).errors(fit.parameters, errors, &slopes);
+    SampledStudy<double>(error_, nodes_at(places_.all())).errors(fit.parameters, errors, &slopes);
     std::vector<std::size_t> support(size_ + 1);
     std::vector<Eigen::Index> touching;
-    for (std::size_t place = 0; place < places_.size(); ++place) {
+    for (std::size_t place = 0; place < places_.all().size(); ++place) {
       const auto row = static_cast<Eigen::Index>(place);
       const auto at = std::find(support_.places.begin(), support_.places.end(), place);
       const bool is_support = at != support_.places.end();
-      if (!is_support && std::abs(errors[row]) < *fit.level * (1 - same_level) - rounding_) continue;
+      if (!is_support && std::abs(errors[row]) < *fit.level * (1 - same_level) - support_.rounding) continue;
       if (is_support) support[static_cast<std::size_t>(at - support_.places.begin())] = touching.size();
       if (errors[row] < 0) slopes.row(row) *= -1;
       touching.push_back(row);
@@ -385,11 +256,9 @@ class SurfaceExchange {
   std::size_t size_;
   std::vector<std::vector<StudyEdge>> edges_;
   TopPolish polish_;
-  Places places_ = {};
-  std::vector<int> looks_ = {};  ///< the number of the look that found each place
-  int look_ = 0;
-  Support support_ = {};
-  double level_ = 0, rounding_ = 0;
+  TopPlaces places_;
+  LevelStep support_ = {};
+  double level_ = 0;
   double promised_ = 0;  ///< the highest level of a programme: of a linear form none is lower
   LevelSupport highest_ = {};
 };

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/study_exchange/quadratic_programme.hpp"
+#include "fit/minimax/quadratic_programme.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {

@@ -59,10 +59,10 @@ class CurveTapes {
     const std::vector<T> limit = extrapolated(beside);
     for (std::size_t i = 0; i < result.size(); ++i) {
       // Of the last two orders; the better one is closer by another factor of 1000.
-      constexpr T agree = T(1e-10);
+      constexpr T same = T(1e-10);
       const T before = beside[beside.size() - 2][i];
       const bool is_settled =
-          std::abs(limit[i] - before) <= agree * (std::abs(limit[i]) + std::abs(beside[0][i]));
+          std::abs(limit[i] - before) <= same * (std::abs(limit[i]) + std::abs(beside[0][i]));
       if (has_none(result[i]) && is_settled) result[i] = limit[i];
     }
     return result;

@@ -1,4 +1,4 @@
-#include "fit/study_exchange/quadratic_programme.hpp"
+#include "fit/minimax/quadratic_programme.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace shadefit {
 namespace {
 
-using Vector = VectorOf<double>;
-using Matrix = MatrixOf<double>;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
 
 constexpr Eigen::Index dimension = 3;
 constexpr unsigned condition_count = 6;

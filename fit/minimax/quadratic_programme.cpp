@@ -1,4 +1,4 @@
-#include "fit/study_exchange/quadratic_programme.hpp"
+#include "fit/minimax/quadratic_programme.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
@@ -8,8 +8,8 @@
 namespace shadefit {
 namespace {
 
-using Vector = VectorOf<double>;
-using Matrix = MatrixOf<double>;
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
 
 /// The rounding of a condition, relative to the sizes of its terms.
 constexpr double rounding = 1e-13;
@@ -134,7 +134,7 @@ class DualMethod {
 
 }  // namespace
 
-std::optional<QuadraticAnswer> least_step(const MatrixOf<double>& hessian, const VectorOf<double>& gradient,
+std::optional<QuadraticAnswer> least_step(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
                                           std::span<const Condition> conditions) {
   return DualMethod(hessian, gradient, conditions).solve();
 }

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "fit/minimax/linear_programme.hpp"
-#include "fit/study/study_problem.hpp"
 
 namespace shadefit {
 
@@ -17,7 +17,7 @@ struct ActiveCondition {
 };
 
 struct QuadraticAnswer {
-  VectorOf<double> step;
+  Eigen::VectorXd step;
   std::vector<ActiveCondition> active;
 };
 
@@ -28,7 +28,7 @@ struct QuadraticAnswer {
 /// The dual method of Goldfarb, Idnani 1983, "A numerically stable dual method for solving strictly convex
 /// quadratic programs", Mathematical Programming 27. It starts from the step without conditions and meets the
 /// most violated one after the other. A condition whose multiplier falls to 0 on the way is dropped.
-std::optional<QuadraticAnswer> least_step(const MatrixOf<double>& hessian, const VectorOf<double>& gradient,
+std::optional<QuadraticAnswer> least_step(const Eigen::MatrixXd& hessian, const Eigen::VectorXd& gradient,
                                           std::span<const Condition> conditions);
 
 }  // namespace shadefit
