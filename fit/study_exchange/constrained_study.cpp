@@ -10,11 +10,11 @@
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/minimax/contacts.hpp"
+#include "fit/minimax/quadratic_programme.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
-#include "fit/minimax/quadratic_programme.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

@@ -9,9 +9,9 @@
 
 #include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
+#include "fit/minimax/quadratic_programme.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/study/search.hpp"
-#include "fit/minimax/quadratic_programme.hpp"
 #include "fit/tape/tape_program.hpp"
 
 namespace shadefit {
