@@ -1,12 +1,12 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "fit/study/solve_study.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/study/study_problem.hpp"
+#include "fit/study_exchange/surface_programme.hpp"
 
 namespace shadefit {
 
@@ -24,9 +24,6 @@ struct LinearSurface {
   const StudyError& error;
   const std::vector<std::vector<StudyEdge>>& edges;
 };
-
-/// The tops of the error at some parameters, as places.
-using TopsOfError = std::function<std::vector<std::vector<double>>(const std::vector<double>&)>;
 
 /// Of all parameters with the least level, those with the least mean square of the error.
 ///

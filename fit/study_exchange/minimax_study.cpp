@@ -12,8 +12,8 @@
 #include "fit/study/search.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
 #include "fit/study_exchange/exchanged_study.hpp"
-#include "fit/study_exchange/minimax_rows.hpp"
 #include "fit/study_exchange/minimax_surface.hpp"
+#include "fit/study_rows/minimax_rows.hpp"
 #include "fit/support/user_error.hpp"
 
 namespace shadefit {

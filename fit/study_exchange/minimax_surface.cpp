@@ -11,6 +11,7 @@
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
 #include "fit/study_exchange/beyond_infinity.hpp"
+#include "fit/study_exchange/curved_level.hpp"
 #include "fit/study_exchange/determined.hpp"
 #include "fit/study_exchange/least_at_level.hpp"
 #include "fit/study_exchange/surface_programme.hpp"
@@ -80,7 +81,8 @@ class SurfaceExchange {
       if (!is_linear()) scale /= 2;
       if (is_linear() ? places_.all() == before : scale < 1e-6) return checked(settled(base));
     }
-    const auto fit = least_of_many();
+    const auto fit =
+        is_linear() ? least_of_many() : curved_level(study_, edges_, places_.all(), base, checkpoint);
     return fit ? *fit
                : failed(Status::not_converged, "fewer than " + std::to_string(size_ + 1) +
                                                    " tops of the error hold the level, about " +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace shadefit {
 
 /// Each has a coordinate for each variable of the study.
 using Places = std::vector<std::vector<double>>;
+
+/// The tops of the error at some parameters.
+using TopsOfError = std::function<Places(const std::vector<double>& parameters)>;
 
 /// The places as nodes of equal weights.
 StudyNodes nodes_at(const Places& places);

@@ -1,4 +1,4 @@
-#include "fit/study_exchange/minimax_rows.hpp"
+#include "fit/study_rows/minimax_rows.hpp"
 
 #include <gtest/gtest.h>
 

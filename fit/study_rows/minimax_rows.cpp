@@ -1,4 +1,4 @@
-#include "fit/study_exchange/minimax_rows.hpp"
+#include "fit/study_rows/minimax_rows.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include "fit/study/largest_error.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/study_problem.hpp"
-#include "fit/study_exchange/row_descent.hpp"
+#include "fit/study_rows/row_descent.hpp"
 #include "fit/support/decimal.hpp"
 
 namespace shadefit {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/study_exchange/level_polish.hpp"
+#include "fit/study_rows/level_polish.hpp"
 #include "fit/support/checkpoint.hpp"
 
 namespace shadefit {

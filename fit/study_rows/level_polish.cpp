@@ -1,9 +1,10 @@
-#include "fit/study_exchange/level_polish.hpp"
+#include "fit/study_rows/level_polish.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "fit/least_squares/least_squares.hpp"
@@ -27,10 +28,8 @@ StudyNodes nodes_of_level(const StudyNodes& all, const std::vector<LevelRow>& ro
 
 class LevelSystem {
  public:
-  LevelSystem(const StudyError& error, const StudyNodes& nodes, const Matrix& steps, double unit,
-              PolishedLevel& at)
-      : sampled_(error, nodes),
-        wide_(error, nodes),
+  LevelSystem(const LevelPoints& points, const Matrix& steps, double unit, PolishedLevel& at)
+      : points_(points),
         steps_(steps),
         unit_(unit),
         at_(at),
@@ -44,7 +43,7 @@ class LevelSystem {
     constexpr double far = 1e3, small = 1e-12, nearly = 1e-6;
     double last = HUGE_VAL;
     for (int pass = 0; pass < most_passes; ++pass) {
-      const double size = move<double>(sampled_);
+      const double size = move<double>(points_.errors);
       if (!(size <= far)) return false;
       if (size <= small || (size <= nearly && size >= last / 2)) return true;
       last = size;
@@ -55,7 +54,7 @@ class LevelSystem {
   /// Two more, with residuals in long double. The last one gives the digits.
   bool finish() {
     for (int pass = 0; pass < 2; ++pass) {
-      if (!std::isfinite(move<long double>(wide_))) return false;
+      if (!std::isfinite(move<long double>(points_.wide))) return false;
     }
     at_.digits = correct_digits(relative_);
     at_.bend = bend();
@@ -67,7 +66,7 @@ class LevelSystem {
   Matrix signed_slopes() const {
     Vector errors;
     Matrix slopes;
-    sampled_.errors(at_.parameters, errors, &slopes);
+    points_.errors(at_.parameters, errors, slopes);
     for (Eigen::Index i = 0; i < rows_; ++i) slopes.row(i) *= row(i).sign / unit_;
     return slopes * steps_;
   }
@@ -75,19 +74,19 @@ class LevelSystem {
   Matrix curvature() const {
     std::vector<double> shares;
     for (const LevelRow& one : at_.rows) shares.push_back(one.multiplier * one.sign / unit_);
-    return steps_.transpose() * sampled_.curvature(at_.parameters, shares) * steps_;
+    return points_.curvature(at_.parameters, shares, steps_);
   }
 
   LevelRow& row(Eigen::Index i) { return at_.rows[static_cast<std::size_t>(i)]; }
   const LevelRow& row(Eigen::Index i) const { return at_.rows[static_cast<std::size_t>(i)]; }
 
   /// The residuals of the equations, in arithmetic T.
-  template <class T>
-  Vector residuals(const SampledStudy<T>& sampled) const {
+  template <class T, class Errors>
+  Vector residuals(const Errors& errors_at) const {
     const std::vector<T> parameters(at_.parameters.begin(), at_.parameters.end());
     VectorOf<T> errors;
     MatrixOf<T> slopes;
-    sampled.errors(parameters, errors, &slopes);
+    errors_at(parameters, errors, slopes);
     VectorOf<T> gradient = VectorOf<T>::Zero(slopes.cols());
     Vector result(directions_ + 1 + rows_);
     T sum = -1;
@@ -105,8 +104,8 @@ class LevelSystem {
   }
 
   /// Takes one step. Returns its size, or NaN.
-  template <class T>
-  double move(const SampledStudy<T>& sampled) {
+  template <class T, class Errors>
+  double move(const Errors& errors_at) {
     const Eigen::Index unknowns = directions_ + 1 + rows_;
     const Matrix slopes = signed_slopes();
     Matrix matrix = Matrix::Zero(unknowns, unknowns);
@@ -123,7 +122,7 @@ class LevelSystem {
     Eigen::CompleteOrthogonalDecomposition<Matrix> solver(unknowns, unknowns);
     solver.setThreshold(1e-11);  // less is rounding
     solver.compute(matrix);
-    const Vector step = -solver.solve(residuals(sampled));
+    const Vector step = -solver.solve(residuals<T>(errors_at));
     const Vector moved = steps_ * step.head(directions_);
     relative_ = 0;
     for (std::size_t j = 0; j < at_.parameters.size(); ++j) {
@@ -148,8 +147,7 @@ class LevelSystem {
     return Eigen::SelfAdjointEigenSolver<Matrix>(along.transpose() * curvature() * along).eigenvalues()[0];
   }
 
-  SampledStudy<double> sampled_;
-  SampledStudy<long double> wide_;
+  const LevelPoints& points_;
   const Matrix& steps_;
   double unit_;
   PolishedLevel& at_;
@@ -159,12 +157,25 @@ class LevelSystem {
 
 }  // namespace
 
-std::optional<PolishedLevel> polish_level(const StudyError& error, const StudyNodes& all_rows,
-                                          const MatrixOf<double>& steps, std::vector<double> parameters,
-                                          double level, std::vector<LevelRow> rows) {
+LevelPoints points_of_rows(const StudyError& error, const StudyNodes& all_rows,
+                           const std::vector<LevelRow>& rows) {
   const StudyNodes nodes = nodes_of_level(all_rows, rows);
+  const auto sampled = std::make_shared<SampledStudy<double>>(error, nodes);
+  const auto wide = std::make_shared<SampledStudy<long double>>(error, nodes);
+  return {[sampled](std::span<const double> parameters, Vector& errors, Matrix& slopes) {
+            sampled->errors(parameters, errors, &slopes);
+          },
+          [wide](std::span<const long double> parameters, VectorOf<long double>& errors,
+                 MatrixOf<long double>& slopes) { wide->errors(parameters, errors, &slopes); },
+          [sampled](std::span<const double> parameters, std::span<const double> shares, const Matrix& steps)
+              -> Matrix { return steps.transpose() * sampled->curvature(parameters, shares) * steps; }};
+}
+
+std::optional<PolishedLevel> polish_level(const LevelPoints& points, const MatrixOf<double>& steps,
+                                          std::vector<double> parameters, double level,
+                                          std::vector<LevelRow> rows) {
   PolishedLevel polished{std::move(parameters), level, std::move(rows)};
-  LevelSystem system(error, nodes, steps, level, polished);
+  LevelSystem system(points, steps, level, polished);
   if (!system.descend() || !system.finish()) return std::nullopt;
   constexpr double rounding = 1e-9;  // of a multiplier that is 0
   for (const LevelRow& row : polished.rows)

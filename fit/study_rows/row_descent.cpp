@@ -1,4 +1,4 @@
-#include "fit/study_exchange/row_descent.hpp"
+#include "fit/study_rows/row_descent.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -152,7 +152,7 @@ RowModel RowDescent::model_at(const RowErrors& at, const std::vector<LevelRow>& 
 std::optional<PolishedLevel> RowDescent::polished(const RowErrors& at, const RowStage& stage,
                                                   const MatrixOf<double>& steps, double promised,
                                                   const std::vector<LevelRow>& rows) const {
-  auto level = polish_level(error_, nodes_, steps, at.parameters, promised, rows);
+  auto level = polish_level(points_of_rows(error_, nodes_, rows), steps, at.parameters, promised, rows);
   if (!level) return std::nullopt;
   const RowErrors there = errors_at(level->parameters, stage);
   const double least = std::min(level->level, at.largest);
