@@ -136,7 +136,7 @@ class LeastAtLevel {
     }
   }
 
-  /// The parameters with the least square under the conditions so far. False if there are none.
+  /// Finds the parameters with the least square under the conditions so far. Returns whether there are any.
   bool step() {
     std::vector<Condition> conditions;
     for (const WideCondition& wide : conditions_) {
@@ -160,7 +160,7 @@ class LeastAtLevel {
     return true;
   }
 
-  /// Adds the tops that exceed the level. False if there are none.
+  /// Adds the tops that exceed the level. Returns whether there are any.
   bool add_tops(const std::vector<Place>& tops) {
     // The place of a top has half of the digits, and its height all of them.
     constexpr long double higher = 1e-12L;
