@@ -27,10 +27,7 @@ struct CurvedSurface {
       : weighted(weighted_error_of(study)), error(study), edges(all_edges), polish(weighted, edges) {}
 
   Places tops(const std::vector<double>& parameters) const {
-    Places places;
-    for (const StudyExtremum& top : tops_of_error(weighted, edges, parameters, 0.3))
-      places.push_back(polish(top.at, parameters));
-    return places;
+    return polished_tops(weighted, edges, polish, parameters);
   }
 };
 

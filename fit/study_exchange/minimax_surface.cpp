@@ -142,10 +142,7 @@ class SurfaceExchange {
   std::optional<StudyFit> least_of_many() {
     if (!is_linear()) return std::nullopt;
     const auto tops = [&](const std::vector<double>& parameters) {
-      Places places;
-      for (const StudyExtremum& top : tops_of_error(weighted_, edges_, parameters, 0.3))
-        places.push_back(polish_(top.at, parameters));
-      return places;
+      return polished_tops(weighted_, edges_, polish_, parameters);
     };
     const auto fit = least_at_level({study_, weighted_, error_, edges_}, highest_, start_, tops);
     if (!fit) return std::nullopt;

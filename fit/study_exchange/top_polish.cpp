@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/study/largest_error.hpp"
 #include "fit/study/study_problem.hpp"
 
 namespace shadefit {
@@ -89,6 +90,16 @@ bool TopPolish::step(std::vector<double>& place, const std::vector<bool>& is_fre
     x = std::clamp(x + move[i], axis.lower, axis.upper);
   }
   return true;
+}
+
+std::vector<std::vector<double>> polished_tops(const ReadStudy& weighted,
+                                               const std::vector<std::vector<StudyEdge>>& edges,
+                                               const TopPolish& polish,
+                                               const std::vector<double>& parameters) {
+  std::vector<std::vector<double>> places;
+  for (const StudyExtremum& top : tops_of_error(weighted, edges, parameters, 0.3))
+    places.push_back(polish(top.at, parameters));
+  return places;
 }
 
 }  // namespace shadefit

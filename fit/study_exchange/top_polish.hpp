@@ -29,4 +29,10 @@ class TopPolish {
   Tape tape_;  ///< the error, its slopes, and its second slopes: (0, 0), (1, 0), (1, 1), (2, 0) ..
 };
 
+/// The tops of the error at some parameters, polished: those with at least 0.3 of the largest.
+std::vector<std::vector<double>> polished_tops(const ReadStudy& weighted,
+                                               const std::vector<std::vector<StudyEdge>>& edges,
+                                               const TopPolish& polish,
+                                               const std::vector<double>& parameters);
+
 }  // namespace shadefit
