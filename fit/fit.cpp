@@ -11,6 +11,8 @@
 
 #include "fit/families/admissible.hpp"
 #include "fit/family_visit.hpp"
+#include "fit/least_squares/error_scale.hpp"
+#include "fit/least_squares/least_squares.hpp"
 #include "fit/solve/solve.hpp"
 
 namespace shadefit {
@@ -79,11 +81,6 @@ std::optional<Domain> relative_domain(const Setting& setting, const Domain& doma
   return ends ? std::optional(Domain{ends->second.cos_theta, domain.upper}) : std::nullopt;
 }
 
-bool is_plain(const Metric& metric) {
-  return metric.norm == Norm::least_squares && metric.error == Error::absolute && metric.weight.empty() &&
-         metric.constraints.held.empty();
-}
-
 /// The upper and lower end of the places that count under a metric; empty if its error has no meaning
 /// anywhere.
 template <class F>
@@ -93,13 +90,28 @@ std::optional<std::pair<Cosine<double>, Cosine<double>>> ends_under(const F& fam
                    Cosine<double>{metric.domain.lower, 1 - metric.domain.lower});
 }
 
+/// The quantity that a metric minimises, at given parameters.
 template <class F>
 double objective(const Setting& setting, const Metric& metric, std::span<const double> parameters) {
   const auto family = make_family<F>(setting);
   const auto ends = ends_under(family, metric);
   if (!ends) return std::numeric_limits<double>::quiet_NaN();
   if (pole_of(family, metric.domain, parameters)) return HUGE_VAL;
-  return objective_at(family, metric, ends->first, ends->second, parameter_array<F>(parameters));
+  Metric narrowed = metric;
+  narrowed.domain = {ends->second.cos_theta, ends->first.cos_theta};
+  if (metric.norm == Norm::least_squares) return rms_of(AnyFamily(family), narrowed, parameters);
+  const ErrorScale scale(narrowed);
+  const auto p = parameter_array<F>(parameters);
+  const auto error = [&]<class T>(const Cosine<T>& c) {
+    std::array<T, F::parameters.size()> q;
+    for (std::size_t i = 0; i < q.size(); ++i) q[i] = lift<T>(p[i]);
+    return error_under(scale, family, sample_under(scale, family, c), q);
+  };
+  const Shape shape = shape_under(scale, family.shape()).for_search();
+  return largest_magnitude(error, metric.error == Error::relative
+                                      ? Substitution::between(ends->first, ends->second, shape)
+                                      : Substitution::panels({.domain = narrowed.domain}, shape))
+      .magnitude;
 }
 
 /// The answer if the form with all free parameters 0 equals its target, in value and slope, at every place of
@@ -111,7 +123,7 @@ std::optional<Solution> exact_solution(const F& family, const Metric& metric) {
   constexpr std::size_t N = F::parameters.size();
   std::array<double, N> p{};
   std::array<Jet, N> q{};
-  const auto given = given_parameters<F>(metric.constraints);
+  const auto given = given_parameters(F::parameters, metric.constraints);
   for (std::size_t i = 0; i < N; ++i) q[i] = Jet(p[i] = given[i].value_or(0));
   const Constraints& constraints = metric.constraints;
   const auto panels = Substitution::panels({.domain = metric.domain}, family.shape().for_search());
@@ -141,8 +153,10 @@ Solution solve(const F& family, const Metric& metric) {
             .status = Status::not_finite,
             .why = "a relative error has no meaning on this domain"};
   if (const auto exact = exact_solution(family, metric)) return *exact;
-  if (is_plain(metric)) return solve_plain(family, metric);
-  return solve_under(family, metric, ends->first, ends->second);
+  if (metric.norm == Norm::minimax) return solve_by_minimax(family, metric, ends->first, ends->second);
+  Metric narrowed = metric;
+  narrowed.domain = {ends->second.cos_theta, ends->first.cos_theta};
+  return solve_by_squares(family, narrowed);
 }
 
 /// Why a solution is rejected: its parameters or its errors contradict its status. Empty if they do not.

@@ -13,7 +13,7 @@
 #include "fit/formula/parse_formula.hpp"
 #include "fit/ledger/ledger.hpp"
 #include "fit/run/results.hpp"
-#include "fit/solve/weight.hpp"
+#include "fit/least_squares/weight.hpp"
 #include "fit/support/known.hpp"
 #include "fit/support/sweep.hpp"
 #include "fit/support/user_error.hpp"

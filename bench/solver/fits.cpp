@@ -20,8 +20,7 @@ struct Tally {
   int digits = most_digits;  ///< of the worst
   bool have_all_converged = true;
 
-  template <int N>
-  void add(const Optimum<N>& optimum) {
+  void add(const Optimum& optimum) {
     ++fits;
     digits = std::min(digits, optimum.digits);
     have_all_converged = have_all_converged && optimum.status == Status::converged;

@@ -65,7 +65,7 @@ P error_at(int degree, std::size_t panel, const T& s, const std::array<P, most_p
 }  // namespace
 
 PairForExp2 fit_pair_for_exp2(int degree) {
-  const Solution exact = solve_plain(FresnelQuadratic(), Metric());
+  const Solution exact = solve_by_squares(FresnelQuadratic(), Metric());
   MinimaxParameters start{};
   std::copy(exact.parameters.begin(), exact.parameters.end(), start.begin());
   std::vector<SearchPlace> places;

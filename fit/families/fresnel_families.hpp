@@ -62,15 +62,20 @@ struct FresnelFamily {
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, N>& p) const {
     const P difference = form(s, p) - lift<P>(s.target);
-    return surface.is_named() ? (integer<P>(1) - normal_reflectance<P>(surface)) * difference : difference;
+    return surface.is_named() ? lift<P>(integer<T>(1) - normal_reflectance<T>(surface)) * difference : difference;
   }
 
   /// (Fhat - F)/F = (1 - f0)/F (form - target): the relative error that a viewer sees.
   template <class T, class P>
   P relative_error(const Sample<T>& s, const std::array<P, N>& p) const {
-    const T f0 = normal_reflectance<T>(surface);
-    const T scale = (integer<T>(1) - f0) / schlick_reflectance(f0, s.target);
-    return lift<P>(scale) * (form(s, p) - lift<P>(s.target));
+    return lift<P>(relative_factor(s)) * (form(s, p) - lift<P>(s.target));
+  }
+
+  /// relative error / error.
+  template <class T>
+  T relative_scale(const Sample<T>& s) const {
+    const T factor = relative_factor(s);
+    return surface.is_named() ? factor / (integer<T>(1) - normal_reflectance<T>(surface)) : factor;
   }
 
   /// log(form), linear in the parameters of an exponential form.
@@ -84,6 +89,13 @@ struct FresnelFamily {
   const { return log_form(s, p) - lift<P>(log(positive_part(s.target))); }
 
   static std::optional<Cosine<double>> relative_end() { return Cosine<double>{0, 1}; }
+
+ private:
+  template <class T>
+  T relative_factor(const Sample<T>& s) const {
+    const T f0 = normal_reflectance<T>(surface);
+    return (integer<T>(1) - f0) / schlick_reflectance(f0, s.target);
+  }
 };
 
 struct OneTermForm {

@@ -109,6 +109,12 @@ struct LobeFamily {
     return lobe_relative_error(change(s, p), lift<P>(s.log_ratio));
   }
 
+  /// relative error / error: 1/target.
+  template <class T>
+  CommonFactor<T> relative_scale(const Sample<T>& s) const {
+    return integer<CommonFactor<T>>(1) / (s.base * exp(lift<CommonFactor<T>>(s.log_ratio)));
+  }
+
   /// log(form), linear in the parameter.
   template <class T, class P>
   P log_form(const Sample<T>& s, const std::array<P, 1>& p) const {

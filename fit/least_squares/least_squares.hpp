@@ -6,10 +6,14 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <span>
 #include <string_view>
 #include <vector>
 
+#include "fit/families/admissible.hpp"
 #include "fit/least_squares/descent.hpp"
+#include "fit/least_squares/error_scale.hpp"
+#include "fit/least_squares/sampled_errors.hpp"
 #include "fit/least_squares/sampled_problem.hpp"
 #include "fit/least_squares/status.hpp"
 #include "fit/quadrature/metric.hpp"
@@ -33,163 +37,145 @@ inline constexpr double settled = 2e-15;
 /// The most digits that are claimed: 15 would rest on the last bit of a double.
 inline constexpr int most_digits = 14;
 
-/// The optimum of a problem with N parameters.
-template <int N>
 struct Optimum {
-  std::array<double, N> parameters{};
+  std::vector<double> parameters;  ///< all of the family, in its order
   Status status = Status::not_converged;
   int iterations = 0;    ///< Ceres and Newton steps of the start that was kept
   int digits = 0;        ///< floor(-log10 |Newton step / parameter|), the worst parameter, in long double
-  double rms_error = 0;  ///< sqrt(integral of measure * error^2 / integral of measure); a weight of the error
-                         ///< scales it too (`scale_of` in fit/solve/solution.hpp)
+  double rms_error = 0;  ///< sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2)
   std::string_view why = {};  ///< where it did not converge, in words
 };
 
 /// The digits that a relative Newton step leaves: floor(-log10), from 0 to `most_digits`.
-inline int correct_digits(long double relative_step) {
-  if (std::isnan(relative_step)) return 0;
-  const long double digits = std::floor(-std::log10(relative_step));  // infinite for a step of 0
-  return static_cast<int>(std::clamp(digits, 0.0L, static_cast<long double>(most_digits)));
-}
+int correct_digits(long double relative_step);
 
-/// A problem under each rule that its solver uses, behind plain functions.
-template <int N>
-struct LeastSquaresProblem {
-  DescentProblem<N> basin, fine;
-  /// The gradient in long double by a rule, an index of `fit_rules`.
-  std::function<SampledGradient<long double, N>(std::size_t, const std::array<long double, N>&)> wide;
-  std::size_t first;  ///< of `fit_rules`: the check's; `fine` has the next
+/// How a family is sampled under a metric.
+struct Sampling {
+  Sampling(const Metric& metric, const Shape& shape_of_family, std::span<const std::string_view> parameters);
+
+  Metric metric;
+  ErrorScale scale;
+  GivenParameters given;
+  std::vector<Substitution> panels;
+  std::size_t first;  ///< of `fit_rules`: the check's; the polish has the next
+  /// For the basin, a concentrated integrand is cut at half the decay. That loses 4e-11, less than twelve
+  /// nodes over the whole of it would. The edges of a weight are left to the polish.
+  std::vector<Substitution> basin_panels;
+  unsigned basin_rule;
 };
 
-/// Whether a small step is also small by the part of the Hessian of Gauss and Newton. The Hessian was
-/// corrected by gradients on the way. If these are mere rounding, as along the offset of `sg-scaled` at
-/// exponent 1e9, it can take any value. Near an optimum with a small error both Hessians nearly agree: by the
-/// second too the step must be below the promised 1e-14.
-template <int N>
-bool is_contradicted(const SampledGradient<long double, N>& at, const std::array<long double, N>& p) {
-  if constexpr (N == 1) {
-    return false;
-  } else {
-    const Eigen::Matrix<double, N, N> lower = at.slopes.template cast<double>();
-    const Eigen::Matrix<double, N, N> slopes = lower.template selfadjointView<Eigen::Lower>();
-    const auto step = newton_step<long double, double, N>(at.gradient, slopes);
-    return !step.is_finite || relative_size(step.step, p) > 5 * settled;
-  }
+/// The given parameters of a metric by their places. Throws std::logic_error for a name that the family
+/// lacks, and if no parameter is free.
+GivenParameters given_parameters(std::span<const std::string_view> names, const Constraints& constraints);
+
+/// The optimum over the free parameters, from three starts with all. Never throws for a hard problem. The
+/// status says how it ended; the parameters are an answer only if it is `converged`.
+Optimum solve_least_squares(const LeastSquaresProblem& problem, const Sampling& sampling,
+                            const Starts& starts);
+
+/// A start for minimax: the free parameters that Ceres finds from the first start under the same error,
+/// polished on few nodes.
+Candidate start_of_minimax(const SampledErrors& basin, const Sampling& sampling, const Starts& starts);
+
+/// sqrt(integral of measure * (weight * error)^2 / integral of measure * weight^2): a weighted mean of the
+/// error, never above the largest error. `square_by` sums by a rule; the first two rules count that agree to
+/// 1e-12, else the largest.
+double rms_of(const Sampling& sampling, const std::function<double(unsigned rule)>& square_by);
+
+/// The starts of a family.
+template <class F>
+Starts starts_of_family(const F& family) {
+  const auto of_family = family.starts();
+  Starts starts;
+  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].assign(of_family[i].begin(), of_family[i].end());
+  return starts;
 }
 
-/// Computes one more step by a rule, in long double, at the returned parameters, which are rounded to double.
-/// If the step is negligible, the answer has settled. Else the result is true: another rule must be tried.
-/// The step of a rule that is larger than the answer's own is taken; a smaller rule adds nothing.
-template <int N>
-bool settle(Optimum<N>& optimum, const Candidate<N>& candidate, const LeastSquaresProblem<N>& problem,
-            std::size_t rule) {
-  std::array<long double, N> p;
-  std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
-  const auto at = problem.wide(rule, p);
-  const auto newton = newton_step<long double, double, N>(at.gradient, *candidate.hessian);
-  if (!newton.is_finite) {
-    optimum.status = Status::not_finite;
-    optimum.why = "a Newton step in long double is not finite";
-    return false;
-  }
-  const long double size = relative_size(newton.step, p);
-  optimum.digits = correct_digits(size);
-  optimum.rms_error = static_cast<double>(std::sqrt(at.square));
-  if (size <= settled && !is_contradicted<N>(at, p)) {
-    optimum.status = Status::converged;
-    optimum.why = {};
-    return false;
-  }
-  if (rule == problem.first) return true;
-  for (std::size_t j = 0; j < p.size(); ++j)
-    optimum.parameters[j] = static_cast<double>(p[j] + newton.step[j]);
-  ++optimum.iterations;
-  return true;
+/// A sampled family and the family behind plain functions. They refer to both: neither may move while they
+/// are in use.
+template <class F>
+SampledErrors sampled_errors(const SampledProblem<F, double>& sampled, const F& family, const Domain& domain) {
+  using Problem = SampledProblem<F, double>;
+  using Parameters = std::span<const double>;
+  const auto* problem = &sampled;
+  return {.square = [problem](Parameters p) { return problem->square(Problem::array_of(p)); },
+          .gradient = [problem](Parameters p) { return problem->gradient(Problem::array_of(p)); },
+          .derivatives = [problem](Parameters p) { return problem->derivatives(Problem::array_of(p)); },
+          .errors = [problem](Parameters p, std::span<double> r,
+                              std::span<double> slopes) { problem->errors(Problem::array_of(p), r, slopes); },
+          .weight = [problem](std::size_t node) { return problem->weight(node); },
+          .is_admissible = [asked = &family, domain](Parameters p) {
+            return shadefit::is_admissible(*asked, domain, Problem::array_of(p));
+          }};
 }
 
-/// Never throws for a hard problem. The status says how it ended; the parameters are an answer only if it is
-/// `converged`.
-template <int N>
-Optimum<N> solve_least_squares(const LeastSquaresProblem<N>& problem, const Starts<N>& starts) {
-  auto candidate = common_optimum<N>(starts, problem.basin);
-  // A step below 2e-16 hardly changes a double.
-  if (candidate.status == Status::converged) polish<N>(problem.fine, candidate, 2e-16);
-  Optimum<N> optimum{.parameters = candidate.parameters,
-                     .status = candidate.status,
-                     .iterations = candidate.iterations,
-                     .why = candidate.why};
-  if (candidate.status != Status::converged) return optimum;
-  optimum.status = Status::not_converged;
-  optimum.why = "the largest quadrature rule still moves a parameter by more than 2e-15 of itself";
-  // The rule below the one of the polish is the cheapest that can settle the answer, and nearly always does.
-  // Larger rules are sampled only when they are needed.
-  bool goes_on = settle<N>(optimum, candidate, problem, problem.first);
-  for (std::size_t rule = problem.first + 2; goes_on && rule < fit_rules.size(); ++rule)
-    goes_on = settle<N>(optimum, candidate, problem, rule);
-  return optimum;
+/// A family at the nodes where Ceres looks for the basin.
+template <class F>
+SampledProblem<F, double> basin_of(const F& family, const Sampling& sampling) {
+  return {family, sampling.basin_panels, sampling.basin_rule, sampling.scale};
 }
 
 /// A family under a metric (norm: least squares), sampled and ready to be solved.
 template <class F>
 class LeastSquares {
  public:
-  static constexpr int N = SampledProblem<F, double>::N;
+  static_assert(F::parameters.size() < basin_nodes, "the nodes of the basin determine fewer parameters");
 
   LeastSquares(const F& family, const Metric& metric)
       : family_(family),
-        domain_(metric.domain),
-        panels_(Substitution::panels(metric, family.shape())),
-        first_(first_rule(metric, family.shape())),
-        basin_(sampled_for_basin(family, metric, blunt(family.shape()))),
-        fine_(family, panels_, fit_rules[first_ + 1]),
-        wide_(family, panels_, fit_rules[first_]) {}
+        sampling_(metric, family.shape(), F::parameters),
+        basin_(basin_of(family, sampling_)),
+        fine_(sampled<double>(sampling_.first + 1)),
+        wide_(sampled<long double>(sampling_.first)) {}
 
-  Optimum<N> solve() const { return solve(family_.starts()); }
+  Optimum solve() const { return solve(starts_of_family(family_)); }
 
   /// The same from given starts.
-  Optimum<N> solve(const Starts<N>& starts) const { return solve_least_squares<N>(problem(), starts); }
-
-  /// This must not move while its problem is in use.
-  LeastSquaresProblem<N> problem() const {
-    const auto wide = [this](std::size_t rule, const std::array<long double, N>& p) {
-      if (rule == first_) return wide_.gradient(p);
-      return SampledProblem<F, long double>(family_, panels_, fit_rules[rule]).gradient(p);
-    };
-    return {descent_problem(basin_, family_, domain_), descent_problem(fine_, family_, domain_), wide,
-            first_};
-  }
+  Optimum solve(const Starts& starts) const { return solve_least_squares(problem(), sampling_, starts); }
 
  private:
-  /// For the basin, a concentrated integrand is cut at half the decay. That loses 4e-11, less than twelve
-  /// nodes over the whole of it would.
-  static Shape blunt(Shape shape) {
-    shape.concentration *= 2;
-    return shape;
+  /// By a rule, an index of `fit_rules`.
+  template <class T>
+  SampledProblem<F, T> sampled(std::size_t rule) const {
+    return {family_, sampling_.panels, fit_rules[rule], sampling_.scale};
+  }
+
+  LeastSquaresProblem problem() const {
+    const auto wide = [this](std::size_t rule, std::span<const long double> values) {
+      const auto p = SampledProblem<F, long double>::array_of(values);
+      return rule == sampling_.first ? wide_.gradient(p) : sampled<long double>(rule).gradient(p);
+    };
+    const Domain& domain = sampling_.metric.domain;
+    return {sampled_errors(basin_, family_, domain), sampled_errors(fine_, family_, domain), wide,
+            sampling_.first};
   }
 
   F family_;
-  Domain domain_;
-  std::vector<Substitution> panels_;
-  std::size_t first_;  ///< of `fit_rules`: the check's; the polish has the next
+  Sampling sampling_;
   SampledProblem<F, double> basin_, fine_;
   SampledProblem<F, long double> wide_;
 };
 
 /// Fits a family under a metric.
 template <class F>
-auto solve_least_squares(const F& family, const Metric& metric) {
+Optimum solve_least_squares(const F& family, const Metric& metric) {
   return LeastSquares<F>(family, metric).solve();
 }
 
-// The families of this library have one to four parameters: for these the solver is compiled in
-// fit/least_squares/least_squares.cpp.
-extern template Optimum<1> solve_least_squares(const LeastSquaresProblem<1>&, const Starts<1>&);
-extern template Optimum<2> solve_least_squares(const LeastSquaresProblem<2>&, const Starts<2>&);
-extern template Optimum<3> solve_least_squares(const LeastSquaresProblem<3>&, const Starts<3>&);
-extern template Optimum<4> solve_least_squares(const LeastSquaresProblem<4>&, const Starts<4>&);
-extern template Candidate<1> common_optimum(const Starts<1>&, const DescentProblem<1>&, std::size_t);
-extern template Candidate<2> common_optimum(const Starts<2>&, const DescentProblem<2>&, std::size_t);
-extern template Candidate<3> common_optimum(const Starts<3>&, const DescentProblem<3>&, std::size_t);
-extern template Candidate<4> common_optimum(const Starts<4>&, const DescentProblem<4>&, std::size_t);
+template <class F>
+Candidate start_of_minimax(const F& family, const Metric& metric) {
+  const Sampling sampling(metric, family.shape(), F::parameters);
+  const auto basin = basin_of(family, sampling);
+  return start_of_minimax(sampled_errors(basin, family, metric.domain), sampling, starts_of_family(family));
+}
+
+template <class F>
+double rms_of(const F& family, const Metric& metric, std::span<const double> parameters) {
+  const Sampling sampling(metric, family.shape(), F::parameters);
+  return rms_of(sampling, [&](unsigned rule) {
+    const SampledProblem<F, double> sampled(family, sampling.panels, rule, sampling.scale);
+    return sampled.square(sampled.array_of(parameters));
+  });
+}
 
 }  // namespace shadefit

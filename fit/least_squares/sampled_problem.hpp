@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <span>
 
+#include "fit/least_squares/error_scale.hpp"
+#include "fit/least_squares/sums.hpp"
 #include "fit/quadrature/gauss.hpp"
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
@@ -17,20 +19,8 @@
 /// The continuous least-squares problem at the nodes of a Gauss rule: sums stand for the integrals.
 namespace shadefit {
 
-template <class T, int N>
-struct SampledGradient {
-  T square = T(0);                                                   ///< integral of error^2
-  Eigen::Matrix<T, N, 1> gradient = Eigen::Matrix<T, N, 1>::Zero();  ///< of half the square
-  /// sum of w r_i r_j: Gauss and Newton's part of the Hessian; lower half
-  Eigen::Matrix<T, N, N> slopes = Eigen::Matrix<T, N, N>::Zero();
-};
-
-template <class T, int N>
-struct SampledDerivatives : SampledGradient<T, N> {
-  Eigen::Matrix<T, N, N> hessian = Eigen::Matrix<T, N, N>::Zero();  ///< of half the square
-};
-
-/// A family sampled at the nodes of a Gauss rule on each panel of a domain. The total of the measure is 1.
+/// A family sampled at the nodes of a Gauss rule on each panel of a domain. The total of the measure is 1. The
+/// scale of the error is part of the weights of the nodes: what is squared and summed is the same.
 /// Every rule has an even number of nodes, because two are computed together in double.
 ///
 /// Functions that run for every node are inlined: without that, calls of the products of Jets take a fifth of
@@ -40,10 +30,9 @@ class SampledProblem {
  public:
   static constexpr int N = static_cast<int>(F::parameters.size());
   using Parameters = std::array<T, N>;
-  using Gradient = SampledGradient<T, N>;
-  using Derivatives = SampledDerivatives<T, N>;
 
-  SampledProblem(const F& family, std::span<const Substitution> panels, unsigned rule_size)
+  SampledProblem(const F& family, std::span<const Substitution> panels, unsigned rule_size,
+                 const ErrorScale& scale = {})
       : family_(family) {
     long double total = 0;
     for (const Substitution& panel : panels) total += panel.total();
@@ -58,9 +47,17 @@ class SampledProblem {
         if (++filled < lanes) return;
         filled = 0;
         const auto place = panel.at(Lanes::joined(positions));
-        nodes_.push_back({family.sample(place.cosine), Lanes::joined(weights) * place.density * S(share)});
+        const auto sample = family.sample(place.cosine);
+        const S measure = Lanes::joined(weights) * place.density * S(share);
+        nodes_.push_back({sample, scale.is_one() ? measure : measure * square_of(scale, place.cosine, sample)});
       });
     }
+  }
+
+  static Parameters array_of(std::span<const T> p) {
+    Parameters values;
+    std::copy_n(p.begin(), values.size(), values.begin());
+    return values;
   }
 
   std::size_t size() const { return nodes_.size() * lanes; }
@@ -91,24 +88,24 @@ class SampledProblem {
     return Lanes::sum(sum);
   }
 
-  /// and of w r r_i, by Jets
-  [[gnu::flatten]] Gradient gradient(const Parameters& p) const {
+  /// and of w r r_i and w r_i r_j, by Jets
+  [[gnu::flatten]] Sums<T> gradient(const Parameters& p) const {
     const auto seeds = seeded(p);
-    SampledGradient<S, N> g;
+    NodeSums sums;
     for (const auto& node : nodes_) {
       const auto r = error(node, seeds);
       const S weighted = node.weight * r.a;
-      g.square += weighted * r.a;
+      sums.square += weighted * r.a;
       for (int i = 0; i < N; ++i) {
-        g.gradient[i] += weighted * r.v[i];
-        for (int j = 0; N > 1 && j <= i; ++j) g.slopes(i, j) += node.weight * r.v[i] * r.v[j];
+        sums.gradient[i] += weighted * r.v[i];
+        for (int j = 0; N > 1 && j <= i; ++j) sums.hessian(i, j) += node.weight * r.v[i] * r.v[j];
       }
     }
-    return total(g);
+    return total(sums);
   }
 
-  /// and sum of w (r_i r_j + r r_ij), by Jets of Jets
-  Derivatives derivatives(const Parameters& p) const {
+  /// and of w (r_i r_j + r r_ij), by Jets of Jets
+  Sums<T> derivatives(const Parameters& p) const {
     using First = ceres::Jet<S, N>;
     using Second = ceres::Jet<First, N>;
     std::array<Second, N> seeds;
@@ -116,18 +113,17 @@ class SampledProblem {
       seeds[static_cast<std::size_t>(i)] = Second(First(S(p[static_cast<std::size_t>(i)]), i));
       seeds[static_cast<std::size_t>(i)].v[i] = First(S(1));
     }
-    SampledGradient<S, N> g;
-    Eigen::Matrix<S, N, N> hessian = Eigen::Matrix<S, N, N>::Zero();
+    NodeSums sums;
     for (const auto& node : nodes_) {
       const Second r = error(node, seeds);
       const S w = node.weight;
-      g.square += w * r.a.a * r.a.a;
+      sums.square += w * r.a.a * r.a.a;
       for (int i = 0; i < N; ++i) {
-        g.gradient[i] += w * r.a.a * r.a.v[i];
-        for (int j = 0; j < N; ++j) hessian(i, j) += w * (r.a.v[i] * r.a.v[j] + r.a.a * r.v[i].v[j]);
+        sums.gradient[i] += w * r.a.a * r.a.v[i];
+        for (int j = 0; j <= i; ++j) sums.hessian(i, j) += w * (r.a.v[i] * r.a.v[j] + r.a.a * r.v[i].v[j]);
       }
     }
-    return {total(g), total(hessian)};
+    return total(sums);
   }
 
  private:
@@ -151,12 +147,27 @@ class SampledProblem {
     return seeds;
   }
 
-  template <int M>
-  static Eigen::Matrix<T, N, M> total(const Eigen::Matrix<S, N, M>& m) {
-    return m.unaryExpr([](const S& x) { return Lanes::sum(x); });
+  /// In each lane; the lower half of the Hessian.
+  struct NodeSums {
+    S square = S(0);
+    Eigen::Matrix<S, N, 1> gradient = Eigen::Matrix<S, N, 1>::Zero();
+    Eigen::Matrix<S, N, N> hessian = Eigen::Matrix<S, N, N>::Zero();
+  };
+
+  static Sums<T> total(const NodeSums& s) {
+    Sums<T> all{Lanes::sum(s.square), ParameterVector<T>(N), ParameterMatrix<T>(N, N)};
+    for (int i = 0; i < N; ++i) {
+      all.gradient[i] = Lanes::sum(s.gradient[i]);
+      for (int j = 0; j <= i; ++j) all.hessian(i, j) = all.hessian(j, i) = Lanes::sum(s.hessian(i, j));
+    }
+    return all;
   }
-  static Gradient total(const SampledGradient<S, N>& g) {
-    return {Lanes::sum(g.square), total(g.gradient), total(g.slopes)};
+
+  /// (scaled error / error)^2 at a place.
+  S square_of(const ErrorScale& scale, const Cosine<S>& c, const typename F::template Sample<S>& s) const {
+    S factor = scale.weight.at(c.cos_theta);
+    if (scale.kind == Error::relative) factor *= S(family_.relative_scale(s));
+    return factor * factor;
   }
 
   F family_;

@@ -8,7 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "fit/least_squares/first_parameters.hpp"
+#include "fit/least_squares/descent.hpp"
+#include "fit/least_squares/error_scale.hpp"
+#include "fit/least_squares/least_squares.hpp"
 #include "fit/minimax/minimax.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/quadrature/substitution.hpp"
@@ -31,8 +33,8 @@ inline const std::array<double, 41>& chebyshev_places() {
   return places;
 }
 
-/// A family (fit/solve/under.hpp) under a norm of minimax, sampled at the search places. It must not move
-/// while its `problem()` is in use.
+/// A family under a norm of minimax, sampled at the search places. It must not move while its `problem()` is
+/// in use.
 template <class F>
 class Minimax {
  public:
@@ -50,9 +52,10 @@ class Minimax {
 
   /// `top` and `bottom` are the ends of the places that count.
   Minimax(const F& family, const Metric& metric, const Cosine<double>& top, const Cosine<double>& bottom)
-      : family_(family), metric_(metric) {
+      : family_(family), metric_(metric), given_(given_parameters(F::parameters, metric.constraints)) {
     metric_.domain = {bottom.cos_theta, top.cos_theta};
-    const Shape shape = family.shape().with_square_roots();
+    scale_ = ErrorScale(metric_);
+    const Shape shape = shape_under(scale_, family.shape()).with_square_roots();
     panels_ = shape.concentration > 0 || shape.end_power > 0
                   ? Substitution::panels({.domain = metric_.domain}, shape)
                   : Substitution::between(top, bottom, shape);
@@ -65,45 +68,27 @@ class Minimax {
       places_.push_back({panels_.size() - 1, 1.0});
     }
     samples_.reserve(places_.size());
-    for (const SearchPlace& place : places_) samples_.push_back(family_.sample(cosine(place.panel, place.s)));
+    for (const SearchPlace& place : places_) samples_.push_back(sample(place.panel, place.s));
   }
 
-  /// From least squares under the same error: Ceres from one start, polished on few nodes.
-  MinimaxOptimum solve() const {
-    const auto basin = sampled_for_basin(family_, metric_, family_.shape());
-    const auto start = descend_first<static_cast<int>(N)>(descent_problem(basin, family_, metric_.domain),
-                                                          family_.starts(), family_.free_count());
+  /// From the free parameters of a start; those of the result are all of the family.
+  MinimaxOptimum solve(const Candidate& start) const {
     MinimaxParameters p{};
-    // At the border of the admissible parameters the error has a pole, and no step leads back from there.
-    const auto from = start.status == Status::at_border ? family_.starts()[0] : start.parameters;
-    std::copy(from.begin(), from.end(), p.begin());
+    std::copy(start.parameters.begin(), start.parameters.end(), p.begin());
     MinimaxOptimum optimum = solve_minimax(problem(), p);
     optimum.iterations += start.iterations;
+    const auto all = lifted<double>(optimum.parameters);
+    std::copy(all.begin(), all.end(), optimum.parameters.begin());
     return optimum;
   }
 
   MinimaxProblem problem() const {
-    const auto error = [](const F& f, const auto& sample, const auto& p) { return f.error(sample, p); };
-    const auto bounded = [](const F& f, const auto& sample, const auto& p) {
-      if constexpr (is_exponential) {
-        return f.log_form(sample, p);
-      } else {
-        return f.form(sample, p);
-      }
-    };
-    const auto deviation = [](const F& f, const auto& sample, const auto& p) {
-      if constexpr (is_exponential) {
-        return f.log_ratio(sample, p);
-      } else {
-        return f.error(sample, p);
-      }
-    };
-    MinimaxProblem result{.size = family_.free_count(),
+    MinimaxProblem result{.size = free_count(given_),
                           .places = places_,
                           .cosine_at = [this](const SearchPlace& at) { return cosine(at.panel, at.s); },
-                          .error = curve(error),
-                          .bounded = curve(bounded),
-                          .deviation = curve(deviation),
+                          .error = curve(Kind::error),
+                          .bounded = curve(Kind::bounded),
+                          .deviation = curve(Kind::deviation),
                           .is_exponential = is_exponential,
                           .is_linear = is_linear,
                           .one_sided = metric_.constraints.one_sided,
@@ -121,73 +106,101 @@ class Minimax {
   }
 
  private:
+  /// The curves of a `MinimaxProblem`.
+  enum class Kind { error, bounded, deviation };
+
   template <class T>
   Cosine<T> cosine(std::size_t panel, const T& s) const {
     return panels_[panel].at(s).cosine;
   }
 
+  template <class T>
+  ScaledSample<F, T> sample(std::size_t panel, const T& s) const {
+    return sample_under(scale_, family_, cosine(panel, s));
+  }
+
+  /// All parameters of the family, from the free ones.
   template <class P, class Values>
-  static std::array<P, N> lifted(const Values& values) {
+  std::array<P, N> lifted(const Values& free) const {
     std::array<P, N> p;
-    for (std::size_t i = 0; i < N; ++i) p[i] = lift<P>(values[i]);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < N; ++i) p[i] = given_[i] ? lift<P>(*given_[i]) : lift<P>(free[next++]);
+    return p;
+  }
+  /// As Jets that carry the derivatives by the free ones.
+  template <int Size>
+  std::array<ceres::Jet<double, Size>, N> seeded(const MinimaxParameters& free) const {
+    auto p = lifted<ceres::Jet<double, Size>>(free);
+    int next = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      if (!given_[i]) p[i].v[next++] = 1;
+    }
     return p;
   }
 
-  template <class Function>
-  MinimaxCurve curve(Function f) const {
-    return {[this, f](const MinimaxParameters& p, std::span<double> values) {
+  template <class T, class P>
+  P value(Kind kind, const ScaledSample<F, T>& s, const std::array<P, N>& p) const {
+    if constexpr (is_exponential) {
+      if (kind == Kind::bounded) return family_.log_form(s.inner, p);
+      if (kind == Kind::deviation) return family_.log_ratio(s.inner, p);
+    } else {
+      if (kind == Kind::bounded) return family_.form(s.inner, p);
+    }
+    return error_under(scale_, family_, s, p);
+  }
+
+  MinimaxCurve curve(Kind kind) const {
+    constexpr int size = static_cast<int>(N);
+    using Jet = ceres::Jet<double, size>;
+    const auto set_gradient = [](const Jet& value, Unknowns& gradient) {
+      for (int i = 0; i < size; ++i) gradient[static_cast<std::size_t>(i)] = value.v[i];
+      return value.a;
+    };
+    return {[this, kind](const MinimaxParameters& p, std::span<double> values) {
               const auto q = lifted<double>(p);
-              for (std::size_t i = 0; i < samples_.size(); ++i) values[i] = f(family_, samples_[i], q);
+              for (std::size_t i = 0; i < samples_.size(); ++i) values[i] = value(kind, samples_[i], q);
             },
-            [this, f](const SearchPlace& place, const MinimaxParameters& p) {
+            [this, kind](const SearchPlace& place, const MinimaxParameters& p) {
               using First = ceres::Jet<double, 1>;
               using Second = ceres::Jet<First, 1>;
               Second s(First(place.s, 0));
               s.v[0] = First(1.0);
-              const Second value = f(family_, family_.sample(cosine(place.panel, s)), lifted<Second>(p));
-              return Along{value.a.a, value.a.v[0], value.v[0].v[0]};
+              const Second along = value(kind, sample(place.panel, s), lifted<Second>(p));
+              return Along{along.a.a, along.a.v[0], along.v[0].v[0]};
             },
-            [this, f](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-              using Jet = ceres::Jet<double, static_cast<int>(N)>;
-              std::array<Jet, N> q;
-              for (std::size_t i = 0; i < N; ++i) q[i] = Jet(p[i], static_cast<int>(i));
-              const Jet value = f(family_, family_.sample(cosine(place.panel, place.s)), q);
-              for (std::size_t i = 0; i < N; ++i) gradient[i] = value.v[static_cast<int>(i)];
-              return value.a;
+            [=, this](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+              return set_gradient(value(kind, sample(place.panel, place.s), seeded<size>(p)), gradient);
             },
-            [this, f](const SearchPlace& place, const WideParameters& p) {
-              const auto s = static_cast<long double>(place.s);
-              return f(family_, family_.sample(cosine(place.panel, s)), lifted<long double>(p));
+            [this, kind](const SearchPlace& place, const WideParameters& p) {
+              return value(kind, sample(place.panel, static_cast<long double>(place.s)),
+                           lifted<long double>(p));
             },
-            [this, f](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
-              using Inner = ceres::Jet<double, static_cast<int>(N)>;
-              std::array<Inner, N> q;
-              for (std::size_t i = 0; i < N; ++i) q[i] = Inner(p[i], static_cast<int>(i));
-              const Inner slope = slope_inward<Inner>(f, place, q);
-              for (std::size_t i = 0; i < N; ++i) gradient[i] = slope.v[static_cast<int>(i)];
-              return slope.a;
+            [=, this](const SearchPlace& place, const MinimaxParameters& p, Unknowns& gradient) {
+              return set_gradient(slope_inward(kind, place, seeded<size>(p)), gradient);
             },
-            [this, f](const SearchPlace& place, const WideParameters& p) {
-              return slope_inward<long double>(f, place, lifted<long double>(p));
+            [this, kind](const SearchPlace& place, const WideParameters& p) {
+              return slope_inward(kind, place, lifted<long double>(p));
             }};
   }
 
   /// The derivative by the distance from the end of a panel.
-  template <class T, class Function>
-  T slope_inward(Function f, const SearchPlace& place, const std::array<T, N>& p) const {
+  template <class T>
+  T slope_inward(Kind kind, const SearchPlace& place, const std::array<T, N>& p) const {
     using Jet = ceres::Jet<T, 1>;
     Jet s(lift<T>(place.s));
     s.v[0] = T(place.s == 0 ? 1.0 : -1.0);
     std::array<Jet, N> q;
     for (std::size_t i = 0; i < N; ++i) q[i] = Jet(p[i]);
-    return f(family_, family_.sample(cosine(place.panel, s)), q).v[0];
+    return value(kind, sample(place.panel, s), q).v[0];
   }
 
   F family_;
   Metric metric_;
+  GivenParameters given_;
+  ErrorScale scale_ = {};
   std::vector<Substitution> panels_;
   std::vector<SearchPlace> places_;
-  std::vector<typename F::template Sample<double>> samples_;
+  std::vector<ScaledSample<F, double>> samples_;
 };
 
 }  // namespace shadefit

@@ -134,8 +134,8 @@ StationaryPoint prove(const F& family, const Fit& fit, const Checkpoint& checkpo
     result.lies_in.emplace_back(lower, upper);
   }
   result.is_proven = true;
-  result.is_minimum = is_positive_definite<N>(
-      *h, [](const Interval& pivot) { return has_one_sign(pivot) && is_never_negative(pivot); });
+  result.is_minimum = is_positive_definite(
+      *h, N, [](const Interval& pivot) { return has_one_sign(pivot) && is_never_negative(pivot); });
   double distance = 0;
   for (std::size_t i = 0; i < N; ++i) {
     const auto [lower, upper] = result.lies_in[i];

@@ -92,6 +92,13 @@ struct Scalar<ceres::Jet<T, N>> {
   static Jet pi() { return Jet(shadefit::pi<T>()); }
   static Jet ln2() { return Jet(shadefit::ln2<T>()); }
 
+  /// slope * v, but an infinite slope times a zero derivative is zero: what does not vary stays constant.
+  static Derivatives chain(const T& slope, const Derivatives& v) {
+    Derivatives result;
+    for (int i = 0; i < N; ++i) result[i] = is_zero(v[i]) ? shadefit::integer<T>(0) : T(slope * v[i]);
+    return result;
+  }
+
  private:
   static T one() { return shadefit::integer<T>(1); }
 
@@ -118,13 +125,6 @@ struct Scalar<ceres::Jet<T, N>> {
       if (!is_zero(x.v[i])) return false;
     }
     return is_zero(x.a);
-  }
-
-  /// slope * v, but an infinite slope times a zero derivative is zero: what does not vary stays constant.
-  static Derivatives chain(const T& slope, const Derivatives& v) {
-    Derivatives result;
-    for (int i = 0; i < N; ++i) result[i] = is_zero(v[i]) ? shadefit::integer<T>(0) : T(slope * v[i]);
-    return result;
   }
 };
 

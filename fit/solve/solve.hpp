@@ -1,17 +1,17 @@
 #pragma once
 
-#include <array>
+#include <span>
 #include <tuple>
 #include <variant>
-#include <vector>
 
 #include "approx/cosine.hpp"
 #include "fit/families/families.hpp"
+#include "fit/least_squares/descent.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/solve/solution.hpp"
 
-/// The solvers of a family. Each is compiled in its own unit: in one unit the compiler inlines less, and a
-/// plain fit takes 1.5 times as long.
+/// The solvers of a family. Each is compiled in its own unit: in one unit the compiler inlines less, and a fit
+/// by least squares takes 1.5 times as long.
 namespace shadefit {
 
 template <class List>
@@ -24,15 +24,19 @@ struct OneOf<std::tuple<F...>> {
 /// Any of the `Families`, with its setting. The solvers are compiled for each of them.
 using AnyFamily = OneOf<Families>::type;
 
-/// Plain least squares: of the absolute error, without weight, with all parameters free.
-Solution solve_plain(const AnyFamily& family, const Metric& metric);
+/// A family by least squares, over the metric's domain.
+Solution solve_by_squares(const AnyFamily& family, const Metric& metric);
 
 /// The same from given starts: three points, each with one number per parameter of the family.
-Solution solve_plain_from(const AnyFamily& family, const Metric& metric,
-                          const std::array<std::vector<double>, 3>& starts);
+Solution solve_by_squares(const AnyFamily& family, const Metric& metric, const Starts& starts);
 
-/// A family under a metric, between the places `top` and `bottom`.
-Solution solve_under(const AnyFamily& family, const Metric& metric, const Cosine<double>& top,
-                     const Cosine<double>& bottom);
+/// A family by minimax, between the places `top` and `bottom`.
+Solution solve_by_minimax(const AnyFamily& family, const Metric& metric, const Cosine<double>& top,
+                          const Cosine<double>& bottom);
+
+/// The start of that by least squares, and the root mean square of an error: see
+/// fit/least_squares/least_squares.hpp.
+Candidate start_of_minimax(const AnyFamily& family, const Metric& metric);
+double rms_of(const AnyFamily& family, const Metric& metric, std::span<const double> parameters);
 
 }  // namespace shadefit

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "fit/family_visit.hpp"
+#include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/newton.hpp"
 #include "fit/solve/solve.hpp"
 #include "fit/stress/newton_in_50_digits.hpp"
 #include "fit/stress/sequence.hpp"
@@ -41,12 +43,10 @@ std::vector<Case> cases() {
 }
 
 /// Three places in a box around the family's own starts, four times as wide as theirs.
-template <std::size_t N>
-std::array<std::vector<double>, 3> starts_in_box(const std::array<std::array<double, N>, 3>& own,
-                                                 Sequence& sequence) {
-  std::array<std::vector<double>, 3> starts;
+Starts starts_in_box(const Starts& own, Sequence& sequence) {
+  Starts starts;
   for (auto& start : starts) {
-    for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t i = 0; i < own[0].size(); ++i) {
       const auto [low, high] = std::minmax({own[0][i], own[1][i], own[2][i]});
       const double middle = (low + high) / 2, reach = 2 * (high - low);
       start.push_back(sequence.between(middle - reach, middle + reach));
@@ -55,24 +55,21 @@ std::array<std::vector<double>, 3> starts_in_box(const std::array<std::array<dou
   return starts;
 }
 
-template <class F>
-std::array<double, F::parameters.size()> answer_of(const Solution& solution) {
-  std::array<double, F::parameters.size()> answer;
-  std::copy(solution.parameters.begin(), solution.parameters.end(), answer.begin());
-  return answer;
+/// The largest relative distance of two answers, measured in the second.
+double distance(const std::vector<double>& one, const std::vector<double>& other) {
+  return relative_size<double>(vector_of(one) - vector_of(other), vector_of(other));
 }
 
 /// The digits of an answer, by a Newton step with gradient and Hessian in 50 digits. The Hessian is made of
 /// central differences of the gradient.
 template <class F>
-int digits_of(const F& family, const Metric& metric, const std::array<double, F::parameters.size()>& answer) {
+int digits_of(const F& family, const Metric& metric, const std::vector<double>& answer) {
   constexpr std::size_t n = F::parameters.size();
-  using Matrix = Eigen::Matrix<double, static_cast<int>(n), static_cast<int>(n)>;
   std::array<Decimal50, n> p;
   std::copy(answer.begin(), answer.end(), p.begin());
   const auto gradient = gradient_in_50_digits(family, metric.domain, p);
-  Matrix hessian;
-  Eigen::Matrix<double, static_cast<int>(n), 1> g;
+  ParameterMatrix<double> hessian(n, n);
+  ParameterVector<double> g(n);
   for (std::size_t i = 0; i < n; ++i) {
     // This leaves 20 of the gradient's 30 digits.
     const Decimal50 step = Decimal50("1e-10") * p[i];
@@ -86,15 +83,15 @@ int digits_of(const F& family, const Metric& metric, const std::array<double, F:
       hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
           Decimal50((up[j] - down[j]) / (2 * step)).template convert_to<double>();
   }
-  const auto newton = newton_step<double, double, static_cast<int>(n)>(g, hessian);
-  return newton.is_finite ? correct_digits(relative_size(newton.step, answer)) : 0;
+  const ParameterVector<double> step = newton_step(g, hessian);
+  return step.allFinite() ? correct_digits(relative_size(step, vector_of(answer))) : 0;
 }
 
 template <class F>
 StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const Checkpoint& checkpoint) {
   const F family = make_family<F>(at.setting);
   const Metric metric{.domain = at.domain};
-  const Solution own = solve_plain(family, metric);
+  const Solution own = solve_by_squares(family, metric);
   StartsTrial trial;
   trial.family = F::info.id;
   if constexpr (requires { family.exponent; }) trial.exponent = family.exponent;
@@ -104,14 +101,14 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
   Solution reference = own;
   const auto measure = [&] {
     trial.claimed = reference.digits;
-    trial.digits = digits_of(family, metric, answer_of<F>(reference));
+    trial.digits = digits_of(family, metric, reference.parameters);
   };
   if (own.status == Status::converged) measure();
   Sequence sequence(seed);
   for (std::size_t i = 0; i < fits; ++i) {
     if (i % 64 == 0) checkpoint();
-    const auto starts = starts_in_box(family.starts(), sequence);
-    const Solution found = solve_plain_from(family, metric, starts);
+    const auto starts = starts_in_box(starts_of_family(family), sequence);
+    const Solution found = solve_by_squares(family, metric, starts);
     trial.starts += static_cast<long>(starts.size());
     ++trial.fits;
     if (found.status != Status::converged) {
@@ -123,7 +120,7 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
       measure();
     }
     if (std::find(starts.begin(), starts.end(), found.parameters) != starts.end()) ++trial.returned;
-    const bool is_there = distance(answer_of<F>(found), answer_of<F>(reference)) <= same_answer;
+    const bool is_there = distance(found.parameters, reference.parameters) <= same_answer;
     ++(is_there ? trial.reached : trial.elsewhere);
   }
   return trial;

@@ -20,7 +20,7 @@
 namespace shadefit {
 namespace {
 
-/// How close to a root or a logarithm the nodes go, as in fit/solve/weight.cpp.
+/// How close to a root or a logarithm the nodes go, as in fit/least_squares/weight.cpp.
 constexpr int power_at_root = 8;
 /// A formula of shading has fewer edges. Each adds a panel.
 constexpr std::size_t most_study_edges = 64;

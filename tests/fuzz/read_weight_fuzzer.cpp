@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "fit/solve/weight.hpp"
+#include "fit/least_squares/weight.hpp"
 #include "fit/support/user_error.hpp"
 
 // One input is the text of a weight: read, looked at for faults and evaluated.

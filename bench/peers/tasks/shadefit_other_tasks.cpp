@@ -10,10 +10,10 @@
 #include "fit/families/families.hpp"
 #include "fit/fit.hpp"
 #include "fit/integrals/normalisation_check.hpp"
+#include "fit/least_squares/least_squares.hpp"
 #include "fit/least_squares/scaled_hessian.hpp"
 #include "fit/minimax/minimax_problem.hpp"
 #include "fit/proof/certificate.hpp"
-#include "fit/solve/under.hpp"
 #include "fit/study/search.hpp"
 #include "fit/study/solve_study.hpp"
 
@@ -24,10 +24,10 @@ using shadefit::Error;
 using shadefit::FresnelQuadratic;
 
 Answer minimax(Error error) {
-  using Pair = shadefit::Under<FresnelQuadratic>;
-  const Pair pair{.family = {}, .error_kind = error};
+  const FresnelQuadratic pair;
   const shadefit::Metric metric{.norm = shadefit::Norm::minimax, .error = error};
-  const auto optimum = shadefit::Minimax<Pair>(pair, metric, {1, 0}, {0, 1}).solve();
+  const auto optimum = shadefit::Minimax<FresnelQuadratic>(pair, metric, {1, 0}, {0, 1})
+                           .solve(shadefit::start_of_minimax(pair, metric));
   Answer answer;
   if (optimum.status != shadefit::Status::converged) answer.remark("a fit did not converge");
   for (std::size_t i = 0; i < 2; ++i)

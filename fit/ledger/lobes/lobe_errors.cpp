@@ -10,7 +10,7 @@
 #include "approx/lobe_laws.hpp"
 #include "fit/errors/effect.hpp"
 #include "fit/families/families.hpp"
-#include "fit/least_squares/least_squares.hpp"
+#include "fit/solve/solve.hpp"
 
 namespace shadefit {
 namespace {
@@ -69,7 +69,7 @@ double largest_offset_codes(double exponent, double offset, double other) {
 }
 
 std::optional<double> best_offset(double exponent, Measure measure) {
-  const auto optimum = solve_least_squares(SgOffset{{exponent}}, {.measure = measure});
+  const Solution optimum = solve_by_squares(SgOffset{{exponent}}, {.measure = measure});
   return optimum.status == Status::converged ? std::optional(optimum.parameters[0]) : std::nullopt;
 }
 

@@ -397,11 +397,11 @@ TEST(RuleChoice, AWrongExpectationIsCaught) {
 // The correction recovers a quadratic from steps: independent steps give all of it.
 TEST(Correct, FindsAHessianFromItsSteps) {
   const Eigen::Matrix2d truth{{3, 1}, {1, 2}};
-  Eigen::Matrix2d hessian{{5, 0}, {0, 1}};
+  ParameterMatrix<double> hessian = Eigen::Matrix2d{{5, 0}, {0, 1}};
   for (const Eigen::Vector2d& step : {Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1)})
-    correct<2>(hessian, step, truth * step);
+    correct(hessian, step, truth * step);
   EXPECT_LT((hessian - truth).norm(), 1e-14);
-  correct<2>(hessian, Eigen::Vector2d(1, 2), truth * Eigen::Vector2d(1, 2));
+  correct(hessian, Eigen::Vector2d(1, 2), truth * Eigen::Vector2d(1, 2));
   EXPECT_LT((hessian - truth).norm(), 1e-14) << "nothing is learnt from what was expected";
 }
 

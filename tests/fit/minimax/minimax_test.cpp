@@ -240,6 +240,10 @@ struct Synthetic {
   P error(const Sample<T>& s, const std::array<P, 2>& p) const {
     return form(s, p) - lift<P>(power(s.c - integer<T>(1) / integer<T>(2), 2));
   }
+  template <class T>
+  static T relative_scale(const Sample<T>&) {
+    return integer<T>(1);
+  }
   static Shape shape() { return {}; }
   static std::array<std::array<double, 2>, 3> starts() { return {{{0.1, 0.3}, {0.2, 0.3}, {0.1, 0.1}}}; }
 };
@@ -263,7 +267,8 @@ struct Constant {
 template <class G>
 MinimaxOptimum solve_synthetic() {
   const Synthetic<G> family;
-  return Minimax<Synthetic<G>>(family, minimax(), {1, 0}, {0, 1}).solve();
+  return Minimax<Synthetic<G>>(family, minimax(), {1, 0}, {0, 1})
+      .solve(start_of_minimax(family, minimax()));
 }
 
 TEST(Minimax, DegenerateAlternationsAreNoAnswers) {

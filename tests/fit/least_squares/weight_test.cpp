@@ -1,4 +1,4 @@
-#include "fit/solve/weight.hpp"
+#include "fit/least_squares/weight.hpp"
 
 #include <gtest/gtest.h>
 

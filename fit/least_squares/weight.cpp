@@ -1,4 +1,4 @@
-#include "fit/solve/weight.hpp"
+#include "fit/least_squares/weight.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,13 +27,19 @@ T value_at(const Symbolic& formula, const T& cosine) {
   return evaluate<T>(formula, [&](const std::string&) { return cosine; });
 }
 
+template <class T>
+ceres::Jet<T, 1> value_with_slope(const Symbolic& formula, const T& cosine) {
+  ceres::Jet<T, 1> c(cosine);
+  c.v[0] = T(1);
+  return value_at(formula, c);
+}
+
 Decimal50 wide_value_at(const Symbolic& formula, double cosine) {
   return in_50_digits(formula, [&](const std::string&) { return Decimal50(cosine); });
 }
 
 double slope_at(const Symbolic& formula, double cosine) {
-  using Jet = ceres::Jet<double, 1>;
-  return value_at(formula, Jet(cosine, 0)).v[0];
+  return value_with_slope(formula, cosine).v[0];
 }
 
 /// A choice takes its first side only below zero.
@@ -178,6 +184,18 @@ Weight::Weight(std::string_view text, const Domain& domain) : domain_(domain) {
     if (edges_.size() > most_edges) return;
   }
   edges_ = tidied(edges_, domain_);
+}
+
+std::array<double, 3> Weight::derivatives_at(double cos_theta) const {
+  const double inside = std::clamp(cos_theta, domain_.lower, domain_.upper);
+  const auto value = value_with_slope(*formula_, ceres::Jet<double, 1>(inside, 0));
+  return {value.a.a, value.a.v[0], value.v[0].v[0]};
+}
+
+std::array<long double, 2> Weight::derivatives_at(long double cos_theta) const {
+  const long double lower = domain_.lower, upper = domain_.upper;
+  const auto value = value_with_slope(*formula_, std::clamp(cos_theta, lower, upper));
+  return {value.a, value.v[0]};
 }
 
 std::optional<std::string> find_fault(const Weight& weight) {

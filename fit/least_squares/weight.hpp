@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "fit/quadrature/substitution.hpp"
 #include "fit/scalars/jet.hpp"
 #include "fit/scalars/symbolic.hpp"
+#include "fit/scalars/two_lanes.hpp"
 
 /// The factor of the error of a fit: a user's formula in the cosine c, such as "1 + 4 c".
 namespace shadefit {
@@ -41,39 +43,49 @@ class Weight {
 
   /// The value at a cosine. Rounding may move a place beyond an end of the domain, where sqrt(0.25 - c^2) is
   /// not defined: then the value at the end is returned.
+  /// In any scalar: a double, two of them, long double, or Jets of these.
   template <class T>
   T at(const T& cos_theta) const {
-    if (!formula_) return integer<T>(1);
-    const T inside = max(min(cos_theta, lift<T>(domain_.upper)), lift<T>(domain_.lower));
-    return evaluate<T>(*formula_, [&](const std::string&) { return inside; });
+    if (is_one()) return integer<T>(1);
+    if constexpr (requires { derivatives_at(cos_theta); }) {
+      return derivatives_at(cos_theta)[0];
+    } else if constexpr (std::same_as<T, TwoLanes>) {
+      return {at(cos_theta[0]), at(cos_theta[1])};
+    } else {
+      return composed(derivatives_at(innermost(cos_theta)), cos_theta, 0);
+    }
   }
 
  private:
+  /// The value with its first and second derivative.
+  std::array<double, 3> derivatives_at(double cos_theta) const;
+  /// In long double the value with its first.
+  std::array<long double, 2> derivatives_at(long double cos_theta) const;
+
+  template <class T>
+  static auto innermost(const T& x) {
+    if constexpr (is_jet<T>) {
+      return innermost(x.a);
+    } else {
+      return x;
+    }
+  }
+
+  /// The derivative of that order at a Jet, by the chain rule.
+  template <class Derivatives, class T>
+  static T composed(const Derivatives& derivatives, const T& x, std::size_t order) {
+    if constexpr (is_jet<T>) {
+      return T(composed(derivatives, x.a, order),
+               Scalar<T>::chain(composed(derivatives, x.a, order + 1), x.v));
+    } else {
+      return derivatives[order];
+    }
+  }
+
   std::optional<Symbolic> formula_ = std::nullopt;
   Domain domain_ = {};
   std::vector<Shape::Edge> edges_ = {};
   std::optional<double> pole_ = std::nullopt;
-};
-
-/// A weight alone, as a family without parameters that count: its error is the weight itself.
-struct WeightItself {
-  static constexpr std::array<std::string_view, 1> parameters{};
-
-  Weight weight;
-
-  template <class T>
-  struct Sample {
-    T weight;
-  };
-  template <class T>
-  Sample<T> sample(const Cosine<T>& c) const {
-    return {weight.at(c.cos_theta)};
-  }
-  template <class T, class P>
-  P error(const Sample<T>& s, const std::array<P, 1>&) const {
-    return lift<P>(s.weight);
-  }
-  Shape shape() const { return {.edges = weight.edges()}; }
 };
 
 /// The largest number of edges. Each edge is one more panel of every sum.
