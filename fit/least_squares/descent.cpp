@@ -1,11 +1,9 @@
 #include "fit/least_squares/descent.hpp"
 
-#include <ceres/tiny_solver.h>
-
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "fit/least_squares/levenberg.hpp"
 #include "fit/least_squares/newton.hpp"
 
 namespace shadefit {
@@ -13,62 +11,54 @@ namespace {
 
 using Vector = ParameterVector<double>;
 
-/// What ceres::TinySolver minimises: sqrt(weight) * error, scaled to norm 1 at the start. TinySolver stops at
-/// absolute changes of the cost, and the cost of a lobe of exponent 1e6 is 1e-19 from the beginning.
+/// The roots of the weights of the nodes, scaled so that the errors at the start have norm 1.
+using Roots = std::array<double, basin_nodes>;
+
+/// What Ceres minimises: sqrt(weight) * error, scaled to norm 1 at the start. TinySolver stops at absolute
+/// changes of the cost, and the cost of a lobe of exponent 1e6 is 1e-19 from the beginning.
 ///
 /// After a step it asks for the errors, and once it has accepted the step, for the errors and their
 /// derivatives at the same place. Both are computed together, and the last result is kept.
-class TinyFunction {
+class ScaledErrors {
  public:
-  using Scalar = double;
-  enum { NUM_RESIDUALS = static_cast<int>(basin_nodes), NUM_PARAMETERS = Eigen::Dynamic };
-
-  TinyFunction(const SampledErrors& problem, std::size_t parameters, double square)
-      : problem_(problem), count_(parameters) {
-    for (std::size_t i = 0; i < basin_nodes; ++i) roots_[i] = std::sqrt(problem_.weight(i) / square);
+  /// Refers to the problem and the roots.
+  ScaledErrors(const SampledErrors& problem, const Roots& roots, const Vector& start)
+      : problem_(problem), roots_(roots), place_(start) {
+    evaluate();
   }
 
-  int NumParameters() const { return static_cast<int>(count_); }
-
-  bool operator()(const double* parameters, double* residuals, double* jacobian) const {
-    if (!place_ || !std::equal(place_->begin(), place_->end(), parameters)) move_to(parameters);
+  void operator()(const double* parameters, double* residuals, double* jacobian) {
+    if (!std::equal(place_.begin(), place_.end(), parameters)) {
+      std::copy_n(parameters, place_.size(), place_.begin());
+      evaluate();
+    }
     std::copy(residuals_.begin(), residuals_.end(), residuals);
-    if (jacobian != nullptr) std::copy_n(jacobian_.begin(), count_ * basin_nodes, jacobian);
-    return true;
+    if (jacobian != nullptr) std::copy_n(jacobian_.begin(), size(), jacobian);
   }
 
   /// Whether the last requested place is outside of the admissible parameters.
   bool is_turned_back() const { return is_turned_back_; }
 
  private:
-  void move_to(const double* parameters) const {
-    place_ = Eigen::Map<const Vector>(parameters, static_cast<Eigen::Index>(count_));
-    const std::span jacobian = std::span(jacobian_).first(count_ * basin_nodes);
-    problem_.errors(values_of(*place_), residuals_, jacobian);
+  std::size_t size() const { return static_cast<std::size_t>(place_.size()) * basin_nodes; }
+
+  void evaluate() {
+    problem_.errors(values_of(place_), residuals_, std::span(jacobian_).first(size()));
     // An infinite cost rejects a step.
-    is_turned_back_ = !problem_.is_admissible(values_of(*place_));
+    is_turned_back_ = !problem_.is_admissible(values_of(place_));
     if (is_turned_back_) residuals_.fill(HUGE_VAL);
     for (std::size_t node = 0; node < basin_nodes; ++node) {
       residuals_[node] *= roots_[node];
-      for (std::size_t i = 0; i < count_; ++i) jacobian[i * basin_nodes + node] *= roots_[node];
+      for (std::size_t i = node; i < size(); i += basin_nodes) jacobian_[i] *= roots_[node];
     }
   }
 
   const SampledErrors& problem_;
-  std::size_t count_;
-  std::array<double, basin_nodes> roots_{};  ///< of the weights, scaled
-  mutable std::optional<Vector> place_ = std::nullopt;
-  mutable bool is_turned_back_ = false;
-  mutable std::array<double, basin_nodes> residuals_{};
-  mutable std::array<double, basin_nodes * most_fitted> jacobian_{};
-};
-
-using BasinSolver = ceres::TinySolver<TinyFunction, Eigen::LDLT<ParameterMatrix<double>>>;
-
-/// How far Ceres goes before Newton takes over.
-struct Patience {
-  double last_step;  ///< it ends with a step below this, relative
-  int most_steps;
+  const Roots& roots_;
+  Vector place_;
+  bool is_turned_back_;
+  std::array<double, basin_nodes> residuals_;
+  std::array<double, basin_nodes * most_fitted> jacobian_;
 };
 
 /// Only the basin is needed: a step of 1e-2 (|x| + 1e-2) usually ends where Newton converges.
@@ -77,15 +67,6 @@ constexpr Patience hasty{1e-2, 50};
 /// for good. Steps of Levenberg and Marquardt always go down: twenty to forty of them reach a place that
 /// Newton confirms.
 constexpr Patience patient{1e-7, 400};
-
-/// Cost tests are off.
-void set_patience(BasinSolver::Options& options, const Patience& patience) {
-  options.parameter_tolerance = patience.last_step;
-  options.max_num_iterations = patience.most_steps;
-  options.function_tolerance = 0;
-  options.gradient_tolerance = 0;
-  options.cost_threshold = 0;
-}
 
 /// Takes a step, or the first of its half, quarter, .. that leaves the parameters admissible. False if the
 /// step was cut. Takes nothing if the parameters are not admissible before the step.
@@ -116,8 +97,8 @@ bool is_far_end(const SampledErrors& problem, const Vector& p) {
 
 Candidate common_optimum_by(const Patience& patience, const Starts& starts, const SampledErrors& problem,
                             std::size_t asked) {
-  Candidate common{.parameters = vector_of(starts[0])};
-  const double square = problem.square(starts[0]);
+  Candidate common{.parameters = starts[0]};
+  const double square = problem.square(values_of(starts[0]));
   if (!std::isfinite(square)) {
     common.status = Status::not_finite;
     common.why = "the error at the start is not finite";
@@ -128,27 +109,25 @@ Candidate common_optimum_by(const Patience& patience, const Starts& starts, cons
     return common;
   }
 
-  const TinyFunction function(problem, starts[0].size(), square);
-  BasinSolver solver;
-  set_patience(solver.options, patience);
-  const auto descend = [&](Candidate candidate) {
-    BasinSolver::Parameters parameters = candidate.parameters;
-    candidate.iterations = solver.Solve(function, &parameters).iterations;
-    const bool is_at_border = function.is_turned_back();
-    candidate.parameters = parameters;
+  Roots roots;
+  for (std::size_t i = 0; i < basin_nodes; ++i) roots[i] = std::sqrt(problem.weight(i) / square);
+  const auto optimum_from = [&](Candidate candidate) {
+    ScaledErrors errors(problem, roots, candidate.parameters);
+    candidate.iterations = descend({basin_nodes, std::ref(errors)}, patience, candidate.parameters);
+    const Vector before = candidate.parameters;
     polish(problem, candidate, same_optimum / 10);
-    if (candidate.status != Status::converged && is_at_border) {
+    if (candidate.status != Status::converged && errors.is_turned_back()) {
       candidate.status = Status::at_border;
-    } else if (candidate.status != Status::converged && is_far_end(problem, parameters)) {
+    } else if (candidate.status != Status::converged && is_far_end(problem, before)) {
       candidate.why = "the error is not larger if all parameters are four times as large: there is no best";
     }
     return candidate;
   };
-  common = descend(common);
+  common = optimum_from(common);
   if (common.status != Status::converged) return common;
   const Candidate first = common;
   for (std::size_t i = 1; i < asked; ++i) {
-    const Candidate candidate = descend({.parameters = vector_of(starts[i]), .hessian = first.hessian});
+    const Candidate candidate = optimum_from({.parameters = starts[i], .hessian = first.hessian});
     if (candidate.status != Status::converged) {
       common.status = candidate.status;
       common.why = candidate.why;

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 #include "fit/least_squares/sampled_errors.hpp"
 #include "fit/least_squares/status.hpp"
@@ -31,7 +30,7 @@ struct Candidate {
 };
 
 /// The three starts of a descent.
-using Starts = std::array<std::vector<double>, 3>;
+using Starts = std::array<ParameterVector<double>, 3>;
 
 /// Newton in double to the bottom of the basin, until the remaining distance is below `rest` of the
 /// parameters. The Hessian costs up to seven times as much as the gradient: it is kept while each step is at

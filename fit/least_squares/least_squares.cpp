@@ -108,11 +108,9 @@ GivenParameters given_parameters(std::span<const std::string_view> names, const 
 
 Optimum solve_least_squares(const LeastSquaresProblem& problem, const Sampling& sampling,
                             const Starts& starts) {
-  const bool are_all_free = free_count(sampling.given) == sampling.given.size();
-  Optimum optimum = are_all_free
-                        ? solve_free(problem, starts)
-                        : solve_free(of_free(problem, sampling.given), free_starts(sampling.given, starts));
-  if (!are_all_free) optimum.parameters = with_given<double>(sampling.given, optimum.parameters);
+  const GivenParameters& given = sampling.given;
+  Optimum optimum = solve_free(of_free(problem, given), free_starts(given, starts));
+  optimum.parameters = with_given<double>(given, optimum.parameters);
   optimum.rms_error /= scale_of(sampling.scale.weight, sampling.metric);
   return optimum;
 }
@@ -121,7 +119,7 @@ Candidate start_of_minimax(const SampledErrors& basin, const Sampling& sampling,
   const Starts starts = free_starts(sampling.given, all);
   Candidate found = common_optimum(starts, of_free(basin, sampling.given), 1);
   // At the border of the admissible parameters the error has a pole, and no step leads back from there.
-  if (found.status == Status::at_border) found.parameters = vector_of(starts[0]);
+  if (found.status == Status::at_border) found.parameters = starts[0];
   return found;
 }
 

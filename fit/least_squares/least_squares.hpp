@@ -87,7 +87,7 @@ template <class F>
 Starts starts_of_family(const F& family) {
   const auto of_family = family.starts();
   Starts starts;
-  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].assign(of_family[i].begin(), of_family[i].end());
+  for (std::size_t i = 0; i < starts.size(); ++i) starts[i] = vector_of(of_family[i]);
   return starts;
 }
 

@@ -26,13 +26,17 @@ std::size_t free_count(const GivenParameters& given) {
   return static_cast<std::size_t>(std::count(given.begin(), given.end(), std::nullopt));
 }
 
-std::vector<double> free_ones(const GivenParameters& given, std::span<const double> all) {
-  std::vector<double> free;
-  for (const Eigen::Index i : free_indices(given)) free.push_back(all[static_cast<std::size_t>(i)]);
+ParameterVector<double> free_ones(const GivenParameters& given, const ParameterVector<double>& all) {
+  ParameterVector<double> free(static_cast<Eigen::Index>(free_count(given)));
+  auto next = free.begin();
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i]) *next++ = all[static_cast<Eigen::Index>(i)];
+  }
   return free;
 }
 
 SampledErrors of_free(const SampledErrors& all, const GivenParameters& given) {
+  if (free_count(given) == given.size()) return all;
   using Parameters = std::span<const double>;
   return {.square = [=](Parameters p) { return all.square(with_given(given, p)); },
           .gradient = [=](Parameters p) { return of_free(all.gradient(with_given(given, p)), given); },
@@ -52,6 +56,7 @@ SampledErrors of_free(const SampledErrors& all, const GivenParameters& given) {
 }
 
 LeastSquaresProblem of_free(const LeastSquaresProblem& all, const GivenParameters& given) {
+  if (free_count(given) == given.size()) return all;
   const auto wide = [=, of_all = all.wide](std::size_t rule, std::span<const long double> p) {
     return of_free(of_all(rule, with_given(given, p)), given);
   };

@@ -37,12 +37,13 @@ using GivenParameters = std::vector<std::optional<double>>;
 std::size_t free_count(const GivenParameters& given);
 
 /// The free parameters of all.
-std::vector<double> free_ones(const GivenParameters& given, std::span<const double> all);
+ParameterVector<double> free_ones(const GivenParameters& given, const ParameterVector<double>& all);
 
 /// All parameters, the given ones in their places.
 template <class T>
 std::vector<T> with_given(const GivenParameters& given, std::span<const T> free) {
   std::vector<T> all;
+  all.reserve(given.size());
   std::size_t next = 0;
   for (const auto& value : given) all.push_back(value ? static_cast<T>(*value) : free[next++]);
   return all;

@@ -46,10 +46,11 @@ std::vector<Case> cases() {
 Starts starts_in_box(const Starts& own, Sequence& sequence) {
   Starts starts;
   for (auto& start : starts) {
-    for (std::size_t i = 0; i < own[0].size(); ++i) {
+    start.resize(own[0].size());
+    for (Eigen::Index i = 0; i < start.size(); ++i) {
       const auto [low, high] = std::minmax({own[0][i], own[1][i], own[2][i]});
       const double middle = (low + high) / 2, reach = 2 * (high - low);
-      start.push_back(sequence.between(middle - reach, middle + reach));
+      start[i] = sequence.between(middle - reach, middle + reach);
     }
   }
   return starts;
@@ -119,7 +120,7 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
       reference = found;
       measure();
     }
-    if (std::find(starts.begin(), starts.end(), found.parameters) != starts.end()) ++trial.returned;
+    if (std::find(starts.begin(), starts.end(), vector_of(found.parameters)) != starts.end()) ++trial.returned;
     const bool is_there = distance(found.parameters, reference.parameters) <= same_answer;
     ++(is_there ? trial.reached : trial.elsewhere);
   }

@@ -1,7 +1,5 @@
 #include "fit/study/search.hpp"
 
-#include <ceres/tiny_solver.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "fit/least_squares/levenberg.hpp"
 #include "fit/quadrature/rule_choice.hpp"
 #include "fit/scalars/likely_sizes.hpp"
 #include "fit/study/projection.hpp"
@@ -83,38 +82,6 @@ void sort_by_square(std::vector<SearchedPlace>& places) {
                    [](const SearchedPlace& a, const SearchedPlace& b) { return a.square < b.square; });
 }
 
-/// The reduced problem in units of its unknowns and of its residuals, which are powers of two. The solver
-/// takes derivatives far below 1 for rounding.
-class ProblemInUnits {
- public:
-  using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
-
-  /// Refers to the problem and the units.
-  ProblemInUnits(const Projection& problem, const Vector& units, double residual_unit)
-      : problem_(problem), units_(units), residual_unit_(residual_unit) {}
-
-  int NumResiduals() const { return problem_.NumResiduals(); }
-  int NumParameters() const { return problem_.NumParameters(); }
-
-  bool operator()(const double* q, double* residuals, double* jacobian) const {
-    const Eigen::Index n = NumParameters();
-    const ProductVector<double> at = units_.cwiseProduct(Eigen::Map<const Vector>(q, n));
-    problem_(at.data(), residuals, jacobian);
-    Eigen::Map<Vector>(residuals, n + 1) /= residual_unit_;
-    if (jacobian != nullptr) {
-      Eigen::Map<MatrixOf<double>> columns(jacobian, n + 1, n);
-      for (Eigen::Index i = 0; i < n; ++i) columns.col(i) *= units_[i] / residual_unit_;
-    }
-    return true;
-  }
-
- private:
-  const Projection& problem_;
-  const Vector& units_;
-  double residual_unit_;
-};
-
 /// Descents on some nodes. A place without a finite error is left out. `units` are those of all parameters,
 /// or empty.
 class Descents {
@@ -126,11 +93,7 @@ class Descents {
         units_(units.empty() ? Vector::Ones(problem_.NumParameters()) : unknowns_of(units)),
         residual_unit_(unit_of(sampled.target_norm())),
         checkpoint_(checkpoint),
-        least_change_(1e-20 * sampled.target_norm() * sampled.target_norm()) {
-    solver_.options.parameter_tolerance = 1e-10;
-    solver_.options.gradient_tolerance = 0;
-    solver_.options.cost_threshold = 0;
-  }
+        least_change_(1e-20 * sampled.target_norm() * sampled.target_norm()) {}
 
   /// The indices of the parameters that do not enter linearly.
   const std::vector<std::size_t>& unknowns() const { return problem_.nonlinear(); }
@@ -172,24 +135,36 @@ class Descents {
   void descend(Vector& q, int steps) const {
     // The squares of 900 nodes, near an optimum, differ by up to 5 epsilon.
     constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
-    const ProblemInUnits problem(problem_, units_, residual_unit_);
+    const Residuals residuals{problem_.NumResiduals(),
+                              [this](const double* at, double* r, double* jacobian) {
+                                evaluate_in_units(at, r, jacobian);
+                              }};
     Vector in_units = q.cwiseQuotient(units_);
     for (double before = HUGE_VAL, square = square_at(q); steps > 0 && square < before / 2;) {
       before = square;
-      solver_.options.max_num_iterations = steps;
-      solver_.options.function_tolerance =
-          std::max(least_change_, roundings * square) / (residual_unit_ * residual_unit_);
-      steps -= solver_.Solve(problem, &in_units).iterations;
+      const double least = std::max(least_change_, roundings * square) / (residual_unit_ * residual_unit_);
+      steps -= shadefit::descend(residuals, {1e-10, steps, least}, in_units);
       q = in_units.cwiseProduct(units_);
       square = square_at(q);
     }
+  }
+
+  /// The reduced problem in units of its unknowns and of its residuals, which are powers of two. The solver
+  /// takes derivatives far below 1 for rounding.
+  void evaluate_in_units(const double* q, double* residuals, double* jacobian) const {
+    const Eigen::Index n = problem_.NumParameters();
+    const ProductVector<double> at = units_.cwiseProduct(Eigen::Map<const Vector>(q, n));
+    problem_(at.data(), residuals, jacobian);
+    Eigen::Map<Vector>(residuals, n + 1) /= residual_unit_;
+    if (jacobian == nullptr) return;
+    Eigen::Map<MatrixOf<double>> columns(jacobian, n + 1, n);
+    for (Eigen::Index i = 0; i < n; ++i) columns.col(i) *= units_[i] / residual_unit_;
   }
 
   Projection problem_;
   mutable Vector residuals_;
   Vector units_;
   double residual_unit_;
-  mutable ceres::TinySolver<ProblemInUnits> solver_;
   const Checkpoint& checkpoint_;
   double least_change_;  ///< of the square: a smaller one is left to Newton's method
 };

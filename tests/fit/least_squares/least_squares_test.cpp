@@ -1,4 +1,5 @@
 #include "fit/least_squares/least_squares.hpp"
+#include "fit/least_squares/newton.hpp"
 
 #include <gtest/gtest.h>
 
