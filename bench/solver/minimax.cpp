@@ -4,8 +4,8 @@
 
 #include "bench/solver/benchmarks.hpp"
 #include "fit/families/families.hpp"
-#include "fit/minimax/minimax_problem.hpp"
 #include "fit/least_squares/least_squares.hpp"
+#include "fit/minimax/minimax_problem.hpp"
 
 // Apart from the least-squares benchmarks: in one translation unit gcc inlines less, and the pair's
 // least-squares fit takes 12.7 us instead of 7.8.
@@ -20,8 +20,7 @@ void register_pair(Error error) {
   benchmark::RegisterBenchmark(name.c_str(), [pair, metric](benchmark::State& state) {
     MinimaxOptimum optimum;
     for (auto _ : state) {
-      optimum =
-          Minimax<FresnelQuadratic>(pair, metric, {1, 0}, {0, 1}).solve(start_of_minimax(pair, metric));
+      optimum = Minimax<FresnelQuadratic>(pair, metric, {1, 0}, {0, 1}).solve(start_of_minimax(pair, metric));
       benchmark::DoNotOptimize(optimum);
     }
     if (optimum.status != Status::converged) state.SkipWithError("a fit did not converge");

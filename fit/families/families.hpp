@@ -9,7 +9,8 @@
 /// - `info`: its texts; `target_of` and `form_of`: its two formulas of the cosine, in any scalar;
 /// `parameters`: the names of its parameters; `starts`: three points spread over the box of the search;
 /// - `Sample`: the values at a cosine that do not depend on the parameters; `sample` computes them once;
-/// - `form`, `error` (form - target) and `relative_error` at a sample; `relative_scale`: the ratio of the two;
+/// - `form`, `error` (form - target) and `relative_error` at a sample; `relative_scale`: the ratio of the
+/// two;
 /// - `log_form` and `log_ratio` (log(form/target)) of a positive form; `is_linear`: whether these (else the
 /// form itself) are linear in the parameters;
 /// - `shape`: the data for the substitution; `relative_end`: the smallest cosine at which a relative error

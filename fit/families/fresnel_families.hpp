@@ -62,7 +62,8 @@ struct FresnelFamily {
   template <class T, class P>
   P error(const Sample<T>& s, const std::array<P, N>& p) const {
     const P difference = form(s, p) - lift<P>(s.target);
-    return surface.is_named() ? lift<P>(integer<T>(1) - normal_reflectance<T>(surface)) * difference : difference;
+    return surface.is_named() ? lift<P>(integer<T>(1) - normal_reflectance<T>(surface)) * difference
+                              : difference;
   }
 
   /// (Fhat - F)/F = (1 - f0)/F (form - target): the relative error that a viewer sees.

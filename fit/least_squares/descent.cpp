@@ -148,8 +148,7 @@ void polish(const SampledErrors& problem, Candidate& candidate, double rest) {
   // Three to six steps are usual. Thirty are enough for a start where Ceres gave up.
   for (int i = 0; i < 30; ++i) {
     const bool is_own = !candidate.hessian;
-    const Sums<double> sums =
-        is_own ? problem.derivatives(values_of(p)) : problem.gradient(values_of(p));
+    const Sums<double> sums = is_own ? problem.derivatives(values_of(p)) : problem.gradient(values_of(p));
     if (is_own) {
       candidate.hessian = sums.hessian;
     } else if (i > 0 && last > 1e-8) {

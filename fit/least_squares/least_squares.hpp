@@ -94,7 +94,8 @@ Starts starts_of_family(const F& family) {
 /// A sampled family and the family behind plain functions. They refer to both: neither may move while they
 /// are in use.
 template <class F>
-SampledErrors sampled_errors(const SampledProblem<F, double>& sampled, const F& family, const Domain& domain) {
+SampledErrors sampled_errors(const SampledProblem<F, double>& sampled, const F& family,
+                             const Domain& domain) {
   using Problem = SampledProblem<F, double>;
   using Parameters = std::span<const double>;
   const auto* problem = &sampled;
@@ -104,9 +105,10 @@ SampledErrors sampled_errors(const SampledProblem<F, double>& sampled, const F& 
           .errors = [problem](Parameters p, std::span<double> r,
                               std::span<double> slopes) { problem->errors(Problem::array_of(p), r, slopes); },
           .weight = [problem](std::size_t node) { return problem->weight(node); },
-          .is_admissible = [asked = &family, domain](Parameters p) {
-            return shadefit::is_admissible(*asked, domain, Problem::array_of(p));
-          }};
+          .is_admissible =
+              [asked = &family, domain](Parameters p) {
+                return shadefit::is_admissible(*asked, domain, Problem::array_of(p));
+              }};
 }
 
 /// A family at the nodes where Ceres looks for the basin.
@@ -167,6 +169,14 @@ Candidate start_of_minimax(const F& family, const Metric& metric) {
   const Sampling sampling(metric, family.shape(), F::parameters);
   const auto basin = basin_of(family, sampling);
   return start_of_minimax(sampled_errors(basin, family, metric.domain), sampling, starts_of_family(family));
+}
+
+/// The sums of a family at given parameters, by 38 nodes on each panel.
+template <class F>
+Sums<double> sums_of(const F& family, const Metric& metric, std::span<const double> parameters) {
+  const Sampling sampling(metric, family.shape(), F::parameters);
+  const SampledProblem<F, double> sampled(family, sampling.panels, 38, sampling.scale);
+  return sampled.derivatives(sampled.array_of(parameters));
 }
 
 template <class F>

@@ -11,8 +11,8 @@ namespace {
 /// As many residuals as fit into matrices on the stack.
 constexpr int most_on_stack = 12;
 
-/// For few parameters the sizes are known to the compiler, and nothing is allocated. Residuals that are missing
-/// are 0.
+/// For few parameters the sizes are known to the compiler, and nothing is allocated. Residuals that are
+/// missing are 0.
 template <int N>
 class OnStack {
  public:

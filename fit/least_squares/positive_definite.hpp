@@ -4,8 +4,8 @@
 
 namespace shadefit {
 
-/// Whether a symmetric matrix of n rows, stored one after the other, is positive definite: `is_positive` holds
-/// for each pivot of L D L^T.
+/// Whether a symmetric matrix of n rows, stored one after the other, is positive definite: `is_positive`
+/// holds for each pivot of L D L^T.
 template <class Numbers, class IsPositive>
 bool is_positive_definite(Numbers a, std::size_t n, const IsPositive& is_positive) {
   for (std::size_t k = 0; k < n; ++k) {

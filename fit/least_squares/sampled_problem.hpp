@@ -19,9 +19,9 @@
 /// The continuous least-squares problem at the nodes of a Gauss rule: sums stand for the integrals.
 namespace shadefit {
 
-/// A family sampled at the nodes of a Gauss rule on each panel of a domain. The total of the measure is 1. The
-/// scale of the error is part of the weights of the nodes: what is squared and summed is the same.
-/// Every rule has an even number of nodes, because two are computed together in double.
+/// A family sampled at the nodes of a Gauss rule on each panel of a domain. The total of the measure is 1.
+/// The scale of the error is part of the weights of the nodes: what is squared and summed is the same. Every
+/// rule has an even number of nodes, because two are computed together in double.
 ///
 /// Functions that run for every node are inlined: without that, calls of the products of Jets take a fifth of
 /// a fit.
@@ -49,7 +49,8 @@ class SampledProblem {
         const auto place = panel.at(Lanes::joined(positions));
         const auto sample = family.sample(place.cosine);
         const S measure = Lanes::joined(weights) * place.density * S(share);
-        nodes_.push_back({sample, scale.is_one() ? measure : measure * square_of(scale, place.cosine, sample)});
+        nodes_.push_back(
+            {sample, scale.is_one() ? measure : measure * square_of(scale, place.cosine, sample)});
       });
     }
   }

@@ -8,23 +8,25 @@
 #include <cstddef>
 #include <vector>
 
+#include "fit/least_squares/sums.hpp"
+
 namespace shadefit {
 
 /// A Hessian in units that make its diagonal 1. Parameters have units: without this a small one would look
 /// like rounding beside a large one.
 struct ScaledHessian {
-  explicit ScaledHessian(const Eigen::MatrixXd& hessian)
+  explicit ScaledHessian(const ParameterMatrix<double>& hessian)
       : units(hessian.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse()),
         scaled(units.asDiagonal() * hessian * units.asDiagonal()) {}
 
-  Eigen::MatrixXd inverse() const {
+  ParameterMatrix<double> inverse() const {
     return units.asDiagonal() * scaled.fullPivLu().inverse() * units.asDiagonal();
   }
   /// Whether all eigenvalues are positive.
-  bool is_positive() const { return Eigen::LDLT<Eigen::MatrixXd>(scaled).isPositive(); }
+  bool is_positive() const { return Eigen::LDLT<ParameterMatrix<double>>(scaled).isPositive(); }
 
-  Eigen::VectorXd units;  ///< of the parameters
-  Eigen::MatrixXd scaled;
+  ParameterVector<double> units;  ///< of the parameters
+  ParameterMatrix<double> scaled;
 };
 
 /// A parameter counts as 0 if it moves the form by less than this share of the target. Then its digits are
@@ -34,7 +36,7 @@ inline constexpr double negligible = 1e-6;
 /// The largest step, each relative to its parameter. `hessian` is that of half the square.
 template <class Step>
 long double relative_size(const Step& step, const std::vector<double>& parameters,
-                          const Eigen::MatrixXd& hessian, double target_norm) {
+                          const ParameterMatrix<double>& hessian, double target_norm) {
   long double largest = 0;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);

@@ -9,11 +9,11 @@
 
 #include "fit/family_visit.hpp"
 #include "fit/least_squares/positive_definite.hpp"
-#include "fit/least_squares/sampled_problem.hpp"
 #include "fit/proof/enclosed_integral.hpp"
 #include "fit/proof/interval.hpp"
 #include "fit/proof/interval_ends.hpp"
 #include "fit/scalars/jet.hpp"
+#include "fit/solve/solve.hpp"
 
 namespace shadefit {
 namespace {
@@ -84,8 +84,8 @@ StationaryPoint prove(const F& family, const Fit& fit, const Checkpoint& checkpo
   const auto substitutions = Substitution::panels(fit.metric, family.shape());
   long double total = 0;
   for (const Substitution& panel : substitutions) total += panel.total();
-  const Matrix hessian = SampledProblem<F, double>(family, substitutions, 38).derivatives(p).hessian *
-                         static_cast<double>(total);
+  const ParameterMatrix<double> of_measure = sums_of(AnyFamily(family), fit.metric, fit.parameters).hessian;
+  const Matrix hessian = of_measure * static_cast<double>(total);
   const Matrix inverse = hessian.inverse();
 
   std::array<double, N> radius, gradient_tolerance;

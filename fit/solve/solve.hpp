@@ -10,8 +10,8 @@
 #include "fit/quadrature/metric.hpp"
 #include "fit/solve/solution.hpp"
 
-/// The solvers of a family. Each is compiled in its own unit: in one unit the compiler inlines less, and a fit
-/// by least squares takes 1.5 times as long.
+/// The solvers of a family. Each is compiled in its own unit: in one unit the compiler inlines less, and a
+/// fit by least squares takes 1.5 times as long.
 namespace shadefit {
 
 template <class List>
@@ -34,9 +34,10 @@ Solution solve_by_squares(const AnyFamily& family, const Metric& metric, const S
 Solution solve_by_minimax(const AnyFamily& family, const Metric& metric, const Cosine<double>& top,
                           const Cosine<double>& bottom);
 
-/// The start of that by least squares, and the root mean square of an error: see
+/// The start of that by least squares; the root mean square and the sums of an error at given parameters: see
 /// fit/least_squares/least_squares.hpp.
 Candidate start_of_minimax(const AnyFamily& family, const Metric& metric);
+Sums<double> sums_of(const AnyFamily& family, const Metric& metric, std::span<const double> parameters);
 double rms_of(const AnyFamily& family, const Metric& metric, std::span<const double> parameters);
 
 }  // namespace shadefit

@@ -18,8 +18,8 @@ Solution solution_of(const Optimum& optimum) {
 }  // namespace
 
 Solution solve_by_squares(const AnyFamily& any, const Metric& metric) {
-  return std::visit([&](const auto& family) { return solve_by_squares(any, metric, starts_of_family(family)); },
-                    any);
+  return std::visit(
+      [&](const auto& family) { return solve_by_squares(any, metric, starts_of_family(family)); }, any);
 }
 
 Solution solve_by_squares(const AnyFamily& any, const Metric& metric, const Starts& starts) {
@@ -30,6 +30,10 @@ Solution solve_by_squares(const AnyFamily& any, const Metric& metric, const Star
 
 Candidate start_of_minimax(const AnyFamily& any, const Metric& metric) {
   return std::visit([&](const auto& family) { return start_of_minimax(family, metric); }, any);
+}
+
+Sums<double> sums_of(const AnyFamily& any, const Metric& metric, std::span<const double> parameters) {
+  return std::visit([&](const auto& family) { return sums_of(family, metric, parameters); }, any);
 }
 
 double rms_of(const AnyFamily& any, const Metric& metric, std::span<const double> parameters) {

@@ -120,7 +120,8 @@ StartsTrial try_case(const Case& at, std::size_t fits, std::uint64_t seed, const
       reference = found;
       measure();
     }
-    if (std::find(starts.begin(), starts.end(), vector_of(found.parameters)) != starts.end()) ++trial.returned;
+    if (std::find(starts.begin(), starts.end(), vector_of(found.parameters)) != starts.end())
+      ++trial.returned;
     const bool is_there = distance(found.parameters, reference.parameters) <= same_answer;
     ++(is_there ? trial.reached : trial.elsewhere);
   }

@@ -156,13 +156,13 @@ void Projection::move_linear() const {
     last_.parameters[linear_[i]] -= step[static_cast<Eigen::Index>(i)];
 }
 
-bool Projection::operator()(const double* q, double* residuals, double* jacobian) const {
+void Projection::operator()(const double* q, double* residuals, double* jacobian) const {
   if (is_at(accepted_, q))
     last_ = accepted_;
   else if (!is_at(last_, q))
     move_to(q);
   last_.is_known = true;
-  const Eigen::Index n = NumParameters();
+  const Eigen::Index n = unknown_count();
   Eigen::Map<VectorOf<double>> result(residuals, n + 1);
   const auto errors = last_.triangle.col(last_.triangle.cols() - 1);
   result = errors.tail(n + 1);
@@ -174,7 +174,6 @@ bool Projection::operator()(const double* q, double* residuals, double* jacobian
     columns = last_.triangle.bottomRows(n + 1).rightCols(n + 1).leftCols(n);
   }
   if (!result.allFinite()) result.setConstant(HUGE_VAL);  // an infinite cost rejects a step
-  return true;
 }
 
 }  // namespace shadefit

@@ -11,7 +11,7 @@
 /// Least squares without the parameters that enter linearly.
 namespace shadefit {
 
-/// The reduced problem of variable projection, for ceres::TinySolver. Its unknowns are the parameters that do
+/// The reduced problem of variable projection, for a descent. Its unknowns are the parameters that do
 /// not enter linearly; the others have their best values for them. One parameter may be held.
 ///
 /// Let J be the derivatives and r the errors, one row per node, both times the roots of the weights. A
@@ -24,15 +24,12 @@ namespace shadefit {
 /// then, so one evaluation of the nodes is enough for a point.
 class Projection {
  public:
-  using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
-
   /// Refers to the sampled study.
   Projection(const StudyError& error, const SampledStudy<double>& sampled,
              std::optional<std::size_t> held = std::nullopt);
 
-  int NumResiduals() const { return NumParameters() + 1; }
-  int NumParameters() const { return static_cast<int>(nonlinear_.size()); }
+  Eigen::Index residual_count() const { return unknown_count() + 1; }
+  Eigen::Index unknown_count() const { return static_cast<Eigen::Index>(nonlinear_.size()); }
   /// The unknowns, as indices of parameters.
   const std::vector<std::size_t>& nonlinear() const { return nonlinear_; }
 
@@ -48,7 +45,7 @@ class Projection {
   const std::vector<double>& parameters() const { return last_.parameters; }
 
   /// Residuals whose sum of squares is that of sqrt(weight) * error, and their derivatives.
-  bool operator()(const double* q, double* residuals, double* jacobian) const;
+  void operator()(const double* q, double* residuals, double* jacobian) const;
 
  private:
   struct Point {

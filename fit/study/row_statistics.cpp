@@ -1,13 +1,12 @@
 #include "fit/study/row_statistics.hpp"
 
-#include <ceres/tiny_solver.h>
-
 #include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <utility>
 
+#include "fit/least_squares/levenberg.hpp"
 #include "fit/study/projection.hpp"
 
 namespace shadefit {
@@ -45,9 +44,6 @@ Matrix inverse_of_normal_matrix(const StudyError& error, const StudyNodes& nodes
 /// are their distances from the optimum in standard errors, so all are of the size of 1.
 class HeldSquare {
  public:
-  using Scalar = double;
-  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
-
   HeldSquare(const StudyError& error, const SampledStudy<double>& sampled, const std::vector<double>& optimum,
              const std::vector<double>& standard_errors, std::size_t held)
       : sampled_(sampled),
@@ -56,30 +52,34 @@ class HeldSquare {
         units_(standard_errors),
         held_(held) {}
 
-  int NumResiduals() const { return projection_.NumResiduals(); }
-  int NumParameters() const { return projection_.NumParameters(); }
   const std::vector<std::size_t>& unknowns() const { return projection_.nonlinear(); }
+
+  /// Moves unknowns to the lowest place. The square is flat at its minimum: a millionth of a standard error
+  /// changes it by 1e-12.
+  void minimise(Vector& q) const {
+    const auto evaluate = [this](const double* at, double* r, double* columns) { (*this)(at, r, columns); };
+    descend({projection_.residual_count(), evaluate}, {.last_step = 1e-6, .most_steps = 100}, q);
+  }
 
   /// Holds the parameter at a distance from its optimum, in standard errors.
   void hold(double distance) { projection_.hold(optimum_[held_] + units_[held_] * distance); }
 
-  bool operator()(const double* q, double* residuals, double* jacobian) const {
-    Vector place(NumParameters());
+  void operator()(const double* q, double* residuals, double* jacobian) const {
+    Vector place(projection_.unknown_count());
     for (Eigen::Index i = 0; i < place.size(); ++i) {
       const std::size_t unknown = unknowns()[static_cast<std::size_t>(i)];
       place[i] = optimum_[unknown] + units_[unknown] * q[i];
     }
     projection_(place.data(), residuals, jacobian);
-    if (jacobian == nullptr) return true;
-    Eigen::Map<Matrix> columns(jacobian, NumResiduals(), NumParameters());
+    if (jacobian == nullptr) return;
+    Eigen::Map<Matrix> columns(jacobian, projection_.residual_count(), place.size());
     for (Eigen::Index i = 0; i < place.size(); ++i)
       columns.col(i) *= units_[unknowns()[static_cast<std::size_t>(i)]];
-    return true;
   }
 
   /// The sum of squares at unknowns; infinite where the form has no value, and beyond a pole.
   double square(const Vector& q) const {
-    Vector residuals(NumResiduals());
+    Vector residuals(projection_.residual_count());
     (*this)(q.data(), residuals.data(), nullptr);
     const double square = residuals.squaredNorm() * static_cast<double>(sampled_.size());
     return std::isfinite(square) && !sampled_.has_pole(projection_.parameters()) ? square : HUGE_VAL;
@@ -98,12 +98,6 @@ class Profile {
   /// `tangent`: how the unknowns change with the parameter at the optimum, in standard errors.
   Profile(HeldSquare problem, Vector tangent, double growth)
       : problem_(std::move(problem)), tangent_(std::move(tangent)), growth_(growth) {
-    // The square is flat at its minimum: a millionth of a standard error changes it by 1e-12.
-    solver_.options.parameter_tolerance = 1e-6;
-    solver_.options.function_tolerance = 0;
-    solver_.options.gradient_tolerance = 0;
-    solver_.options.cost_threshold = 0;
-    solver_.options.max_num_iterations = 100;
     problem_.hold(0);
     least_ = problem_.square(Vector::Zero(tangent_.size()));
   }
@@ -140,7 +134,7 @@ class Profile {
     Vector best = last_;
     // The neighbour's answer is near; the tangent is better near the optimum.
     for (Vector q : {last_, Vector(distance * tangent_)}) {
-      if (q.size() > 0 && std::isfinite(problem_.square(q))) solver_.Solve(problem_, &q);
+      if (q.size() > 0 && std::isfinite(problem_.square(q))) problem_.minimise(q);
       const double square = problem_.square(q);
       if (square < least) {
         least = square;
@@ -155,7 +149,6 @@ class Profile {
   HeldSquare problem_;
   Vector tangent_, last_;
   double growth_, least_ = 0;
-  ceres::TinySolver<HeldSquare> solver_;
 };
 
 /// How unknowns follow a parameter: the regression of their errors on its error.

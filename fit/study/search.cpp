@@ -89,8 +89,8 @@ class Descents {
   Descents(const StudyError& error, const SampledStudy<double>& sampled, const std::vector<double>& units,
            const Checkpoint& checkpoint)
       : problem_(error, sampled),
-        residuals_(problem_.NumResiduals()),
-        units_(units.empty() ? Vector::Ones(problem_.NumParameters()) : unknowns_of(units)),
+        residuals_(problem_.residual_count()),
+        units_(units.empty() ? Vector::Ones(problem_.unknown_count()) : unknowns_of(units)),
         residual_unit_(unit_of(sampled.target_norm())),
         checkpoint_(checkpoint),
         least_change_(1e-20 * sampled.target_norm() * sampled.target_norm()) {}
@@ -98,7 +98,7 @@ class Descents {
   /// The indices of the parameters that do not enter linearly.
   const std::vector<std::size_t>& unknowns() const { return problem_.nonlinear(); }
   Vector unknowns_of(const std::vector<double>& parameters) const {
-    Vector q(problem_.NumParameters());
+    Vector q(problem_.unknown_count());
     for (Eigen::Index i = 0; i < q.size(); ++i) q[i] = parameters[unknowns()[static_cast<std::size_t>(i)]];
     return q;
   }
@@ -135,10 +135,9 @@ class Descents {
   void descend(Vector& q, int steps) const {
     // The squares of 900 nodes, near an optimum, differ by up to 5 epsilon.
     constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();
-    const Residuals residuals{problem_.NumResiduals(),
-                              [this](const double* at, double* r, double* jacobian) {
-                                evaluate_in_units(at, r, jacobian);
-                              }};
+    const Residuals residuals{
+        problem_.residual_count(),
+        [this](const double* at, double* r, double* jacobian) { evaluate_in_units(at, r, jacobian); }};
     Vector in_units = q.cwiseQuotient(units_);
     for (double before = HUGE_VAL, square = square_at(q); steps > 0 && square < before / 2;) {
       before = square;
@@ -152,7 +151,7 @@ class Descents {
   /// The reduced problem in units of its unknowns and of its residuals, which are powers of two. The solver
   /// takes derivatives far below 1 for rounding.
   void evaluate_in_units(const double* q, double* residuals, double* jacobian) const {
-    const Eigen::Index n = problem_.NumParameters();
+    const Eigen::Index n = problem_.unknown_count();
     const ProductVector<double> at = units_.cwiseProduct(Eigen::Map<const Vector>(q, n));
     problem_(at.data(), residuals, jacobian);
     Eigen::Map<Vector>(residuals, n + 1) /= residual_unit_;

@@ -26,7 +26,8 @@ using Vector = VectorOf<double>;
 
 /// Newton's method in double from a candidate to the bottom of its basin. Returns the exact Hessian there, or
 /// empty if there is no minimum.
-std::optional<MatrixOf<double>> polish(const SampledStudy<double>& sampled, std::vector<double>& parameters) {
+std::optional<ParameterMatrix<double>> polish(const SampledStudy<double>& sampled,
+                                              std::vector<double>& parameters) {
   double last = HUGE_VAL;
   for (int i = 0; i < 40; ++i) {
     const auto sums = sampled.derivatives(parameters);
@@ -71,8 +72,8 @@ StudyFit settle(const Rules& rules, const StudyCandidate& candidate, std::size_t
     const auto wide = rules.sampled<long double>(rule + 1);
     const std::vector<long double> at(parameters.begin(), parameters.end());
     const auto sums = wide.gradient(at);
-    const MatrixOf<double> inverse = ScaledHessian(*hessian).inverse();
-    const VectorOf<long double> step = -(inverse.cast<long double>() * sums.gradient);
+    const ParameterMatrix<double> inverse = ScaledHessian(*hessian).inverse();
+    const ParameterVector<long double> step = -(inverse.cast<long double>() * sums.gradient);
     const long double size = relative_size(step, parameters, *hessian, fine.target_norm());
     const double square = fine.square(parameters);
     // Below this the square is rounding.

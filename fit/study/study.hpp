@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/least_squares/sums.hpp"
 #include "fit/quadrature/metric.hpp"
 #include "fit/scalars/symbolic.hpp"
 #include "fit/study/measured_rows.hpp"
@@ -71,7 +72,7 @@ std::vector<std::string> formula_inputs(const ReadStudy& study);
 
 /// The most variables and the most free parameters of a study.
 inline constexpr std::size_t most_axes = 3;
-inline constexpr std::size_t most_study_parameters = 16;
+inline constexpr std::size_t most_study_parameters = most_fitted;
 
 /// The density that a word names: `cosine`, `angle` and `cosine-weighted` for a cosine in [0, 1]. Any other
 /// text is a formula already.

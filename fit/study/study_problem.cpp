@@ -199,10 +199,10 @@ T SampledStudy<T>::square(std::span<const T> parameters) const {
 }
 
 template <class T>
-StudySums<T> SampledStudy<T>::gradient(std::span<const T> parameters) const {
+Sums<T> SampledStudy<T>::gradient(std::span<const T> parameters) const {
   std::vector<S> results;
   gradient_(parameters, results);
-  StudySums<T> sums{0, VectorOf<T>::Zero(static_cast<Eigen::Index>(count_)), {}};
+  Sums<T> sums{0, ParameterVector<T>::Zero(static_cast<Eigen::Index>(count_)), {}};
   for (std::size_t i = 0; i < size(); ++i) {
     const T weighted = weights_[i] * lane(results, 0, i);
     sums.square += weighted * lane(results, 0, i);
@@ -213,11 +213,11 @@ StudySums<T> SampledStudy<T>::gradient(std::span<const T> parameters) const {
 }
 
 template <class T>
-StudySums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
+Sums<T> SampledStudy<T>::derivatives(std::span<const T> parameters) const {
   std::vector<S> results;
   hessian()(parameters, results);
   const auto n = static_cast<Eigen::Index>(count_);
-  StudySums<T> sums{0, VectorOf<T>::Zero(n), MatrixOf<T>::Zero(n, n)};
+  Sums<T> sums{0, ParameterVector<T>::Zero(n), ParameterMatrix<T>::Zero(n, n)};
   for (std::size_t node = 0; node < size(); ++node) {
     const T error = lane(results, 0, node), weight = weights_[node];
     sums.square += weight * error * error;

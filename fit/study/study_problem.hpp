@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/least_squares/sums.hpp"
 #include "fit/study/study.hpp"
 #include "fit/study/study_nodes.hpp"
 #include "fit/tape/batch.hpp"
@@ -62,13 +63,6 @@ class StudyError {
   std::vector<StagedTape> denominators_;
 };
 
-template <class T>
-struct StudySums {
-  T square = 0;          ///< sum of weight * error^2
-  VectorOf<T> gradient;  ///< of half of it
-  MatrixOf<T> hessian;   ///< if asked for
-};
-
 /// The error at nodes. One thread uses it at a time.
 template <class T>
 class SampledStudy {
@@ -90,8 +84,9 @@ class SampledStudy {
                 ProductMatrix<T>& result) const;
 
   T square(std::span<const T> parameters) const;
-  StudySums<T> gradient(std::span<const T> parameters) const;
-  StudySums<T> derivatives(std::span<const T> parameters) const;
+  /// Without the Hessian.
+  Sums<T> gradient(std::span<const T> parameters) const;
+  Sums<T> derivatives(std::span<const T> parameters) const;
   /// The sum of share * (second derivatives of the error) over the nodes, with a share for each.
   MatrixOf<T> curvature(std::span<const T> parameters, std::span<const T> shares) const;
 

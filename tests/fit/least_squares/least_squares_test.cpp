@@ -260,6 +260,85 @@ TEST(LeastSquares, RelativeErrorsOfBluntLobes) {
   }
 }
 
+/// A family's scale times its error against its own formula of the relative error.
+template <class F>
+void expect_relative_scale(const F& family, const std::array<double, F::parameters.size()>& p) {
+  for (const double c : {0.75, 0.9, 1.0}) {
+    const auto sample = family.sample(Cosine<double>{c, 1 - c});
+    const double scaled = family.relative_scale(sample) * family.error(sample, p);
+    const double expected = family.relative_error(sample, p);
+    // A few roundings of form and target, of which the error is the difference.
+    EXPECT_NEAR(scaled, expected, 1e-14 * (1 + std::abs(expected))) << F::info.id << " c = " << c;
+  }
+}
+
+TEST(LeastSquares, TheScaleOfARelativeErrorIsItsRatioToTheError) {
+  expect_relative_scale(SgOffset{{12}}, {0.5});
+  expect_relative_scale(SgScaled{{12}}, {1.1, 0.5});
+  expect_relative_scale(PhongBlinn{{12}}, {4.5});
+  for (const Surface& surface : {Surface{}, exact_surface(1.5), exact_surface(0.2, 3)}) {
+    expect_relative_scale(FresnelOneTerm{{surface}}, {9});
+    expect_relative_scale(FresnelQuadratic{{surface}}, {-5, -7});
+    expect_relative_scale(FresnelCubic{{surface}}, {-1, -5, -7});
+    expect_relative_scale(FresnelQuartic{{surface}}, {-1, -1, -5, -7});
+    expect_relative_scale(FresnelFourth{{surface}}, {0.9});
+    expect_relative_scale(FresnelSquare{{surface}}, {2, -2});
+    expect_relative_scale(FresnelRational{{surface}}, {0.5});
+  }
+}
+
+// Five and more parameters, which no family has: the inverse is not a closed form, and the step is that of a
+// known answer.
+TEST(NewtonStep, SolvesForAnyNumberOfParameters) {
+  for (const int n : {1, 2, 3, 4, 5, 9, most_fitted}) {
+    ParameterMatrix<double> hessian(n, n);
+    ParameterVector<double> expected(n);
+    for (int i = 0; i < n; ++i) {
+      expected[i] = 1 + i;
+      for (int j = 0; j < n; ++j) hessian(i, j) = 1.0 / (1 + std::abs(i - j)) + (i == j ? n : 0);
+    }
+    const ParameterVector<double> gradient = -hessian * expected;
+    const ParameterVector<double> step = newton_step(gradient, hessian);
+    EXPECT_LT((step - expected).norm(), 1e-13 * expected.norm()) << n;
+    EXPECT_TRUE(is_minimum(hessian)) << n;
+    hessian(n - 1, n - 1) = -1;
+    EXPECT_FALSE(is_minimum(hessian)) << n;
+  }
+}
+
+// Of three parameters, any are given: the others are those of the form with these constants.
+TEST(SampledErrors, OfFreeOnesAreThoseOfTheWhole) {
+  const FresnelCubic family;
+  const SampledProblem<FresnelCubic, double> sampled(family, Substitution::panels({}, family.shape()), 12);
+  const SampledErrors all = sampled_errors(sampled, family, {});
+  const std::vector p{-1.0, -5.0, -7.0};
+  for (int which = 0; which < 7; ++which) {
+    GivenParameters given(3);
+    std::vector<Eigen::Index> free;
+    std::vector<double> values;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (which >> i & 1) {
+        given[i] = p[i];
+      } else {
+        free.push_back(static_cast<Eigen::Index>(i));
+        values.push_back(p[i]);
+      }
+    }
+    const SampledErrors part = of_free(all, given);
+    EXPECT_EQ(part.square(values), all.square(p));
+    EXPECT_EQ(part.gradient(values).gradient, all.gradient(p).gradient(free).eval());
+    EXPECT_EQ(part.derivatives(values).hessian, all.derivatives(p).hessian(free, free).eval());
+    std::vector<double> r(12), slopes(12 * values.size()), all_r(12), all_slopes(36);
+    part.errors(values, r, slopes);
+    all.errors(p, all_r, all_slopes);
+    EXPECT_EQ(r, all_r);
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      for (std::size_t node = 0; node < 12; ++node)
+        EXPECT_EQ(slopes[12 * i + node], all_slopes[12 * static_cast<std::size_t>(free[i]) + node]);
+    }
+  }
+}
+
 // Settings of every status: only a fit that did not converge says why.
 TEST(LeastSquares, EveryFailureSaysWhy) {
   int failed = 0;

@@ -272,8 +272,7 @@ struct Constant {
 template <class G>
 MinimaxOptimum solve_synthetic() {
   const Synthetic<G> family;
-  return Minimax<Synthetic<G>>(family, minimax(), {1, 0}, {0, 1})
-      .solve(start_of_minimax(family, minimax()));
+  return Minimax<Synthetic<G>>(family, minimax(), {1, 0}, {0, 1}).solve(start_of_minimax(family, minimax()));
 }
 
 TEST(Minimax, DegenerateAlternationsAreNoAnswers) {
