@@ -164,6 +164,7 @@ Optimum solve_least_squares(const F& family, const Metric& metric) {
   return LeastSquares<F>(family, metric).solve();
 }
 
+/// The start of minimax for a family.
 template <class F>
 Candidate start_of_minimax(const F& family, const Metric& metric) {
   const Sampling sampling(metric, family.shape(), F::parameters);
@@ -179,6 +180,7 @@ Sums<double> sums_of(const F& family, const Metric& metric, std::span<const doub
   return sampled.derivatives(sampled.array_of(parameters));
 }
 
+/// The root mean square of a family's error at given parameters.
 template <class F>
 double rms_of(const F& family, const Metric& metric, std::span<const double> parameters) {
   const Sampling sampling(metric, family.shape(), F::parameters);
