@@ -7,6 +7,7 @@
 #include "fit/family_visit.hpp"
 #include "fit/proof/certificate.hpp"
 #include "fit/proof/enclosed_constant.hpp"
+#include "fit/proof/enclosure.hpp"
 #include "fit/proof/interval.hpp"
 
 /// The formula that a certificate is about, in interval arithmetic. The search and the check share it.
@@ -19,7 +20,7 @@ inline std::string target_text(const FittableFamily& family, const Setting& sett
                                          : "(F - f0)/(1 - f0), F the exact reflectance of a conductor";
 }
 
-/// Calls visitor(error, form, family) with the error and the form of a subject as functions of the cosine,
+/// Calls visitor(error, form) with the error and the form of a subject as functions of the cosine,
 /// for any scalar over intervals. The family must be known and each parameter's text a constant.
 template <class Visitor>
 auto visit_formula(const Subject& subject, const Visitor& visitor) {
@@ -34,12 +35,20 @@ auto visit_formula(const Subject& subject, const Visitor& visitor) {
       const auto error = at_parameters(family, p, [](const F& f, const auto& sample, const auto& q) {
         return f.relative_error(sample, q);
       });
-      return visitor(error, form, family);
+      return visitor(error, form);
     }
     const auto error = at_parameters(
         family, p, [](const F& f, const auto& sample, const auto& q) { return f.error(sample, q); });
-    return visitor(error, form, family);
+    return visitor(error, form);
   });
 }
+
+/// The error and the form of a subject, type-erased: what uses them is compiled once, not for each family.
+struct CertifiedFormula {
+  EnclosedFunction error, form;
+};
+
+/// The same for these two scalars only.
+CertifiedFormula certified_formula(const Subject& subject);
 
 }  // namespace shadefit

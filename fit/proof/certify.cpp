@@ -40,10 +40,11 @@ void require_admissible(const Subject& subject) {
 }
 
 /// The part of the domain where the error is defined. An end that is a double stays exact.
-template <class F>
-Domain narrowed(const F& family, const Subject& subject) {
+Domain narrowed(const Subject& subject) {
   if (subject.error == Error::absolute) return subject.domain;
-  const auto end = family.relative_end();
+  const auto end = visit_family(subject.family, [&]<class F>(std::type_identity<F>) {
+    return make_family<F>(subject.setting).relative_end();
+  });
   const double lower = end ? std::max(subject.domain.lower, end->cos_theta) : subject.domain.upper;
   if (!(lower < subject.domain.upper))
     throw UserError("a relative error of " + subject.family + " has no meaning on the domain " +
@@ -52,8 +53,7 @@ Domain narrowed(const F& family, const Subject& subject) {
 }
 
 /// The place of the largest error by a search in plain doubles. It only makes the proof faster.
-template <class F>
-std::optional<ExactPlace> probable_place(const FittableFamily& family, const F&, const Subject& subject) {
+std::optional<ExactPlace> probable_place(const FittableFamily& family, const Subject& subject) {
   std::vector<double> parameters;
   for (const auto& [name, text] : subject.parameters)
     parameters.push_back(upper_end(enclosed_constant(text).value()));
@@ -91,42 +91,46 @@ void require_width(double width) {
   }
 }
 
+CertifiedFormula certified_formula(const Subject& subject) {
+  return visit_formula(subject, [](const auto& error, const auto& form) {
+    return CertifiedFormula{error, form};
+  });
+}
+
 Certified certify(const Subject& asked, double width, const Checkpoint& checkpoint) {
   require_width(width);
   if (const std::string fault = fault_of(asked); !fault.empty()) throw UserError(fault);
   const FittableFamily* family = find_family(asked.family);
   require_admissible(asked);
-  return visit_formula(asked, [&](const auto& error, const auto& form, const auto& formulas) {
-    Certified result;
-    Certificate& certificate = result.certificate;
-    certificate.subject = asked;
-    certificate.subject.domain = narrowed(formulas, asked);
-    certificate.target = target_text(*family, asked.setting);
-    certificate.form = to_text(family->form());
-    certificate.precision = interval_precision();
-    const Enclosure found = enclose_largest(error, certificate.subject.domain,
-                                            {.width = width,
-                                             .hint = probable_place(*family, formulas, certificate.subject),
-                                             .checkpoint = checkpoint});
-    if (!std::isfinite(found.upper))
-      throw CheckFailed(asked.family + " with " + parameters_text(asked) + " on " +
-                        to_text(certificate.subject.domain) +
-                        ": no double was proven to bound the largest error");
-    certificate.lower = found.lower;
-    certificate.upper = found.upper;
-    certificate.attained = found.attained;
-    certificate.places = found.places;
-    std::vector<Box> boxes = found.boxes;
-    const CurveShape& curve = family->info.curve;
-    result.curve = prove_curve(form, curve, boxes, checkpoint);
-    certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
-                         .is_non_negative = result.curve.non_negative == Proof::proven,
-                         .is_at_most_one = result.curve.at_most_one == Proof::proven};
-    certificate.horizon = ends_of(boxes, Origin::horizon);
-    certificate.peak = ends_of(boxes, Origin::peak);
-    result.is_reached = found.is_reached;
-    return result;
-  });
+  const auto [error, form] = certified_formula(asked);
+  Certified result;
+  Certificate& certificate = result.certificate;
+  certificate.subject = asked;
+  certificate.subject.domain = narrowed(asked);
+  certificate.target = target_text(*family, asked.setting);
+  certificate.form = to_text(family->form());
+  certificate.precision = interval_precision();
+  const Enclosure found = enclose_largest(
+      error, certificate.subject.domain,
+      {.width = width, .hint = probable_place(*family, certificate.subject), .checkpoint = checkpoint});
+  if (!std::isfinite(found.upper))
+    throw CheckFailed(asked.family + " with " + parameters_text(asked) + " on " +
+                      to_text(certificate.subject.domain) +
+                      ": no double was proven to bound the largest error");
+  certificate.lower = found.lower;
+  certificate.upper = found.upper;
+  certificate.attained = found.attained;
+  certificate.places = found.places;
+  std::vector<Box> boxes = found.boxes;
+  const CurveShape& curve = family->info.curve;
+  result.curve = prove_curve(form, curve, boxes, checkpoint);
+  certificate.curve = {.trend = result.curve.trend == Proof::proven ? curve.trend : Trend::none,
+                       .is_non_negative = result.curve.non_negative == Proof::proven,
+                       .is_at_most_one = result.curve.at_most_one == Proof::proven};
+  certificate.horizon = ends_of(boxes, Origin::horizon);
+  certificate.peak = ends_of(boxes, Origin::peak);
+  result.is_reached = found.is_reached;
+  return result;
 }
 
 Subject subject_of(const Fit& fit, Error error) {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "fit/proof/certificate.hpp"
+#include "fit/proof/enclosure.hpp"
 #include "fit/proof/interval_ends.hpp"
-#include "fit/scalars/jet.hpp"
 #include "fit/support/checkpoint.hpp"
 
 /// Proves the properties of a form that its record states: monotonic in the angle, not below 0, not above 1.
@@ -15,9 +15,8 @@ inline constexpr int most_curve_boxes = 2000;
 
 /// A form's value and its slope in the direction of the rising angle (towards c = 0), on a box. A box with
 /// equal ends is a single place.
-template <class Form>
-ceres::Jet<Interval, 1> form_on(const Form& form, const Box& box) {
-  using Jet = ceres::Jet<Interval, 1>;
+inline EnclosedFunction::Jet form_on(const EnclosedFunction& form, const Box& box) {
+  using Jet = EnclosedFunction::Jet;
   Jet value = form(cosine_at(box.side, Jet(span_of(box.lower, box.upper), 0)));
   if (box.side == Origin::horizon) value.v[0] = -value.v[0];
   return value;
@@ -26,8 +25,8 @@ ceres::Jet<Interval, 1> form_on(const Form& form, const Box& box) {
 /// Proves one property by cutting boxes until it holds on each. `holds` and `fails` take a Jet of `form_on`;
 /// `fails` is tested only at single places. After a proof, `boxes` are the boxes on which the property holds.
 /// The checkpoint is called for each box.
-template <class Form, class Holds, class Fails>
-Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const Fails& fails,
+template <class Holds, class Fails>
+Proof prove(const EnclosedFunction& form, std::vector<Box>& boxes, const Holds& holds, const Fails& fails,
             const Checkpoint& checkpoint) {
   std::vector<Box> open(boxes.rbegin(), boxes.rend()), done;
   const std::size_t most = boxes.size() + most_curve_boxes;
@@ -55,9 +54,8 @@ Proof prove(const Form& form, std::vector<Box>& boxes, const Holds& holds, const
 
 /// Proves the properties that the record states of a curve, over boxes by rising cosine. It cuts boxes
 /// further where needed.
-template <class Form>
-CurveProof prove_curve(const Form& form, const CurveShape& curve, std::vector<Box>& boxes,
-                       const Checkpoint& checkpoint) {
+inline CurveProof prove_curve(const EnclosedFunction& form, const CurveShape& curve, std::vector<Box>& boxes,
+                              const Checkpoint& checkpoint) {
   CurveProof result;
   if (curve.trend != Trend::none) {
     const bool falls = curve.trend == Trend::falls;

@@ -49,11 +49,11 @@ class LargestSearch {
   /// with the square of the width. Where f' has one sign, the larger value of the two ends.
   double bound_on(const Box& box) {
     const Interval distance = span_of(box.lower, box.upper);
-    const Jet value = f_.jet(cosine_at(box.side, Jet(distance, 0)));
+    const Jet value = f_(cosine_at(box.side, Jet(distance, 0)));
     double natural = largest_magnitude_in(value.a);
     // At a kink under a root, the maximum of Jets is the hull of both branches; the maximum of intervals is
     // narrower.
-    if (std::isinf(natural)) natural = largest_magnitude_in(f_.value(cosine_at(box.side, distance)));
+    if (std::isinf(natural)) natural = largest_magnitude_in(f_(cosine_at(box.side, distance)));
     if (natural <= lower_ || !is_bounded(value.v[0])) return natural;
     const double centre = box.lower + (box.upper - box.lower) / 2;
     const Interval mean = raise({box.side, centre}) + value.v[0] * (distance - Interval(centre));
@@ -65,7 +65,7 @@ class LargestSearch {
 
   /// Evaluates f at a place and raises the lower bound if |f| is larger.
   Interval raise(const ExactPlace& place) {
-    const Interval value = f_.value(cosine_at(place.side, Interval(place.distance)));
+    const Interval value = f_(cosine_at(place.side, Interval(place.distance)));
     const double magnitude = smallest_magnitude_in(value);
     if (magnitude > lower_) {
       lower_ = magnitude;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -40,23 +41,25 @@ struct Enclosure {
 
 /// A continuous function of the cosine, type-erased so that the search is compiled only once. Where it has a
 /// kink, its derivatives enclose those of both branches.
-struct EnclosedFunction {
+class EnclosedFunction {
+ public:
   using Jet = ceres::Jet<Interval, 1>;
 
-  std::function<Interval(const Cosine<Interval>&)> value;
-  std::function<Jet(const Cosine<Jet>&)> jet;
+  /// `f` is a template over the cosine's scalar.
+  template <class F>
+  requires(!std::same_as<F, EnclosedFunction>) EnclosedFunction(const F& f) : value_(f), jet_(f) {}
+
+  Interval operator()(const Cosine<Interval>& c) const { return value_(c); }
+  Jet operator()(const Cosine<Jet>& c) const { return jet_(c); }
+
+ private:
+  std::function<Interval(const Cosine<Interval>&)> value_;
+  std::function<Jet(const Cosine<Jet>&)> jet_;
 };
 
 /// Encloses max |f| over a domain: see `Enclosure`. `is_reached` is false if f is unbounded or needs more
 /// boxes than allowed; the bounds hold nevertheless.
-Enclosure enclose_largest(const EnclosedFunction& f, const Domain& domain, const EnclosureOptions& options);
-
-/// The same for a template over the cosine's scalar.
-template <class F>
-Enclosure enclose_largest(const F& f, const Domain& domain, const EnclosureOptions& options = {}) {
-  const EnclosedFunction enclosed{[&f](const Cosine<Interval>& c) { return f(c); },
-                                  [&f](const Cosine<EnclosedFunction::Jet>& c) { return f(c); }};
-  return enclose_largest(enclosed, domain, options);
-}
+Enclosure enclose_largest(const EnclosedFunction& f, const Domain& domain,
+                          const EnclosureOptions& options = {});
 
 }  // namespace shadefit

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -59,10 +61,25 @@ Interval values_on(const Taylor<order - 1>& at_centre, const Interval& remainder
   return at_centre.value() + at_centre[1] * step + power(step, 2) * bracket;
 }
 
+/// An error for the scalars of this file, type-erased.
+class SeriesFunction : public EnclosedFunction {
+ public:
+  template <class F>
+  requires(!std::same_as<F, SeriesFunction>) SeriesFunction(const F& f)
+      : EnclosedFunction(f), at_centre_(f), on_box_(f) {}
+
+  using EnclosedFunction::operator();
+  Taylor<order - 1> operator()(const Cosine<Taylor<order - 1>>& c) const { return at_centre_(c); }
+  Taylor<order> operator()(const Cosine<Taylor<order>>& c) const { return on_box_(c); }
+
+ private:
+  std::function<Taylor<order - 1>(const Cosine<Taylor<order - 1>>&)> at_centre_;
+  std::function<Taylor<order>(const Cosine<Taylor<order>>&)> on_box_;
+};
+
 /// Proves that |error| exceeds its largest value at the peaks by less than `width`: on each box by a Taylor
 /// series with enclosed remainder. Empty if the boxes become too small or too many, as at a kink.
-template <class F>
-std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain,
+std::optional<ErrorBounds> bounds_by_series(const SeriesFunction& error, const Domain& domain,
                                             std::span<const Cosine<double>> peaks, double width,
                                             const Checkpoint& checkpoint) {
   std::vector<CentredBox> open = boxes_around(peaks, domain);
@@ -93,9 +110,8 @@ std::optional<ErrorBounds> bounds_by_series(const F& error, const Domain& domain
   return ErrorBounds{lower, lower * (1 + width), true};
 }
 
-template <class F>
-ErrorBounds bounds_of(const F& error, const Domain& domain, std::span<const Cosine<double>> peaks,
-                      double width, const Checkpoint& checkpoint) {
+ErrorBounds bounds_of(const SeriesFunction& error, const Domain& domain,
+                      std::span<const Cosine<double>> peaks, double width, const Checkpoint& checkpoint) {
   // half, so that the rounding of the bound itself stays within the width
   if (const auto bounds = bounds_by_series(error, domain, peaks, width / 2, checkpoint)) return *bounds;
   const Enclosure found = enclose_largest(
@@ -118,9 +134,9 @@ double integral(const F& f, const Domain& domain, const Surface& surface) {
 
 ErrorBounds bound_error(const Subject& subject, std::span<const Cosine<double>> peaks, double width,
                         const Checkpoint& checkpoint) {
-  return visit_formula(subject, [&](const auto& error, const auto&, const auto&) {
-    return bounds_of(error, subject.domain, peaks, width, checkpoint);
-  });
+  const SeriesFunction error =
+      visit_formula(subject, [](const auto& f, const auto&) { return SeriesFunction(f); });
+  return bounds_of(error, subject.domain, peaks, width, checkpoint);
 }
 
 SchlickError schlick_error(const Surface& surface, const Domain& domain, double width,

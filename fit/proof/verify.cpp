@@ -11,7 +11,7 @@
 namespace shadefit {
 namespace {
 
-using Jet = ceres::Jet<Interval, 1>;
+using Jet = EnclosedFunction::Jet;
 
 std::string text_of(const Box& box) {
   return std::string(box.side == Origin::peak ? "1 - c" : "c") + " in [" + hex_text(box.lower) + ", " +
@@ -103,8 +103,7 @@ std::vector<Box> boxes_in(const Certificate& certificate) {
 
 /// Whether |error| <= bound on a box: by its range; by its range around the middle, f(m) + f'(box) (box - m);
 /// or, where it does not turn, at both ends.
-template <class Function>
-bool is_bounded_by(const Function& error, const Box& box, double bound) {
+bool is_bounded_by(const EnclosedFunction& error, const Box& box, double bound) {
   const Interval distance = span_of(box.lower, box.upper);
   const auto value_at = [&](double place) { return error(cosine_at(box.side, Interval(place))); };
   const auto fits = [&](const Interval& value) { return largest_magnitude_in(value) <= bound; };
@@ -119,8 +118,7 @@ bool is_bounded_by(const Function& error, const Box& box, double bound) {
   return has_one_sign(slope) && fits(value_at(box.lower)) && fits(value_at(box.upper));
 }
 
-template <class Function>
-std::string check_attained(const Certificate& certificate, const Function& error) {
+std::string check_attained(const Certificate& certificate, const EnclosedFunction& error) {
   const ExactPlace& place = certificate.attained;
   if (!is_inside(place, boxes_of(certificate.subject.domain)))
     return "the place of its lower bound is outside of the domain";
@@ -130,8 +128,7 @@ std::string check_attained(const Certificate& certificate, const Function& error
          hex_text(largest_magnitude_in(attained));
 }
 
-template <class Form>
-std::string check_curve(const CurveShape& curve, const Box& box, const Form& form) {
+std::string check_curve(const CurveShape& curve, const Box& box, const EnclosedFunction& form) {
   const Jet value = form(cosine_at(box.side, Jet(span_of(box.lower, box.upper), 0)));
   // c falls as the angle rises, 1 - c rises with it.
   const bool falls_with_distance = (curve.trend == Trend::falls) == (box.side == Origin::peak);
@@ -151,9 +148,9 @@ std::string check_cover(const Certificate& certificate) {
   return check_cover(certificate.peak, Origin::peak, 1 - domain.upper, std::min(1 - domain.lower, half_way));
 }
 
-template <class Function, class Form>
-std::string check_boxes(const Certificate& certificate, const Function& error, const Form& form,
-                        const ShareDone& done) {
+std::string check_boxes(const Certificate& certificate, const ShareDone& done) {
+  const auto [error, form] = certified_formula(certificate.subject);
+  if (std::string reason = check_attained(certificate, error); !reason.empty()) return reason;
   const std::vector<Box> boxes = boxes_in(certificate);
   const Places places = places_of(certificate);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -175,10 +172,7 @@ std::string reason_to_refuse(const Certificate& certificate, const ShareDone& do
   if (std::string reason = check_subject(certificate); !reason.empty()) return reason;
   if (std::string reason = check_cover(certificate); !reason.empty()) return reason;
   if (std::string reason = check_places(certificate); !reason.empty()) return reason;
-  return visit_formula(certificate.subject, [&](const auto& error, const auto& form, const auto&) {
-    const std::string reason = check_attained(certificate, error);
-    return reason.empty() ? check_boxes(certificate, error, form, done) : reason;
-  });
+  return check_boxes(certificate, done);
 }
 
 }  // namespace shadefit

@@ -134,8 +134,8 @@ void Projection::move_to(const double* q) const {
     if (linear_share() > small_share) move_linear();
   }
   factorise(columns_);
-  constexpr int most_steps = 2;
-  for (int i = 0; i < most_steps && linear_share() > small_share; ++i) {
+  constexpr int most_linear_steps = 2;
+  for (int i = 0; i < most_linear_steps && linear_share() > small_share; ++i) {
     move_linear();
     factorise(columns_);
   }

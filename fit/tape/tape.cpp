@@ -77,6 +77,9 @@ Tape::Tape(const Graph& graph, std::span<const int> outputs, std::span<const int
   for (const int output : outputs) outputs_.push_back(final_place(place.at(output)));
 }
 
+template void TapeProgram<double>::run(std::span<const double>);
+template void TapeProgram<long double>::run(std::span<const long double>);
+
 Tape tape_of(const Symbolic& formula, std::span<const std::string> variables, std::size_t slopes) {
   Graph graph(variables);
   std::vector<int> inputs, outputs{graph.add(formula)};

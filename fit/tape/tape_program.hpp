@@ -29,11 +29,7 @@ class TapeProgram {
   TapeProgram& operator=(const TapeProgram&) = delete;
 
   /// Computes the outputs for the variables.
-  void run(std::span<const T> variables) {
-    std::copy(variables.begin(), variables.end(),
-              values_.begin() + static_cast<std::ptrdiff_t>(tape_.register_count()));
-    tape_.run_over<T>(table_, registers_, 1);
-  }
+  void run(std::span<const T> variables);
   const T& output(std::size_t i) const { return values_[tape_.output(i)]; }
 
  private:
@@ -42,6 +38,17 @@ class TapeProgram {
   std::vector<const T*> table_;
   std::vector<T*> registers_;
 };
+
+template <class T>
+void TapeProgram<T>::run(std::span<const T> variables) {
+  std::copy(variables.begin(), variables.end(),
+            values_.begin() + static_cast<std::ptrdiff_t>(tape_.register_count()));
+  tape_.run_over<T>(table_, registers_, 1);
+}
+
+// Fits spend much of their time here: one copy, optimised as tape.cpp is.
+extern template void TapeProgram<double>::run(std::span<const double>);
+extern template void TapeProgram<long double>::run(std::span<const long double>);
 
 /// The tape of a formula of variables. Its outputs are the formula and the derivatives by the first `slopes`
 /// of the variables.

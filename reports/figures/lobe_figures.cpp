@@ -30,21 +30,22 @@ struct LobeFormulas {
 };
 
 template <class F>
-constexpr LobeFormulas formulas_of{[](const Cosine<double>& c, double exponent, double parameter) {
-                                     const F family{{exponent}};
-                                     return family.form(family.sample(c), std::array{parameter});
-                                   },
-                                   [](const Cosine<double>& c, double exponent, double parameter) {
-                                     const F family{{exponent}};
-                                     return family.error(family.sample(c), std::array{parameter});
-                                   },
-                                   [](const Cosine<double>& c, double exponent, double parameter) {
-                                     const F family{{exponent}};
-                                     return family.relative_error(family.sample(c), std::array{parameter});
-                                   }};
+constexpr LobeFormulas lobe_formulas_of{[](const Cosine<double>& c, double exponent, double parameter) {
+                                          const F family{{exponent}};
+                                          return family.form(family.sample(c), std::array{parameter});
+                                        },
+                                        [](const Cosine<double>& c, double exponent, double parameter) {
+                                          const F family{{exponent}};
+                                          return family.error(family.sample(c), std::array{parameter});
+                                        },
+                                        [](const Cosine<double>& c, double exponent, double parameter) {
+                                          const F family{{exponent}};
+                                          return family.relative_error(family.sample(c),
+                                                                       std::array{parameter});
+                                        }};
 
-constexpr LobeFormulas gaussian = formulas_of<SgOffset>;
-constexpr LobeFormulas blinn = formulas_of<PhongBlinn>;
+constexpr LobeFormulas gaussian = lobe_formulas_of<SgOffset>;
+constexpr LobeFormulas blinn = lobe_formulas_of<PhongBlinn>;
 
 /// The available fits of a low, a medium and a high exponent under the first measure.
 std::vector<const Fit*> fits_at(const Refit& refit, std::initializer_list<double> exponents) {

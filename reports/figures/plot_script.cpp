@@ -16,7 +16,7 @@ namespace {
 constexpr int picture_width = 900;
 /// CSS: 96 pixels an inch. The fonts and lines of a PDF and a PNG are scaled to look as those of the SVG do.
 constexpr double centimetres_a_pixel = 2.54 / 96;
-constexpr int left = 88, right_edge = 22, top = 18, below = 70;
+constexpr int left_edge = 88, right_edge = 22, top_edge = 18, bottom_edge = 70;
 constexpr int title_height = 22, top_tics_height = 20, legend_height = 22;
 constexpr int between_columns = 84, between_rows = 50;
 
@@ -67,8 +67,8 @@ Layout layout_of(const Plot& plot) {
   };
   const int rows = (static_cast<int>(plot.panels.size()) + plot.columns - 1) / plot.columns;
   const int above =
-      top + (has(&Panel::title) ? title_height : 0) + (has(&Panel::top_tics) ? top_tics_height : 0);
-  const int under = below + legend_height * rows_of_legend(legend_of(plot));
+      top_edge + (has(&Panel::title) ? title_height : 0) + (has(&Panel::top_tics) ? top_tics_height : 0);
+  const int under = bottom_edge + legend_height * rows_of_legend(legend_of(plot));
   return {rows, above, under, above + rows * plot.panel_height + (rows - 1) * between_rows + under};
 }
 
@@ -105,7 +105,7 @@ std::string prelude(const Plot& plot) {
              "set key off\n"
              "set multiplot layout {},{} margins screen {:.5f},{:.5f},{:.5f},{:.5f} spacing screen "
              "{:.5f},{:.5f}\n",
-             layout.rows, plot.columns, across(left), 1 - across(right_edge), up(layout.under),
+             layout.rows, plot.columns, across(left_edge), 1 - across(right_edge), up(layout.under),
              1 - up(layout.above), across(between_columns), up(between_rows));
 }
 
@@ -115,7 +115,7 @@ const char* style_of(const Curve& curve) {
   return curve.has_points ? "linespoints" : "lines";
 }
 
-std::string plotted(const Plot& plot, const Panel& panel, const Curve& curve) {
+std::string command_of(const Plot& plot, const Panel& panel, const Curve& curve) {
   const std::string x = panel.where.empty()
                             ? fmt::format("(column('{}'))", panel.abscissa)
                             : fmt::format("({} ? column('{}') : NaN)", panel.where, panel.abscissa);
@@ -145,7 +145,7 @@ std::string panel_text(const Plot& plot, const Panel& panel) {
         level.value, level.label);
   }
   std::vector<std::string> lines;
-  for (const Curve& curve : panel.curves) lines.push_back(plotted(plot, panel, curve));
+  for (const Curve& curve : panel.curves) lines.push_back(command_of(plot, panel, curve));
   return out + fmt::format("plot {}\n", fmt::join(lines, ", \\\n  "));
 }
 

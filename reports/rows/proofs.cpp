@@ -12,10 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Cell all_of(double value) {
-  return Number{value, all_digits};
-}
-
 /// The range of cosines that contains the place of the largest error.
 Domain places_in(const Certificate& certificate) {
   return {cosines_of(certificate.places.front()).lower, cosines_of(certificate.places.back()).upper};

@@ -58,7 +58,7 @@ Error read_error(const OwnFields& fields) {
   fields.fail("error", "is unknown: '" + text + "'");
 }
 
-StudySubject read_subject(const OwnFields& fields) {
+StudySubject read_study_subject(const OwnFields& fields) {
   StudySubject subject;
   subject.study.target = fields.text("target");
   subject.study.form = fields.text("form");
@@ -125,7 +125,7 @@ ReadStudyCertificate read_study_certificate(const std::string& text, const std::
     result.refused = "its digest is " + stated + ", that of its fields is " + digest +
                      ": it was changed after it was written";
   StudyCertificate& certificate = result.certificate;
-  certificate.subject = read_subject(fields);
+  certificate.subject = read_study_subject(fields);
   for (const Json& item : fields.list("over"))
     certificate.ranges.push_back(read_pair(fields.item(item), "doubles"));
   const Domain largest = read_pair(fields, "largest");

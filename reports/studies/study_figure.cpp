@@ -19,7 +19,7 @@ namespace shadefit {
 namespace {
 
 constexpr std::array looks{Look::first, Look::second, Look::third, Look::fourth};
-constexpr int panel_height = 260;
+constexpr int slices_height = 260;
 
 /// Formulas with constants along the first variable; the others are fixed.
 struct Slice {
@@ -187,7 +187,7 @@ Figure study_figure(const std::vector<FittedStudy>& studies) {
   const Plot plot{.name = "fit",
                   .about = "A fit, and its error.",
                   .columns = 1,
-                  .panel_height = panel_height,
+                  .panel_height = slices_height,
                   .panels = {curves, errors}};
   return {plot.name, "", plot.about, table, write_script(plot)};
 }
@@ -250,7 +250,7 @@ Figure better_study_figure(const StudyComparison& comparison) {
                   .about = fmt::format("Errors of the published constants and of the best curve, for {}.",
                                        comparison.study.target),
                   .columns = 1,
-                  .panel_height = panel_height + 100,
+                  .panel_height = slices_height + 100,
                   .panels = {panel}};
   return {plot.name, "", plot.about, table, write_script(plot)};
 }

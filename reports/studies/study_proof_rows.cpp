@@ -13,10 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Cell all_of(double value) {
-  return Number{value, all_digits};
-}
-
 std::string error_text(const Study& study) {
   const bool is_weighted = study.weight != "1";
   if (study.error == Error::absolute)

@@ -22,6 +22,11 @@ inline constexpr int all_digits = 17;
 /// Nothing, a word or sentence, a whole number, or a number.
 using Cell = std::variant<std::monostate, std::string, long, Number>;
 
+/// A number with all digits.
+inline Cell all_of(double value) {
+  return Number{value, all_digits};
+}
+
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<Cell>> rows;
