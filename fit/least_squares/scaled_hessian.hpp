@@ -1,8 +1,6 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,15 +13,10 @@ namespace shadefit {
 /// A Hessian in units that make its diagonal 1. Parameters have units: without this a small one would look
 /// like rounding beside a large one.
 struct ScaledHessian {
-  explicit ScaledHessian(const ParameterMatrix<double>& hessian)
-      : units(hessian.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse()),
-        scaled(units.asDiagonal() * hessian * units.asDiagonal()) {}
+  explicit ScaledHessian(const ParameterMatrix<double>& hessian);
 
-  ParameterMatrix<double> inverse() const {
-    return units.asDiagonal() * scaled.fullPivLu().inverse() * units.asDiagonal();
-  }
-  /// Whether all eigenvalues are positive.
-  bool is_positive() const { return Eigen::LDLT<ParameterMatrix<double>>(scaled).isPositive(); }
+  ParameterMatrix<double> inverse() const;  ///< of the Hessian itself
+  bool is_positive() const;                 ///< whether no eigenvalue is negative
 
   ParameterVector<double> units;  ///< of the parameters
   ParameterMatrix<double> scaled;

@@ -12,7 +12,7 @@ using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
 /// The rounding of a condition, relative to the sizes of its terms.
-constexpr double rounding = 1e-13;
+constexpr double rounding_of_condition = 1e-13;
 /// A direction counts as tangent to a condition if it changes it by less than this share of the largest
 /// possible change: the active conditions determine this one.
 constexpr double across = 1e-12;
@@ -65,7 +65,7 @@ class DualMethod {
       const double over = excess(i);
       if (!(over > most)) continue;
       const double size = std::abs(conditions_[i].bound) + slope(i).cwiseAbs().dot(step_.cwiseAbs());
-      if (!(over > rounding * size)) continue;
+      if (!(over > rounding_of_condition * size)) continue;
       most = over;
       worst = i;
     }

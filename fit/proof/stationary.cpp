@@ -27,47 +27,43 @@ constexpr double gradient_width = 1e-19, hessian_width = 1e-4;
 template <std::size_t N>
 using Intervals = std::array<Interval, N>;
 
-/// A parameter as a scalar that carries the derivative with respect to it.
-template <class T, int N>
-ceres::Jet<T, N> seed(const T& value, int i) {
-  ceres::Jet<T, N> jet(value);
-  jet.v[i] = integer<T>(1);
+/// A parameter as a scalar that carries the derivative by it, if `is_moved`.
+template <class T>
+ceres::Jet<T, 1> seed(const T& value, bool is_moved) {
+  ceres::Jet<T, 1> jet(value);
+  jet.v[0] = integer<T>(is_moved ? 1 : 0);
   return jet;
 }
 
-/// error * d error/dp_i at a place: the integrand of the gradient of half the squared error.
+/// error * d error/dp_i at a place: the integrand of the gradient of half the squared error. One parameter
+/// moves at a time: so the scalars are the same for any number of parameters, and compile once.
 template <class F, std::size_t N>
 auto gradient_integrand(const F& family, const Intervals<N>& parameters) {
   return [=]<class T>(const Cosine<T>& c) {
-    using Jet = ceres::Jet<T, static_cast<int>(N)>;
-    std::array<Jet, N> p;
-    for (std::size_t i = 0; i < N; ++i)
-      p[i] = seed<T, static_cast<int>(N)>(lift<T>(parameters[i]), static_cast<int>(i));
-    const Jet error = family.error(family.sample(c), p);
+    const auto sample = family.sample(c);
     std::array<T, N> result;
-    for (std::size_t i = 0; i < N; ++i) result[i] = error.a * error.v[static_cast<int>(i)];
+    for (std::size_t i = 0; i < N; ++i) {
+      std::array<ceres::Jet<T, 1>, N> p;
+      for (std::size_t k = 0; k < N; ++k) p[k] = seed(lift<T>(parameters[k]), k == i);
+      const auto error = family.error(sample, p);
+      result[i] = error.a * error.v[0];
+    }
     return result;
   };
 }
 
-/// The same for the derivatives of the gradient, row by row.
+/// The same for the derivatives of the gradient, row by row. Two parameters move at a time.
 template <class F, std::size_t N>
 auto hessian_integrand(const F& family, const Intervals<N>& parameters) {
   return [=]<class T>(const Cosine<T>& c) {
-    constexpr int n = static_cast<int>(N);
-    using First = ceres::Jet<T, n>;
-    using Second = ceres::Jet<First, n>;
-    std::array<Second, N> p;
-    for (int i = 0; i < n; ++i) {
-      const T value = lift<T>(parameters[static_cast<std::size_t>(i)]);
-      p[static_cast<std::size_t>(i)] = seed<First, n>(seed<T, n>(value, i), i);
-    }
-    const Second error = family.error(family.sample(c), p);
+    const auto sample = family.sample(c);
     std::array<T, N * N> result;
-    for (int i = 0; i < n; ++i) {
-      for (int j = 0; j < n; ++j) {
-        result[static_cast<std::size_t>(i * n + j)] =
-            error.v[i].a * error.v[j].a + error.a.a * error.v[i].v[j];
+    for (std::size_t i = 0; i < N; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        std::array<ceres::Jet<ceres::Jet<T, 1>, 1>, N> p;
+        for (std::size_t k = 0; k < N; ++k) p[k] = seed(seed(lift<T>(parameters[k]), k == j), k == i);
+        const auto error = family.error(sample, p);
+        result[i * N + j] = result[j * N + i] = error.v[0].a * error.a.v[0] + error.a.a * error.v[0].v[0];
       }
     }
     return result;
