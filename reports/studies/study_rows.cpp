@@ -349,6 +349,7 @@ nlohmann::ordered_json study_json(const std::vector<FittedStudy>& studies) {
                      {"why", study.fit.why.empty() ? Json() : Json(study.fit.why)},
                      {"starts", study.fit.starts},
                      {"global", study.fit.is_global},
+                     {"unique", has_answer ? Json(study.fit.is_unique) : Json()},
                      {"parameters", has_answer ? parameters_json(study, study.fit.parameters) : Json()},
                      {"digits", has_answer ? Json(study.fit.digits) : Json()},
                      {"rms_error", has_answer ? Json(study.fit.rms_error) : Json()},

@@ -29,6 +29,9 @@ TEST(StudyCommand, PrintsEveryFormat) {
   EXPECT_NEAR(json["parameters"]["b"].get<double>(), -0.163889932843928, 2e-15);
   EXPECT_EQ(json["status"], "converged");
   EXPECT_EQ(json["global"], true);
+  EXPECT_EQ(json["unique"], true);
+  const auto many = json_of({"fit", "burley-albedo", "--form", "mixed-cubic", "--norm", "minimax"});
+  EXPECT_EQ(many["unique"], false) << "other constants have its level too";
   EXPECT_EQ(json["at"]["x"], 0);
   EXPECT_EQ(json["over"]["x"]["range"], (std::vector<std::string>{"0", "1"}));
   EXPECT_EQ(run_command_line(with(acos_linear, {"--csv"})).out.substr(0, 47),
