@@ -78,10 +78,18 @@ int descend_by(const Function& function, const Patience& patience, Eigen::Ref<Ei
 }  // namespace
 
 int descend(const Residuals& residuals, const Patience& patience, Eigen::Ref<Eigen::VectorXd> parameters) {
-  const bool is_on_stack = residuals.count <= most_on_stack;
-  if (is_on_stack && parameters.size() == 1) return descend_by(OnStack<1>(residuals), patience, parameters);
-  if (is_on_stack && parameters.size() == 2) return descend_by(OnStack<2>(residuals), patience, parameters);
-  return descend_by(OfAnySize(residuals, parameters.size()), patience, parameters);
+  switch (residuals.count <= most_on_stack ? parameters.size() : 0) {
+    case 1:
+      return descend_by(OnStack<1>(residuals), patience, parameters);
+    case 2:
+      return descend_by(OnStack<2>(residuals), patience, parameters);
+    case 3:
+      return descend_by(OnStack<3>(residuals), patience, parameters);
+    case 4:
+      return descend_by(OnStack<4>(residuals), patience, parameters);
+    default:
+      return descend_by(OfAnySize(residuals, parameters.size()), patience, parameters);
+  }
 }
 
 }  // namespace shadefit

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "fit/support/hex_float.hpp"
 #include "reports/io/utf8.hpp"
 #include "reports/rows/fit_json.hpp"
 #include "reports/rows/statement.hpp"
