@@ -1,9 +1,6 @@
 #include "fit/least_squares/newton.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
-
-#include "fit/least_squares/scaled_hessian.hpp"
 
 namespace shadefit {
 namespace {
@@ -29,18 +26,6 @@ ParameterMatrix<double> inverse(const ParameterMatrix<double>& hessian) {
     default:
       return hessian.fullPivLu().inverse();
   }
-}
-
-ScaledHessian::ScaledHessian(const ParameterMatrix<double>& hessian)
-    : units(hessian.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse()),
-      scaled(units.asDiagonal() * hessian * units.asDiagonal()) {}
-
-ParameterMatrix<double> ScaledHessian::inverse() const {
-  return units.asDiagonal() * scaled.fullPivLu().inverse() * units.asDiagonal();
-}
-
-bool ScaledHessian::is_positive() const {
-  return Eigen::LDLT<ParameterMatrix<double>>(scaled).isPositive();
 }
 
 bool is_minimum(const ParameterMatrix<double>& hessian) {

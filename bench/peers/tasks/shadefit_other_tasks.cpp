@@ -93,9 +93,9 @@ shadefit::StudyNodes thirty_nodes(const shadefit::ReadStudy& study) {
 
 /// The parameters after a step of Newton's method in T. The inverse of the Hessian may be an older one.
 template <class T>
-std::vector<double> moved(std::vector<double> parameters, const shadefit::MatrixOf<double>& inverse,
-                          const shadefit::VectorOf<T>& gradient) {
-  const shadefit::VectorOf<T> step = inverse.cast<T>() * gradient;
+std::vector<double> moved(std::vector<double> parameters, const shadefit::ParameterMatrix<double>& inverse,
+                          const shadefit::ParameterVector<T>& gradient) {
+  const shadefit::ParameterVector<T> step = inverse.cast<T>() * gradient;
   for (std::size_t i = 0; i < parameters.size(); ++i)
     parameters[i] = static_cast<double>(T(parameters[i]) - step[static_cast<Eigen::Index>(i)]);
   return parameters;
