@@ -1,6 +1,8 @@
 #include "fit/least_squares/newton.hpp"
 
 #include <Eigen/LU>
+#include <array>
+#include <cstddef>
 
 namespace shadefit {
 namespace {
@@ -29,8 +31,10 @@ ParameterMatrix<double> inverse(const ParameterMatrix<double>& hessian) {
 }
 
 bool is_minimum(const ParameterMatrix<double>& hessian) {
+  std::array<double, std::size_t{most_fitted} * most_fitted> rows;
+  std::copy_n(hessian.data(), hessian.size(), rows.begin());
   const auto n = static_cast<std::size_t>(hessian.rows());
-  return is_positive_definite(hessian.reshaped().eval(), n, [](double pivot) { return pivot > 0; });
+  return is_positive_definite(rows, n, [](double pivot) { return pivot > 0; });
 }
 
 void correct(ParameterMatrix<double>& hessian, const ParameterVector<double>& step,
