@@ -119,7 +119,7 @@ Candidate common_optimum_by(const Patience& patience, const Starts& starts, cons
     if (candidate.status != Status::converged && errors.is_turned_back()) {
       candidate.status = Status::at_border;
     } else if (candidate.status != Status::converged && is_far_end(problem, before)) {
-      candidate.why = "the error is not larger if all parameters are four times as large: there is no best";
+      candidate.why = "four times all parameters have no larger error: the form has no best ones";
     }
     return candidate;
   };

@@ -23,7 +23,7 @@ bool is_contradicted(const Sums<long double>& at, const WideVector& p) {
 /// If the step is negligible, the answer has settled. Else the result is true: another rule must be tried.
 /// The step of a rule that is larger than the answer's own is taken; a smaller rule adds nothing.
 bool settle(Optimum& optimum, const Candidate& candidate, const LeastSquaresProblem& problem,
-            std::size_t rule) {
+            const Sampling& sampling, std::size_t rule) {
   WideVector p(candidate.parameters.size());
   std::copy(optimum.parameters.begin(), optimum.parameters.end(), p.begin());
   const Sums<long double> at = problem.wide(rule, values_of(p));
@@ -41,7 +41,7 @@ bool settle(Optimum& optimum, const Candidate& candidate, const LeastSquaresProb
     optimum.why = {};
     return false;
   }
-  if (rule == problem.first) return true;
+  if (rule == sampling.first) return true;
   for (std::size_t j = 0; j < optimum.parameters.size(); ++j) {
     const auto row = static_cast<Eigen::Index>(j);
     optimum.parameters[j] = static_cast<double>(p[row] + step[row]);
@@ -56,7 +56,7 @@ Starts free_starts(const GivenParameters& given, const Starts& all) {
   return starts;
 }
 
-Optimum solve_free(const LeastSquaresProblem& problem, const Starts& starts) {
+Optimum solve_free(const LeastSquaresProblem& problem, const Sampling& sampling, const Starts& starts) {
   Candidate candidate = common_optimum(starts, problem.basin);
   // A step below 2e-16 hardly changes a double.
   if (candidate.status == Status::converged) polish(problem.fine, candidate, 2e-16);
@@ -69,9 +69,9 @@ Optimum solve_free(const LeastSquaresProblem& problem, const Starts& starts) {
   optimum.why = "the largest quadrature rule still moves a parameter by more than 2e-15 of itself";
   // The rule below the one of the polish is the cheapest that can settle the answer, and nearly always does.
   // Larger rules are sampled only when they are needed.
-  bool goes_on = settle(optimum, candidate, problem, problem.first);
-  for (std::size_t rule = problem.first + 2; goes_on && rule < fit_rules.size(); ++rule)
-    goes_on = settle(optimum, candidate, problem, rule);
+  bool goes_on = settle(optimum, candidate, problem, sampling, sampling.first);
+  for (std::size_t rule = sampling.first + 2; goes_on && rule < fit_rules.size(); ++rule)
+    goes_on = settle(optimum, candidate, problem, sampling, rule);
   return optimum;
 }
 
@@ -109,7 +109,7 @@ GivenParameters given_parameters(std::span<const std::string_view> names, const 
 Optimum solve_least_squares(const LeastSquaresProblem& problem, const Sampling& sampling,
                             const Starts& starts) {
   const GivenParameters& given = sampling.given;
-  Optimum optimum = solve_free(of_free(problem, given), free_starts(given, starts));
+  Optimum optimum = solve_free(of_free(problem, given), sampling, free_starts(given, starts));
   optimum.parameters = with_given<double>(given, optimum.parameters);
   optimum.rms_error /= scale_of(sampling.scale.weight, sampling.metric);
   return optimum;

@@ -148,8 +148,7 @@ class LeastSquares {
       return rule == sampling_.first ? wide_.gradient(p) : sampled<long double>(rule).gradient(p);
     };
     const Domain& domain = sampling_.metric.domain;
-    return {sampled_errors(basin_, family_, domain), sampled_errors(fine_, family_, domain), wide,
-            sampling_.first};
+    return {sampled_errors(basin_, family_, domain), sampled_errors(fine_, family_, domain), wide};
   }
 
   F family_;

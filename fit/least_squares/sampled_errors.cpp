@@ -60,7 +60,7 @@ LeastSquaresProblem of_free(const LeastSquaresProblem& all, const GivenParameter
   const auto wide = [=, of_all = all.wide](std::size_t rule, std::span<const long double> p) {
     return of_free(of_all(rule, with_given(given, p)), given);
   };
-  return {of_free(all.basin, given), of_free(all.fine, given), wide, all.first};
+  return {of_free(all.basin, given), of_free(all.fine, given), wide};
 }
 
 }  // namespace shadefit

@@ -28,7 +28,6 @@ struct LeastSquaresProblem {
   SampledErrors basin, fine;
   /// The gradient in long double by a rule, an index of `fit_rules`.
   std::function<Sums<long double>(std::size_t, std::span<const long double>)> wide;
-  std::size_t first;  ///< of `fit_rules`: the check's; `fine` has the next
 };
 
 /// For each parameter of a form its value, if it is given; else it is free.

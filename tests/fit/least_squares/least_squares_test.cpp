@@ -1,5 +1,4 @@
 #include "fit/least_squares/least_squares.hpp"
-#include "fit/least_squares/newton.hpp"
 
 #include <gtest/gtest.h>
 
@@ -260,85 +259,6 @@ TEST(LeastSquares, RelativeErrorsOfBluntLobes) {
   }
 }
 
-/// A family's scale times its error against its own formula of the relative error.
-template <class F>
-void expect_relative_scale(const F& family, const std::array<double, F::parameters.size()>& p) {
-  for (const double c : {0.75, 0.9, 1.0}) {
-    const auto sample = family.sample(Cosine<double>{c, 1 - c});
-    const double scaled = family.relative_scale(sample) * family.error(sample, p);
-    const double expected = family.relative_error(sample, p);
-    // A few roundings of form and target, of which the error is the difference.
-    EXPECT_NEAR(scaled, expected, 1e-14 * (1 + std::abs(expected))) << F::info.id << " c = " << c;
-  }
-}
-
-TEST(LeastSquares, TheScaleOfARelativeErrorIsItsRatioToTheError) {
-  expect_relative_scale(SgOffset{{12}}, {0.5});
-  expect_relative_scale(SgScaled{{12}}, {1.1, 0.5});
-  expect_relative_scale(PhongBlinn{{12}}, {4.5});
-  for (const Surface& surface : {Surface{}, exact_surface(1.5), exact_surface(0.2, 3)}) {
-    expect_relative_scale(FresnelOneTerm{{surface}}, {9});
-    expect_relative_scale(FresnelQuadratic{{surface}}, {-5, -7});
-    expect_relative_scale(FresnelCubic{{surface}}, {-1, -5, -7});
-    expect_relative_scale(FresnelQuartic{{surface}}, {-1, -1, -5, -7});
-    expect_relative_scale(FresnelFourth{{surface}}, {0.9});
-    expect_relative_scale(FresnelSquare{{surface}}, {2, -2});
-    expect_relative_scale(FresnelRational{{surface}}, {0.5});
-  }
-}
-
-// Five and more parameters, which no family has: the inverse is not a closed form, and the step is that of a
-// known answer.
-TEST(NewtonStep, SolvesForAnyNumberOfParameters) {
-  for (const int n : {1, 2, 3, 4, 5, 9, most_fitted}) {
-    ParameterMatrix<double> hessian(n, n);
-    ParameterVector<double> expected(n);
-    for (int i = 0; i < n; ++i) {
-      expected[i] = 1 + i;
-      for (int j = 0; j < n; ++j) hessian(i, j) = 1.0 / (1 + std::abs(i - j)) + (i == j ? n : 0);
-    }
-    const ParameterVector<double> gradient = -hessian * expected;
-    const ParameterVector<double> step = newton_step(gradient, hessian);
-    EXPECT_LT((step - expected).norm(), 1e-13 * expected.norm()) << n;
-    EXPECT_TRUE(is_minimum(hessian)) << n;
-    hessian(n - 1, n - 1) = -1;
-    EXPECT_FALSE(is_minimum(hessian)) << n;
-  }
-}
-
-// Of three parameters, any are given: the others are those of the form with these constants.
-TEST(SampledErrors, OfFreeOnesAreThoseOfTheWhole) {
-  const FresnelCubic family;
-  const SampledProblem<FresnelCubic, double> sampled(family, Substitution::panels({}, family.shape()), 12);
-  const SampledErrors all = sampled_errors(sampled, family, {});
-  const std::vector p{-1.0, -5.0, -7.0};
-  for (int which = 0; which < 7; ++which) {
-    GivenParameters given(3);
-    std::vector<Eigen::Index> free;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (which >> i & 1) {
-        given[i] = p[i];
-      } else {
-        free.push_back(static_cast<Eigen::Index>(i));
-        values.push_back(p[i]);
-      }
-    }
-    const SampledErrors part = of_free(all, given);
-    EXPECT_EQ(part.square(values), all.square(p));
-    EXPECT_EQ(part.gradient(values).gradient, all.gradient(p).gradient(free).eval());
-    EXPECT_EQ(part.derivatives(values).hessian, all.derivatives(p).hessian(free, free).eval());
-    std::vector<double> r(12), slopes(12 * values.size()), all_r(12), all_slopes(36);
-    part.errors(values, r, slopes);
-    all.errors(p, all_r, all_slopes);
-    EXPECT_EQ(r, all_r);
-    for (std::size_t i = 0; i < free.size(); ++i) {
-      for (std::size_t node = 0; node < 12; ++node)
-        EXPECT_EQ(slopes[12 * i + node], all_slopes[12 * static_cast<std::size_t>(free[i]) + node]);
-    }
-  }
-}
-
 // Settings of every status: only a fit that did not converge says why.
 TEST(LeastSquares, EveryFailureSaysWhy) {
   int failed = 0;
@@ -415,76 +335,6 @@ TEST(CorrectDigits, AreWholeAndCapped) {
   EXPECT_EQ(correct_digits(std::numeric_limits<long double>::quiet_NaN()), 0);
 }
 
-// If the expected rule had not converged, a second rule would be used, and its step counted: the choice saves
-// its time. Sums and steps are those of the fit itself, in long double at its answer.
-TEST(RuleChoice, TheFirstRuleSettlesLobes) {
-  const auto leaves = [](const auto& family, const Metric& metric) {
-    const auto optimum = solve_least_squares(family, metric);
-    const auto panels = Substitution::panels(metric, family.shape());
-    const unsigned size = fit_rules[first_rule(metric, family.shape())];
-    const SampledProblem<std::remove_cvref_t<decltype(family)>, long double> problem(family, panels, size);
-    const auto d = problem.derivatives({static_cast<long double>(optimum.parameters[0])});
-    return static_cast<double>(std::abs(d.gradient[0] / d.hessian(0, 0)) / optimum.parameters[0]);
-  };
-  for (const Measure measure : measures) {
-    for (int k = 1; k <= 64; ++k) {
-      EXPECT_LT(leaves(SgOffset{{static_cast<double>(k)}}, {.measure = measure}), settled)
-          << k << " " << name(measure);
-      EXPECT_LT(leaves(PhongBlinn{{static_cast<double>(k)}}, {.measure = measure}), settled) << k;
-    }
-    for (const double k : {100.0, 1e3, 1e4, 1e6}) {
-      EXPECT_LT(leaves(SgOffset{{k}}, {.measure = measure}), settled) << k;
-      EXPECT_LT(leaves(PhongBlinn{{k}}, {.measure = measure}), settled) << k;
-    }
-  }
-}
-
-TEST(RuleChoice, GrowsWithTheDeclineAndKnowsItsLimits) {
-  const auto size = [](const Metric& metric, const Shape& shape) {
-    return fit_rules[first_rule(metric, shape)];
-  };
-  const Metric angle{.measure = Measure::angle};
-  EXPECT_EQ(size({}, {.concentration = 6, .end_power = 3}), 14U);
-  EXPECT_EQ(size({}, {.concentration = 20, .end_power = 10}), 18U);
-  EXPECT_EQ(size({}, {.concentration = 22, .end_power = 11}), 22U);
-  EXPECT_EQ(size({}, {.concentration = 40, .end_power = 20}), 26U);
-  EXPECT_EQ(size({}, {.concentration = 2e6, .end_power = 1e6}), 26U) << "cut";
-  EXPECT_EQ(size(angle, {.concentration = 6, .end_power = 3}), 22U);
-  EXPECT_EQ(size(angle, {.concentration = 2e6, .end_power = 1e6}), 30U);
-  EXPECT_EQ(size({.domain = {0.5, 1}}, {.concentration = 20, .end_power = 10}), 14U) << "half the decline";
-  EXPECT_EQ(size({}, {.concentration = 5, .end_power = 2.5}), 26U) << "singular at c = 0";
-  EXPECT_EQ(size({}, {.concentration = 101, .end_power = 50.5}), 26U) << "which is cut off";
-  EXPECT_EQ(size({}, {}), 26U) << "of unknown shape";
-  EXPECT_EQ(size({}, {.concentration = 6, .end_power = 3, .joint = Shape::Joint{0.5}}), 26U);
-}
-
-// A wrong expectation only costs time: the exponential is steeper than the shape says, the first rule's step
-// is too large, and a larger one settles the fit all the same.
-struct Understated : SgOffset {
-  Shape shape() const { return {.concentration = 1, .end_power = exponent}; }
-};
-
-TEST(RuleChoice, AWrongExpectationIsCaught) {
-  const Understated family{{{12}}};
-  ASSERT_EQ(fit_rules[first_rule({}, family.shape())], 14U);
-  const auto optimum = solve_least_squares(family, Metric{});
-  const auto expected = solve_least_squares(SgOffset{{12}}, Metric{});
-  EXPECT_EQ(optimum.status, Status::converged);
-  EXPECT_EQ(optimum.digits, 14);
-  EXPECT_NEAR(optimum.parameters[0] / expected.parameters[0], 1, promised);
-}
-
-// The correction recovers a quadratic from steps: independent steps give all of it.
-TEST(Correct, FindsAHessianFromItsSteps) {
-  const Eigen::Matrix2d truth{{3, 1}, {1, 2}};
-  ParameterMatrix<double> hessian = Eigen::Matrix2d{{5, 0}, {0, 1}};
-  for (const Eigen::Vector2d& step : {Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1)})
-    correct(hessian, step, truth * step);
-  EXPECT_LT((hessian - truth).norm(), 1e-14);
-  correct(hessian, Eigen::Vector2d(1, 2), truth * Eigen::Vector2d(1, 2));
-  EXPECT_LT((hessian - truth).norm(), 1e-14) << "nothing is learnt from what was expected";
-}
-
 /// A family that none of our rules can integrate: |c - 1/3|^0.1 has its kink inside.
 struct Kinked : SgOffset {
   static std::array<std::array<double, 1>, 3> starts() { return {{{0.1}, {0.5}, {1}}}; }
@@ -507,35 +357,6 @@ TEST(LeastSquares, DigitsDoNotOverstateWhereNoRuleSettles) {
   EXPECT_GT(optimum.digits, 0);
   // two wrong rules agree by chance to at most one more digit than each has
   EXPECT_LE(error, pow(Decimal50(10), 1 - optimum.digits));
-}
-
-// Gradient and Hessian by Jets of Jets against central differences of the summed square itself, in long
-// double.
-TEST(SampledProblem, DerivativesAreThoseOfTheSquare) {
-  const FresnelQuadratic family;
-  const SampledProblem<FresnelQuadratic, long double> problem(family,
-                                                              Substitution::panels({}, family.shape()), 26);
-  const std::array<long double, 2> p{-5.0L, -7.5L};
-  const auto d = problem.derivatives(p);
-  constexpr long double h = 1e-4L;
-  for (std::size_t i = 0; i < 2; ++i) {
-    auto up = p, down = p;
-    up[i] += h, down[i] -= h;
-    const auto above = problem.derivatives(up), below = problem.derivatives(down);
-    const auto row = static_cast<int>(i);
-    // the differences are off by h^2 times a third derivative of the size of the second: 1e-8
-    EXPECT_NEAR(static_cast<double>((above.square - below.square) / (4 * h) / d.gradient[row]), 1, 1e-7);
-    for (int j = 0; j < 2; ++j) {
-      EXPECT_NEAR(static_cast<double>((above.gradient[j] - below.gradient[j]) / (2 * h) / d.hessian(row, j)),
-                  1, 1e-7);
-    }
-  }
-  EXPECT_EQ(d.hessian(0, 1), d.hessian(1, 0));
-  const auto first = problem.gradient(p);
-  EXPECT_EQ(first.square, d.square);
-  EXPECT_NEAR(static_cast<double>(first.gradient[0] / d.gradient[0]), 1, 1e-16);
-  EXPECT_NEAR(static_cast<double>(first.gradient[1] / d.gradient[1]), 1, 1e-16);
-  EXPECT_EQ(problem.square(p), d.square);
 }
 
 TEST(Status, HasNames) {

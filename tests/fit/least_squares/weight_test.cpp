@@ -24,6 +24,30 @@ TEST(Weight, IsAFormulaOfTheCosine) {
   EXPECT_THROW(Weight("1 + k"), std::invalid_argument);
 }
 
+// The solvers ask for a weight in Jets of the place: the derivatives of sqrt(1 + c) are known.
+TEST(Weight, HasTheDerivativesOfItsFormula) {
+  using First = ceres::Jet<double, 1>;
+  using Second = ceres::Jet<First, 1>;
+  const Weight weight("sqrt(1 + c)");
+  Second c(First(0.5625, 0));
+  c.v[0] = First(1.0);
+  const Second value = weight.at(c);
+  EXPECT_EQ(value.a.a, 1.25);
+  EXPECT_DOUBLE_EQ(value.a.v[0], 0.4);
+  EXPECT_DOUBLE_EQ(value.v[0].a, 0.4);
+  EXPECT_DOUBLE_EQ(value.v[0].v[0], -0.128);
+  ceres::Jet<long double, 1> wide(0.5625L);
+  wide.v[0] = 1;
+  EXPECT_EQ(weight.at(wide).a, 1.25L);
+  EXPECT_NEAR(static_cast<double>(weight.at(wide).v[0] - 0.4L), 0, 1e-19) << "long double";
+  const TwoLanes both = weight.at(TwoLanes(0.5625, 0));
+  EXPECT_EQ(both[0], 1.25);
+  EXPECT_EQ(both[1], 1);
+  // A place that a parameter does not move has no derivative by it, even where the slope is infinite.
+  const ceres::Jet<double, 1> still = Weight("sqrt(c)").at(ceres::Jet<double, 1>(0.0));
+  EXPECT_EQ(still.v[0], 0);
+}
+
 // A formula that is zero at single places can be a weight.
 TEST(Weight, MayBeZeroAtSinglePlaces) {
   for (const char* text : {"1 + 4 c", "c", "1 - c", "c^2", "sqrt(1 - c*c)", "(c - 0.5)^2", "(c - 0.3)^2",
