@@ -103,18 +103,17 @@ class Grid {
     std::size_t size = 1;
     for (const auto& axis : places_) size *= axis.size();
     values_.reserve(size);
+    std::vector<double> at;
     for (std::size_t i = 0; i < size; ++i) {
-      values_.push_back(magnitude(place(i)));
+      set_place(i, at);
+      values_.push_back(magnitude(at));
       if (values_[i] > values_[largest_]) largest_ = i;
     }
   }
 
   std::vector<double> place(std::size_t index) const {
     std::vector<double> at;
-    for (const auto& axis : places_) {
-      at.push_back(axis[index % axis.size()]);
-      index /= axis.size();
-    }
+    set_place(index, at);
     return at;
   }
 
@@ -142,6 +141,14 @@ class Grid {
   }
 
  private:
+  void set_place(std::size_t index, std::vector<double>& at) const {
+    at.clear();
+    for (const auto& axis : places_) {
+      at.push_back(axis[index % axis.size()]);
+      index /= axis.size();
+    }
+  }
+
   bool is_top(std::size_t index) const {
     std::size_t stride = 1;
     for (const auto& axis : places_) {

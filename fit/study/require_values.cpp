@@ -34,19 +34,19 @@ std::string first_place(const ReadStudy& study, const Symbolic& formula, const S
                                : place_of(study, nodes, static_cast<std::size_t>(found - values.begin()));
 }
 
-Decimal50 magnitude_at(const ReadStudy& study, const Symbolic& formula, const Decimal50& x) {
-  // Parameters without a relation to each other: what is 0 for these is 0 for all.
-  return abs(in_50_digits(formula, [&](const std::string& name) {
-    if (name == study.axes.front().variable) return x;
-    std::size_t i = 0;
-    while (study.parameters[i] != name) ++i;
-    return sqrt(Decimal50(static_cast<int>(i) + 2)) / 2;
-  }));
+/// The form at parameters without a relation to each other: where it is 0 or infinite for these, it is for
+/// nearly all.
+Symbolic at_any_parameters(const ReadStudy& study) {
+  std::vector<double> parameters;
+  for (std::size_t i = 0; i < study.parameters.size(); ++i)
+    parameters.push_back(std::sqrt(static_cast<double>(i) + 2) / 2);
+  return at_parameters(study, study.form, parameters);
 }
 
 /// A zero of the target near which |form / target| grows without bound. Empty if there is none.
 std::string zero_of_target(const ReadStudy& study) {
   const StudyAxis& axis = study.axes.front();
+  const Symbolic form = at_any_parameters(study);
   for (double zero : zeros_of(study.target, axis)) {
     // Next to an end it is the end: sin(x) at pi.
     constexpr double end = 1e-12;
@@ -57,7 +57,8 @@ std::string zero_of_target(const ReadStudy& study) {
     const auto ratio = [&](const char* distance) {
       const Decimal50 x =
           Decimal50(zero) + inwards * Decimal50(distance) * Decimal50(axis.upper - axis.lower);
-      return Decimal50(magnitude_at(study, study.form, x) / magnitude_at(study, study.target, x));
+      const auto at_x = [&](const std::string&) { return x; };
+      return Decimal50(abs(in_50_digits(form, at_x) / in_50_digits(study.target, at_x)));
     };
     const Decimal50 far = ratio("1e-6"), near = ratio("1e-12");
     // From one distance to the other, a power above 1/6 grows more than this; a logarithm doubles.
@@ -74,10 +75,10 @@ struct Approach {
   std::vector<double> direction;  ///< for the distance 1; 0 where an axis takes no part
 };
 
-/// What the weight times the target is at a distance from a place, in 50 digits: near a pole that is no
-/// double too.
-Decimal50 size_near(const ReadStudy& study, const Approach& approach, const Decimal50& distance) {
-  return abs(in_50_digits(study.weight * study.target, [&](const std::string& name) {
+/// |formula| at a distance from a place, in 50 digits: near a pole that is no double too.
+Decimal50 size_near(const ReadStudy& study, const Symbolic& formula, const Approach& approach,
+                    const Decimal50& distance) {
+  return abs(in_50_digits(formula, [&](const std::string& name) {
     std::size_t i = 0;
     while (study.axes[i].variable != name) ++i;
     return Decimal50(approach.from[i] + distance * approach.direction[i]);
@@ -94,13 +95,14 @@ Decimal50 density_near(const ReadStudy& study, const Approach& approach, const D
   return product;
 }
 
-/// Whether the target grows without bound, and for least squares so fast that the integral of its square does
+/// Whether a formula grows without bound, and for least squares so fast that the integral of its square does
 /// not converge. d^n, the volume within a distance d on n axes, has to fall faster than the square grows.
-bool is_too_large(const ReadStudy& study, const Approach& approach, Norm norm) {
+bool is_too_large(const ReadStudy& study, const Symbolic& formula, const Approach& approach, Norm norm) {
   const auto n = std::count_if(approach.direction.begin(), approach.direction.end(),
                                [](double direction) { return direction != 0; });
   const Decimal50 far("1e-6"), near("1e-12");
-  const Decimal50 at_far = size_near(study, approach, far), at_near = size_near(study, approach, near);
+  const Decimal50 at_far = size_near(study, formula, approach, far),
+                  at_near = size_near(study, formula, approach, near);
   // From one distance to the other a logarithm doubles; what is bounded changes by a share of 1e-6.
   constexpr double grown = 1.5, constant = 0.999;
   if (!(at_near > grown * at_far)) return false;
@@ -148,23 +150,28 @@ std::vector<Approach> approaches(const ReadStudy& study) {
 
 }  // namespace
 
-void require_finite_target(const ReadStudy& study, Norm norm) {
+void require_finite(const ReadStudy& study, const Symbolic& formula, const std::string& option, Norm norm) {
   if (study.rows || study.error == Error::relative) return;
-  const std::vector<Hinge> hinges = hinges_of(study.weight * study.target);
+  const Symbolic weighted = study.weight * formula;
+  const std::vector<Hinge> hinges = hinges_of(weighted);
   // Without a pole nothing is infinite.
   if (std::none_of(hinges.begin(), hinges.end(), [](const Hinge& hinge) { return hinge.is_pole; })) return;
   for (const Approach& approach : approaches(study)) {
-    if (!is_too_large(study, approach, norm)) continue;
+    if (!is_too_large(study, weighted, approach, norm)) continue;
     std::string place;
     for (std::size_t i = 0; i < study.axes.size(); ++i) {
       if (approach.direction[i] == 0) continue;
       place += (place.empty() ? "" : ", ") + study.axes[i].variable + " = " + to_text(approach.from[i]);
     }
-    throw UserError("--target is not finite at " + place +
-                    (norm == Norm::minimax ? ": no form has a largest error there"
+    throw UserError(option + " is not finite at " + place +
+                    (norm == Norm::minimax ? ": there is no largest error"
                                            : ", and the integral of its square does not converge there") +
                     "; leave that place out of --over");
   }
+}
+
+void require_finite_form(const ReadStudy& study, Norm norm) {
+  require_finite(study, at_any_parameters(study), "--form", norm);
 }
 
 void require_dependence(const ReadStudy& study, const std::vector<bool>& is_open) {

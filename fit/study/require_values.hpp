@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fit/study/study_nodes.hpp"
@@ -11,9 +12,13 @@ namespace shadefit {
 /// not share. With one variable such zeros are found in all of its range, with several only at nodes.
 void require_values(const ReadStudy& study, const StudyNodes& nodes);
 
-/// Throws UserError with a place at the border of the range, or at a pole inside it, where the target is not
-/// finite: for least squares if the integral of its square does not converge there, for minimax always.
-void require_finite_target(const ReadStudy& study, Norm norm);
+/// Throws UserError with a place at the border of the range, or at a pole inside it, where a formula of the
+/// variables is not finite: for least squares if the integral of its square does not converge there, for
+/// minimax always. `option` names the formula.
+void require_finite(const ReadStudy& study, const Symbolic& formula, const std::string& option, Norm norm);
+
+/// The same of the form at nearly all parameters, as for a/x + b at x = 0: to say why a fit failed.
+void require_finite_form(const ReadStudy& study, Norm norm);
 
 /// Throws UserError if the form does not depend on a parameter, or if the parameter only moves a jump, so
 /// that no derivative tells its way. `is_open` marks the parameters whose derivative is 0 everywhere.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -74,18 +75,21 @@ class Rules {
   /// derivatives: a lobe needs narrow panels at its peak.
   void cut_panels(const std::vector<double>& parameters) {
     if (edges_.size() != 1) return;
-    const auto whole = squares(edges_.front(), parameters, 6);
-    std::vector<StudyEdge> cut{edges_.front().front()};
-    for (std::size_t i = 1; i < edges_.front().size(); ++i)
-      cut_panel(cut.back(), edges_.front()[i], parameters, whole, 0, cut);
-    edges_.front() = cut;
+    const std::vector<StudyEdge> edges = edges_.front();
+    std::vector<VectorOf<double>> of_panels;
+    for (std::size_t i = 1; i < edges.size(); ++i)
+      of_panels.push_back(squares(edges[i - 1], edges[i], parameters, fine_rule));
+    const VectorOf<double> whole = std::accumulate(of_panels.begin() + 1, of_panels.end(), of_panels.front());
+    edges_.front() = {edges.front()};
+    for (std::size_t i = 1; i < edges.size(); ++i)
+      cut_panel(edges[i - 1], edges[i], parameters, of_panels[i - 1], whole, 0, edges_.front());
   }
 
  private:
-  /// The integrals of error^2 and of the square of each derivative over the panels between edges.
-  VectorOf<double> squares(const std::vector<StudyEdge>& edges, const std::vector<double>& parameters,
+  /// The integrals of error^2 and of the square of each derivative over a panel.
+  VectorOf<double> squares(StudyEdge left, StudyEdge right, const std::vector<double>& parameters,
                            std::size_t rule) const {
-    const StudyNodes nodes = nodes_of(study_, {edges}, fit_rules[rule]);
+    const StudyNodes nodes = nodes_of(study_, {{left, right}}, fit_rules[rule]);
     const SampledStudy<double> sampled(error_, nodes);
     VectorOf<double> errors;
     MatrixOf<double> slopes;
@@ -97,21 +101,28 @@ class Rules {
     return result * static_cast<double>(nodes.total);
   }
 
+  /// `fine` are the squares of the panel, `whole` those of the range.
   void cut_panel(StudyEdge left, StudyEdge right, const std::vector<double>& parameters,
-                 const VectorOf<double>& whole, int depth, std::vector<StudyEdge>& cut) const {
+                 const VectorOf<double>& fine, const VectorOf<double>& whole, int depth,
+                 std::vector<StudyEdge>& cut) const {
     // A rule of 22 nodes that is right to 1e-6 becomes right to rounding with 38.
     constexpr double agree = 1e-6;
     constexpr int deepest = 20;
-    const auto coarse = squares({left, right}, parameters, 0), fine = squares({left, right}, parameters, 2);
+    const VectorOf<double> coarse = squares(left, right, parameters, coarse_rule);
     const bool is_resolved = ((coarse - fine).cwiseAbs().array() <= agree * whole.array()).all();
     if (is_resolved || depth == deepest || cut.size() > 40) {
       cut.push_back(right);
       return;
     }
     const StudyEdge middle{left.at + (right.at - left.at) / 2};
-    cut_panel(left, middle, parameters, whole, depth + 1, cut);
-    cut_panel(middle, right, parameters, whole, depth + 1, cut);
+    const auto cut_half = [&](StudyEdge from, StudyEdge to) {
+      cut_panel(from, to, parameters, squares(from, to, parameters, fine_rule), whole, depth + 1, cut);
+    };
+    cut_half(left, middle);
+    cut_half(middle, right);
   }
+
+  static constexpr std::size_t coarse_rule = 0, fine_rule = 2;
 
   static std::vector<std::vector<StudyEdge>> all_edges(const ReadStudy& study) {
     std::vector<std::vector<StudyEdge>> edges;

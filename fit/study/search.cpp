@@ -291,7 +291,7 @@ SearchedStudy search_study(const ReadStudy& study, const StudyError& error,
   if (!study.rows && nonlinear > 0) wanted.units = units_of(study, nodes);
   if (!starts.empty()) wanted.given.push_back(start_of(study, starts));
   if (study.has_only_starts && nonlinear > 0) wanted.count = 0;
-  if (nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
+  if (wanted.count > 0 && nonlinear > 0 && study.axes.size() == 1 && !study.rows) {
     // Fewer nodes, but still more than parameters, show the same basins.
     const std::size_t few = has_finer_nodes ? search_rule(study) : 0;
     const SampledStudy<double> coarse(error, nodes_of(study, edges, fit_rules[few]));

@@ -362,7 +362,7 @@ double rms_error(const ReadStudy& study, const StudyError& error, const std::vec
 }
 
 StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, const Checkpoint& checkpoint) {
-  require_finite_target(study, Norm::least_squares);
+  require_finite(study, study.target, "--target", Norm::least_squares);
   const StudyError error(study);
   Rules rules(study, error);
   SearchedStudy searched = search_study(study, error, rules.edges(), starts, checkpoint);
@@ -399,6 +399,7 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
   fit.names = study.parameters;
   fit.starts = searched.starts;
   fit.is_global = searched.is_linear;
+  if (fit.status == Status::not_converged) require_finite_form(study, Norm::least_squares);
   if (fit.status != Status::converged) return fit;
   for (const StudyCandidate& candidate : best) {
     if (is_same_curve(sampled, candidate, chosen)) continue;
@@ -413,6 +414,8 @@ StudyFit solve_study(const ReadStudy& study, const std::vector<Held>& starts, co
     if (!study.has_only_starts) fit.statistics = row_statistics(study, error, sampled, fit.parameters);
   } else {
     fit.max_abs_error = largest_error(study, rules.edges(), fit.parameters);
+    // The square of log(x) has an integral, that of 1/x has none. Rules fit a factor of 1/x that is rounding.
+    if (std::isinf(fit.max_abs_error.magnitude)) require_finite_form(study, Norm::least_squares);
   }
   confirm_integrals(study, fit);
   return fit;

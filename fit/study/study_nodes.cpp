@@ -121,7 +121,7 @@ void append_panel(const StudyAxis& axis, double root, double other, int power, u
   const long double length = static_cast<long double>(other) - static_cast<long double>(root);
   const bool is_uniform = axis.density.parts().empty() && axis.density.name() == "1";
   visit_gauss_rule<long double>(rule_size, [&](long double u, long double w) {
-    const long double lower_power = std::pow(u, static_cast<long double>(power - 1));
+    const long double lower_power = power == 1 ? 1 : std::pow(u, static_cast<long double>(power - 1));
     const long double distance = length * lower_power * u;
     long double weight = w * std::abs(length) * static_cast<long double>(power) * lower_power;
     if (!is_uniform) {

@@ -111,7 +111,7 @@ std::optional<std::vector<double>> other_side(const ReadStudy& study, const Exch
 StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constraints,
                              const std::vector<Held>& starts, const Checkpoint& checkpoint) {
   require_possible(study, constraints);
-  require_finite_target(study, Norm::minimax);
+  require_finite(study, study.target, "--target", Norm::minimax);
   if (study.rows) return solve_minimax_rows(study, starts, checkpoint);
   if (study.axes.size() > 1) return solve_minimax_surface(study, starts, checkpoint);
   const StudyError error(study);
@@ -146,6 +146,8 @@ StudyFit solve_minimax_study(const ReadStudy& study, const Constraints& constrai
   fit.level = best->level;
   fit.alternation = best->alternation;
   std::reverse(fit.alternation.begin(), fit.alternation.end());
+  if (fit.status == Status::infeasible || fit.status == Status::not_finite)
+    require_finite_form(study, Norm::minimax);
   if (fit.status == Status::infeasible)
     throw UserError("the form cannot satisfy the constraints: " + fit.why);
   if (fit.status != Status::converged) return fit;

@@ -1,7 +1,6 @@
 #include "fit/tape/batch.hpp"
 
 #include <concepts>
-#include <set>
 
 namespace shadefit {
 
@@ -29,24 +28,21 @@ StagedTape::Cuts StagedTape::cuts(const Graph& graph, std::span<const int> outpu
     const int node = found == nodes.end() ? -1 : static_cast<int>(found - nodes.begin());
     (input < variables ? result.variables : result.parameters).push_back(node);
   }
-  std::set<int> from_variables, from_parameters, seen;
+  std::vector<bool> is_needed(nodes.size());
   std::vector<int> pending(outputs.begin(), outputs.end());
   while (!pending.empty()) {
-    const int i = pending.back();
+    const auto i = static_cast<std::size_t>(pending.back());
     pending.pop_back();
-    if (!seen.insert(i).second) continue;
-    const auto at = static_cast<std::size_t>(i);
-    if (on_variables[at] && !on_parameters[at]) {
-      from_variables.insert(i);
-    } else if (on_parameters[at] && !on_variables[at]) {
-      from_parameters.insert(i);
-    } else {
-      for (std::size_t k = 0; k < operand_count(nodes[at].operation); ++k)
-        pending.push_back(nodes[at].operands[k]);
-    }
+    if (is_needed[i]) continue;
+    is_needed[i] = true;
+    if (on_variables[i] != on_parameters[i]) continue;
+    for (std::size_t k = 0; k < operand_count(nodes[i].operation); ++k)
+      pending.push_back(nodes[i].operands[k]);
   }
-  result.from_variables.assign(from_variables.begin(), from_variables.end());
-  result.from_parameters.assign(from_parameters.begin(), from_parameters.end());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!is_needed[i] || on_variables[i] == on_parameters[i]) continue;
+    (on_variables[i] ? result.from_variables : result.from_parameters).push_back(static_cast<int>(i));
+  }
   return result;
 }
 

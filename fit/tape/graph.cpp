@@ -163,7 +163,8 @@ int Graph::difference(int a, int b) {
 }
 
 int Graph::product(int a, int b) {
-  if (is_zero(a) || is_zero(b)) return whole(0);
+  if (is_zero(a)) return a;
+  if (is_zero(b)) return b;
   if (is_whole(a, 1)) return b;
   if (is_whole(b, 1)) return a;
   if (is_constant(a) && is_constant(b)) return constant(constant_at(a) * constant_at(b));

@@ -72,7 +72,7 @@ class Graph {
  private:
   int node(const GraphNode& wanted);
   int constant(const Symbolic& value);
-  int whole(int n) { return constant(Symbolic::number(std::to_string(n))); }
+  int whole(int n) { return n == 0 && zero_ >= 0 ? zero_ : constant(Symbolic::number(std::to_string(n))); }
   bool is_whole(int node, int n) const;
   bool is_constant(int node) const;
   const Symbolic& constant_at(int node) const;

@@ -1,6 +1,5 @@
 #include "fit/tape/tape.hpp"
 
-#include <map>
 #include <stdexcept>
 
 #include "fit/scalars/in_50_digits.hpp"
@@ -13,16 +12,15 @@ long double rounded_once(const Symbolic& expression) {
   return static_cast<long double>(in_50_digits(expression));
 }
 
-/// The nodes that outputs need, in the order of the graph, and how many times each is used.
-std::map<int, int> needed_nodes(const Graph& graph, std::span<const int> outputs,
-                                const std::map<int, std::size_t>& given) {
-  std::map<int, int> uses;
+/// How many times outputs, and the nodes that they need, use each node. What is given needs no others.
+std::vector<int> uses_of(const Graph& graph, std::span<const int> outputs, const std::vector<int>& input_of) {
+  std::vector<int> uses(graph.nodes().size());
   std::vector<int> pending(outputs.begin(), outputs.end());
   while (!pending.empty()) {
-    const int i = pending.back();
+    const auto i = static_cast<std::size_t>(pending.back());
     pending.pop_back();
-    if (++uses[i] > 1 || given.contains(i)) continue;
-    const GraphNode& node = graph.nodes()[static_cast<std::size_t>(i)];
+    if (++uses[i] > 1 || input_of[i] >= 0) continue;
+    const GraphNode& node = graph.nodes()[i];
     for (std::size_t k = 0; k < operand_count(node.operation); ++k) pending.push_back(node.operands[k]);
   }
   return uses;
@@ -32,13 +30,15 @@ std::map<int, int> needed_nodes(const Graph& graph, std::span<const int> outputs
 
 Tape::Tape(const Graph& graph, std::span<const int> outputs, std::span<const int> given)
     : input_count_(given.size()) {
-  std::map<int, std::size_t> input_of;
-  for (std::size_t i = 0; i < given.size(); ++i) input_of.emplace(given[i], i);
-  std::map<int, int> uses = needed_nodes(graph, outputs, input_of);
+  std::vector<int> input_of(graph.nodes().size(), -1);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i] >= 0) input_of[static_cast<std::size_t>(given[i])] = static_cast<int>(i);
+  }
+  std::vector<int> uses = uses_of(graph, outputs, input_of);
 
   // Inputs and constants get their places after the registers, which are counted first: until then they are
   // negative, -1 for the first.
-  std::map<int, int> place;
+  std::vector<int> place(graph.nodes().size());
   std::vector<int> free_registers;
   const auto take_register = [&] {
     if (free_registers.empty()) return static_cast<int>(register_count_++);
@@ -46,12 +46,13 @@ Tape::Tape(const Graph& graph, std::span<const int> outputs, std::span<const int
     free_registers.pop_back();
     return result;
   };
-  for (const auto& [i, count] : uses) {
-    if (const auto input = input_of.find(i); input != input_of.end()) {
-      place[i] = -1 - static_cast<int>(input->second);
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    if (uses[i] == 0) continue;
+    if (input_of[i] >= 0) {
+      place[i] = -1 - input_of[i];
       continue;
     }
-    const GraphNode& node = graph.nodes()[static_cast<std::size_t>(i)];
+    const GraphNode& node = graph.nodes()[i];
     if (node.operation == Operation::input) throw std::logic_error("a tape needs an input that is not given");
     if (node.operation == Operation::constant) {
       place[i] = -1 - static_cast<int>(input_count_ + constants_.size());
@@ -60,21 +61,22 @@ Tape::Tape(const Graph& graph, std::span<const int> outputs, std::span<const int
       continue;
     }
     Instruction step{node.operation, node.index, {-1, -1, -1, -1}, 0};
-    for (std::size_t k = 0; k < operand_count(node.operation); ++k) step.from[k] = place.at(node.operands[k]);
+    for (std::size_t k = 0; k < operand_count(node.operation); ++k)
+      step.from[k] = place[static_cast<std::size_t>(node.operands[k])];
     // The result has its own register: a loop over many places may not overwrite its operands.
     step.to = take_register();
     place[i] = step.to;
     code_.push_back(step);
     for (std::size_t k = 0; k < operand_count(node.operation); ++k) {
-      const int operand = node.operands[k];
-      if (--uses[operand] == 0 && place.at(operand) >= 0) free_registers.push_back(place.at(operand));
+      const auto operand = static_cast<std::size_t>(node.operands[k]);
+      if (--uses[operand] == 0 && place[operand] >= 0) free_registers.push_back(place[operand]);
     }
   }
   const auto final_place = [&](int p) { return p >= 0 ? p : static_cast<int>(register_count_) - 1 - p; };
   for (Instruction& step : code_) {
     for (std::size_t k = 0; k < operand_count(step.operation); ++k) step.from[k] = final_place(step.from[k]);
   }
-  for (const int output : outputs) outputs_.push_back(final_place(place.at(output)));
+  for (const int output : outputs) outputs_.push_back(final_place(place[static_cast<std::size_t>(output)]));
 }
 
 template void TapeProgram<double>::run(std::span<const double>);

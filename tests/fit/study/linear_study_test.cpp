@@ -7,6 +7,7 @@
 
 #include "fit/study/solve_study.hpp"
 #include "fit/study/study.hpp"
+#include "fit/study_exchange/minimax_study.hpp"
 #include "fit/support/user_error.hpp"
 
 /// Forms that are linear in many parameters, whose columns are nearly dependent.
@@ -77,6 +78,29 @@ TEST(LinearStudy, ATargetWithoutAMeanSquareIsRefusedWithItsPlace) {
   EXPECT_EQ(refusal({.target = "1/(x y)", .form = form, .over = {x, y}}), "--target is not finite at y = 0");
   EXPECT_EQ(refusal({.target = "1/(x + y)", .form = form, .over = {x, y}}),
             "--target is not finite at x = 0");
+}
+
+// The largest error of a form that grows without bound is infinite; its square may have an integral.
+TEST(LinearStudy, AFormWithoutAMeanSquareIsRefusedWithItsPlace) {
+  const auto refusal = [](const std::string& form, const auto& solve) -> std::string {
+    try {
+      solve(read_study({.target = "x", .form = form, .over = {{"x", "0", "1"}}}));
+    } catch (const UserError& error) {
+      const std::string text = error.what();
+      return text.substr(0, text.find_first_of(",:"));
+    }
+    return "none";
+  };
+  const auto least_squares = [](const ReadStudy& study) { solve_study(study, {}); };
+  const auto minimax = [](const ReadStudy& study) { solve_minimax_study(study, {}, {}); };
+  for (const std::string form : {"a/x + b", "a/x^0.6 + b", "a/sin(x) + b"}) {
+    EXPECT_EQ(refusal(form, least_squares), "--form is not finite at x = 0") << form;
+    EXPECT_EQ(refusal(form, minimax), "--form is not finite at x = 0") << form;
+  }
+  for (const std::string form : {"a log(x) + b", "a/x^0.4 + b", "a/log(x/2) + b x", "a sin(x)/x + b"})
+    EXPECT_EQ(refusal(form, least_squares), "none") << form;
+  EXPECT_EQ(refusal("a log(x) + b", minimax), "--form is not finite at x = 0");
+  EXPECT_EQ(refusal("a sin(x)/x + b", minimax), "none");
 }
 
 // Roots, logarithms and kinks across several variables. The moments of the targets on the square and the cube
